@@ -1,0 +1,438 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fourlink.h - kinematics and kinetostatics of four-link mechanisms.
+**
+** The whole public interface of the library: this header alone is enough to write a program.
+** It is strict C90 and C++98-clean.  The library keeps no state, allocates nothing, prints nothing
+** and never ends the process; every function may be called from several threads at once.
+**
+** Conventions
+**
+**   Links    1 ground (A-D), 2 crank (A-B), 3 coupler or connecting rod (B-C), 4 rocker (D-C) or
+**            piston (at C).  Arrays over links are indexed by the link's number.
+**   Frame    Right-handed, that of link 1: origin A, x along A->D (four-bar) or along the line of
+**            stroke from the crankshaft to the piston (slider-crank), z out of the paper.
+**   Units    SI and radians throughout.  Angles, angular speeds and torques are positive
+**            counter-clockwise.
+**   Forces   F_ij is the force that link i exerts ON link j.  Ts is the torque that the ground (the
+**            motor) exerts on the crank; a machine that delivers torque has Ts < 0.
+**   Status   Every function that can fail returns a status: FOURLINK_OK (0), or one of the codes of
+**            FOURLINK_STATUS_LIST.  When it is not 0, the outputs are untouched.
+**
+** Sources, by the short names used in the code
+**
+**   Alvi     N. G. Alvi, S. V. Deshmukh, R. R. Wayzode, "Computer Aided Analysis of Four bar Chain
+**            Mechanism".
+**   ME3491   "ME3491 Theory of Machines", chapter 2, Dynamic Force Analysis (course material,
+**            Rohini College of Engineering & Technology).
+**   DFA      "Dynamic Force Analysis: Analytical Method" (lecture notes).
+**
+** All three contain misprints and errors; data/ERRATA.md lists them.
+*/
+#ifndef FOURLINK_H
+#define FOURLINK_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__) && __GNUC__ >= 4
+#define FOURLINK_API __attribute__((visibility("default")))
+#else
+#define FOURLINK_API
+#endif
+
+#define FOURLINK_VERSION "0.1.0"
+
+/* ---------------------------------------------------------------------------------------------
+** Status codes
+** ------------------------------------------------------------------------------------------- */
+
+/* One list makes the codes and their texts.  1 to 19 concern one crank position and leave the
+** others usable; 20 and above say that the call or its data are wrong. */
+#define FOURLINK_STATUS_LIST(X)                                                                    \
+    X(FOURLINK_OK, 0, "ok")                                                                        \
+    X(FOURLINK_TOO_FAR, 1, "the links do not reach: B and D are too far apart")                    \
+    X(FOURLINK_TOO_NEAR, 2, "the links do not reach: B and D are too close together")              \
+    X(FOURLINK_ROD_TOO_SHORT, 3, "the rod does not reach the line of stroke")                      \
+    X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")       \
+    X(FOURLINK_CHANGE_POINT, 5, "change point: the motion may go on in two ways")                  \
+    X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                   \
+    X(FOURLINK_NULL, 20, "a null pointer was passed")                                              \
+    X(FOURLINK_BAD_NUMBER, 21, "a number is not finite, or beyond what the program computes with") \
+    X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")         \
+    X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                         \
+    X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                          \
+    X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                           \
+    X(FOURLINK_BAD_LINK, 26, "a load or a point is on a link that does not move")                  \
+    X(FOURLINK_BAD_FRAME, 27, "the frame of a load is neither ground nor link")                    \
+    X(FOURLINK_BAD_INTERVAL, 28, "the interval of the crank angle is not positive")                \
+    X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")       \
+    X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                          \
+    X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                   \
+    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")
+
+#define FOURLINK_STATUS_CODE_(name, value, text) name = value,
+typedef enum fourlink_status {
+    FOURLINK_STATUS_LIST(FOURLINK_STATUS_CODE_) FOURLINK_STATUS_END_ = 99
+} fourlink_status;
+#undef FOURLINK_STATUS_CODE_
+
+/* ---------------------------------------------------------------------------------------------
+** The mechanism
+** ------------------------------------------------------------------------------------------- */
+
+typedef enum fourlink_kind { FOURLINK_FOUR_BAR = 1, FOURLINK_SLIDER_CRANK = 2 } fourlink_kind;
+
+/* The range of numbers the library computes with: no machine comes near its ends, and within it no
+** result can overflow.  What is outside is refused with FOURLINK_BAD_NUMBER, NaN included. */
+#define FOURLINK_LENGTH_MIN 1e-15 /* m */
+#define FOURLINK_LENGTH_MAX 1e15  /* m; also of distances such as `cg`, `at` and `offset` */
+#define FOURLINK_NUMBER_MAX 1e30  /* all else, in SI units */
+
+/* The two ways in which the links can be put together.
+**
+** Four-bar:     open, C lies to the left of the directed line B->D; crossed, to the right.
+** Slider-crank: open, the piston is on the +x side of the crank pin; crossed, on the -x side.
+**
+** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for
+** a slider-crank at +90 or -90 deg) passes smoothly from one side to the other.  There the label
+** stays with the smooth motion that has the named side just after crank angle 0 (four-bar), or at
+** crank angle 0 (slider-crank): it is a function of the lengths and of the angle alone, which for
+** this purpose counts on past 360 deg.
+*/
+typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
+
+enum { FOURLINK_GROUND = 1, FOURLINK_CRANK = 2, FOURLINK_COUPLER = 3, FOURLINK_FOLLOWER = 4 };
+
+typedef struct fourlink_vector {
+    double x, y;
+} fourlink_vector;
+
+/* One link.  Its own axes: origin at A (crank), B (coupler, rod), D (rocker) or C (piston); x along
+** its line towards its other pin (piston: parallel to the line of stroke), y to the left of that.
+ */
+typedef struct fourlink_link {
+    double length;      /* m; of the piston unused */
+    double mass;        /* kg; 0 for a link without weight */
+    double inertia;     /* kg m2, moment of inertia about the centre of mass */
+    fourlink_vector cg; /* m, centre of mass in the link's own axes */
+} fourlink_link;
+
+/* What the caller knows about a mechanism.  Zero it first: what is left at 0 is absent. */
+typedef struct fourlink_design {
+    fourlink_kind kind;
+    fourlink_link link[5];   /* by link number; [0] is unused, of [1] only the length (four-bar) */
+    double offset;           /* m, slider-crank: the line of stroke is y = offset; either sign */
+    fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
+} fourlink_design;
+
+/* A design, checked, with the constants that every crank position needs.  Fill it with
+** fourlink_prepare; the members may be read, not written. */
+typedef struct fourlink_mechanism {
+    fourlink_design design;
+    double stretched;     /* m2 or m: what is left of reach with all links in line, see fourbar.c */
+    double folded;        /* m2 or m: the same, folded */
+    int change_stretched; /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
+    int change_folded;    /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
+    double dead_centre;   /* m, slider-crank: distance of the inner dead centre from A, along x */
+} fourlink_mechanism;
+
+/* ---------------------------------------------------------------------------------------------
+** One crank position
+** ------------------------------------------------------------------------------------------- */
+
+/* The crank at one row: the input of every analysis. */
+typedef struct fourlink_crank {
+    double theta2; /* rad, from +x; counts on past 2 pi */
+    double omega2; /* rad/s */
+    double alpha2; /* rad/s2 */
+} fourlink_crank;
+
+/* The motion of one link, as that of a rigid body. */
+typedef struct fourlink_link_state {
+    double theta;                 /* rad, angle of the link's line from +x, in (-pi, pi] but for the
+                                     crank's, which is the one given */
+    double omega;                 /* rad/s */
+    double alpha;                 /* rad/s2 */
+    double k;                     /* 1, d(theta)/d(theta2): omega for a unit crank speed */
+    fourlink_vector axis;         /* 1, unit vector along the link's line */
+    fourlink_vector origin;       /* m, position of the link's origin */
+    fourlink_vector k_origin;     /* m, d(origin)/d(theta2) */
+    fourlink_vector velocity;     /* m/s, of the origin */
+    fourlink_vector acceleration; /* m/s2, of the origin */
+} fourlink_link_state;
+
+/* A crank position: filled in three steps by fourlink_position, fourlink_velocity and
+** fourlink_acceleration, or at once by fourlink_analyse. */
+typedef struct fourlink_state {
+    fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
+    fourlink_branch branch;
+    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3).
+                       Positive on the open branch; 0 in a dead position; 1/|sine| is the
+                       condition of the position: the factor by which relative errors
+                       of the data can grow */
+    double mu;      /* rad, transmission angle, 0 to pi/2 */
+    double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
+    double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
+                       inner dead centre, positive away from it, and its derivatives */
+} fourlink_state;
+
+/* ---------------------------------------------------------------------------------------------
+** Loads and forces
+** ------------------------------------------------------------------------------------------- */
+
+/* The axes in which a load's force is given. */
+typedef enum fourlink_frame {
+    FOURLINK_FRAME_GROUND = 0, /* the frame of link 1: the force keeps its direction */
+    FOURLINK_FRAME_LINK = 1    /* the link's own axes: the force turns with the link */
+} fourlink_frame;
+
+/* A force and a torque on a moving link, beside its weight. */
+typedef struct fourlink_load {
+    int link; /* 2, 3 or 4 */
+    fourlink_frame frame;
+    fourlink_vector force; /* N */
+    fourlink_vector at;    /* m, the point of the link where it acts, in the link's own axes */
+    double torque;         /* N m, counter-clockwise positive */
+} fourlink_load;
+
+/* The nine unknowns of a crank position, and the check on them. */
+typedef struct fourlink_forces {
+    double F12x, F12y; /* N, ground on crank, at A */
+    double F23x, F23y; /* N, crank on coupler, at B */
+    double F34x, F34y; /* N, coupler on link 4, at C */
+    double F14x, F14y; /* N, ground on link 4: at D, or the guide on the piston (then F14x = 0) */
+    double M14;        /* N m, slider-crank: couple of the guide on the piston; four-bar: 0 */
+    double Ts;         /* N m, ground on crank: the driving torque */
+    double Ts_work;    /* N m, the same by virtual work, without the nine equations */
+    double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
+                          largest term of the balance; 0 where every term is 0 */
+} fourlink_forces;
+
+/* ---------------------------------------------------------------------------------------------
+** The motion of the crank
+** ------------------------------------------------------------------------------------------- */
+
+/* The crank positions to visit.  Angles are in the caller's own unit, so that 40 deg stays exactly
+** 40 from the input to the table. */
+typedef struct fourlink_motion {
+    double angle_unit; /* rad, the unit of the four angles below: 1 for radians, pi/180 for deg */
+    double from, to;   /* first and last crank angle; to < from is a range that runs clockwise */
+    double interval;   /* > 0; the last row is `to` also where the interval does not divide */
+    double run_up;     /* > 0: start from rest at `from` with `acceleration`, which ends after this
+                          angle; `speed` is not used.  0: no run-up */
+    double speed;      /* rad/s, at the first row */
+    double
+        acceleration; /* rad/s2, constant over the range: omega2^2 = speed^2 + 2 acceleration s */
+    int hold;         /* 1: every row has the same speed and acceleration instead */
+} fourlink_motion;
+
+/* The rows of a motion. */
+typedef struct fourlink_range {
+    unsigned long n_rows; /* at least 1 */
+    int stops;            /* 1: the crank comes to rest before `to`, and the rows end there */
+    double stop_angle;    /* where it does, in the motion's own unit; else 0 */
+} fourlink_range;
+
+/* One row of a motion. */
+typedef struct fourlink_row {
+    fourlink_crank crank;
+    double angle; /* crank angle in the motion's own unit */
+    double time;  /* s, since the first row; 0 where it is not defined (see fourlink_motion_row) */
+} fourlink_row;
+
+/* ---------------------------------------------------------------------------------------------
+** Functions
+** ------------------------------------------------------------------------------------------- */
+
+/* The text of a status code: a constant string in English, never null. */
+FOURLINK_API const char *fourlink_status_text(int status);
+
+/* The version of the library, such as "0.1.0": compare it with FOURLINK_VERSION. */
+FOURLINK_API const char *fourlink_version(void);
+
+/* Check a design and prepare it for the functions below.
+**
+** Given:
+**    design     the mechanism: lengths > 0 (of the piston unused), masses and inertias >= 0
+** Returned:
+**    mechanism  the same, checked, with the constants of every position
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
+**    FOURLINK_BAD_MASS
+** Note:
+**    A design whose links do not reach at some angles, or at any, is in order: the positions say
+*so.
+*/
+FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism);
+
+/* Position of all links at one crank angle.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    theta2     rad, crank angle
+** Returned:
+**    state      theta, axis and origin of each link; sine, mu; slider-crank: phi, x
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_TOO_FAR, FOURLINK_TOO_NEAR, FOURLINK_ROD_TOO_SHORT,
+**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT;
+**    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
+** Notes:
+** 1) A position counts as dead when sine^2 < 1e-14: what is left is rounding error.
+** 2) Velocities and accelerations in `state` are left as they were.
+** Reference:
+**    Alvi, eqs. 1 to 3; theory in fourbar.c and slidercrank.c.
+*/
+FOURLINK_API int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                                   double theta2, fourlink_state *state);
+
+/* Velocity of all links.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    omega2     rad/s, crank speed; may be negative or 0
+** Given and returned:
+**    state      from fourlink_position; receives omega, k, k_origin, velocity of each link;
+**               slider-crank: v
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER
+** Reference:
+**    Alvi, eqs. 4.1 and 4.2.
+*/
+FOURLINK_API int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2,
+                                   fourlink_state *state);
+
+/* Acceleration of all links.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    alpha2     rad/s2, acceleration of the crank
+** Given and returned:
+**    state      from fourlink_velocity; receives alpha and acceleration of each link; slider-crank:
+*a
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER
+** Reference:
+**    Alvi, section 3.3.
+*/
+FOURLINK_API int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2,
+                                       fourlink_state *state);
+
+/* Position, velocity and acceleration of a point of a link.
+**
+** Given:
+**    state         from fourlink_acceleration
+**    link          2, 3 or 4
+**    at            m, the point in the link's own axes
+** Returned (each may be null):
+**    position      m, in the frame of link 1
+**    velocity      m/s
+**    acceleration  m/s2
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK
+*/
+FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fourlink_vector *at,
+                                fourlink_vector *position, fourlink_vector *velocity,
+                                fourlink_vector *acceleration);
+
+/* Pin forces and driving torque: solves the nine Newton-Euler equations of a crank position.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    state      from fourlink_acceleration
+**    loads      forces and torques beside the weights; may be null if n_loads is 0
+**    n_loads    how many
+** Returned:
+**    forces     F12 ... F14, Ts, residual
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_SINGULAR; FOURLINK_NULL, FOURLINK_BAD_NUMBER,
+**    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
+** Notes:
+** 1) The system is solved by GSL's LU decomposition for banded matrices, which allocates nothing.
+** 2) `residual` is near 1e-15 when all is right, and grows with the condition 1/|sine|.
+** Reference:
+**    ME3491, eqs. 3 to 15, corrected; see kinetostatics.c.
+*/
+FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                const fourlink_load *loads, unsigned long n_loads,
+                                fourlink_forces *forces);
+
+/* The nine equations themselves, A x = b.
+**
+** Given:
+**    mechanism, state, loads, n_loads  as for fourlink_solve
+** Returned:
+**    A          9 x 9, row by row; moments about the centres of mass
+**    b          9, forces in N, moments in N m
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK,
+**    FOURLINK_BAD_FRAME
+** Note:
+**    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts), N
+**    the force of the guide on the piston along +y.
+** Reference:
+**    ME3491, eq. 15 and the matrix below it, corrected.
+*/
+FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                 const fourlink_load *loads, unsigned long n_loads, double A[9][9],
+                                 double b[9]);
+
+/* A whole crank position in one call: position, velocity, acceleration, forces.
+**
+** Given:
+**    mechanism       from fourlink_prepare
+**    branch          FOURLINK_OPEN or FOURLINK_CROSSED
+**    crank           crank angle, speed and acceleration
+**    loads, n_loads  as for fourlink_solve
+** Returned:
+**    state           the motion of every link
+**    forces          pin forces and driving torque; may be null: then they are not computed
+** Returned (function value):
+**    as for the four functions above
+*/
+FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                                  const fourlink_crank *crank, const fourlink_load *loads,
+                                  unsigned long n_loads, fourlink_state *state,
+                                  fourlink_forces *forces);
+
+/* The rows of a motion.
+**
+** Given:
+**    motion     the range, or the run-up and one revolution after it
+** Returned:
+**    range      how many rows there are, and whether the crank comes to rest on its way
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_INTERVAL, FOURLINK_BAD_RANGE,
+**    FOURLINK_NO_RUN_UP, FOURLINK_TOO_MANY_ROWS
+** Note:
+**    Rows are at from, from + interval, ... and at the last angle, which is `to`; with a run-up it
+**    is one revolution after its end, in the direction of the acceleration.
+*/
+FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range);
+
+/* The crank at one row of a motion, computed from the row's number: rounding does not accumulate.
+**
+** Given:
+**    motion     as above
+**    range      from fourlink_motion_range
+**    i          0 ... range->n_rows - 1
+** Returned:
+**    row        crank angle, speed, acceleration; time since the first row
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
+** Note:
+**    The time is not defined, and 0, for a crank at rest and where `hold` is set with an
+**    acceleration.
+** Reference:
+**    Alvi, section 5, the program: its three kinds of motion.
+*/
+FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range,
+                                     unsigned long i, fourlink_row *row);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** internal.h - what the files of the library share, and its callers do not see.
+*/
+#ifndef FOURLINK_INTERNAL_H
+#define FOURLINK_INTERNAL_H
+
+#include "fourlink.h"
+
+/* Below this value of sine^2 a position is dead: what is left of it is rounding error. */
+#define FLK_DEAD 1e-14
+
+/* 1 if |x| <= max; 0 for larger numbers, and for NaN. */
+#define FLK_WITHIN(x, max) (-(max) <= (x) && (x) <= (max))
+
+/* z component of u x v, and u . v */
+#define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
+#define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
+
+/* The two mechanisms, in fourbar.c and slidercrank.c, as mechanism.c calls them: the crank and its
+** pin B are placed there, and each mechanism adds links 3 and 4.
+**
+** prepare       the constants of the mechanism, from its lengths
+** reach         whether links 3 and 4 meet with the crank at the angle whose half has this sine and
+**               cosine; `sine` is that of the open branch, change points passed smoothly
+** position, velocity, acceleration
+**               theta, axis and origin; k, omega and the origin's k and velocity; alpha and the
+**               origin's acceleration, of link 3 (but for its origin) and of link 4
+*/
+void flk_fourbar_prepare(fourlink_mechanism *mechanism);
+int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
+                      double *sine);
+void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *state);
+void flk_fourbar_velocity(const fourlink_mechanism *mechanism, fourlink_state *state);
+void flk_fourbar_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
+
+void flk_slidercrank_prepare(fourlink_mechanism *mechanism);
+int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
+                          double *sine);
+void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_state *state);
+void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state);
+void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
+
+/* The arm from a link's origin to a point of it, turned into the frame of link 1 (mechanism.c). */
+fourlink_vector flk_arm(const fourlink_link_state *link, fourlink_vector at);
+
+#endif

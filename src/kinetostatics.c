@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** kinetostatics.c - pin forces and driving torque from the Newton-Euler equations of the three
+** moving links, and the check by virtual work.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_linalg.h>
+
+#include "internal.h"
+
+/* A pivot of the scaled equations, whose coefficients are near 1, below which they are singular.
+** Dead positions are refused before, at 1e-7. */
+#define SMALLEST_PIVOT 1e-13
+
+/* One moving link, cut free.  `first` is the pin towards the crankshaft (A, B, C for links 2, 3,
+*4),
+** `second` the other one (B, C, D; of the piston, C again). */
+typedef struct free_body {
+    fourlink_vector first, second; /* m, arms from the centre of mass to the pins */
+    fourlink_vector force;         /* N, m a_G - W - (sum of forces) */
+    double moment;                 /* N m, I alpha - (sum of moments about G) */
+    double work;                   /* N m, power of loads, weight and inertia, unit crank speed */
+    double largest;                /* N m, the largest term of it */
+} free_body;
+
+static void add_work(free_body *body, double term)
+{
+    body->work += term;
+    if (fabs(term) > body->largest)
+        body->largest = fabs(term);
+}
+
+/* Derivative by theta2 of the point at arm r from the link's origin: its velocity for a unit crank
+** speed. */
+static fourlink_vector unit_velocity(const fourlink_link_state *link, fourlink_vector r)
+{
+    fourlink_vector k;
+
+    k.x = link->k_origin.x - link->k * r.y;
+    k.y = link->k_origin.y + link->k * r.x;
+    return k;
+}
+
+static int check_load(const fourlink_load *load)
+{
+    if (load->link < FOURLINK_CRANK || load->link > FOURLINK_FOLLOWER)
+        return FOURLINK_BAD_LINK;
+    if (load->frame != FOURLINK_FRAME_GROUND && load->frame != FOURLINK_FRAME_LINK)
+        return FOURLINK_BAD_FRAME;
+    if (!FLK_WITHIN(load->force.x, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(load->force.y, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(load->at.x, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(load->at.y, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(load->torque, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    return FOURLINK_OK;
+}
+
+static void apply_load(const fourlink_load *load, const fourlink_link_state *link,
+                       fourlink_vector cg, free_body *body)
+{
+    fourlink_vector F = load->force, r = flk_arm(link, load->at), rho, k;
+
+    if (load->frame == FOURLINK_FRAME_LINK)
+        F = flk_arm(link, F);
+    rho.x = r.x - cg.x;
+    rho.y = r.y - cg.y;
+    k = unit_velocity(link, r);
+    body->force.x -= F.x;
+    body->force.y -= F.y;
+    body->moment -= load->torque + FLK_CROSS(rho, F);
+    add_work(body, FLK_DOT(F, k));
+    add_work(body, load->torque * link->k);
+}
+
+/* Cut the three links free: arms, right-hand sides (ME3491 eqs. 1 to 11), terms of virtual work.
+** The coupler's a_G has the acceleration of B, which the ME3491 program leaves out. */
+static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    const fourlink_load *loads, unsigned long n_loads, free_body body[3])
+{
+    fourlink_vector pin[4]; /* A, B, C, D; of a slider-crank D is C */
+    unsigned long n;
+    int i;
+
+    for (n = 0; n < n_loads; n++) {
+        int status = check_load(&loads[n]);
+
+        if (status != FOURLINK_OK)
+            return status;
+    }
+    pin[0] = state->link[2].origin;
+    pin[1] = state->link[3].origin;
+    pin[2].x = pin[1].x + mechanism->design.link[3].length * state->link[3].axis.x;
+    pin[2].y = pin[1].y + mechanism->design.link[3].length * state->link[3].axis.y;
+    pin[3] = state->link[4].origin;
+    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
+        pin[2] = pin[3];
+
+    for (i = 0; i < 3; i++) {
+        const fourlink_link *data = &mechanism->design.link[i + 2];
+        const fourlink_link_state *link = &state->link[i + 2];
+        fourlink_vector r = flk_arm(link, data->cg), G, a, k = unit_velocity(link, r), W;
+        double omega2 = link->omega * link->omega;
+
+        G.x = link->origin.x + r.x;
+        G.y = link->origin.y + r.y;
+        a.x = link->acceleration.x - link->alpha * r.y - omega2 * r.x;
+        a.y = link->acceleration.y + link->alpha * r.x - omega2 * r.y;
+        W.x = data->mass * mechanism->design.gravity.x;
+        W.y = data->mass * mechanism->design.gravity.y;
+        body[i].first.x = pin[i].x - G.x;
+        body[i].first.y = pin[i].y - G.y;
+        body[i].second.x = pin[i + 1].x - G.x;
+        body[i].second.y = pin[i + 1].y - G.y;
+        body[i].force.x = data->mass * a.x - W.x;
+        body[i].force.y = data->mass * a.y - W.y;
+        body[i].moment = data->inertia * link->alpha;
+        body[i].work = 0;
+        body[i].largest = 0;
+        add_work(&body[i], FLK_DOT(W, k));
+        add_work(&body[i], -data->mass * FLK_DOT(a, k));
+        add_work(&body[i], -data->inertia * link->alpha * link->k);
+        for (n = 0; n < n_loads; n++)
+            if (loads[n].link == i + 2)
+                apply_load(&loads[n], link, r, &body[i]);
+    }
+    return FOURLINK_OK;
+}
+
+/* The nine equations, A x = b, x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts).  With rho_P = P -
+*G
+** and rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 (ME3491 eqs. 3 to 15; theirs have cosines
+** for sines in the moments, and r_g3 for r_g4):
+**
+**    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
+**    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
+**    F34 + F14 = m a_G4 - W4 - sum F        rho_C x F34 + rho_D x F14      = I alpha4 - sum M
+**
+** A piston does not turn and its guide gives a normal force N and a couple: F14y is N, which acts
+*at
+** the pin C, and the column of F14x is that of the couple M14.
+*/
+/* The place of an equation and of an unknown in the array that holds the matrix: the coefficient of
+** unknown u in equation e is at row[e] + column[u]. */
+typedef struct layout {
+    int row[9], column[9];
+} layout;
+
+/* `per_length` multiplies the moment equations of the three links. */
+static void assemble(const fourlink_mechanism *mechanism, const free_body body[3],
+                     const double per_length[3], const layout *at, double *A, double b[9])
+{
+    int i;
+
+    memset(A, 0, 81 * sizeof A[0]);
+    for (i = 0; i < 3; i++) {
+        double *x = A + at->row[3 * i], *y = A + at->row[3 * i + 1], *m = A + at->row[3 * i + 2];
+        const int *first = at->column + 2 * i, *second = first + 2;
+        double sign = i == 2 ? 1 : -1, s = per_length[i];
+
+        x[first[0]] = 1;
+        x[second[0]] = sign;
+        y[first[1]] = 1;
+        y[second[1]] = sign;
+        m[first[0]] = -s * body[i].first.y;
+        m[first[1]] = s * body[i].first.x;
+        m[second[0]] = -sign * s * body[i].second.y;
+        m[second[1]] = sign * s * body[i].second.x;
+        b[3 * i] = body[i].force.x;
+        b[3 * i + 1] = body[i].force.y;
+        b[3 * i + 2] = s * body[i].moment;
+    }
+    A[at->row[2] + at->column[8]] = per_length[0];
+    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK) {
+        A[at->row[6] + at->column[6]] = 0;
+        A[at->row[8] + at->column[6]] = per_length[2];
+    }
+}
+
+/* Solve A x = b.  With the unknowns in the order Ts, F12 ... F14 and the equations in the order
+**
+**    moment 2, x 2, y 2, x 3, y 3, moment 3, moment 4, x 4, y 4
+**
+** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded
+*matrices
+** works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of the
+** matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's
+*length:
+** so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
+*/
+#define BELOW 2
+#define ABOVE 4
+#define WIDTH (2 * BELOW + ABOVE + 1)
+#define COLUMN(j) ((WIDTH - 1) * (j) + BELOW + ABOVE)
+#define DIAGONAL(j) (COLUMN(j) + (j))
+
+static const layout banded = {{1, 2, 0, 3, 4, 5, 7, 8, 6},
+                              {COLUMN(1), COLUMN(2), COLUMN(3), COLUMN(4), COLUMN(5), COLUMN(6),
+                               COLUMN(7), COLUMN(8), COLUMN(0)}};
+
+static int solve(const fourlink_mechanism *mechanism, const free_body body[3], double x[9])
+{
+    const fourlink_link *link = mechanism->design.link;
+    double A[9 * WIDTH], b[9], ordered[9], per_length[3];
+    unsigned int pivot[9];
+    gsl_matrix_view A_view = gsl_matrix_view_array(A, 9, WIDTH);
+    gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
+    gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(pivot, 9);
+    int i;
+
+    per_length[0] = 2 / link[2].length;
+    per_length[1] = 2 / link[3].length;
+    per_length[2] =
+        mechanism->design.kind == FOURLINK_FOUR_BAR ? 2 / link[4].length : per_length[1];
+    assemble(mechanism, body, per_length, &banded, A, b);
+    A[DIAGONAL(0)] = 1; /* the first unknown is Ts per_length[0], a force */
+    for (i = 0; i < 9; i++)
+        ordered[banded.row[i]] = b[i];
+    gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
+    for (i = 0; i < 9; i++)
+        if (!(fabs(A[DIAGONAL(i)]) > SMALLEST_PIVOT))
+            return FOURLINK_SINGULAR;
+    gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
+    for (i = 0; i < 8; i++)
+        x[i] = ordered[i + 1];
+    x[8] = ordered[0] / per_length[0];
+    return FOURLINK_OK;
+}
+
+int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    const fourlink_load *loads, unsigned long n_loads, double A[9][9], double b[9])
+{
+    static const layout dense = {{0, 9, 18, 27, 36, 45, 54, 63, 72}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
+    static const double metres[3] = {1, 1, 1};
+    free_body body[3];
+    int status;
+
+    if (!mechanism || !state || (n_loads && !loads) || !A || !b)
+        return FOURLINK_NULL;
+    status = cut_free(mechanism, state, loads, n_loads, body);
+    if (status == FOURLINK_OK)
+        assemble(mechanism, body, metres, &dense, A[0], b);
+    return status;
+}
+
+/* Virtual work: with the velocities of a unit crank speed,
+**
+**    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
+**
+** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine.
+*/
+int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                   const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
+{
+    double x[9], largest = 0;
+    free_body body[3];
+    int status, i;
+
+    if (!mechanism || !state || (n_loads && !loads) || !forces)
+        return FOURLINK_NULL;
+    status = cut_free(mechanism, state, loads, n_loads, body);
+    if (status != FOURLINK_OK)
+        return status;
+    status = solve(mechanism, body, x);
+    if (status != FOURLINK_OK)
+        return status;
+    forces->F12x = x[0];
+    forces->F12y = x[1];
+    forces->F23x = x[2];
+    forces->F23y = x[3];
+    forces->F34x = x[4];
+    forces->F34y = x[5];
+    forces->F14x = x[6];
+    forces->F14y = x[7];
+    forces->M14 = 0;
+    forces->Ts = x[8];
+    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK) {
+        forces->F14x = 0;
+        forces->M14 = x[6];
+    }
+    forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
+    for (i = 0; i < 3; i++)
+        if (body[i].largest > largest)
+            largest = body[i].largest;
+    if (fabs(forces->Ts) > largest)
+        largest = fabs(forces->Ts);
+    forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
+    return FOURLINK_OK;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** status.c - the texts of the status codes, and the version.
+*/
+#include "internal.h"
+
+#define CASE(name, value, text) \
+    case name:                  \
+        return text;
+
+const char *fourlink_status_text(int status)
+{
+    switch (status) {
+        FOURLINK_STATUS_LIST(CASE)
+    default:
+        return "unknown status";
+    }
+}
+
+const char *fourlink_version(void)
+{
+    return FOURLINK_VERSION;
+}
