@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column.c - the columns of the tables: their names, units and meanings, and their values.
+*/
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "column.h"
+
+/* How a column's value is made of the numbers of a row. */
+typedef enum column_form {
+    VALUE,     /* one of them */
+    SIZE,      /* resultant of two components */
+    DIRECTION, /* their direction */
+    PRODUCT    /* of two */
+} column_form;
+
+/* When a deck has it. */
+typedef enum column_need { NOTHING, FORCES } column_need;
+
+struct column_info {
+    const char *name;
+    quantity q;
+    int kinds; /* mechanisms that have it */
+    column_need need;
+    int usual; /* 1: printed when the deck names no columns */
+    column_form form;
+    size_t x, y; /* places of the numbers in a result */
+    const char *meaning, *source_name;
+};
+
+#define FOUR_BAR FOURLINK_FOUR_BAR
+#define SLIDER_CRANK FOURLINK_SLIDER_CRANK
+#define BOTH (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
+
+#define ROW(member) offsetof(result, row.member)
+#define STATE(member) offsetof(result, state.member)
+#define FORCE(member) offsetof(result, forces.member)
+
+static const column_info table[] = {
+    {"theta2", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, ROW(angle), 0, "angle of the crank",
+     "thet (Alvi), thetaa (ME3491)"},
+    {"time", QUANTITY_TIME, BOTH, NOTHING, 0, VALUE, ROW(time), 0, "time since the first row", ""},
+    {"omega2", QUANTITY_ANGULAR_SPEED, BOTH, NOTHING, 0, VALUE, ROW(crank.omega2), 0,
+     "angular speed of the crank", "vela (Alvi), omegaa (ME3491)"},
+    {"alpha2", QUANTITY_ANGULAR_ACCELERATION, BOTH, NOTHING, 0, VALUE, ROW(crank.alpha2), 0,
+     "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)"},
+    {"theta3", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, STATE(link[3].theta), 0,
+     "angle of the coupler or rod", "beta (Alvi), thetab (ME3491)"},
+    {"omega3", QUANTITY_ANGULAR_SPEED, BOTH, NOTHING, 1, VALUE, STATE(link[3].omega), 0,
+     "angular speed of the coupler or rod", "velb (Alvi), omegab (ME3491)"},
+    {"alpha3", QUANTITY_ANGULAR_ACCELERATION, BOTH, NOTHING, 1, VALUE, STATE(link[3].alpha), 0,
+     "angular acceleration of the coupler or rod", "accb (Alvi), alphab (ME3491)"},
+    {"theta4", QUANTITY_ANGLE, FOUR_BAR, NOTHING, 1, VALUE, STATE(link[4].theta), 0,
+     "angle of the rocker", "phi (Alvi), thetac (ME3491)"},
+    {"omega4", QUANTITY_ANGULAR_SPEED, FOUR_BAR, NOTHING, 1, VALUE, STATE(link[4].omega), 0,
+     "angular speed of the rocker", "velc (Alvi), omegac (ME3491)"},
+    {"alpha4", QUANTITY_ANGULAR_ACCELERATION, FOUR_BAR, NOTHING, 1, VALUE, STATE(link[4].alpha), 0,
+     "angular acceleration of the rocker", "accc (Alvi), alphac (ME3491)"},
+    {"phi", QUANTITY_ANGLE, SLIDER_CRANK, NOTHING, 0, VALUE, STATE(phi), 0,
+     "obliquity of the rod to the line of stroke", "beta (ME3491), phi (DFA)"},
+    {"x", QUANTITY_LENGTH, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(x), 0,
+     "displacement of the piston from its inner dead centre", "x (ME3491, DFA)"},
+    {"v", QUANTITY_SPEED, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(v), 0,
+     "speed of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)"},
+    {"a", QUANTITY_ACCELERATION, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(a), 0,
+     "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)"},
+    {"mu", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, STATE(mu), 0, "transmission angle", ""},
+    {"F12x", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F12x), 0, "force of ground on crank, x",
+     "X(1) (ME3491)"},
+    {"F12y", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F12y), 0, "force of ground on crank, y",
+     "X(2) (ME3491)"},
+    {"F23x", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F23x), 0,
+     "force of crank on coupler or rod, x", "X(3) (ME3491)"},
+    {"F23y", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F23y), 0,
+     "force of crank on coupler or rod, y", "X(4) (ME3491)"},
+    {"F34x", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F34x), 0,
+     "force of coupler on rocker, or rod on piston, x", "X(5) (ME3491)"},
+    {"F34y", QUANTITY_FORCE, BOTH, FORCES, 1, VALUE, FORCE(F34y), 0,
+     "force of coupler on rocker, or rod on piston, y", "X(6) (ME3491)"},
+    {"F14x", QUANTITY_FORCE, FOUR_BAR, FORCES, 1, VALUE, FORCE(F14x), 0,
+     "force of ground on rocker, x", "X(7) (ME3491)"},
+    {"F14y", QUANTITY_FORCE, FOUR_BAR, FORCES, 1, VALUE, FORCE(F14y), 0,
+     "force of ground on rocker, y", "X(8) (ME3491)"},
+    {"N", QUANTITY_FORCE, SLIDER_CRANK, FORCES, 1, VALUE, FORCE(F14y), 0,
+     "force of the guide on the piston, along +y", ""},
+    {"M14", QUANTITY_TORQUE, SLIDER_CRANK, FORCES, 0, VALUE, FORCE(M14), 0,
+     "couple of the guide on the piston", ""},
+    {"Ts", QUANTITY_TORQUE, BOTH, FORCES, 1, VALUE, FORCE(Ts), 0, "driving torque, ground on crank",
+     "X(9), Ts (ME3491)"},
+    {"F12", QUANTITY_FORCE, BOTH, FORCES, 0, SIZE, FORCE(F12x), FORCE(F12y),
+     "resultant of F12x and F12y", "F12 (ME3491)"},
+    {"F12_dir", QUANTITY_ANGLE, BOTH, FORCES, 0, DIRECTION, FORCE(F12x), FORCE(F12y),
+     "direction of F12", "theta_F12 (ME3491)"},
+    {"F23", QUANTITY_FORCE, BOTH, FORCES, 0, SIZE, FORCE(F23x), FORCE(F23y),
+     "resultant of F23x and F23y", "F23 (ME3491)"},
+    {"F23_dir", QUANTITY_ANGLE, BOTH, FORCES, 0, DIRECTION, FORCE(F23x), FORCE(F23y),
+     "direction of F23", "theta_F23 (ME3491)"},
+    {"F34", QUANTITY_FORCE, BOTH, FORCES, 0, SIZE, FORCE(F34x), FORCE(F34y),
+     "resultant of F34x and F34y", "F34 (ME3491)"},
+    {"F34_dir", QUANTITY_ANGLE, BOTH, FORCES, 0, DIRECTION, FORCE(F34x), FORCE(F34y),
+     "direction of F34", "theta_F34 (ME3491)"},
+    {"F14", QUANTITY_FORCE, FOUR_BAR, FORCES, 0, SIZE, FORCE(F14x), FORCE(F14y),
+     "resultant of F14x and F14y", "F14 (ME3491)"},
+    {"F14_dir", QUANTITY_ANGLE, FOUR_BAR, FORCES, 0, DIRECTION, FORCE(F14x), FORCE(F14y),
+     "direction of F14", "theta_F14 (ME3491)"},
+    {"power", QUANTITY_POWER, BOTH, FORCES, 0, PRODUCT, FORCE(Ts), ROW(crank.omega2),
+     "power put into the crank", ""},
+    {"residual", QUANTITY_NUMBER, BOTH, FORCES, 1, VALUE, FORCE(residual), 0,
+     "power balance, relative to its largest term", ""},
+};
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+static int has(const deck *d, const column_info *info)
+{
+    return (info->kinds & (int)d->design.kind) != 0 && (info->need == NOTHING || d->has_forces);
+}
+
+static void add(const deck *d, const column_info *info, column_list *columns)
+{
+    const deck_unit *u = &d->units[info->q];
+    column *c = &columns->list[columns->count++];
+
+    c->info = info;
+    c->name = info->name;
+    c->unit = u->name;
+    c->scale = u->unit.down / u->unit.up;
+    if (info->x == ROW(angle))
+        c->scale = 1; /* already in the deck's unit, exactly */
+}
+
+void columns_all(const deck *d, column_list *columns)
+{
+    size_t i;
+
+    columns->count = 0;
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (has(d, &table[i]))
+            add(d, &table[i], columns);
+}
+
+static void choose_usual(const deck *d, column_list *columns)
+{
+    size_t i;
+
+    columns->count = 0;
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (has(d, &table[i]) && table[i].usual)
+            add(d, &table[i], columns);
+}
+
+static void note_missing(deck *d, text name)
+{
+    const char *known[TABLE_COUNT + 1], *nearest;
+    char word[DECK_NAME_SIZE];
+    size_t i, n = 0;
+
+    text_copy(name, word, sizeof word);
+    for (i = 0; i < TABLE_COUNT; i++) {
+        if (text_equal(name, table[i].name)) {
+            int kind_has_it = (table[i].kinds & (int)d->design.kind) != 0;
+
+            mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
+                         kind_has_it ? "needs masses or loads, which the deck has not"
+                                     : "is one of the other mechanism",
+                         (char *)NULL);
+            return;
+        }
+        if (has(d, &table[i]))
+            known[n++] = table[i].name;
+    }
+    known[n] = NULL;
+    nearest = text_nearest(name, known);
+    mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'",
+                 nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "",
+                 (char *)NULL);
+}
+
+/* The next name of a list separated by commas or blanks; 0 at its end. */
+static int next_name(text *rest, text *name)
+{
+    while (rest->length && strchr(", \t", rest->start[0])) {
+        rest->start++;
+        rest->length--;
+    }
+    *name = *rest;
+    while (rest->length && !strchr(", \t", rest->start[0])) {
+        rest->start++;
+        rest->length--;
+    }
+    name->length -= rest->length;
+    return name->length > 0;
+}
+
+int columns_choose(deck *d, column_list *columns)
+{
+    text rest = d->columns.names, name;
+    size_t i;
+
+    if (!rest.start) {
+        choose_usual(d, columns);
+        return 1;
+    }
+    columns->count = 0;
+    while (next_name(&rest, &name)) {
+        if (text_equal(name, "all")) {
+            columns_all(d, columns);
+            continue;
+        }
+        for (i = 0; i < TABLE_COUNT; i++)
+            if (text_equal(name, table[i].name) && has(d, &table[i]))
+                break;
+        if (i == TABLE_COUNT)
+            note_missing(d, name);
+        else if (columns->count == COLUMN_MOST)
+            mistake_note(&d->mistakes, d->columns.place, "too many columns", (char *)NULL);
+        else
+            add(d, &table[i], columns);
+    }
+    if (!columns->count && !d->mistakes.count)
+        mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);
+    return d->mistakes.count == 0;
+}
+
+static double number_at(const result *r, size_t place)
+{
+    return *(const double *)(const void *)((const char *)r + place);
+}
+
+double column_value(const column *c, const result *r)
+{
+    double x = number_at(r, c->info->x);
+
+    switch (c->info->form) {
+    case SIZE:
+        x = gsl_hypot(x, number_at(r, c->info->y));
+        break;
+    case DIRECTION:
+        x = atan2(number_at(r, c->info->y), x);
+        break;
+    case PRODUCT:
+        x *= number_at(r, c->info->y);
+        break;
+    case VALUE:
+    default:
+        break;
+    }
+    return x * c->scale;
+}
+
+int column_of_crank(const column *c)
+{
+    return c->info->form == VALUE && c->info->x < offsetof(result, branch);
+}
+
+int column_of_rounding(const column *c)
+{
+    return c->info->x == FORCE(residual);
+}
+
+quantity column_quantity(const column *c)
+{
+    return c->info->q;
+}
+
+const char *column_meaning(const column *c)
+{
+    return c->info->meaning;
+}
+
+const char *column_source_name(const column *c)
+{
+    return c->info->source_name;
+}

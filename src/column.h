@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column.h - the columns of the tables: their names, units and meanings, and their values.
+*/
+#ifndef FOURLINK_COLUMN_H
+#define FOURLINK_COLUMN_H
+
+#include "result.h"
+
+typedef struct column_info column_info;
+
+/* A column chosen for a deck. */
+typedef struct column {
+    const column_info *info;
+    const char *name;
+    const char *unit; /* as the deck names it */
+    double scale;     /* what SI values are multiplied by */
+} column;
+
+#define COLUMN_MOST 100
+
+typedef struct column_list {
+    column list[COLUMN_MOST];
+    size_t count;
+} column_list;
+
+/* Choose the columns that the deck asks for, or the usual ones; 0 and mistakes of the deck if it
+ *asks
+ ** for some that it has not. */
+int columns_choose(deck *d, column_list *columns);
+
+/* All columns that the deck has. */
+void columns_all(const deck *d, column_list *columns);
+
+/* The value of a column in its unit.  Defined for any row if column_of_crank, else only where
+** r->status is FOURLINK_OK. */
+double column_value(const column *c, const result *r);
+
+/* 1: a column of the crank alone, which has a value also where the links do not reach. */
+int column_of_crank(const column *c);
+
+/* 1: a measure of rounding, printed as a power of ten. */
+int column_of_rounding(const column *c);
+
+quantity column_quantity(const column *c);
+const char *column_meaning(const column *c);
+
+/* What the sources call it; "" if they do not. */
+const char *column_source_name(const column *c);
+
+#endif

@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** main.c - the command: files in, tables out, exit status.
+*/
+#define _POSIX_C_SOURCE 200112L
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "options.h"
+#include "output.h"
+
+enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
+
+#define DECK_LARGEST 67108864 /* bytes */
+
+/* A deck of the command line. */
+typedef struct job {
+    const char *name;
+    deck deck;
+    column_list columns;
+    int usable;
+} job;
+
+static int worse(int status, int other)
+{
+    return other > status ? other : status;
+}
+
+static int complain(const char *what, const char *name, const char *why)
+{
+    fprintf(stderr, "fourlink: %s %s: %s\n", what, name, why);
+    return EXIT_FILES;
+}
+
+/* All of a file, or of standard input; null with errno set if it cannot be read. */
+static char *read_file(const char *path, size_t *length)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    size_t capacity = 65536, n = 0;
+    char *contents = malloc(capacity), *more;
+
+    while (file && contents) {
+        n += fread(contents + n, 1, capacity - n, file);
+        if (n < capacity)
+            break;
+        if (capacity > DECK_LARGEST) {
+            errno = EFBIG;
+            free(contents);
+            contents = NULL;
+            break;
+        }
+        more = realloc(contents, 2 * capacity);
+        if (!more)
+            free(contents);
+        contents = more;
+        capacity *= 2;
+    }
+    if (contents && (!file || ferror(file))) {
+        int reason = errno;
+
+        free(contents);
+        contents = NULL;
+        errno = reason;
+    }
+    if (file && file != stdin) {
+        int reason = errno;
+
+        fclose(file);
+        errno = reason;
+    }
+    *length = n;
+    return contents;
+}
+
+static void print_mistakes(const mistakes *m)
+{
+    size_t i;
+
+    for (i = 0; i < m->count; i++) {
+        const struct mistake *x = &m->list[i];
+
+        if (x->place.line)
+            fprintf(stderr, "%s:%ld: error: %s\n", x->place.source, x->place.line, x->message);
+        else
+            fprintf(stderr, "fourlink: %s: error: %s\n", x->place.source, x->message);
+    }
+    if (m->left_out)
+        fprintf(stderr, "fourlink: and %lu more mistakes\n", (unsigned long)m->left_out);
+}
+
+/* Read a deck; the exit status it calls for. */
+static int read_job(const char *path, const options *o, job *j)
+{
+    size_t length;
+    char *contents;
+    text all;
+    int status;
+
+    j->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
+    if (j->name != path && isatty(STDIN_FILENO))
+        fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
+    contents = read_file(path, &length);
+    if (!contents)
+        return complain("cannot read", j->name, strerror(errno));
+    all.start = contents;
+    all.length = length;
+    status = deck_read(j->name, all, o->changes, o->n_changes, &j->deck);
+    free(contents);
+    if (status < 0)
+        return complain("cannot read", j->name, "not enough memory");
+    if (status > 0)
+        columns_choose(&j->deck, &j->columns);
+    if (j->deck.mistakes.count) {
+        print_mistakes(&j->deck.mistakes);
+        return EXIT_USAGE;
+    }
+    if (o->matrix && !j->deck.has_forces) {
+        fprintf(stderr, "%s:1: error: --matrix needs masses or loads, which the deck has not\n",
+                j->name);
+        return EXIT_USAGE;
+    }
+    if (o->format == FORMAT_PAPER && j->deck.design.kind != FOURLINK_FOUR_BAR) {
+        fprintf(stderr, "%s:1: error: --format=paper is for the paper's mechanism, a four-bar\n",
+                j->name);
+        return EXIT_USAGE;
+    }
+    j->usable = 1;
+    return 0;
+}
+
+/* Print a deck; how many of its rows could not be computed. */
+static unsigned long print_job(FILE *out, const options *o, const job *j, const column_list *header)
+{
+    if (o->list) {
+        table_print_list(out, &j->deck);
+        return 0;
+    }
+    if (o->matrix)
+        return table_print_matrix(out, &j->deck);
+    if (o->format == FORMAT_PAPER)
+        return table_print_paper(out, &j->deck);
+    if (o->format == FORMAT_CSV)
+        return csv_print(out, &j->deck, &j->columns, header, o->n_decks > 1 ? j->name : NULL);
+    return table_print(out, &j->deck, &j->columns);
+}
+
+static int print_jobs(FILE *out, const options *o, const job *jobs)
+{
+    static column_list header;
+    int status = 0, csv = o->format == FORMAT_CSV && !o->list, printed = 0;
+    size_t i;
+
+    for (i = 0; csv && i < o->n_decks; i++)
+        if (jobs[i].usable)
+            csv_merge_header(&header, &jobs[i].columns);
+    if (csv)
+        csv_print_header(out, &header, o->n_decks > 1);
+    for (i = 0; i < o->n_decks; i++) {
+        if (!jobs[i].usable)
+            continue;
+        if (printed++ && !csv)
+            fputs("\n\n", out);
+        if (o->n_decks > 1 && !csv)
+            fprintf(out, "# deck: %s\n", jobs[i].name);
+        if (print_job(out, o, &jobs[i], &header))
+            status = EXIT_ROWS;
+    }
+    return status;
+}
+
+/* 1 if the output file is one of the decks, which it would replace. */
+static int is_a_deck(const char *path, const options *o)
+{
+    struct stat out, in;
+    size_t i;
+
+    if (stat(path, &out) != 0 || !S_ISREG(out.st_mode))
+        return 0;
+    for (i = 0; i < o->n_decks; i++)
+        if (strcmp(o->decks[i], "-") != 0 && stat(o->decks[i], &in) == 0 &&
+            in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+            return 1;
+    return 0;
+}
+
+static int run(const options *o)
+{
+    job *jobs = calloc(o->n_decks, sizeof *jobs);
+    const char *name = o->output ? o->output : "standard output";
+    int status = 0, usable = 0;
+    output out;
+    size_t i;
+
+    if (!jobs)
+        return complain("cannot start", "", "not enough memory");
+    for (i = 0; i < o->n_decks; i++) {
+        status = worse(status, read_job(o->decks[i], o, &jobs[i]));
+        usable += jobs[i].usable;
+    }
+    if (usable) {
+        if (output_open(&out, o->output)) {
+            status = worse(status, print_jobs(out.file, o, jobs));
+            if (!output_close(&out))
+                status = worse(status, complain("cannot write", name, strerror(errno)));
+        } else {
+            status = worse(status, complain("cannot write", name, strerror(errno)));
+            output_discard(&out);
+        }
+    }
+    for (i = 0; i < o->n_decks; i++)
+        deck_free(&jobs[i].deck);
+    free(jobs);
+    return status;
+}
+
+static int finish_text(void)
+{
+    return fflush(stdout) == 0 && !ferror(stdout)
+               ? 0
+               : complain("cannot write", "standard output", strerror(errno));
+}
+
+static int print_help(void)
+{
+    const char *const *line;
+
+    for (line = options_help; *line; line++)
+        puts(*line);
+    return finish_text();
+}
+
+int main(int argc, char **argv)
+{
+    char message[400];
+    options o;
+    int status = options_read(argc, argv, &o, message);
+
+    if (status < 0) {
+        status = complain("cannot start", "", "not enough memory");
+    } else if (status == 0) {
+        fprintf(stderr, "fourlink: %s\nTry 'fourlink --help'.\n", message);
+        status = EXIT_USAGE;
+    } else if (o.help) {
+        status = print_help();
+    } else if (o.version) {
+        printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
+               fourlink_version());
+        status = finish_text();
+    } else if (o.output && is_a_deck(o.output, &o)) {
+        status = complain("cannot write", o.output, "it is one of the decks");
+    } else {
+        status = run(&o);
+    }
+    options_free(&o);
+    return status;
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** number.h - numbers to text and back, the same under every locale.
+*/
+#ifndef FOURLINK_NUMBER_H
+#define FOURLINK_NUMBER_H
+
+#include "text.h"
+
+typedef enum number_status {
+    NUMBER_OK,
+    NUMBER_NONE,       /* no number here */
+    NUMBER_NOT_FINITE, /* inf, nan, or too large to hold */
+    NUMBER_HEX,        /* 0x1p3 and the like */
+    NUMBER_COMMA,      /* 1,5: a decimal comma */
+    NUMBER_TOO_LONG
+} number_status;
+
+/* Take a decimal number off the front of `rest`; on a failure `rest` is unchanged. */
+number_status number_read(text *rest, double *value);
+
+#define NUMBER_SIZE 400
+
+/* Write a number with so many decimals (as %.*f), or so many significant digits (as %.*e, %.*g). */
+char *number_fixed(double value, int decimals, char out[NUMBER_SIZE]);
+char *number_exponent(double value, int decimals, char out[NUMBER_SIZE]);
+char *number_general(double value, int digits, char out[NUMBER_SIZE]);
+
+#endif

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** options.c - the command line.
+*/
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "options.h"
+
+const char *const options_help[] = {
+    "Usage: fourlink [OPTION]... [DECK]...",
+    "",
+    "angle.",
+    "Reads the decks, or standard input where none is named, or for -.",
+    "",
+    "  -f, --format=table|csv|paper      how the rows are written (default: table)",
+    "  -o, --output=FILE                 write to FILE, which changes only if all goes well",
+    "  -b, --branch=open|crossed|both    which way of assembly (default: both)",
+    "  -i, --interval=QUANTITY           the interval of the crank angle, such as '10 deg'",
+    "  -c, --columns=NAME,NAME,...|all   the columns; --list tells their names",
+    "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
+    "                                    change the deck: --set 'motion.speed=100 rpm'",
+    "  -m, --matrix                      the nine equations, A x = b, at each row",
+    "  -l, --list                        the columns that the deck has, and what they mean",
+    "  -h, --help                        this text",
+    "  -V, --version                     the version",
+    "",
+    "Exit status: 0 all well; 1 some rows could not be computed; 2 usage or a bad deck;",
+    "3 reading or writing failed.",
+    NULL};
+
+/* How an option is kept: as a flag or text of its own, or as a change to the deck. */
+typedef struct option_info {
+    char letter;
+    const char *name;
+    int takes_value;
+    const char *key; /* not null: the key of the deck that it sets */
+} option_info;
+
+static const option_info table[] = {{'f', "format", 1, NULL},
+                                    {'o', "output", 1, NULL},
+                                    {'b', "branch", 1, "table.branch"},
+                                    {'i', "interval", 1, "motion.interval"},
+                                    {'c', "columns", 1, "table.columns"},
+                                    {'s', "set", 1, NULL},
+                                    {'m', "matrix", 0, NULL},
+                                    {'l', "list", 0, NULL},
+                                    {'h', "help", 0, NULL},
+                                    {'V', "version", 0, NULL}};
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+static int say(char message[400], const char *a, const char *b, const char *c)
+{
+    char word[200];
+
+    strcpy(message, a);
+    strcat(message, text_copy(text_of(b), word, sizeof word));
+    strcat(message, c);
+    return 0;
+}
+
+static int set_format(options *o, const char *value, char message[400])
+{
+    static const char *const names[] = {"table", "csv", "paper", NULL};
+    int i;
+
+    for (i = 0; names[i]; i++)
+        if (strcmp(value, names[i]) == 0) {
+            o->format = (table_format)i;
+            return 1;
+        }
+    return say(message, "--format must be table, csv or paper, not '", value, "'");
+}
+
+static void add_change(options *o, const char *option, const char *assignment)
+{
+    o->changes[o->n_changes].option = option;
+    o->changes[o->n_changes].assignment = assignment;
+    o->n_changes++;
+}
+
+static int set(options *o, const option_info *info, const char *value, char message[400])
+{
+    static const char *const sources[] = {"--branch", "--interval", "--columns"};
+    char *assignment;
+
+    if (info->key) {
+        assignment = malloc(strlen(info->key) + strlen(value) + 2);
+        if (!assignment)
+            return -1;
+        strcpy(assignment, info->key);
+        strcat(assignment, "=");
+        strcat(assignment, value);
+        o->storage[o->n_storage++] = assignment;
+        add_change(o, sources[info->letter == 'b' ? 0 : info->letter == 'i' ? 1 : 2], assignment);
+        return 1;
+    }
+    switch (info->letter) {
+    case 'f':
+        return set_format(o, value, message);
+    case 'o':
+        o->output = value;
+        return 1;
+    case 's':
+        add_change(o, "--set", value);
+        return 1;
+    case 'm':
+        return o->matrix = 1;
+    case 'l':
+        return o->list = 1;
+    case 'h':
+        return o->help = 1;
+    case 'V':
+    default:
+        return o->version = 1;
+    }
+}
+
+/* --name, --name=value, --name value */
+static int read_long(options *o, const char *word, const char *next, int *used_next,
+                     char message[400])
+{
+    const char *equals = strchr(word, '='), *known[TABLE_COUNT + 1], *nearest;
+    text name = text_of(word);
+    size_t i;
+
+    if (equals)
+        name.length = (size_t)(equals - word);
+    for (i = 0; i < TABLE_COUNT; i++) {
+        known[i] = table[i].name;
+        if (strlen(table[i].name) == name.length &&
+            memcmp(table[i].name, name.start, name.length) == 0)
+            break;
+    }
+    if (i == TABLE_COUNT) {
+        char hint[100] = "'", copy[100];
+
+        known[i] = NULL;
+        nearest = text_nearest(name, known);
+        if (nearest) {
+            strcat(hint, "; did you mean '--");
+            strcat(hint, nearest);
+            strcat(hint, "'?");
+        }
+        return say(message, "unknown option '--", text_copy(name, copy, sizeof copy), hint);
+    }
+    if (!table[i].takes_value)
+        return equals ? say(message, "--", table[i].name, " takes no value")
+                      : set(o, &table[i], "", message);
+    if (equals)
+        return set(o, &table[i], equals + 1, message);
+    if (!next)
+        return say(message, "--", table[i].name, " needs a value");
+    *used_next = 1;
+    return set(o, &table[i], next, message);
+}
+
+/* -x, -xy, -ovalue, -o value */
+static int read_short(options *o, const char *word, const char *next, int *used_next,
+                      char message[400])
+{
+    char letter[3] = "-?";
+    size_t i;
+
+    for (; *word; word++) {
+        for (i = 0; i < TABLE_COUNT; i++)
+            if (table[i].letter == *word)
+                break;
+        letter[1] = *word;
+        if (i == TABLE_COUNT)
+            return say(message, "unknown option '", letter, "'");
+        if (table[i].takes_value) {
+            if (!word[1] && !next)
+                return say(message, letter, " needs a value", "");
+            *used_next = !word[1];
+            return set(o, &table[i], word[1] ? word + 1 : next, message);
+        }
+        set(o, &table[i], "", message);
+    }
+    return 1;
+}
+
+int options_read(int argc, char **argv, options *o, char message[400])
+{
+    int i, done = 0, status;
+    size_t room = (size_t)argc + 1;
+
+    memset(o, 0, sizeof *o);
+    o->changes = malloc(room * sizeof *o->changes);
+    o->decks = malloc(room * sizeof *o->decks);
+    o->storage = malloc(room * sizeof *o->storage);
+    if (!o->changes || !o->decks || !o->storage)
+        return -1;
+    for (i = 1; i < argc; i++) {
+        const char *word = argv[i], *next = i + 1 < argc ? argv[i + 1] : NULL;
+        int used_next = 0;
+
+        if (done || word[0] != '-' || !word[1]) {
+            o->decks[o->n_decks++] = word;
+            continue;
+        }
+        if (strcmp(word, "--") == 0) {
+            done = 1;
+            continue;
+        }
+        if (word[1] == '-')
+            status = read_long(o, word + 2, next, &used_next, message);
+        else
+            status = read_short(o, word + 1, next, &used_next, message);
+        if (status != 1)
+            return status;
+        i += used_next;
+    }
+    if (o->matrix && o->format != FORMAT_TABLE)
+        return say(message, "--matrix is printed in the format table only", "", "");
+    if (!o->n_decks)
+        o->decks[o->n_decks++] = "-";
+    return 1;
+}
+
+void options_free(options *o)
+{
+    size_t i;
+
+    for (i = 0; i < o->n_storage; i++)
+        free(o->storage[i]);
+    free(o->storage);
+    free(o->changes);
+    free((void *)o->decks);
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** options.h - the command line.
+*/
+#ifndef FOURLINK_OPTIONS_H
+#define FOURLINK_OPTIONS_H
+
+#include "deck.h"
+#include "table.h"
+
+typedef struct options {
+    table_format format;
+    int matrix, list, help, version;
+    const char *output;   /* null: standard output */
+    deck_change *changes; /* --set, and the options that are a key of the deck */
+    size_t n_changes;
+    const char **decks; /* "-": standard input */
+    size_t n_decks;
+    char **storage; /* assignments made of options */
+    size_t n_storage;
+} options;
+
+/* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 out of memory.
+ */
+int options_read(int argc, char **argv, options *o, char message[400]);
+void options_free(options *o);
+
+/* The lines of --help, ended by a null pointer. */
+extern const char *const options_help[];
+
+#endif

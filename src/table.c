@@ -1,0 +1,527 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** table.c - rows to text: the formats table, csv and paper, and the nine equations.
+*/
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "number.h"
+#include "table.h"
+
+/* The branches of a deck in the order of printing. */
+static int branches_of(const deck *d, fourlink_branch branches[2])
+{
+    int n = 0;
+
+    if (d->open)
+        branches[n++] = FOURLINK_OPEN;
+    if (d->crossed)
+        branches[n++] = FOURLINK_CROSSED;
+    return n;
+}
+
+/* The rows of a deck: its motion was found to be in order when it was read. */
+static fourlink_range range_of(const deck *d)
+{
+    fourlink_range range;
+
+    memset(&range, 0, sizeof range);
+    fourlink_motion_range(&d->motion, &range);
+    return range;
+}
+
+/* An angle of the motion, with no more decimals than it needs. */
+static const char *angle_text(double angle, char out[NUMBER_SIZE])
+{
+    return number_general(angle, 12, out);
+}
+
+/* The reason for which a crank stops, "" if it does not. */
+static const char *stop_text(const deck *d, const fourlink_range *range, char out[NUMBER_SIZE + 80])
+{
+    char number[NUMBER_SIZE];
+
+    out[0] = '\0';
+    if (range->stops) {
+        strcpy(out, "the crank comes to rest at ");
+        strcat(out, angle_text(range->stop_angle, number));
+        strcat(out, " ");
+        strcat(out, d->units[QUANTITY_ANGLE].name);
+    }
+    return out;
+}
+
+/* ---------------------------------------------------------------------------------- format table
+ */
+
+/* How the numbers of a column are written: all alike, so that they stand under each other. */
+typedef struct style {
+    int decimals;
+    int exponent; /* 1: as 1.2e-16 */
+    size_t width;
+} style;
+
+#define SAMPLES 200
+
+/* The largest magnitude of each column, over rows spread evenly over the motion; 0 for what is no
+ *more
+ ** than the rounding of other columns of the same quantity. */
+static void find_sizes(const deck *d, const column_list *columns, double *size)
+{
+    fourlink_range range = range_of(d);
+    unsigned long samples = range.n_rows < SAMPLES ? range.n_rows : SAMPLES, k;
+    double of_quantity[QUANTITY_COUNT] = {0};
+    fourlink_branch branches[2];
+    int n = branches_of(d, branches), i;
+    result r;
+    size_t j;
+
+    for (j = 0; j < columns->count; j++)
+        size[j] = 0;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < samples; k++) {
+            double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
+
+            result_compute(d, &range, branches[i],
+                           (unsigned long)(share * (double)(range.n_rows - 1) + 0.5), &r);
+            for (j = 0; j < columns->count; j++)
+                if (r.status == FOURLINK_OK || column_of_crank(&columns->list[j])) {
+                    double x = fabs(column_value(&columns->list[j], &r));
+
+                    size[j] = x > size[j] ? x : size[j];
+                }
+        }
+    for (j = 0; j < columns->count; j++) {
+        quantity q = column_quantity(&columns->list[j]);
+
+        of_quantity[q] = size[j] > of_quantity[q] ? size[j] : of_quantity[q];
+    }
+    for (j = 0; j < columns->count; j++)
+        if (size[j] <= 1e-12 * of_quantity[column_quantity(&columns->list[j])])
+            size[j] = 0;
+}
+
+/* The decimals that write a multiple of the interval exactly, if these are few. */
+static int decimals_of_angle(const deck *d, int otherwise)
+{
+    double step = 1;
+    int decimals;
+
+    for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
+        double a = d->motion.from * step, b = d->motion.to * step, c = d->motion.interval * step;
+
+        if (fabs(a - floor(a + 0.5)) < 1e-9 && fabs(b - floor(b + 0.5)) < 1e-9 &&
+            fabs(c - floor(c + 0.5)) < 1e-9)
+            return decimals;
+    }
+    return otherwise;
+}
+
+static void find_style(const deck *d, const column *c, double size, style *s)
+{
+    char number[NUMBER_SIZE];
+    size_t width;
+
+    s->exponent = size > 0 && (size < 1e-6 || size >= 1e9);
+    s->decimals = d->digits - 1;
+    if (column_of_rounding(c)) {
+        s->exponent = 1;
+        s->decimals = 1;
+    } else if (!s->exponent && size > 0) {
+        s->decimals -= (int)floor(log10(size));
+        if (s->decimals < 0)
+            s->decimals = 0;
+        if (column_of_crank(c) && column_quantity(c) == QUANTITY_ANGLE)
+            s->decimals = decimals_of_angle(d, s->decimals);
+    }
+    if (s->exponent)
+        width = strlen(number_exponent(-1, s->decimals, number));
+    else
+        width = strlen(number_fixed(-size, s->decimals, number));
+    if (strlen(c->name) > width)
+        width = strlen(c->name);
+    if (strlen(c->unit) > width)
+        width = strlen(c->unit);
+    s->width = width + 2;
+}
+
+/* A number that is 0 to the decimals printed carries no sign. */
+static const char *cell_text(double x, const style *s, char out[NUMBER_SIZE])
+{
+    if (s->exponent)
+        number_exponent(x, s->decimals, out);
+    else
+        number_fixed(x, s->decimals, out);
+    return out[0] == '-' && strspn(out, "-0.") == strlen(out) ? out + 1 : out;
+}
+
+static void put_right(FILE *out, const char *s, size_t width)
+{
+    size_t n = strlen(s);
+
+    for (; n < width; n++)
+        putc(' ', out);
+    fputs(s, out);
+}
+
+static void put_length(FILE *out, const deck *d, const char *name, double length)
+{
+    const deck_unit *u = &d->units[QUANTITY_LENGTH];
+    char number[NUMBER_SIZE];
+
+    fprintf(out, "%s %s %s", name, number_general(length * u->unit.down / u->unit.up, 12, number),
+            u->name);
+}
+
+static void put_head(FILE *out, const deck *d)
+{
+    const fourlink_design *design = &d->design;
+
+    if (d->title[0])
+        fprintf(out, "# %s\n", d->title);
+    if (design->kind == FOURLINK_FOUR_BAR) {
+        put_length(out, d, "# four-bar linkage: crank", design->link[2].length);
+        put_length(out, d, ", coupler", design->link[3].length);
+        put_length(out, d, ", rocker", design->link[4].length);
+        put_length(out, d, ", ground", design->link[1].length);
+    } else {
+        put_length(out, d, "# slider-crank: crank", design->link[2].length);
+        put_length(out, d, ", rod", design->link[3].length);
+        if (design->offset != 0)
+            put_length(out, d, ", offset", design->offset);
+    }
+    putc('\n', out);
+}
+
+/* Names or units of the columns, as a comment above them. */
+static void put_names(FILE *out, const column_list *columns, const style *styles, int units)
+{
+    size_t j;
+
+    putc('#', out);
+    for (j = 0; j < columns->count; j++)
+        put_right(out, units ? columns->list[j].unit : columns->list[j].name,
+                  styles[j].width - (j == 0));
+    putc('\n', out);
+}
+
+static void put_row(FILE *out, const deck *d, const column_list *columns, const style *styles,
+                    const result *r)
+{
+    char number[NUMBER_SIZE];
+    size_t j;
+
+    if (r->status != FOURLINK_OK) {
+        fprintf(out, "# theta2 = %s %s: %s\n", angle_text(r->row.angle, number),
+                d->units[QUANTITY_ANGLE].name, fourlink_status_text(r->status));
+        return;
+    }
+    for (j = 0; j < columns->count; j++)
+        put_right(out, cell_text(column_value(&columns->list[j], r), &styles[j], number),
+                  styles[j].width);
+    putc('\n', out);
+}
+
+unsigned long table_print(FILE *out, const deck *d, const column_list *columns)
+{
+    double size[COLUMN_MOST];
+    style styles[COLUMN_MOST];
+    fourlink_range range = range_of(d);
+    fourlink_branch branches[2];
+    int n = branches_of(d, branches), i;
+    unsigned long k, failed = 0;
+    char stop[NUMBER_SIZE + 80];
+    result r;
+    size_t j;
+
+    find_sizes(d, columns, size);
+    for (j = 0; j < columns->count; j++)
+        find_style(d, &columns->list[j], size[j], &styles[j]);
+    put_head(out, d);
+    for (i = 0; i < n; i++) {
+        if (i > 0)
+            fputs("\n\n", out);
+        fprintf(out, "# branch: %s\n", branch_name(branches[i]));
+        put_names(out, columns, styles, 0);
+        put_names(out, columns, styles, 1);
+        for (k = 0; k < range.n_rows; k++) {
+            result_compute(d, &range, branches[i], k, &r);
+            put_row(out, d, columns, styles, &r);
+            failed += r.status != FOURLINK_OK;
+        }
+        if (range.stops) {
+            fprintf(out, "# %s\n", stop_text(d, &range, stop));
+            failed++;
+        }
+    }
+    return failed;
+}
+
+/* ------------------------------------------------------------------------------------ format csv
+ */
+
+/* RFC 4180: fields with a comma, a quote or the end of a line in them stand in quotes, and quotes
+ *in
+ ** them are doubled. */
+static void put_field(FILE *out, const char *s)
+{
+    if (!strpbrk(s, ",\"\r\n")) {
+        fputs(s, out);
+        return;
+    }
+    putc('"', out);
+    for (; *s; s++) {
+        if (*s == '"')
+            putc('"', out);
+        putc(*s, out);
+    }
+    putc('"', out);
+}
+
+static int same_column(const column *x, const column *y)
+{
+    return strcmp(x->name, y->name) == 0 && strcmp(x->unit, y->unit) == 0;
+}
+
+void csv_merge_header(column_list *header, const column_list *columns)
+{
+    size_t i, j;
+
+    for (i = 0; i < columns->count; i++) {
+        for (j = 0; j < header->count; j++)
+            if (same_column(&header->list[j], &columns->list[i]))
+                break;
+        if (j == header->count && header->count < COLUMN_MOST)
+            header->list[header->count++] = columns->list[i];
+    }
+}
+
+void csv_print_header(FILE *out, const column_list *header, int with_deck)
+{
+    char field[2 * DECK_NAME_SIZE];
+    size_t j;
+
+    if (with_deck)
+        fputs("deck,", out);
+    fputs("branch", out);
+    for (j = 0; j < header->count; j++) {
+        sprintf(field, "%.60s (%.60s)", header->list[j].name, header->list[j].unit);
+        putc(',', out);
+        put_field(out, field);
+    }
+    fputs(",status\r\n", out);
+}
+
+/* r null: a line with nothing but a reason in it. */
+static void put_csv_row(FILE *out, const column_list *columns, const column_list *header,
+                        const char *deck_name, fourlink_branch branch, const result *r,
+                        const char *status)
+{
+    char number[NUMBER_SIZE];
+    size_t i, j;
+
+    if (deck_name) {
+        put_field(out, deck_name);
+        putc(',', out);
+    }
+    fputs(branch_name(branch), out);
+    for (j = 0; j < header->count; j++) {
+        putc(',', out);
+        for (i = 0; i < columns->count; i++)
+            if (same_column(&header->list[j], &columns->list[i]))
+                break;
+        if (i < columns->count && r &&
+            (r->status == FOURLINK_OK || column_of_crank(&columns->list[i])))
+            fputs(number_general(column_value(&columns->list[i], r) + 0.0, DBL_DIG + 2, number),
+                  out);
+    }
+    putc(',', out);
+    put_field(out, status);
+    fputs("\r\n", out);
+}
+
+unsigned long csv_print(FILE *out, const deck *d, const column_list *columns,
+                        const column_list *header, const char *deck_name)
+{
+    fourlink_range range = range_of(d);
+    fourlink_branch branches[2];
+    int n = branches_of(d, branches), i;
+    unsigned long k, failed = 0;
+    char stop[NUMBER_SIZE + 80];
+    result r;
+
+    for (i = 0; i < n; i++) {
+        for (k = 0; k < range.n_rows; k++) {
+            result_compute(d, &range, branches[i], k, &r);
+            put_csv_row(out, columns, header, deck_name, branches[i], &r,
+                        fourlink_status_text(r.status));
+            failed += r.status != FOURLINK_OK;
+        }
+        if (range.stops) {
+            put_csv_row(out, columns, header, deck_name, branches[i], NULL,
+                        stop_text(d, &range, stop));
+            failed++;
+        }
+    }
+    return failed;
+}
+
+/* ---------------------------------------------------------------------------------- format paper
+ */
+
+/* -0.00 is printed as 0.00 */
+static double no_minus_zero(double x)
+{
+    return fabs(x) < 0.005 ? 0 : x;
+}
+
+/* The printout of Alvi, section 5.1: the crossed branch first at every angle, without the closing
+** 360 deg.  Its numbers have two decimals; the crank's angle and speed no more than they need. */
+static void put_paper_row(FILE *out, const result *r)
+{
+    const fourlink_state *s = &r->state;
+    double degrees = r->row.crank.theta2 * 180 / M_PI, whole = floor(degrees + 0.5);
+
+    if (fabs(degrees - whole) < 1e-9)
+        fprintf(out, "%02.0f", whole);
+    else
+        fprintf(out, "%.2f", degrees);
+    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n", r->row.crank.omega2,
+            no_minus_zero(r->row.crank.alpha2), no_minus_zero(s->link[4].theta * 180 / M_PI),
+            no_minus_zero(s->link[3].theta * 180 / M_PI), no_minus_zero(s->link[4].omega),
+            no_minus_zero(s->link[3].omega), no_minus_zero(s->link[4].alpha),
+            no_minus_zero(s->link[3].alpha));
+}
+
+unsigned long table_print_paper(FILE *out, const deck *d)
+{
+    fourlink_range range = range_of(d);
+    unsigned long k, n_rows = range.n_rows, failed = 0;
+    char number[NUMBER_SIZE + 80];
+    result r;
+    int i;
+
+    if (d->one_revolution && !range.stops && n_rows > 1)
+        n_rows--;
+    fputs("thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n", out);
+    for (k = 0; k < n_rows; k++)
+        for (i = 0; i < 2; i++) {
+            fourlink_branch branch = i == 0 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+
+            if (branch == FOURLINK_OPEN ? !d->open : !d->crossed)
+                continue;
+            result_compute(d, &range, branch, k, &r);
+            if (r.status == FOURLINK_OK)
+                put_paper_row(out, &r);
+            else
+                fprintf(out, "# %s %s, %s: %s\n", angle_text(r.row.angle, number),
+                        d->units[QUANTITY_ANGLE].name, branch_name(branch),
+                        fourlink_status_text(r.status));
+            failed += r.status != FOURLINK_OK;
+        }
+    if (range.stops) {
+        fprintf(out, "# %s\n", stop_text(d, &range, number));
+        failed++;
+    }
+    return failed;
+}
+
+/* ----------------------------------------------------------------------------- the nine equations
+ */
+
+static void put_equation(FILE *out, const double A[9], double x, double b)
+{
+    char number[NUMBER_SIZE];
+    int j;
+
+    for (j = 0; j < 9; j++)
+        put_right(out, number_general(A[j] + 0.0, 6, number), 13);
+    put_right(out, number_general(x, 9, number), 17);
+    put_right(out, number_general(b, 9, number), 17);
+    putc('\n', out);
+}
+
+static void put_system(FILE *out, const deck *d, const result *r)
+{
+    const fourlink_forces *f = &r->forces;
+    int slider_crank = d->design.kind == FOURLINK_SLIDER_CRANK, i;
+    double A[9][9], b[9], x[9];
+    char number[NUMBER_SIZE];
+
+    fourlink_system(&d->mechanism, &r->state, d->loads, d->n_loads, A, b);
+    x[0] = f->F12x;
+    x[1] = f->F12y;
+    x[2] = f->F23x;
+    x[3] = f->F23y;
+    x[4] = f->F34x;
+    x[5] = f->F34y;
+    x[6] = slider_crank ? f->M14 : f->F14x;
+    x[7] = f->F14y;
+    x[8] = f->Ts;
+    fprintf(out, "# theta2 = %s %s, branch: %s\n", angle_text(r->row.angle, number),
+            d->units[QUANTITY_ANGLE].name, branch_name(r->branch));
+    fprintf(out, "# %11s%13s%13s%13s%13s%13s%13s%13s%13s%17s%17s\n", "F12x", "F12y", "F23x", "F23y",
+            "F34x", "F34y", slider_crank ? "M14" : "F14x", slider_crank ? "N" : "F14y", "Ts", "x",
+            "b");
+    for (i = 0; i < 9; i++)
+        put_equation(out, A[i], x[i], b[i]);
+}
+
+unsigned long table_print_matrix(FILE *out, const deck *d)
+{
+    fourlink_range range = range_of(d);
+    fourlink_branch branches[2];
+    int n = branches_of(d, branches), i, blocks = 0;
+    unsigned long k, failed = 0;
+    char stop[NUMBER_SIZE + 80], number[NUMBER_SIZE];
+    result r;
+
+    put_head(out, d);
+    fputs("# A x = b in SI units: the columns of A under their unknowns, the solution x, the right "
+          "side "
+          "b.\n# Rows: forces along x, along y, moments about the centre of mass, of links 2, 3, "
+          "4.\n",
+          out);
+    for (i = 0; i < n; i++) {
+        for (k = 0; k < range.n_rows; k++) {
+            result_compute(d, &range, branches[i], k, &r);
+            if (blocks++)
+                fputs("\n\n", out);
+            if (r.status == FOURLINK_OK) {
+                put_system(out, d, &r);
+                continue;
+            }
+            failed++;
+            fprintf(out, "# theta2 = %s %s, branch: %s: %s\n", angle_text(r.row.angle, number),
+                    d->units[QUANTITY_ANGLE].name, branch_name(branches[i]),
+                    fourlink_status_text(r.status));
+        }
+        if (range.stops) {
+            fprintf(out, "# %s\n", stop_text(d, &range, stop));
+            failed++;
+        }
+    }
+    return failed;
+}
+
+/* ---------------------------------------------------------------------------------------- --list
+ */
+
+void table_print_list(FILE *out, const deck *d)
+{
+    column_list all;
+    size_t j;
+
+    columns_all(d, &all);
+    fprintf(out, "%-10s %-8s %-60s %s\n", "column", "unit", "meaning", "in the sources");
+    for (j = 0; j < all.count; j++) {
+        const column *c = &all.list[j];
+        const char *source = column_source_name(c);
+
+        fprintf(out, "%-10s %-8s %-*s%s%s\n", c->name, c->unit, *source ? 60 : 0, column_meaning(c),
+                *source ? " " : "", source);
+    }
+}

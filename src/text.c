@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** text.c - pieces of text within a larger one, and messages about them.
+*/
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text.h"
+
+text text_of(const char *string)
+{
+    text t;
+
+    t.start = string;
+    t.length = strlen(string);
+    return t;
+}
+
+static int is_blank(int c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+text text_trim(text t)
+{
+    while (t.length && is_blank(t.start[0])) {
+        t.start++;
+        t.length--;
+    }
+    while (t.length && is_blank(t.start[t.length - 1]))
+        t.length--;
+    return t;
+}
+
+/* ASCII only: the host's locale has no say in how a deck is read. */
+static int lower(int c)
+{
+    return 'A' <= c && c <= 'Z' ? c - 'A' + 'a' : c;
+}
+
+int text_is_word(int c)
+{
+    return ('a' <= lower(c) && lower(c) <= 'z') || ('0' <= c && c <= '9') || c == '_' || (c & 0x80);
+}
+
+int text_equal(text t, const char *word)
+{
+    size_t i;
+
+    for (i = 0; i < t.length; i++)
+        if (lower(t.start[i]) != lower(word[i]))
+            return 0;
+    return word[i] == '\0';
+}
+
+int text_split(text *rest, int stop, text *piece)
+{
+    const char *end;
+
+    if (!rest->start)
+        return 0;
+    end = memchr(rest->start, stop, rest->length);
+    *piece = *rest;
+    if (end) {
+        piece->length = (size_t)(end - rest->start);
+        rest->start = end + 1;
+        rest->length -= piece->length + 1;
+    } else {
+        rest->start = NULL;
+        rest->length = 0;
+    }
+    return 1;
+}
+
+char *text_copy(text t, char *out, size_t size)
+{
+    size_t i, n = t.length < size ? t.length : size - 1;
+
+    for (i = 0; i < n; i++) {
+        unsigned char c = (unsigned char)t.start[i];
+
+        out[i] = (char)(c < ' ' || c == 0x7f ? '?' : c);
+    }
+    out[n] = '\0';
+    if (n < t.length && size > 4) {
+        while (n > size - 4 || (n > 0 && (out[n] & 0xc0) == 0x80))
+            n--; /* not within a character of UTF-8 */
+        strcpy(out + n, "...");
+    }
+    return out;
+}
+
+#define WORD_MAX 32
+
+/* Edits between two words: letters inserted, left out or exchanged, neighbours swapped (the
+** restricted Damerau-Levenshtein distance). */
+static size_t distance(text t, const char *word)
+{
+    size_t row[3][WORD_MAX + 1], n = strlen(word), i, j;
+
+    if (t.length > WORD_MAX || n > WORD_MAX)
+        return WORD_MAX;
+    for (j = 0; j <= n; j++)
+        row[0][j] = j;
+    for (i = 1; i <= t.length; i++) {
+        size_t *now = row[i % 3], *last = row[(i + 2) % 3], *before = row[(i + 1) % 3];
+
+        now[0] = i;
+        for (j = 1; j <= n; j++) {
+            size_t best = last[j - 1] + (lower(t.start[i - 1]) != lower(word[j - 1]));
+
+            if (last[j] + 1 < best)
+                best = last[j] + 1;
+            if (now[j - 1] + 1 < best)
+                best = now[j - 1] + 1;
+            if (i > 1 && j > 1 && lower(t.start[i - 1]) == lower(word[j - 2]) &&
+                lower(t.start[i - 2]) == lower(word[j - 1]) && before[j - 2] + 1 < best)
+                best = before[j - 2] + 1;
+            now[j] = best;
+        }
+    }
+    return row[t.length % 3][n];
+}
+
+const char *text_nearest(text t, const char *const *words)
+{
+    const char *nearest = NULL;
+    size_t best = t.length / 3 + 2;
+
+    for (; *words; words++) {
+        size_t d = distance(t, *words);
+
+        if (d < best && d < strlen(*words)) {
+            best = d;
+            nearest = *words;
+        }
+    }
+    return nearest;
+}
+
+#define MOST_MISTAKES 100
+
+void mistake_note(mistakes *m, text_place place, ...)
+{
+    struct mistake *new;
+    const char *piece;
+    size_t used = 0;
+    va_list pieces;
+
+    if (m->count == m->capacity && m->count < MOST_MISTAKES) {
+        size_t capacity = m->capacity ? 2 * m->capacity : 8;
+        struct mistake *list = realloc(m->list, capacity * sizeof *list);
+
+        if (list) {
+            m->list = list;
+            m->capacity = capacity;
+        }
+    }
+    if (m->count == m->capacity || m->count >= MOST_MISTAKES) {
+        m->left_out++;
+        return;
+    }
+    new = &m->list[m->count++];
+    new->place = place;
+    va_start(pieces, place);
+    while ((piece = va_arg(pieces, const char *)) != NULL) {
+        text_copy(text_of(piece), new->message + used, sizeof new->message - used);
+        used += strlen(new->message + used);
+    }
+    va_end(pieces);
+}
+
+/* An insertion sort: the list is short, and lines of equal number keep their order. */
+void mistakes_sort(mistakes *m)
+{
+    size_t i, j;
+
+    for (i = 1; i < m->count; i++)
+        for (j = i; j > 0 && m->list[j].place.line < m->list[j - 1].place.line; j--) {
+            struct mistake swap = m->list[j];
+
+            m->list[j] = m->list[j - 1];
+            m->list[j - 1] = swap;
+        }
+}
+
+void mistakes_free(mistakes *m)
+{
+    free(m->list);
+    memset(m, 0, sizeof *m);
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** text.h - pieces of text within a larger one, and messages about them.
+*/
+#ifndef FOURLINK_TEXT_H
+#define FOURLINK_TEXT_H
+
+#include <stddef.h>
+
+/* A piece of a text: not terminated by a null character. */
+typedef struct text {
+    const char *start;
+    size_t length;
+} text;
+
+text text_of(const char *string);
+text text_trim(text t);
+
+/* 1 if the first character is one of a word (letter, digit, _ or a byte of UTF-8). */
+int text_is_word(int c);
+
+/* Equal but for the case of ASCII letters. */
+int text_equal(text t, const char *word);
+
+/* Take the characters up to `stop` (or all) off the front of `rest`; 0 when nothing is left. */
+int text_split(text *rest, int stop, text *piece);
+
+/* A copy that fits into `size` bytes, null-terminated, what cannot be printed replaced, what does
+ *not
+ ** fit replaced by "..." */
+char *text_copy(text t, char *out, size_t size);
+
+/* The word of a list, ended by a null pointer, that is most like `t`: a typing mistake or two away.
+** Null if none is. */
+const char *text_nearest(text t, const char *const *words);
+
+/* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
+typedef struct text_place {
+    const char *source;
+    long line;
+} text_place;
+
+/* The mistakes found in a deck, in the order of its lines. */
+typedef struct mistakes {
+    struct mistake *list;
+    size_t count, capacity, left_out;
+} mistakes;
+
+struct mistake {
+    text_place place;
+    char message[400];
+};
+
+/* Note a mistake: the message is made of the strings given, up to a null pointer. */
+void mistake_note(mistakes *m, text_place place, ...);
+
+/* Sort by source and line, for printing. */
+void mistakes_sort(mistakes *m);
+void mistakes_free(mistakes *m);
+
+#endif

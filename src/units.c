@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** units.c - the units of the field, and the quantities of a deck.
+*/
+#include <gsl/gsl_const_mksa.h>
+#include <gsl/gsl_math.h>
+
+#include "units.h"
+
+#define QUANTITY_INFO(name, key, words, m, kg, s, rad, unit, example) \
+    {key, words, {m, kg, s, rad}, unit, example},
+const quantity_info quantities[QUANTITY_COUNT] = {QUANTITY_LIST(QUANTITY_INFO)};
+
+/* GSL's constants where they are exact by definition; what it gives rounded (lbf, psi, hp) is made
+** of those. */
+#define INCH GSL_CONST_MKSA_INCH
+#define FOOT GSL_CONST_MKSA_FOOT
+#define POUND GSL_CONST_MKSA_POUND_MASS
+#define OUNCE (POUND / 16)
+#define G GSL_CONST_MKSA_GRAV_ACCEL
+
+typedef struct named_unit {
+    const char *name;
+    double up, down;
+    dimension dim;
+} named_unit;
+
+static const named_unit units[] = {
+    {"m", 1, 1, {1, 0, 0, 0}},
+    {"mm", 1, 1e3, {1, 0, 0, 0}},
+    {"cm", 1, 1e2, {1, 0, 0, 0}},
+    {"km", 1e3, 1, {1, 0, 0, 0}},
+    {"in", INCH, 1, {1, 0, 0, 0}},
+    {"ft", FOOT, 1, {1, 0, 0, 0}},
+    {"kg", 1, 1, {0, 1, 0, 0}},
+    {"g", 1, 1e3, {0, 1, 0, 0}},
+    {"t", 1e3, 1, {0, 1, 0, 0}},
+    {"lb", POUND, 1, {0, 1, 0, 0}},
+    {"oz", OUNCE, 1, {0, 1, 0, 0}},
+    {"slug", POUND *G, FOOT, {0, 1, 0, 0}}, /* lbf s2/ft */
+    {"blob", POUND *G, INCH, {0, 1, 0, 0}}, /* lbf s2/in */
+    {"s", 1, 1, {0, 0, 1, 0}},
+    {"ms", 1, 1e3, {0, 0, 1, 0}},
+    {"min", GSL_CONST_MKSA_MINUTE, 1, {0, 0, 1, 0}},
+    {"h", GSL_CONST_MKSA_HOUR, 1, {0, 0, 1, 0}},
+    {"rad", 1, 1, {0, 0, 0, 1}},
+    {"mrad", 1, 1e3, {0, 0, 0, 1}},
+    {"deg", M_PI, 180, {0, 0, 0, 1}},
+    {"rev", 2 * M_PI, 1, {0, 0, 0, 1}},
+    {"rpm", 2 * M_PI, GSL_CONST_MKSA_MINUTE, {0, 0, -1, 1}},
+    {"N", 1, 1, {1, 1, -2, 0}},
+    {"kN", 1e3, 1, {1, 1, -2, 0}},
+    {"MN", 1e6, 1, {1, 1, -2, 0}},
+    {"lbf", POUND *G, 1, {1, 1, -2, 0}},
+    {"kgf", G, 1, {1, 1, -2, 0}},
+    {"ozf", OUNCE *G, 1, {1, 1, -2, 0}},
+    {"kip", 1e3 * POUND *G, 1, {1, 1, -2, 0}},
+    {"J", 1, 1, {2, 1, -2, 0}},
+    {"kJ", 1e3, 1, {2, 1, -2, 0}},
+    {"W", 1, 1, {2, 1, -3, 0}},
+    {"kW", 1e3, 1, {2, 1, -3, 0}},
+    {"hp", 550 * FOOT *POUND *G, 1, {2, 1, -3, 0}}, /* ft lbf/s */
+    {"Pa", 1, 1, {-1, 1, -2, 0}},
+    {"kPa", 1e3, 1, {-1, 1, -2, 0}},
+    {"MPa", 1e6, 1, {-1, 1, -2, 0}},
+    {"GPa", 1e9, 1, {-1, 1, -2, 0}},
+    {"bar", GSL_CONST_MKSA_BAR, 1, {-1, 1, -2, 0}},
+    {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
+    {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
+    {"1", 1, 1, {0, 0, 0, 0}},
+};
+
+#define UNIT_COUNT (sizeof units / sizeof units[0])
+
+/* Units are case-sensitive: mN and MN are not the same. */
+static const named_unit *find(text name)
+{
+    size_t i, j;
+
+    for (i = 0; i < UNIT_COUNT; i++) {
+        for (j = 0; j < name.length && units[i].name[j] == name.start[j]; j++)
+            ;
+        if (j == name.length && units[i].name[j] == '\0')
+            return &units[i];
+    }
+    return NULL;
+}
+
+const char *unit_nearest(text word)
+{
+    const char *names[UNIT_COUNT + 1];
+    size_t i;
+
+    for (i = 0; i < UNIT_COUNT; i++)
+        names[i] = units[i].name;
+    names[UNIT_COUNT] = NULL;
+    return text_nearest(word, names);
+}
+
+static void skip(text *t)
+{
+    t->start++;
+    t->length--;
+}
+
+int unit_read(text t, unit *result, text *bad)
+{
+    unit u = {1, 1, {0, 0, 0, 0}};
+    int sign = 1, factors = 0;
+
+    t = text_trim(t);
+    *bad = t;
+    while (t.length) {
+        const named_unit *known;
+        text name = t;
+        int exponent = 1, i;
+
+        while (t.length && text_is_word(t.start[0]) &&
+               (t.start == name.start ? 1 : t.start[0] < '0' || t.start[0] > '9'))
+            skip(&t);
+        name.length -= t.length;
+        *bad = name;
+        if (!name.length || (known = find(name)) == NULL) {
+            if (!name.length)
+                *bad = t;
+            return 0;
+        }
+        factors++;
+        if (t.length && t.start[0] == '^')
+            skip(&t);
+        if (t.length && '0' <= t.start[0] && t.start[0] <= '9') {
+            exponent = t.start[0] - '0';
+            skip(&t);
+            if (exponent < 1 || exponent > 4 || (t.length && text_is_word(t.start[0])))
+                return 0;
+        } else if (t.length && t.start[-1] == '^') {
+            return 0;
+        }
+        for (i = 0; i < exponent; i++) {
+            u.up *= sign > 0 ? known->up : known->down;
+            u.down *= sign > 0 ? known->down : known->up;
+        }
+        u.dim.m += sign * exponent * known->dim.m;
+        u.dim.kg += sign * exponent * known->dim.kg;
+        u.dim.s += sign * exponent * known->dim.s;
+        u.dim.rad += sign * exponent * known->dim.rad;
+
+        sign = 1;
+        t = text_trim(t);
+        if (!t.length)
+            break;
+        *bad = t;
+        if (t.start[0] == '.' || t.start[0] == '*' || t.start[0] == '/') {
+            sign = t.start[0] == '/' ? -1 : 1;
+            skip(&t);
+            t = text_trim(t);
+            if (!t.length)
+                return 0; /* nothing after the sign */
+        }
+    }
+    if (!factors)
+        return 0;
+    *result = u;
+    return 1;
+}
+
+int dimension_equal(dimension x, dimension y)
+{
+    return x.m == y.m && x.kg == y.kg && x.s == y.s && x.rad == y.rad;
+}
+
+double unit_to_si(double number, unit u)
+{
+    return number * u.up / u.down;
+}

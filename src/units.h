@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** units.h - the units of the field, and the quantities of a deck.
+*/
+#ifndef FOURLINK_UNITS_H
+#define FOURLINK_UNITS_H
+
+#include "text.h"
+
+/* Exponents of metre, kilogram, second and radian.  Angle is a dimension of its own, so that
+ *neither
+ ** 25 1/s nor 3 N m is taken for an angular speed. */
+typedef struct dimension {
+    int m, kg, s, rad;
+} dimension;
+
+/* name, in words, exponents, unit in which bare numbers are read and columns printed, an example */
+#define QUANTITY_LIST(X)                                                                    \
+    X(LENGTH, "length", "a length", 1, 0, 0, 0, "m", "80 mm")                               \
+    X(ANGLE, "angle", "an angle", 0, 0, 0, 1, "deg", "40 deg")                              \
+    X(MASS, "mass", "a mass", 0, 1, 0, 0, "kg", "0.3 kg")                                   \
+    X(TIME, "time", "a time", 0, 0, 1, 0, "s", "2.5 s")                                     \
+    X(SPEED, "speed", "a speed", 1, 0, -1, 0, "m/s", "2 m/s")                               \
+    X(ACCELERATION, "acceleration", "an acceleration", 1, 0, -2, 0, "m/s2", "9.81 m/s2")    \
+    X(ANGULAR_SPEED, "angular_speed", "an angular speed", 0, 0, -1, 1, "rad/s", "1000 rpm") \
+    X(ANGULAR_ACCELERATION, "angular_acceleration", "an angular acceleration", 0, 0, -2, 1, \
+      "rad/s2", "5 rad/s2")                                                                 \
+    X(INERTIA, "inertia", "a moment of inertia", 2, 1, 0, 0, "kg.m2", "0.4 kg m2")          \
+    X(FORCE, "force", "a force", 1, 1, -2, 0, "N", "50 N")                                  \
+    X(TORQUE, "torque", "a torque", 2, 1, -2, 0, "N.m", "0.5 N m")                          \
+    X(PRESSURE, "pressure", "a pressure", -1, 1, -2, 0, "Pa", "2 N/mm2")                    \
+    X(POWER, "power", "a power", 2, 1, -3, 0, "W", "5 kW")                                  \
+    X(ENERGY, "energy", "an energy", 2, 1, -2, 0, "J", "3 kJ")                              \
+    X(NUMBER, "number", "a number", 0, 0, 0, 0, "1", "0.02")
+
+#define QUANTITY_CODE(name, key, words, m, kg, s, rad, unit, example) QUANTITY_##name,
+typedef enum quantity { QUANTITY_LIST(QUANTITY_CODE) QUANTITY_COUNT } quantity;
+#undef QUANTITY_CODE
+
+typedef struct quantity_info {
+    const char *name, *words;
+    dimension dim;
+    const char *unit, *example;
+} quantity_info;
+
+extern const quantity_info quantities[QUANTITY_COUNT];
+
+/* A unit: up / down SI units (and radians).  Kept as a fraction, so that 66 mm is 66/1000 m,
+ *rounded
+ ** once. */
+typedef struct unit {
+    double up, down;
+    dimension dim;
+} unit;
+
+/* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
+ *one
+ ** factor after it, an exponent as a digit or after '^'.
+ ** 1 if it is one; 0 if not: then `bad` is the part that is not known. */
+int unit_read(text t, unit *result, text *bad);
+
+double unit_to_si(double number, unit u);
+
+int dimension_equal(dimension x, dimension y);
+
+/* The known unit most like a word, or null. */
+const char *unit_nearest(text word);
+
+#endif
