@@ -111,7 +111,7 @@ typedef struct fourlink_vector {
 
 /* One link.  Its own axes: origin at A (crank), B (coupler, rod), D (rocker) or C (piston); x along
 ** its line towards its other pin (piston: parallel to the line of stroke), y to the left of that.
- */
+*/
 typedef struct fourlink_link {
     double length;      /* m; of the piston unused */
     double mass;        /* kg; 0 for a link without weight */

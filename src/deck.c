@@ -407,6 +407,8 @@ static int next_line(parser *p, text *rest, text *line)
 {
     text_place place;
 
+    if (p->last_line > 0 && !rest->length)
+        return 0; /* nothing after the last end of line */
     if (!text_split(rest, '\n', line))
         return 0;
     p->last_line++;
@@ -924,6 +926,8 @@ static int build_kind(parser *p)
                      "slider-crank' before the first section", (char *)NULL);
         return 0;
     }
+    if (!s->word)
+        return 0;
     kind = (fourlink_kind)s->word;
     p->d->design.kind = kind;
     for (i = 0; i < p->n_uses; i++) {

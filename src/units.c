@@ -67,6 +67,7 @@ static const named_unit units[] = {
     {"bar", GSL_CONST_MKSA_BAR, 1, {-1, 1, -2, 0}},
     {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
     {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
+    {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, so that it is refused for what it is: no angular speed */
     {"1", 1, 1, {0, 0, 0, 0}},
 };
 

@@ -253,7 +253,7 @@ static void test_freudenstein(void **unused)
                        s.d + s.c * cos(theta4) - s.a * cos(s.theta2));
         /* The formula subtracts terms of up to 40 and takes the root of their difference, which is
         ** 2bc |sine|; it divides by A >= 0.1. */
-        tolerance = 1e-12 / fabs(s.state.sine);
+        tolerance = 1e-13 / fabs(s.state.sine);
         assert_near(turn(s.state.link[4].theta, theta4), 0, tolerance);
         assert_near(turn(s.state.link[3].theta, theta3), 0, tolerance);
     }
@@ -604,8 +604,8 @@ static void check_turns(const double length[4], fourlink_branch branch, double t
         if (fabs(s.link[3].theta) > *reach)
             *reach = fabs(s.link[3].theta);
     }
-    assert_near(sum3 / STEPS, turns3, 1e-11);
-    assert_near(sum4 / STEPS, turns4, 1e-11);
+    assert_near(sum3 / STEPS, turns3, 1e-13);
+    assert_near(sum4 / STEPS, turns4, 1e-13);
 }
 
 static void test_full_turns(void **unused)
@@ -707,7 +707,7 @@ static void test_change_points_are_passed(void **unused)
         assert_int_equal(m.change_stretched, change_points[i].at_180);
         assert_int_equal(m.change_folded, change_points[i].at_0);
         for (k = 0; k < 2; k++)
-            check_smooth(&m, both[k], 40);
+            check_smooth(&m, both[k], 4);
     }
 }
 
