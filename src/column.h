@@ -25,8 +25,7 @@ typedef struct column_list {
 } column_list;
 
 /* Choose the columns that the deck asks for, or the usual ones; 0 and mistakes of the deck if it
- *asks
- ** for some that it has not. */
+** asks for some that it has not. */
 int columns_choose(deck *d, column_list *columns);
 
 /* All columns that the deck has. */

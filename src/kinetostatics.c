@@ -15,8 +15,7 @@
 #define SMALLEST_PIVOT 1e-13
 
 /* One moving link, cut free.  `first` is the pin towards the crankshaft (A, B, C for links 2, 3,
- *4),
- ** `second` the other one (B, C, D; of the piston, C again). */
+** 4), `second` the other one (B, C, D; of the piston, C again). */
 typedef struct free_body {
     fourlink_vector first, second; /* m, arms from the centre of mass to the pins */
     fourlink_vector force;         /* N, m a_G - W - (sum of forces) */
@@ -129,26 +128,24 @@ static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *s
     return FOURLINK_OK;
 }
 
-/* The nine equations, A x = b, x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts).  With rho_P = P -
- *G
- ** and rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 (ME3491 eqs. 3 to 15; theirs have cosines
- ** for sines in the moments, and r_g3 for r_g4):
- **
- **    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
- **    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
- **    F34 + F14 = m a_G4 - W4 - sum F        rho_C x F34 + rho_D x F14      = I alpha4 - sum M
- **
- ** A piston does not turn and its guide gives a normal force N and a couple: F14y is N, which acts
- *at
- ** the pin C, and the column of F14x is that of the couple M14.
- */
 /* The place of an equation and of an unknown in the array that holds the matrix: the coefficient of
 ** unknown u in equation e is at row[e] + column[u]. */
 typedef struct layout {
     int row[9], column[9];
 } layout;
 
-/* `per_length` multiplies the moment equations of the three links. */
+/* The nine equations, A x = b, x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts).  With
+** rho_P = P - G and rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 (ME3491 eqs. 3 to 15; theirs
+** have cosines for sines in the moments, and r_g3 for r_g4):
+**
+**    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
+**    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
+**    F34 + F14 = m a_G4 - W4 - sum F        rho_C x F34 + rho_D x F14      = I alpha4 - sum M
+**
+** A piston does not turn, and its guide gives a normal force N and a couple: F14y is N, which acts
+** at the pin C, and the column of F14x is that of the couple M14.
+**
+** `per_length` multiplies the moment equations of the three links. */
 static void assemble(const fourlink_mechanism *mechanism, const free_body body[3],
                      const double per_length[3], const layout *at, double *A, double b[9])
 {

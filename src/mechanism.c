@@ -63,8 +63,7 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
 }
 
 /* The crank turns about A, which is at rest; its other pin B is the origin of link 3.  The half
- *angle
- ** serves the mechanisms' tests of reach as well. */
+** angle serves the mechanisms' tests of reach as well. */
 static void place_crank(double a, double theta2, double half_sine, double half_cosine,
                         fourlink_state *state)
 {

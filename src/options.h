@@ -20,8 +20,8 @@ typedef struct options {
     size_t n_storage;
 } options;
 
-/* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 out of memory.
- */
+/* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 when out of
+** memory. */
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
 

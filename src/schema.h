@@ -5,6 +5,9 @@
 #ifndef FOURLINK_SCHEMA_H
 #define FOURLINK_SCHEMA_H
 
+#include "fourlink.h"
+#include "units.h"
+
 /* name, may repeat, mechanisms */
 #define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
 #define SECTION_LIST(X)                           \
@@ -87,5 +90,52 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                  \
     X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)
+
+#define SECTION_CODE(code, name, repeats, kinds) SECTION_##code,
+typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;
+
+#define KEY_CODE(section, code, name, form, quantity, sign, kinds) KEY_##section##_##code,
+typedef enum key_code { KEY_LIST(KEY_CODE) KEY_COUNT } key_code;
+
+typedef struct section_info {
+    const char *name;
+    int repeats, kinds;
+} section_info;
+
+/* By section_code; ended by a null name. */
+extern const section_info section_table[];
+
+typedef struct key_info {
+    section_code section;
+    const char *name;
+    value_form form;
+    quantity q;
+    value_sign sign;
+    int kinds;
+} key_info;
+
+/* By key_code. */
+extern const key_info key_table[];
+
+enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
+
+/* The words that keys of FORM_WORD take, with their values. */
+typedef struct word_info {
+    key_code key;
+    const char *word;
+    int value;
+} word_info;
+
+/* Ended by a null word. */
+extern const word_info word_table[];
+
+/* The first key of a section, and how many it has. */
+int first_key(section_code section);
+int key_count(section_code section);
+
+/* The section of that name, SECTION_COUNT if there is none. */
+section_code find_section(text name);
+
+const char *kind_words(fourlink_kind kind);
 
 #endif

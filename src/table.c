@@ -54,8 +54,7 @@ static const char *stop_text(const deck *d, const fourlink_range *range, char ou
     return out;
 }
 
-/* ---------------------------------------------------------------------------------- format table
- */
+/* -------------------- format table -------------------- */
 
 /* How the numbers of a column are written: all alike, so that they stand under each other. */
 typedef struct style {
@@ -67,8 +66,7 @@ typedef struct style {
 #define SAMPLES 200
 
 /* The largest magnitude of each column, over rows spread evenly over the motion; 0 for what is no
- *more
- ** than the rounding of other columns of the same quantity. */
+** more than the rounding of other columns of the same quantity. */
 static void find_sizes(const deck *d, const column_list *columns, double *size)
 {
     fourlink_range range = range_of(d);
@@ -260,12 +258,10 @@ unsigned long table_print(FILE *out, const deck *d, const column_list *columns)
     return failed;
 }
 
-/* ------------------------------------------------------------------------------------ format csv
- */
+/* -------------------- format csv -------------------- */
 
 /* RFC 4180: fields with a comma, a quote or the end of a line in them stand in quotes, and quotes
- *in
- ** them are doubled. */
+** in them are doubled. */
 static void put_field(FILE *out, const char *s)
 {
     if (!strpbrk(s, ",\"\r\n")) {
@@ -369,8 +365,7 @@ unsigned long csv_print(FILE *out, const deck *d, const column_list *columns,
     return failed;
 }
 
-/* ---------------------------------------------------------------------------------- format paper
- */
+/* -------------------- format paper -------------------- */
 
 /* -0.00 is printed as 0.00 */
 static double no_minus_zero(double x)
@@ -429,8 +424,7 @@ unsigned long table_print_paper(FILE *out, const deck *d)
     return failed;
 }
 
-/* ----------------------------------------------------------------------------- the nine equations
- */
+/* -------------------- the nine equations -------------------- */
 
 static void put_equation(FILE *out, const double A[9], double x, double b)
 {
@@ -507,8 +501,7 @@ unsigned long table_print_matrix(FILE *out, const deck *d)
     return failed;
 }
 
-/* ---------------------------------------------------------------------------------------- --list
- */
+/* -------------------- --list -------------------- */
 
 void table_print_list(FILE *out, const deck *d)
 {

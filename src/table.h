@@ -12,15 +12,13 @@
 typedef enum table_format { FORMAT_TABLE, FORMAT_CSV, FORMAT_PAPER } table_format;
 
 /* Each prints a deck to a stream and returns how many of its rows could not be computed; whether
- *the
- ** stream took it is for the caller to ask. */
+** the stream took it is for the caller to ask. */
 unsigned long table_print(FILE *out, const deck *d, const column_list *columns);
 unsigned long table_print_paper(FILE *out, const deck *d);
 unsigned long table_print_matrix(FILE *out, const deck *d);
 
 /* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of
- *that
- ** name. */
+** that name. */
 void csv_print_header(FILE *out, const column_list *header, int with_deck);
 unsigned long csv_print(FILE *out, const deck *d, const column_list *columns,
                         const column_list *header, const char *deck_name);

@@ -26,8 +26,7 @@ int text_equal(text t, const char *word);
 int text_split(text *rest, int stop, text *piece);
 
 /* A copy that fits into `size` bytes, null-terminated, what cannot be printed replaced, what does
- *not
- ** fit replaced by "..." */
+** not fit replaced by "..." */
 char *text_copy(text t, char *out, size_t size);
 
 /* The word of a list, ended by a null pointer, that is most like `t`: a typing mistake or two away.

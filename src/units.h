@@ -8,8 +8,7 @@
 #include "text.h"
 
 /* Exponents of metre, kilogram, second and radian.  Angle is a dimension of its own, so that
- *neither
- ** 25 1/s nor 3 N m is taken for an angular speed. */
+** neither 25 1/s nor 3 N m is taken for an angular speed. */
 typedef struct dimension {
     int m, kg, s, rad;
 } dimension;
@@ -46,17 +45,15 @@ typedef struct quantity_info {
 extern const quantity_info quantities[QUANTITY_COUNT];
 
 /* A unit: up / down SI units (and radians).  Kept as a fraction, so that 66 mm is 66/1000 m,
- *rounded
- ** once. */
+** rounded once. */
 typedef struct unit {
     double up, down;
     dimension dim;
 } unit;
 
 /* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
- *one
- ** factor after it, an exponent as a digit or after '^'.
- ** 1 if it is one; 0 if not: then `bad` is the part that is not known. */
+** one factor after it, an exponent as a digit or after '^'.
+** 1 if it is one; 0 if not: then `bad` is the part that is not known. */
 int unit_read(text t, unit *result, text *bad);
 
 double unit_to_si(double number, unit u);

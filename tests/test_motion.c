@@ -224,9 +224,9 @@ static void test_accelerated_range(void **unused)
                         1e-14 * (speed * speed + 2 * fabs(acceleration) * (s + 1)));
             /* the smallest speed on the way is 0.3 of the first, or that of the first row */
             if (i > 0) {
-                assert_close(time, quadrature(speed, acceleration, s), 1e-9);
-                assert_close(speed * time + acceleration * time * time / 2, s, 1e-10);
-                assert_close(speed + acceleration * time, omega2, 1e-10);
+                assert_close(time, quadrature(speed, acceleration, s), 1e-11);
+                assert_close(speed * time + acceleration * time * time / 2, s, 1e-13);
+                assert_close(speed + acceleration * time, omega2, 1e-13);
             }
         }
         assert_true(row_of(&motion, &range, 0).angle == from);

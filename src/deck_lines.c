@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** deck_lines.c - first pass over a deck: its lines, and assignments from outside it, to settings.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include "number.h"
+#include "reader.h"
+
+#define LINE_MAX_LENGTH 65536
+#define MOST_SECTIONS 10000
+
+static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t size)
+{
+    size_t more = *capacity ? *capacity : 64;
+    void *bigger;
+
+    while (more < wanted)
+        more *= 2;
+    if (more == *capacity)
+        return list;
+    bigger = realloc(list, more * size);
+    if (!bigger)
+        p->out_of_memory = 1;
+    else
+        *capacity = more;
+    return bigger;
+}
+
+/* Open a section; its settings are all unset.  Null when there is no memory for it. */
+static section_use *open_section(parser *p, section_code section, text name, text_place place)
+{
+    size_t n = (size_t)key_count(section);
+    section_use *uses, *use;
+    setting *settings;
+
+    uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses);
+    if (!uses)
+        return NULL;
+    p->uses = uses;
+    settings = grow(p, p->settings, &p->settings_capacity, p->n_settings + n, sizeof *settings);
+    if (!settings)
+        return NULL;
+    p->settings = settings;
+    memset(settings + p->n_settings, 0, n * sizeof *settings);
+    use = &uses[p->n_uses++];
+    use->section = section;
+    use->name = name;
+    use->place = place;
+    use->first = p->n_settings;
+    p->n_settings += n;
+    return use;
+}
+
+section_use *find_use(parser *p, section_code section)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == section)
+            return &p->uses[i];
+    return NULL;
+}
+
+setting *setting_of(parser *p, const section_use *use, key_code key)
+{
+    return &p->settings[use->first + (size_t)((int)key - first_key(key_table[key].section))];
+}
+
+setting *find(parser *p, key_code key)
+{
+    section_use *use = find_use(p, key_table[key].section);
+    setting *s = use ? setting_of(p, use, key) : NULL;
+
+    return s && s->place.source ? s : NULL;
+}
+
+char *word_of(text t, char out[WORD_SIZE])
+{
+    return text_copy(t, out, WORD_SIZE);
+}
+
+const char *hint(const char *nearest)
+{
+    return nearest ? "; did you mean '" : "";
+}
+
+const char *hint_end(const char *nearest)
+{
+    return nearest ? "'?" : "";
+}
+
+static void note_unknown(parser *p, text_place place, const char *what, text word,
+                         const char *const *known, const char *where)
+{
+    char copy[WORD_SIZE];
+    const char *nearest = text_nearest(word, known);
+
+    mistake_note(&p->d->mistakes, place, "unknown ", what, " '", word_of(word, copy), "'", where,
+                 hint(nearest), nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+}
+
+static void note_unknown_section(parser *p, text_place place, text name)
+{
+    const char *known[SECTION_COUNT];
+    int i;
+
+    for (i = 1; i < SECTION_COUNT; i++)
+        known[i - 1] = section_table[i].name;
+    known[SECTION_COUNT - 1] = NULL;
+    note_unknown(p, place, "section", name, known, "");
+}
+
+static void note_unknown_key(parser *p, text_place place, section_code section, text name)
+{
+    const char *known[KEY_COUNT + 1];
+    char where[WORD_SIZE], word[WORD_SIZE];
+    int first = first_key(section), n = key_count(section), i;
+
+    for (i = 0; i < n; i++)
+        known[i] = key_table[first + i].name;
+    known[n] = NULL;
+    if (section != SECTION_TOP) {
+        strcpy(where, " in [");
+        strcat(where, section_table[section].name);
+        strcat(where, "]");
+    } else {
+        strcpy(where, " before the first section");
+    }
+    if (!text_nearest(name, known))
+        for (i = 0; i < KEY_COUNT; i++)
+            if (text_equal(name, key_table[i].name) && key_table[i].section != SECTION_UNITS &&
+                key_table[i].section != SECTION_TOP) {
+                mistake_note(&p->d->mistakes, place, "unknown key '", word_of(name, word), "'",
+                             where, "; it belongs to a section such as [",
+                             section_table[key_table[i].section].name, "]", (char *)NULL);
+                return;
+            }
+    note_unknown(p, place, "key", name, known, where);
+}
+
+/* [section], [section NAME] */
+static section_use *read_section(parser *p, text line, text_place place)
+{
+    text word = line, name;
+    section_code section;
+    section_use *use;
+    char copy[WORD_SIZE];
+
+    if (line.start[line.length - 1] != ']') {
+        mistake_note(&p->d->mistakes, place, "expected ']' at the end of the section's name",
+                     (char *)NULL);
+        return NULL;
+    }
+    word.start++;
+    word.length -= 2;
+    word = text_trim(word);
+    name = word;
+    while (name.length && text_is_word(name.start[0])) {
+        name.start++;
+        name.length--;
+    }
+    word.length -= name.length;
+    name = text_trim(name);
+    section = find_section(word);
+    if (section == SECTION_COUNT) {
+        note_unknown_section(p, place, word);
+        return NULL;
+    }
+    if (name.length && !section_table[section].repeats) {
+        mistake_note(&p->d->mistakes, place, "[", section_table[section].name,
+                     "] takes no name, but has '", word_of(name, copy), "'", (char *)NULL);
+        return NULL;
+    }
+    use = find_use(p, section);
+    if (use && !section_table[section].repeats) {
+        char number[NUMBER_SIZE];
+
+        mistake_note(&p->d->mistakes, place, "a second [", section_table[section].name,
+                     "]; the first is at line ", number_fixed((double)use->place.line, 0, number),
+                     (char *)NULL);
+        return NULL;
+    }
+    if (p->n_uses >= MOST_SECTIONS) {
+        mistake_note(&p->d->mistakes, place, "too many sections", (char *)NULL);
+        p->out_of_memory = p->n_uses > MOST_SECTIONS;
+        return NULL;
+    }
+    return open_section(p, section, name, place);
+}
+
+/* key = value, in a section */
+static void assign(parser *p, const section_use *use, text key, text value, text_place place,
+                   int replace)
+{
+    int first = first_key(use->section), n = key_count(use->section), i;
+    char word[WORD_SIZE], number[NUMBER_SIZE];
+    setting *s;
+
+    for (i = 0; i < n; i++)
+        if (text_equal(key, key_table[first + i].name))
+            break;
+    if (i == n) {
+        note_unknown_key(p, place, use->section, key);
+        return;
+    }
+    s = setting_of(p, use, (key_code)(first + i));
+    if (s->place.source && !replace) {
+        mistake_note(&p->d->mistakes, place, "'", word_of(key, word),
+                     "' a second time; the first is at line ",
+                     number_fixed((double)s->place.line, 0, number), (char *)NULL);
+        return;
+    }
+    if (!value.length) {
+        mistake_note(&p->d->mistakes, place, "expected a value after '", word_of(key, word), " ='",
+                     (char *)NULL);
+        return;
+    }
+    memset(s, 0, sizeof *s);
+    s->place = place;
+    s->value = value;
+}
+
+/* A comment starts with # or ; at the start of a line or after a blank, but not within quotes. */
+static text without_comment(text line)
+{
+    size_t i;
+    int quoted = 0;
+
+    for (i = 0; i < line.length; i++) {
+        char c = line.start[i];
+
+        if (c == '"')
+            quoted = !quoted;
+        if ((c == '#' || c == ';') && !quoted &&
+            (i == 0 || line.start[i - 1] == ' ' || line.start[i - 1] == '\t'))
+            break;
+    }
+    line.length = i;
+    return text_trim(line);
+}
+
+static int is_text(parser *p, text line, text_place place)
+{
+    static const char hex[] = "0123456789abcdef";
+    char code[3] = "00";
+    size_t i;
+
+    if (line.length > LINE_MAX_LENGTH) {
+        mistake_note(&p->d->mistakes, place, "a line of more than 65536 characters: not a deck",
+                     (char *)NULL);
+        return 0;
+    }
+    for (i = 0; i < line.length; i++) {
+        unsigned char c = (unsigned char)line.start[i];
+
+        if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
+            code[0] = hex[c / 16];
+            code[1] = hex[c % 16];
+            mistake_note(&p->d->mistakes, place, "a control character (0x", code,
+                         "): decks are plain text", (char *)NULL);
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* The next line without its comment; 0 at the end of the deck, or where it is no text. */
+static int next_line(parser *p, text *rest, text *line)
+{
+    text_place place;
+
+    if (p->last_line > 0 && !rest->length)
+        return 0; /* nothing after the last end of line */
+    if (!text_split(rest, '\n', line))
+        return 0;
+    p->last_line++;
+    place.source = p->name;
+    place.line = p->last_line;
+    if (!is_text(p, *line, place)) {
+        rest->start = NULL;
+        return 0;
+    }
+    *line = without_comment(*line);
+    return 1;
+}
+
+/* A line that ends in a comma goes on in the next, unless that is an assignment or a section.  What
+** is between the two, a comment and the end of the line, becomes blanks in the deck's copy. */
+static void join_lines(parser *p, text *rest, text *line)
+{
+    while (line->length && line->start[line->length - 1] == ',' && rest->start) {
+        text ahead = *rest, next;
+        char *gap;
+
+        if (!text_split(&ahead, '\n', &next))
+            return;
+        next = without_comment(next);
+        if (next.length && (next.start[0] == '[' || memchr(next.start, '=', next.length)))
+            return;
+        if (!next_line(p, rest, &next))
+            return;
+        if (!next.length)
+            continue;
+        gap = p->d->storage + (line->start + line->length - p->d->storage);
+        memset(gap, ' ', (size_t)(next.start - gap));
+        line->length = (size_t)(next.start - line->start) + next.length;
+    }
+}
+
+void read_lines(parser *p, text rest)
+{
+    section_use *use;
+    text line;
+    text_place place;
+
+    place.source = p->name;
+    place.line = 1;
+    use = open_section(p, SECTION_TOP, text_of(""), place);
+    if (rest.length >= 3 && memcmp(rest.start, "\357\273\277", 3) == 0) {
+        rest.start += 3; /* the byte order mark of UTF-8 */
+        rest.length -= 3;
+    }
+    while (!p->out_of_memory && next_line(p, &rest, &line)) {
+        text key, value;
+
+        place.line = p->last_line;
+        if (!line.length)
+            continue;
+        if (line.start[0] == '[') {
+            use = read_section(p, line, place);
+            continue;
+        }
+        join_lines(p, &rest, &line);
+        value = line;
+        text_split(&value, '=', &key);
+        if (!value.start) {
+            mistake_note(&p->d->mistakes, place, "expected 'key = value' or '[section]'",
+                         (char *)NULL);
+        } else if (use) { /* the keys of an unknown section are not judged */
+            assign(p, use, text_trim(key), text_trim(value), place, 0);
+        }
+    }
+}
+
+/* [SECTION[ NAME].]KEY=VALUE from the command line */
+void apply_change(parser *p, const char *option, text assignment)
+{
+    text key, section, value = assignment, name;
+    text_place place;
+    section_use *use = NULL;
+    section_code code = SECTION_TOP;
+    size_t i, found = 0;
+    char word[WORD_SIZE];
+
+    place.source = option;
+    place.line = 0;
+    text_split(&value, '=', &key);
+    if (!value.start) {
+        mistake_note(&p->d->mistakes, place, "expected [SECTION.]KEY=VALUE, not '",
+                     word_of(assignment, word), "'", (char *)NULL);
+        return;
+    }
+    key = text_trim(key);
+    section = key;
+    for (i = key.length; i > 0 && key.start[i - 1] != '.'; i--)
+        ;
+    section.length = i ? i - 1 : 0;
+    key.start += i;
+    key.length -= i;
+    name = section;
+    if (i) {
+        while (name.length && text_is_word(name.start[0])) {
+            name.start++;
+            name.length--;
+        }
+        section.length -= name.length;
+        name = text_trim(name);
+        code = find_section(section);
+        if (code == SECTION_COUNT) {
+            note_unknown_section(p, place, section);
+            return;
+        }
+    }
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == code &&
+            (!name.length || text_equal(name, text_copy(p->uses[i].name, word, sizeof word)))) {
+            use = &p->uses[i];
+            found++;
+        }
+    if (found > 1) {
+        mistake_note(&p->d->mistakes, place, "there are several [", section_table[code].name,
+                     "] sections: name one of them", (char *)NULL);
+        return;
+    }
+    if (!use && name.length) {
+        mistake_note(&p->d->mistakes, place, "there is no [", section_table[code].name, " ",
+                     word_of(name, word), "] in the deck", (char *)NULL);
+        return;
+    }
+    if (!use)
+        use = open_section(p, code, name, place);
+    if (use)
+        assign(p, use, text_trim(key), text_trim(value), place, 1);
+}

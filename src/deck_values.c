@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** deck_values.c - second pass over a deck: the texts of its settings to values in SI units.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "number.h"
+#include "reader.h"
+
+static void note_expected(parser *p, const setting *s, const char *expected, const char *example)
+{
+    char word[WORD_SIZE];
+
+    mistake_note(&p->d->mistakes, s->place, "expected ", expected, example ? ", such as " : "",
+                 example ? example : "", ", not '", word_of(s->value, word), "'", (char *)NULL);
+}
+
+/* The name of a quantity of this dimension, or null. */
+static const char *words_of(dimension dim)
+{
+    int q;
+
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        if (dimension_equal(dim, quantities[q].dim))
+            return quantities[q].words;
+    return NULL;
+}
+
+/* The number at the front of `rest`; 0 and a mistake if there is none. */
+static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
+{
+    char word[WORD_SIZE];
+
+    word_of(s->value, word);
+    *rest = text_trim(*rest);
+    switch (number_read(rest, number)) {
+    case NUMBER_OK:
+        return 1;
+    case NUMBER_NOT_FINITE:
+        mistake_note(&p->d->mistakes, s->place, "'", word, "' is not a finite number",
+                     (char *)NULL);
+        return 0;
+    case NUMBER_HEX:
+        mistake_note(&p->d->mistakes, s->place, "'", word, "': numbers are decimal", (char *)NULL);
+        return 0;
+    case NUMBER_COMMA:
+        mistake_note(&p->d->mistakes, s->place, "'", word,
+                     "': the decimal mark is a point, not a comma", (char *)NULL);
+        return 0;
+    case NUMBER_TOO_LONG:
+        mistake_note(&p->d->mistakes, s->place, "'", word, "': a number of too many digits",
+                     (char *)NULL);
+        return 0;
+    case NUMBER_NONE:
+    default:
+        note_expected(p, s, quantities[q].words, quantities[q].example);
+        return 0;
+    }
+}
+
+/* The unit that is all of `t`, or where t is empty that of the deck. */
+static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
+{
+    char word[WORD_SIZE], value[WORD_SIZE];
+    const char *nearest, *words;
+    text bad;
+
+    t = text_trim(t);
+    if (!t.length) {
+        *u = p->d->units[q].unit;
+        return 1;
+    }
+    word_of(s->value, value);
+    if (!unit_read(t, u, &bad)) {
+        nearest = unit_nearest(bad);
+        mistake_note(&p->d->mistakes, s->place, "unknown unit '",
+                     word_of(bad.length ? bad : t, word), "' in '", value, "'", hint(nearest),
+                     nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+        return 0;
+    }
+    if (!dimension_equal(u->dim, quantities[q].dim)) {
+        words = words_of(u->dim);
+        if (words)
+            mistake_note(&p->d->mistakes, s->place, "'", value, "' is ", words, "; expected ",
+                         quantities[q].words, ", such as ", quantities[q].example, (char *)NULL);
+        else
+            mistake_note(&p->d->mistakes, s->place, "'", value, "' is not ", quantities[q].words,
+                         ", such as ", quantities[q].example, (char *)NULL);
+        return 0;
+    }
+    return 1;
+}
+
+static int check_size(parser *p, const setting *s, double si)
+{
+    char word[WORD_SIZE];
+
+    if (-FOURLINK_NUMBER_MAX <= si && si <= FOURLINK_NUMBER_MAX)
+        return 1;
+    mistake_note(&p->d->mistakes, s->place, "'", word_of(s->value, word),
+                 "' is beyond what the program computes with", (char *)NULL);
+    return 0;
+}
+
+/* A number with a unit, in SI units. */
+static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+{
+    double number;
+    unit u;
+
+    if (!read_number(p, s, &t, q, &number) || !read_unit(p, s, t, q, &u))
+        return 0;
+    s->number = number;
+    s->unit = u;
+    *si = unit_to_si(number, u);
+    return check_size(p, s, *si);
+}
+
+void direction_of(double angle, double *x, double *y)
+{
+    double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
+
+    *x = cos(angle);
+    *y = sin(angle);
+    if (fabs(quarters - whole) < 1e-14 && fabs(whole) < 1e6) {
+        static const double exact[4] = {1, 0, -1, 0};
+        int i = (int)whole % 4;
+
+        i = i < 0 ? i + 4 : i;
+        *x = exact[i];
+        *y = exact[(i + 3) % 4];
+    }
+}
+
+/* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
+static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
+{
+    text t = s->value, part;
+    double size, angle = 0, x, y;
+    unit u;
+    size_t i;
+
+    if (t.length && t.start[0] == '(') {
+        t.start++;
+        t.length--;
+        if (!read_number(p, s, &t, q, &x))
+            return;
+        t = text_trim(t);
+        if (t.length && t.start[0] == ',') {
+            t.start++;
+            t.length--;
+            if (!read_number(p, s, &t, q, &y))
+                return;
+            t = text_trim(t);
+            if (t.length && t.start[0] == ')') {
+                t.start++;
+                t.length--;
+                if (read_unit(p, s, t, q, &u)) {
+                    s->si[0] = unit_to_si(x, u);
+                    s->si[1] = unit_to_si(y, u);
+                    if (check_size(p, s, s->si[0]))
+                        check_size(p, s, s->si[1]);
+                }
+                return;
+            }
+        }
+        note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+        return;
+    }
+    part = t;
+    for (i = 1; i + 3 < t.length; i++)
+        if (t.start[i - 1] == ' ' && t.start[i] == 'a' && t.start[i + 1] == 't' &&
+            t.start[i + 2] == ' ')
+            break;
+    if (i + 3 < t.length) {
+        part.length = i - 1;
+        t.start += i + 3;
+        t.length -= i + 3;
+        if (!read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
+            return;
+    } else if (needs_angle) {
+        note_expected(p, s, "a force with its direction", "50 N at 30 deg or (43, 25) N");
+        return;
+    }
+    if (!read_quantity(p, s, part, q, &size))
+        return;
+    direction_of(angle, &x, &y);
+    s->si[0] = size * x;
+    s->si[1] = size * y;
+}
+
+static void read_word(parser *p, key_code key, setting *s)
+{
+    const char *known[16];
+    char list[200] = "", word[WORD_SIZE];
+    size_t i, n = 0;
+    const char *nearest;
+
+    for (i = 0; word_table[i].word; i++)
+        if (word_table[i].key == key) {
+            if (text_equal(s->value, word_table[i].word)) {
+                s->word = word_table[i].value;
+                return;
+            }
+            known[n++] = word_table[i].word;
+        }
+    known[n] = NULL;
+    for (i = 0; i < n; i++) {
+        strcat(list, i == 0 ? "" : i + 1 < n ? ", " : " or ");
+        strcat(list, known[i]);
+    }
+    nearest = text_nearest(s->value, known);
+    mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '", word_of(s->value, word),
+                 "'", hint(nearest), nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+}
+
+static void check_sign(parser *p, const key_info *key, const setting *s)
+{
+    char word[WORD_SIZE];
+
+    if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
+        mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must be positive, not ",
+                     word_of(s->value, word), (char *)NULL);
+    else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
+        mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must not be negative, not ",
+                     word_of(s->value, word), (char *)NULL);
+    else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
+             (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
+        mistake_note(&p->d->mistakes, s->place, "'", word_of(s->value, word),
+                     "' is beyond what the program computes with", (char *)NULL);
+}
+
+static void read_value(parser *p, key_code code, setting *s)
+{
+    const key_info *key = &key_table[code];
+    size_t before = p->d->mistakes.count;
+    text t = s->value;
+
+    switch (key->form) {
+    case FORM_TEXT:
+        if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+            s->value.start++;
+            s->value.length -= 2;
+        }
+        return;
+    case FORM_WORD:
+        read_word(p, code, s);
+        return;
+    case FORM_UNIT:
+        if (read_unit(p, s, t, key->q, &s->unit)) {
+            text_copy(t, p->d->units[key->q].name, DECK_NAME_SIZE);
+            p->d->units[key->q].unit = s->unit;
+        }
+        return;
+    case FORM_QUANTITY:
+        read_quantity(p, s, t, key->q, &s->si[0]);
+        break;
+    case FORM_VECTOR:
+        read_vector(p, s, key->q, 1);
+        return;
+    case FORM_POINT:
+        read_vector(p, s, key->q, 0);
+        return;
+    case FORM_COUNT:
+        if (!read_number(p, s, &t, key->q, &s->si[0]))
+            return;
+        if (t.length || s->si[0] != floor(s->si[0]))
+            note_expected(p, s, "a whole number", NULL);
+        break;
+    case FORM_NAMES:
+    default:
+        return;
+    }
+    if (p->d->mistakes.count == before)
+        check_sign(p, key, s);
+}
+
+/* Units first: they decide how bare numbers are read. */
+void read_values(parser *p)
+{
+    int pass, k;
+    size_t i;
+
+    for (pass = 0; pass < 2; pass++)
+        for (i = 0; i < p->n_uses; i++) {
+            const section_use *use = &p->uses[i];
+            int first = first_key(use->section), n = key_count(use->section);
+
+            if ((use->section == SECTION_UNITS) != (pass == 0))
+                continue;
+            for (k = first; k < first + n; k++) {
+                setting *s = setting_of(p, use, (key_code)k);
+
+                if (s->place.source)
+                    read_value(p, (key_code)k, s);
+            }
+        }
+}

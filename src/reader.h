@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** reader.h - what the three passes over a deck share: lines to settings (deck_lines.c), settings to
+** values (deck_values.c), values to a problem (deck.c).
+*/
+#ifndef FOURLINK_READER_H
+#define FOURLINK_READER_H
+
+#include "deck.h"
+#include "schema.h"
+
+/* What the deck sets a key to. */
+typedef struct setting {
+    text_place place; /* source null: not set */
+    text value;
+    double number; /* as written */
+    unit unit;     /* its unit */
+    double si[2];  /* the value in SI units and radians, or the two components */
+    int word;
+} setting;
+
+/* A section as it stands in the deck, with one setting for each key of the schema that it can have;
+** they are found at first + key - (first key of the section). */
+typedef struct section_use {
+    section_code section;
+    text name;
+    text_place place;
+    size_t first;
+} section_use;
+
+typedef struct parser {
+    deck *d;
+    const char *name;
+    section_use *uses;
+    size_t n_uses, uses_capacity;
+    setting *settings;
+    size_t n_settings, settings_capacity;
+    long last_line;
+    int out_of_memory;
+} parser;
+
+#define WORD_SIZE 64
+
+/* A copy for a message. */
+char *word_of(text t, char out[WORD_SIZE]);
+
+/* "; did you mean '" and "'?" around the nearest word, empty if there is none. */
+const char *hint(const char *nearest);
+const char *hint_end(const char *nearest);
+
+/* A section of the deck, null if it has none of that kind. */
+section_use *find_use(parser *p, section_code section);
+
+/* The setting of a key in a section that has it. */
+setting *setting_of(parser *p, const section_use *use, key_code key);
+
+/* The setting of a key of a section that does not repeat; null if the deck does not set it. */
+setting *find(parser *p, key_code key);
+
+/* First pass: the lines of the deck, and an assignment from outside it. */
+void read_lines(parser *p, text rest);
+void apply_change(parser *p, const char *option, text assignment);
+
+/* Second pass. */
+void read_values(parser *p);
+
+/* Sine and cosine, exact for whole quarters of a turn. */
+void direction_of(double angle, double *x, double *y);
+
+#endif
