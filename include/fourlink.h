@@ -221,7 +221,7 @@ typedef struct fourlink_motion {
     double from, to;   /* first and last crank angle; to < from is a range that runs clockwise */
     double interval;   /* > 0; the last row is `to` also where the interval does not divide */
     double run_up;     /* > 0: start from rest at `from` with `acceleration`, which ends after this
-                          angle; `speed` is not used.  0: no run-up */
+                          angle; `speed` is not used.  0 or less: no run-up */
     double speed;      /* rad/s, at the first row */
     double
         acceleration; /* rad/s2, constant over the range: omega2^2 = speed^2 + 2 acceleration s */
@@ -281,7 +281,7 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
 ** Notes:
 ** 1) A position counts as dead when sine^2 < 1e-14: what is left is rounding error.
-** 2) Velocities and accelerations in `state` are left as they were.
+** 2) What the next two functions fill is not yet to be used.
 ** Reference:
 **    Alvi, eqs. 1 to 3; theory in fourbar.c and slidercrank.c.
 */
@@ -423,8 +423,8 @@ FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_r
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
 ** Note:
-**    The time is not defined, and 0, for a crank at rest and where `hold` is set with an
-**    acceleration.
+**    The time is negative in a range that runs against the rotation.  It is not defined, and 0, for
+**    a crank at rest and where `hold` is set with an acceleration.
 ** Reference:
 **    Alvi, section 5, the program: its three kinds of motion.
 */

@@ -30,12 +30,16 @@ void flk_fourbar_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
-    double stretched = (b + c - a - d) * (b + c + a + d);
+    double sum = a + b + c + d, slack = b + c - a - d;
+    double stretched = slack * sum;
     double folded = (a - d - b + c) * (a - d + b - c);
 
     /* u1 + u2 = 4 b c: where one of them is 0, sine^2 is the other over b c */
-    mechanism->change_stretched = fabs(stretched) <= FLK_DEAD * b * c;
-    mechanism->change_folded = fabs(folded) <= FLK_DEAD * b * c;
+    mechanism->change_stretched =
+        fabs(stretched) <= FLK_DEAD * b * c || fabs(slack) <= FLK_ROUNDING * sum;
+    mechanism->change_folded = fabs(folded) <= FLK_DEAD * b * c ||
+                               fabs(a - d - b + c) <= FLK_ROUNDING * sum ||
+                               fabs(a - d + b - c) <= FLK_ROUNDING * sum;
     mechanism->stretched = mechanism->change_stretched ? 0 : stretched;
     mechanism->folded = mechanism->change_folded ? 0 : folded;
 }

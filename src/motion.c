@@ -52,13 +52,15 @@ static double stopping_angle(const fourlink_motion *motion)
 static double intervals(double span, double interval)
 {
     double n = span / interval, whole = floor(n + 0.5);
+    double rounding = 8e-16 * whole > 1e-9 ? 8e-16 * whole : 1e-9;
 
-    return fabs(n - whole) <= 1e-9 * (whole < 1 ? 1 : whole) && whole > 0 ? whole : ceil(n);
+    return fabs(n - whole) <= rounding && whole > 0 ? whole : ceil(n);
 }
 
 int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 {
     double span, stop, n, turning;
+    int stops;
 
     if (!motion || !range)
         return FOURLINK_NULL;
@@ -81,15 +83,16 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 
     span = fabs(last_angle(motion) - motion->from);
     stop = stopping_angle(motion);
-    range->stops = stop >= 0 && stop < span * (1 - 1e-12);
-    range->stop_angle = range->stops ? motion->from + direction(motion) * stop : 0;
-    if (range->stops)
+    stops = stop >= 0 && stop < span * (1 - 1e-12);
+    if (stops)
         n = floor(stop / motion->interval * (1 + 1e-12));
     else
         n = intervals(span, motion->interval);
     if (n >= MAX_ROWS || n >= (double)ULONG_MAX)
         return FOURLINK_TOO_MANY_ROWS;
     range->n_rows = (unsigned long)n + 1;
+    range->stops = stops;
+    range->stop_angle = stops ? motion->from + direction(motion) * stop : 0;
     return FOURLINK_OK;
 }
 

@@ -27,10 +27,11 @@ void flk_slidercrank_prepare(fourlink_mechanism *mechanism)
     double r = link[2].length, l = link[3].length, e = mechanism->design.offset;
     double stretched = l + e - r, folded = l - e - r;
     double reach2 = (r + l - e) * (r + l + e);
-
     /* u1 + u2 = 2 l: where one of them is 0, sine^2 = u1 u2 / l^2 is 2 / l times the other */
-    mechanism->change_stretched = fabs(stretched) <= 0.5 * FLK_DEAD * l;
-    mechanism->change_folded = fabs(folded) <= 0.5 * FLK_DEAD * l;
+    double tolerance = 0.5 * FLK_DEAD * l + FLK_ROUNDING * (r + l + fabs(e));
+
+    mechanism->change_stretched = fabs(stretched) <= tolerance;
+    mechanism->change_folded = fabs(folded) <= tolerance;
     mechanism->stretched = mechanism->change_stretched ? 0 : stretched;
     mechanism->folded = mechanism->change_folded ? 0 : folded;
     mechanism->dead_centre = reach2 > 0 ? sqrt(reach2) : 0;
@@ -82,7 +83,7 @@ void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_stat
     piston->origin.y = e;
     state->phi = -rod->theta;
     if (rod->axis.x < 0)
-        state->phi += rod->theta > 0 ? M_PI : -M_PI;
+        state->phi = rod->theta > 0 ? rod->theta - M_PI : rod->theta + M_PI;
     state->mu = M_PI_2 - fabs(state->phi);
     state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
 }
