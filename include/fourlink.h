@@ -70,7 +70,10 @@ extern "C" {
     X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")       \
     X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                          \
     X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                   \
-    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")
+    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                            \
+    X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is no slider-crank")                              \
+    X(FOURLINK_NO_SERIES, 34, "the series are for a line of stroke through the crankshaft")        \
+    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -209,6 +212,68 @@ typedef struct fourlink_forces {
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
                           largest term of the balance; 0 where every term is 0 */
 } fourlink_forces;
+
+/* ---------------------------------------------------------------------------------------------
+** Engines: what textbooks compute for a slider-crank
+** ------------------------------------------------------------------------------------------- */
+
+/* The textbook's approximations for a rod that is long against the crank. */
+typedef struct fourlink_series {
+    double x, v, a;                            /* m, m/s, m/s2: two terms, as for state->x, v, a */
+    double omega3, alpha3;                     /* rad/s, rad/s2, of the rod */
+    double x_harmonic, v_harmonic, a_harmonic; /* m, m/s, m/s2: one term, an infinitely long rod */
+} fourlink_series;
+
+/* What of the engine method is computed by the series. */
+typedef enum fourlink_approximation {
+    FOURLINK_EXACT = 0,
+    FOURLINK_SERIES_PISTON = 1, /* the acceleration of the piston */
+    FOURLINK_SERIES_ALL = 2     /* and the angular acceleration of the rod */
+} fourlink_approximation;
+
+/* The rod as two masses. */
+typedef struct fourlink_rod {
+    double n; /* 1, length of the rod / that of the crank */
+    double k; /* m, radius of gyration about the centre of mass */
+    double b; /* m, from the gudgeon pin to the centre of mass */
+    double m_a,
+        m_b;    /* kg, at the crank pin and at the gudgeon pin: right mass and centre of mass */
+    double d;   /* m, k^2/b, from the centre of mass to m_d of the dynamically true pair */
+    double L;   /* m, b + d, length of the equivalent simple pendulum */
+    double m_d; /* kg, at distance d; its partner at the gudgeon pin is m_g */
+    double m_g; /* kg */
+} fourlink_rod;
+
+/* The engine method, at one crank position.  Forces along the stroke are positive towards the crank,
+** as the gas pushes; torques are those delivered to the crankshaft, counter-clockwise positive. */
+typedef struct fourlink_engine {
+    double gas_force;         /* N, as given */
+    double inertia_force;     /* N, -(m_p + m_b) a */
+    double piston_effort;     /* N, gas, inertia, weight of m_p + m_b along the stroke, loads on the
+                                 piston */
+    double rod_force;         /* N, thrust in the rod */
+    double side_thrust;       /* N, guide on piston, along +y */
+    double crank_effort;      /* N, at right angles to the crank, counter-clockwise positive */
+    double radial_force;      /* N, along the crank, towards the main bearing positive */
+    double correction_couple; /* N m, m b (l - L) phi'' */
+    double T_piston;          /* N m, of the piston effort */
+    double T_correction;      /* N m, of the correction couple */
+    double T_weight_a;        /* N m, of the weight of m_a */
+    double T_inertia_a;       /* N m, of the inertia of m_a; 0 at constant speed */
+    double T_engine;          /* N m, sum of the four; with a massless crank, -Ts */
+} fourlink_engine;
+
+/* Klein's construction: lengths of the drawing.  O is the crankshaft, B the crank pin.  M is where
+** the line of the rod cuts the perpendicular to the line of stroke through O; N, on the parallel to
+** the line of stroke through O, and Q, on the rod, are on the common chord of the circle about B with
+** radius BM and the circle on the rod as diameter. */
+typedef struct fourlink_klein {
+    double OM; /* m, v = omega2 OM; positive as v is for omega2 > 0 */
+    double BM; /* m, omega3 = omega2 BM / l; positive as omega3 is for omega2 > 0 */
+    double BQ; /* m, centripetal acceleration of the piston about B: omega2^2 BQ, towards B */
+    double QN; /* m, alpha3 = omega2^2 QN / l; positive as alpha3 is */
+    double ON; /* m, a = omega2^2 ON, alpha2 being 0; positive as a is */
+} fourlink_klein;
 
 /* ---------------------------------------------------------------------------------------------
 ** The motion of the crank
@@ -396,6 +461,78 @@ FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_
                                   const fourlink_crank *crank, const fourlink_load *loads,
                                   unsigned long n_loads, fourlink_state *state,
                                   fourlink_forces *forces);
+
+/* The textbook's series for a slider-crank.
+**
+** Given:
+**    mechanism  from fourlink_prepare, a slider-crank without offset
+**    state      from fourlink_position; its crank's omega and alpha are used
+** Returned:
+**    series     two-term and one-term approximations
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NOT_AN_ENGINE, FOURLINK_NO_SERIES
+** Reference:
+**    DFA, eqs. 1 to 4; ME3491, "Dynamic analysis of Slider Crank Mechanism".
+*/
+FOURLINK_API int fourlink_textbook_series(const fourlink_mechanism *mechanism,
+                                          const fourlink_state *state, fourlink_series *series);
+
+/* The rod of a slider-crank as two masses.
+**
+** Given:
+**    mechanism  from fourlink_prepare, a slider-crank
+** Returned:
+**    rod        both pairs of masses; d, L, m_d, m_g are 0 for a rod whose centre of mass is at the
+**               gudgeon pin (b = 0)
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE
+** Reference:
+**    ME3491, "Dynamically equivalent system"; DFA, the same.
+*/
+FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod);
+
+/* The engine method.
+**
+** Given:
+**    mechanism      from fourlink_prepare, a slider-crank
+**    state          from fourlink_acceleration
+**    gas_force      N, on the piston, towards the crank positive
+**    loads          as for fourlink_solve, without the gas; those on crank and rod are outside this
+**                   method and are passed over
+**    n_loads        how many
+**    approximation  what is computed by the series
+** Returned:
+**    engine         the forces and torques
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NOT_AN_ENGINE,
+**    FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES
+** Note:
+**    With FOURLINK_EXACT the sum T_engine is the nine equations' -Ts to rounding, if the crank has no
+**    mass and loads act on the piston alone: offset, inclination, branch and crank acceleration
+**    included.
+** Reference:
+**    DFA, examples 1 and 2; ME3491, examples 1 and 2; see engine.c.
+*/
+FOURLINK_API int fourlink_engine_method(const fourlink_mechanism *mechanism,
+                                        const fourlink_state *state, double gas_force,
+                                        const fourlink_load *loads, unsigned long n_loads,
+                                        fourlink_approximation approximation,
+                                        fourlink_engine *engine);
+
+/* Klein's construction.
+**
+** Given:
+**    mechanism  from fourlink_prepare, a slider-crank
+**    state      from fourlink_position
+** Returned:
+**    klein      the lengths of the drawing
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NOT_AN_ENGINE
+** Reference:
+**    ME3491, example 2, "Graphical method".
+*/
+FOURLINK_API int fourlink_klein_construction(const fourlink_mechanism *mechanism,
+                                             const fourlink_state *state, fourlink_klein *klein);
 
 /* The rows of a motion.
 **

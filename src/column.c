@@ -15,17 +15,23 @@ typedef enum column_form {
     VALUE,     /* one of them */
     SIZE,      /* resultant of two components */
     DIRECTION, /* their direction */
-    PRODUCT    /* of two */
+    PRODUCT,   /* of two */
+    DIFFERENCE /* of two */
 } column_form;
 
-/* When a deck has it. */
-typedef enum column_need { NOTHING, FORCES } column_need;
+enum {
+    NOTHING = 0,
+    FORCES = NEED_FORCES,
+    ENGINE = NEED_ENGINE,
+    SERIES = NEED_SERIES,
+    KLEIN = NEED_KLEIN
+};
 
 struct column_info {
     const char *name;
     quantity q;
     int kinds; /* mechanisms that have it */
-    column_need need;
+    int need;  /* what it is computed with: the deck has the column if it can give that */
     int usual; /* 1: printed when the deck names no columns */
     column_form form;
     size_t x, y; /* places of the numbers in a result */
@@ -39,6 +45,9 @@ struct column_info {
 #define ROW(member) offsetof(result, row.member)
 #define STATE(member) offsetof(result, state.member)
 #define FORCE(member) offsetof(result, forces.member)
+#define OF_SERIES(member) offsetof(result, series.member)
+#define OF_ENGINE(member) offsetof(result, engine.member)
+#define OF_KLEIN(member) offsetof(result, klein.member)
 
 static const column_info table[] = {
     {"theta2", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, ROW(angle), 0, "angle of the crank",
@@ -111,13 +120,76 @@ static const column_info table[] = {
      "power put into the crank", ""},
     {"residual", QUANTITY_NUMBER, BOTH, FORCES, 1, VALUE, FORCE(residual), 0,
      "power balance, relative to its largest term", ""},
+    {"x_series", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x), 0,
+     "displacement of the piston, two terms of the series", "x (DFA eq. 2)"},
+    {"x_diff", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(x), STATE(x),
+     "x_series - x", ""},
+    {"v_series", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(v), 0,
+     "speed of the piston, two terms of the series", "V_p (DFA eq. 3)"},
+    {"v_diff", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(v), STATE(v),
+     "v_series - v", ""},
+    {"a_series", QUANTITY_ACCELERATION, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(a), 0,
+     "acceleration of the piston, two terms of the series", "a_p (DFA eq. 4)"},
+    {"a_diff", QUANTITY_ACCELERATION, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(a), STATE(a),
+     "a_series - a", ""},
+    {"omega3_series", QUANTITY_ANGULAR_SPEED, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(omega3), 0,
+     "angular speed of the rod, two terms of the series", "-omega_c (DFA)"},
+    {"omega3_diff", QUANTITY_ANGULAR_SPEED, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(omega3),
+     STATE(link[3].omega), "omega3_series - omega3", ""},
+    {"alpha3_series", QUANTITY_ANGULAR_ACCELERATION, SLIDER_CRANK, SERIES, 0, VALUE,
+     OF_SERIES(alpha3), 0, "angular acceleration of the rod, two terms of the series",
+     "-alpha_c (DFA)"},
+    {"alpha3_diff", QUANTITY_ANGULAR_ACCELERATION, SLIDER_CRANK, SERIES, 0, DIFFERENCE,
+     OF_SERIES(alpha3), STATE(link[3].alpha), "alpha3_series - alpha3", ""},
+    {"x_harmonic", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x_harmonic), 0,
+     "x with an endless rod: simple harmonic motion", ""},
+    {"v_harmonic", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(v_harmonic), 0,
+     "v with an endless rod: simple harmonic motion", ""},
+    {"a_harmonic", QUANTITY_ACCELERATION, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(a_harmonic), 0,
+     "a with an endless rod: simple harmonic motion", ""},
+    {"gas_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(gas_force), 0,
+     "force of the gas on the piston, towards the crank", "F_p (ME3491), (P1 - P2) A (DFA)"},
+    {"inertia_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(inertia_force), 0,
+     "-(m_p + m_b) a", "-F_b (ME3491)"},
+    {"piston_effort", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(piston_effort), 0,
+     "gas, inertia, weight along the stroke, loads on the piston", "F (ME3491), F_p (DFA)"},
+    {"rod_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(rod_force), 0,
+     "thrust in the rod", "F_c (ME3491, DFA)"},
+    {"side_thrust", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(side_thrust), 0,
+     "guide on piston, along +y", ""},
+    {"crank_effort", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(crank_effort), 0,
+     "at right angles to the crank", "F_t (ME3491), F_T (DFA)"},
+    {"radial_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(radial_force), 0,
+     "along the crank, towards the main bearing", "force on crank shaft bearing (DFA)"},
+    {"T_piston", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_piston), 0,
+     "torque of the piston effort", "T (ME3491), T_1 (DFA)"},
+    {"correction_couple", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE,
+     OF_ENGINE(correction_couple), 0, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)"},
+    {"T_correction", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_correction), 0,
+     "torque of the correction couple", "T_c (ME3491), T_2 (DFA)"},
+    {"T_weight_a", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_weight_a), 0,
+     "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)"},
+    {"T_inertia_a", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_inertia_a), 0,
+     "torque of the inertia of m_a", ""},
+    {"T_engine", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_engine), 0,
+     "torque delivered to the crankshaft, sum of the four", "net torque (ME3491)"},
+    {"klein_OM", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(OM), 0,
+     "length OM of Klein's construction: v = omega2 OM", ""},
+    {"klein_BM", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(BM), 0,
+     "length BM of Klein's construction: omega3 = omega2 BM / l", ""},
+    {"klein_BQ", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(BQ), 0,
+     "length BQ of Klein's construction: towards B: omega2^2 BQ", ""},
+    {"klein_QN", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(QN), 0,
+     "length QN of Klein's construction: alpha3 = omega2^2 QN / l", ""},
+    {"klein_ON", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(ON), 0,
+     "length ON of Klein's construction: a = omega2^2 ON", ""},
 };
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
 static int has(const deck *d, const column_info *info)
 {
-    return (info->kinds & (int)d->design.kind) != 0 && (info->need == NOTHING || d->has_forces);
+    return (info->kinds & (int)d->design.kind) != 0 && (info->need & ~analysis_possible(d)) == 0;
 }
 
 static void add(const deck *d, const column_info *info, column_list *columns)
@@ -153,6 +225,17 @@ static void choose_usual(const deck *d, column_list *columns)
             add(d, &table[i], columns);
 }
 
+static const char *why_missing(const deck *d, const column_info *info)
+{
+    if (!(info->kinds & (int)d->design.kind))
+        return "is one of the other mechanism";
+    if (info->need == SERIES)
+        return "is for a line of stroke through the crankshaft: the deck has an offset";
+    if (!d->has_forces)
+        return "needs masses, loads or gas, which the deck has not";
+    return "needs a rod whose centre of mass is on its line";
+}
+
 static void note_missing(deck *d, text name)
 {
     const char *known[TABLE_COUNT + 1], *nearest;
@@ -162,12 +245,8 @@ static void note_missing(deck *d, text name)
     text_copy(name, word, sizeof word);
     for (i = 0; i < TABLE_COUNT; i++) {
         if (text_equal(name, table[i].name)) {
-            int kind_has_it = (table[i].kinds & (int)d->design.kind) != 0;
-
             mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
-                         kind_has_it ? "needs masses or loads, which the deck has not"
-                                     : "is one of the other mechanism",
-                         (char *)NULL);
+                         why_missing(d, &table[i]), (char *)NULL);
             return;
         }
         if (has(d, &table[i]))
@@ -245,6 +324,9 @@ double column_value(const column *c, const result *r)
     case PRODUCT:
         x *= number_at(r, c->info->y);
         break;
+    case DIFFERENCE:
+        x -= number_at(r, c->info->y);
+        break;
     case VALUE:
     default:
         break;
@@ -260,6 +342,16 @@ int column_of_crank(const column *c)
 int column_of_rounding(const column *c)
 {
     return c->info->x == FORCE(residual);
+}
+
+int columns_need(const column_list *columns)
+{
+    size_t i;
+    int needs = 0;
+
+    for (i = 0; i < columns->count; i++)
+        needs |= columns->list[i].info->need;
+    return needs;
 }
 
 quantity column_quantity(const column *c)

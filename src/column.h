@@ -5,7 +5,7 @@
 #ifndef FOURLINK_COLUMN_H
 #define FOURLINK_COLUMN_H
 
-#include "result.h"
+#include "analysis.h"
 
 typedef struct column_info column_info;
 
@@ -40,6 +40,9 @@ int column_of_crank(const column *c);
 
 /* 1: a measure of rounding, printed as a power of ten. */
 int column_of_rounding(const column *c);
+
+/* What has to be computed for a list of columns: NEED_FORCES ... */
+int columns_need(const column_list *columns);
 
 quantity column_quantity(const column *c);
 const char *column_meaning(const column *c);

@@ -63,29 +63,100 @@ static void require(parser *p, key_code key)
                      section_table[k->section].name, "] with a ", k->name, " in it", (char *)NULL);
 }
 
+/* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
+** (ME3491, example 2): L = g (T / 2 pi)^2 is the length of the equivalent simple pendulum, and
+**
+**    k^2 = h (L - h)
+*/
+static void build_swing(parser *p, const setting *period, const setting *pin, fourlink_link *link)
+{
+    double g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81), turns = period->si[0] / (2 * M_PI);
+    double x = 0, y = 0, h, L;
+    char number[NUMBER_SIZE], word[WORD_SIZE];
+
+    if (!pin) {
+        mistake_note(&p->d->mistakes, period->place,
+                     "a swing_period needs a swing_pin: origin, end or a point of the link",
+                     (char *)NULL);
+        return;
+    }
+    if (pin->word == PIN_END)
+        x = link->length;
+    if (pin->word == PIN_POINT) {
+        x = pin->si[0];
+        y = pin->si[1];
+    }
+    if (g <= 0)
+        g = 9.81; /* switched off in the machine, not in the test */
+    h = gsl_hypot(x - link->cg.x, y - link->cg.y);
+    L = g * turns * turns;
+    if (L < h)
+        mistake_note(&p->d->mistakes, period->place, "a swing_period of ",
+                     word_of(period->value, word), " is too short: even all mass in one point, ",
+                     number_general(h, 4, number), " m from the pin, swings more slowly",
+                     (char *)NULL);
+    else
+        link->inertia = link->mass * h * (L - h);
+}
+
 static void build_link(parser *p, key_code length, int number)
 {
     fourlink_link *link = &p->d->design.link[number];
-    key_code mass = length + 1, gyration = length + 2, inertia = length + 3, cg = length + 4;
-    const setting *s;
+    key_code mass = length + 1, gyration = length + 2, inertia = length + 3, cg = length + 4,
+             swing_period = length + 5, swing_pin = length + 6;
+    const setting *period = find(p, swing_period), *s;
 
-    require(p, length);
-    link->length = value_or(p, length, 0);
+    if (length != KEY_CRANK_LENGTH || !find(p, KEY_CRANK_STROKE)) {
+        require(p, length);
+        link->length = value_or(p, length, 0);
+    }
     link->mass = value_or(p, mass, 0);
     link->inertia = value_or(p, inertia, 0);
-    if ((s = find(p, gyration)) != NULL) {
-        if (find(p, inertia))
-            mistake_note(&p->d->mistakes, s->place,
-                         "give either the gyration or the inertia, not both", (char *)NULL);
-        if (!find(p, mass))
-            mistake_note(&p->d->mistakes, s->place, "a radius of gyration needs a mass",
-                         (char *)NULL);
-        link->inertia = link->mass * s->si[0] * s->si[0]; /* I = m k^2 */
-    }
     if ((s = find(p, cg)) != NULL) {
         link->cg.x = s->si[0];
         link->cg.y = s->si[1];
     }
+    s = find(p, gyration);
+    if ((s != NULL) + (find(p, inertia) != NULL) + (period != NULL) > 1)
+        mistake_note(&p->d->mistakes, s ? s->place : period->place,
+                     "give one of gyration, inertia and swing_period, not several", (char *)NULL);
+    if ((s || period) && !find(p, mass))
+        mistake_note(&p->d->mistakes, s ? s->place : period->place, "the ",
+                     s ? "radius of gyration" : "swing_period", " needs a mass", (char *)NULL);
+    if (s)
+        link->inertia = link->mass * s->si[0] * s->si[0]; /* I = m k^2 */
+    if (period)
+        build_swing(p, period, find(p, swing_pin), link);
+    else if ((s = find(p, swing_pin)) != NULL)
+        mistake_note(&p->d->mistakes, s->place, "a swing_pin needs a swing_period", (char *)NULL);
+}
+
+/* The crank of an engine from its stroke S, the distance between the dead centres:
+**
+**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
+**
+** which for e = 0 is r = S/2. */
+static void build_stroke(parser *p)
+{
+    fourlink_link *link = p->d->design.link;
+    const setting *s = find(p, KEY_CRANK_STROKE);
+    double S, l2 = 4 * link[3].length * link[3].length, e = p->d->design.offset, square;
+
+    if (!s)
+        return;
+    if (find(p, KEY_CRANK_LENGTH))
+        mistake_note(&p->d->mistakes, s->place, "give either the length or the stroke, not both",
+                     (char *)NULL);
+    S = s->si[0];
+    link[2].length = S / 2;
+    if (e == 0)
+        return;
+    square = (l2 - 4 * e * e - S * S) / (l2 - S * S);
+    if (square > 0 && l2 > S * S)
+        link[2].length = S / 2 * sqrt(square);
+    else
+        mistake_note(&p->d->mistakes, s->place, "this rod and offset have no such stroke",
+                     (char *)NULL);
 }
 
 /* The mechanism's kind, and that each section and key is one that it has. */
@@ -177,7 +248,6 @@ static void build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->design;
     double direction, g;
-    const setting *s;
     int i;
 
     if (design->kind == FOURLINK_FOUR_BAR) {
@@ -190,6 +260,7 @@ static void build_mechanism(parser *p)
         design->offset = value_or(p, KEY_GROUND_OFFSET, 0);
         build_link(p, KEY_CRANK_LENGTH, FOURLINK_CRANK);
         build_link(p, KEY_ROD_LENGTH, FOURLINK_COUPLER);
+        build_stroke(p);
         design->link[FOURLINK_FOLLOWER].mass = value_or(p, KEY_PISTON_MASS, 0);
     }
     g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81);
@@ -204,12 +275,118 @@ static void build_mechanism(parser *p)
         return;
     check_reach(p);
     i = fourlink_prepare(design, &p->d->mechanism);
-    s = find(p, KEY_CRANK_LENGTH);
     if (i != FOURLINK_OK)
-        mistake_note(&p->d->mistakes, s->place, fourlink_status_text(i), (char *)NULL);
+        mistake_note(&p->d->mistakes, find_use(p, SECTION_CRANK)->place, fourlink_status_text(i),
+                     (char *)NULL);
 }
 
-static void build_load(parser *p, const section_use *use, fourlink_load *load)
+/* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
+** closes the cycle is the first again. */
+static void build_curve(parser *p, const setting *s, curve *result)
+{
+    const point *c = s->curve;
+    size_t n = s->n_points, i;
+    double period = p->d->cycle, *x, *y;
+
+    if (!c || p->d->mistakes.count)
+        return;
+    if (n < 2) {
+        mistake_note(&p->d->mistakes, s->place, "a curve needs at least two points", (char *)NULL);
+        return;
+    }
+    for (i = 1; i < n; i++)
+        if (c[i].x <= c[i - 1].x) {
+            mistake_note(&p->d->mistakes, c[i].place, "the angles of a curve must rise",
+                         (char *)NULL);
+            return;
+        }
+    if (fabs(c[n - 1].x - c[0].x - period) < 1e-9) {
+        n--;
+        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
+            mistake_note(&p->d->mistakes, c[n].place,
+                         "the curve does not close: its last point is the first, one cycle on",
+                         (char *)NULL);
+            return;
+        }
+    }
+    if (c[n - 1].x - c[0].x > period) {
+        mistake_note(
+            &p->d->mistakes, c[n - 1].place,
+            "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
+            "one of four strokes",
+            (char *)NULL);
+        return;
+    }
+    x = keep(p, 2 * n * sizeof *x);
+    if (!x)
+        return;
+    y = x + n;
+    for (i = 0; i < n; i++) {
+        x[i] = c[i].x;
+        y[i] = c[i].y;
+    }
+    if (!curve_make(x, y, n, period, result))
+        p->out_of_memory = 1;
+}
+
+static void build_gas(parser *p)
+{
+    const section_use *use = find_use(p, SECTION_GAS);
+    const setting *bore = find(p, KEY_GAS_BORE), *rod = find(p, KEY_GAS_PISTON_ROD);
+    const setting *pressure = find(p, KEY_GAS_PRESSURE), *card = find(p, KEY_GAS_INDICATOR);
+    deck_gas *gas = &p->d->gas;
+    double d_rod = rod ? rod->si[0] : 0;
+    char word[WORD_SIZE];
+
+    if (!use)
+        return;
+    p->d->has_forces = 1;
+    if (!bore) {
+        mistake_note(&p->d->mistakes, use->place, "[gas] has no bore", (char *)NULL);
+        return;
+    }
+    if (!pressure && !card && !find(p, KEY_GAS_BACK_PRESSURE))
+        mistake_note(&p->d->mistakes, use->place, "[gas] has neither a pressure nor an indicator",
+                     (char *)NULL);
+    if (pressure && card)
+        mistake_note(&p->d->mistakes, pressure->place,
+                     "give either the pressure or the indicator, not both", (char *)NULL);
+    if (d_rod >= bore->si[0] && bore->si[0] > 0)
+        mistake_note(&p->d->mistakes, rod->place, "the piston_rod, ", word_of(rod->value, word),
+                     ", is not thinner than the bore", (char *)NULL);
+    gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
+    gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
+    gas->pressure = value_or(p, KEY_GAS_PRESSURE, 0);
+    gas->back_pressure = value_or(p, KEY_GAS_BACK_PRESSURE, 0);
+    if (card)
+        build_curve(p, card, &gas->indicator);
+}
+
+/* The engine method's approximations, which the sources have for engines of their kind alone. */
+static void build_series(parser *p)
+{
+    const setting *s = find(p, KEY_TOP_SERIES);
+
+    if (!s || p->d->mistakes.count)
+        return;
+    p->d->approximation = (fourlink_approximation)s->word;
+    if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
+        mistake_note(&p->d->mistakes, s->place, fourlink_status_text(FOURLINK_NO_SERIES),
+                     (char *)NULL);
+}
+
+static void build_flywheel(parser *p)
+{
+    const setting *s = find(p, KEY_FLYWHEEL_INERTIA);
+
+    p->d->flywheel_fluctuation = value_or(p, KEY_FLYWHEEL_FLUCTUATION, 0);
+    p->d->flywheel_inertia = value_or(p, KEY_FLYWHEEL_INERTIA, 0);
+    if (s && find(p, KEY_FLYWHEEL_FLUCTUATION))
+        mistake_note(&p->d->mistakes, s->place,
+                     "give either the fluctuation or the inertia: the other follows", (char *)NULL);
+}
+
+static void build_load(parser *p, const section_use *use, fourlink_load *load, curve *of_torque)
 {
     const setting *link = setting_of(p, use, KEY_LOAD_LINK);
     const setting *force = setting_of(p, use, KEY_LOAD_FORCE),
@@ -240,6 +417,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load)
     load->at.x = at->si[0];
     load->at.y = at->si[1];
     load->torque = torque->si[0];
+    build_curve(p, torque, of_torque);
 }
 
 static void build_loads(parser *p)
@@ -251,13 +429,16 @@ static void build_loads(parser *p)
     if (!n)
         return;
     p->d->loads = calloc(n, sizeof *p->d->loads);
-    if (!p->d->loads) {
+    p->d->torques = calloc(n, sizeof *p->d->torques);
+    if (!p->d->loads || !p->d->torques) {
         p->out_of_memory = 1;
         return;
     }
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == SECTION_LOAD)
-            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads++]);
+        if (p->uses[i].section == SECTION_LOAD) {
+            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads], &p->d->torques[p->d->n_loads]);
+            p->d->n_loads++;
+        }
     p->d->has_forces = 1;
 }
 
@@ -354,9 +535,13 @@ static void build(parser *p)
         text_copy(title->value, p->d->title, sizeof p->d->title);
     if (!build_kind(p))
         return;
+    p->d->cycle = value_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     build_mechanism(p);
+    build_gas(p);
     build_loads(p);
+    build_series(p);
     build_motion(p);
+    build_flywheel(p);
     build_table(p);
 }
 
@@ -371,48 +556,49 @@ static void set_default_units(deck *d)
     }
 }
 
-/* One copy of the deck and of the changes: values are pieces of it. */
-static int store(deck *d, text contents, const deck_change *changes, size_t n_changes)
-{
-    size_t size = contents.length + 1, i;
-    char *end;
+/* A piece of memory of the deck's, in front of what it holds. */
+typedef struct kept {
+    struct kept *next;
+    double contents[1]; /* aligned for all that is kept */
+} kept;
 
-    for (i = 0; i < n_changes; i++)
-        size += strlen(changes[i].assignment) + 1;
-    d->storage = malloc(size);
-    if (!d->storage)
-        return 0;
-    if (contents.length)
-        memcpy(d->storage, contents.start, contents.length);
-    end = d->storage + contents.length;
-    *end++ = '\0';
-    for (i = 0; i < n_changes; i++) {
-        strcpy(end, changes[i].assignment);
-        end += strlen(end) + 1;
+void *keep(parser *p, size_t size)
+{
+    kept *k = malloc(sizeof *k + size);
+
+    if (!k) {
+        p->out_of_memory = 1;
+        return NULL;
     }
-    return 1;
+    k->next = p->d->storage;
+    p->d->storage = k;
+    return k->contents;
 }
 
-int deck_read(const char *name, text contents, const deck_change *changes, size_t n_changes,
-              deck *d)
+int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
+              size_t n_changes, deck *d)
 {
     parser p;
-    char *change;
+    char *copy;
     size_t i;
 
     memset(d, 0, sizeof *d);
     memset(&p, 0, sizeof p);
     p.d = d;
     p.name = name;
+    p.load = load;
     set_default_units(d);
-    if (!store(d, contents, changes, n_changes))
-        return -1;
-    contents.start = d->storage;
-    read_lines(&p, contents);
-    change = d->storage + contents.length + 1;
+    copy = keep(&p, contents.length + 1);
+    if (copy) {
+        if (contents.length)
+            memcpy(copy, contents.start, contents.length);
+        contents.start = copy;
+        read_lines(&p, contents, copy);
+    }
     for (i = 0; i < n_changes && !p.out_of_memory; i++) {
-        apply_change(&p, changes[i].option, text_of(change));
-        change += strlen(change) + 1;
+        copy = keep(&p, strlen(changes[i].assignment) + 1);
+        if (copy)
+            apply_change(&p, changes[i].option, text_of(strcpy(copy, changes[i].assignment)));
     }
     if (!p.out_of_memory)
         read_values(&p);
@@ -428,8 +614,18 @@ int deck_read(const char *name, text contents, const deck_change *changes, size_
 
 void deck_free(deck *d)
 {
+    kept *k, *next;
+    unsigned long i;
+
     mistakes_free(&d->mistakes);
+    for (i = 0; d->torques && i < d->n_loads; i++)
+        curve_free(&d->torques[i]);
+    curve_free(&d->gas.indicator);
+    free(d->torques);
     free(d->loads);
-    free(d->storage);
+    for (k = d->storage; k; k = next) {
+        next = k->next;
+        free(k);
+    }
     memset(d, 0, sizeof *d);
 }

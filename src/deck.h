@@ -5,6 +5,7 @@
 #ifndef FOURLINK_DECK_H
 #define FOURLINK_DECK_H
 
+#include "curve.h"
 #include "fourlink.h"
 #include "units.h"
 
@@ -22,6 +23,14 @@ typedef struct deck_names {
     text_place place;
 } deck_names;
 
+/* The gas in the cylinder; area 0: there is none. */
+typedef struct deck_gas {
+    double area, back_area; /* m2, of the piston on the cover side and on the crank side */
+    double pressure;        /* Pa, on the cover side */
+    curve indicator;        /* Pa over the crank angle in rad, in place of pressure */
+    double back_pressure;   /* Pa, on the crank side */
+} deck_gas;
+
 typedef struct deck {
     char title[256];
     fourlink_design design;
@@ -29,16 +38,21 @@ typedef struct deck {
     fourlink_motion motion;       /* angles in the deck's unit of angle */
     int one_instant;              /* 1: motion.at */
     int one_revolution;           /* 1: the last row repeats the first */
+    double cycle;                 /* rad, the period of curves and of the turning moment */
     fourlink_load *loads;
+    curve *torques; /* for each load: its torque over the crank angle, if it has such a curve */
     unsigned long n_loads;
-    int has_forces; /* 1: the deck has masses or loads */
+    deck_gas gas;
+    int has_forces; /* 1: the deck has masses, loads or gas */
+    fourlink_approximation approximation;
+    double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
     int open, crossed;
     deck_names columns;
     int digits;
     deck_unit units[QUANTITY_COUNT];
 
-    mistakes mistakes; /* none: the deck is in order */
-    char *storage;     /* the texts that the names point to */
+    mistakes mistakes;    /* none: the deck is in order */
+    struct kept *storage; /* the texts that names and places point to */
 } deck;
 
 /* A change to a deck from outside it: [SECTION[ NAME].]KEY=VALUE. */
@@ -47,19 +61,24 @@ typedef struct deck_change {
     const char *assignment;
 } deck_change;
 
+/* How a deck gets at the files that it names: all of the file in memory from malloc, null if it
+** cannot be read.  `deck_name` is the name given to deck_read. */
+typedef char *deck_loader(const char *deck_name, const char *file_name, size_t *length);
+
 /* Read a deck.
 **
 ** Given:
 **    name        for messages: the file's name
 **    contents    the deck's text
+**    load        for files that the deck names; null: it may name none
 **    changes     assignments that replace or add to those of the deck
 ** Returned:
 **    d           the deck; to be given to deck_free also where it is full of mistakes
 ** Returned (function value):
 **    1 the deck is in order, 0 see d->mistakes, -1 out of memory
 */
-int deck_read(const char *name, text contents, const deck_change *changes, size_t n_changes,
-              deck *d);
+int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
+              size_t n_changes, deck *d);
 
 void deck_free(deck *d);
 

@@ -222,8 +222,7 @@ static void assign(parser *p, const section_use *use, text key, text value, text
     s->value = value;
 }
 
-/* A comment starts with # or ; at the start of a line or after a blank, but not within quotes. */
-static text without_comment(text line)
+text without_comment(text line)
 {
     size_t i;
     int quoted = 0;
@@ -288,7 +287,7 @@ static int next_line(parser *p, text *rest, text *line)
 
 /* A line that ends in a comma goes on in the next, unless that is an assignment or a section.  What
 ** is between the two, a comment and the end of the line, becomes blanks in the deck's copy. */
-static void join_lines(parser *p, text *rest, text *line)
+static void join_lines(parser *p, char *copy, text *rest, text *line)
 {
     while (line->length && line->start[line->length - 1] == ',' && rest->start) {
         text ahead = *rest, next;
@@ -303,13 +302,13 @@ static void join_lines(parser *p, text *rest, text *line)
             return;
         if (!next.length)
             continue;
-        gap = p->d->storage + (line->start + line->length - p->d->storage);
+        gap = copy + (line->start + line->length - copy);
         memset(gap, ' ', (size_t)(next.start - gap));
         line->length = (size_t)(next.start - line->start) + next.length;
     }
 }
 
-void read_lines(parser *p, text rest)
+void read_lines(parser *p, text rest, char *copy)
 {
     section_use *use;
     text line;
@@ -332,7 +331,7 @@ void read_lines(parser *p, text rest)
             use = read_section(p, line, place);
             continue;
         }
-        join_lines(p, &rest, &line);
+        join_lines(p, copy, &rest, &line);
         value = line;
         text_split(&value, '=', &key);
         if (!value.start) {

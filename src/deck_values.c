@@ -3,6 +3,7 @@
 ** deck_values.c - second pass over a deck: the texts of its settings to values in SI units.
 */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -135,6 +136,137 @@ void direction_of(double angle, double *x, double *y)
     }
 }
 
+/* The next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
+static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
+{
+    double x, y;
+    unit ux, uy;
+    text angle;
+    size_t i;
+
+    if (!read_number(p, s, &t, QUANTITY_ANGLE, &x))
+        return 0;
+    for (i = 1; i < t.length; i++)
+        if (strchr(" \t", t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+            break;
+    if (i >= t.length) {
+        note_expected(p, s, "an angle and a value", "20 deg 32 bar");
+        return 0;
+    }
+    angle = t;
+    angle.length = i;
+    t.start += i;
+    t.length -= i;
+    if (!read_unit(p, s, angle, QUANTITY_ANGLE, &ux) || !read_number(p, s, &t, q, &y) ||
+        !read_unit(p, s, t, q, &uy))
+        return 0;
+    result->x = unit_to_si(x, ux);
+    result->y = unit_to_si(y, uy);
+    result->place = s->place;
+    return check_size(p, s, result->x) && check_size(p, s, result->y);
+}
+
+/* Two columns of bare numbers in the deck's units, separated by blanks or a comma. */
+static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
+                              text contents)
+{
+    char *file = keep(p, name.length + 1);
+    setting row = *s;
+    text line;
+    size_t n = 0;
+
+    if (!file)
+        return 0;
+    memcpy(file, name.start, name.length);
+    file[name.length] = '\0';
+    row.place.source = file;
+    row.place.line = 0;
+    while (text_split(&contents, '\n', &line)) {
+        const char *comma;
+
+        row.place.line++;
+        row.value = without_comment(line);
+        if (!row.value.length)
+            continue;
+        comma = memchr(row.value.start, ',', row.value.length);
+        if (comma) {
+            char *copy = keep(p, row.value.length + 1);
+
+            if (!copy)
+                return 0;
+            memcpy(copy, row.value.start, row.value.length);
+            copy[comma - row.value.start] = ' ';
+            row.value.start = copy;
+        }
+        if (!read_point(p, &row, row.value, q, &points[n]))
+            return n;
+        n++;
+    }
+    return n;
+}
+
+static size_t count(text t, int c)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < t.length; i++)
+        n += t.start[i] == c;
+    return n;
+}
+
+/* file NAME */
+static void load_curve(parser *p, setting *s, quantity q, text name)
+{
+    char word[WORD_SIZE], file[1024];
+    text contents;
+    char *data;
+
+    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
+        name.start++;
+        name.length -= 2;
+    }
+    data = NULL;
+    if (p->load && name.length && name.length < sizeof file)
+        data = p->load(p->name, text_copy(name, file, sizeof file), &contents.length);
+    if (!data) {
+        mistake_note(&p->d->mistakes, s->place, "cannot read the file '", word_of(name, word), "'",
+                     (char *)NULL);
+        return;
+    }
+    contents.start = data;
+    s->curve = keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
+    if (s->curve)
+        s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
+    free(data);
+}
+
+/* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
+static void read_curve(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, item;
+
+    if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && strchr(" \t", rest.start[4])) {
+        item = rest;
+        item.start += 5;
+        item.length -= 5;
+        load_curve(p, s, q, text_trim(item));
+        return;
+    }
+    if (!memchr(rest.start, ',', rest.length) && q != QUANTITY_PRESSURE) {
+        read_quantity(p, s, rest, q, &s->si[0]);
+        return;
+    }
+    s->curve = keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
+    while (s->curve && text_split(&rest, ',', &item)) {
+        item = text_trim(item);
+        if (!item.length && !rest.start)
+            break; /* a comma at the very end */
+        if (!read_point(p, s, item, q, &s->curve[s->n_points]))
+            return;
+        s->n_points++;
+    }
+}
+
 /* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
 static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
@@ -263,6 +395,14 @@ static void read_value(parser *p, key_code code, setting *s)
         return;
     case FORM_POINT:
         read_vector(p, s, key->q, 0);
+        return;
+    case FORM_PIN:
+        s->word = text_equal(t, "origin") ? PIN_ORIGIN : text_equal(t, "end") ? PIN_END : PIN_POINT;
+        if (s->word == PIN_POINT)
+            read_vector(p, s, key->q, 0);
+        return;
+    case FORM_CURVE:
+        read_curve(p, s, key->q);
         return;
     case FORM_COUNT:
         if (!read_number(p, s, &t, key->q, &s->si[0]))

@@ -16,7 +16,7 @@
 
 enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
 
-#define DECK_LARGEST 67108864 /* bytes */
+#define LARGEST_FILE 67108864 /* bytes */
 
 /* A deck of the command line. */
 typedef struct job {
@@ -37,22 +37,20 @@ static int complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
-/* All of a file, or of standard input; null with errno set if it cannot be read. */
-static char *read_file(const char *path, size_t *length)
+/* All of a stream; null with errno set if it cannot be read. */
+static char *read_stream(FILE *file, size_t *length)
 {
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     size_t capacity = 65536, n = 0;
     char *contents = malloc(capacity), *more;
 
-    while (file && contents) {
+    while (contents) {
         n += fread(contents + n, 1, capacity - n, file);
         if (n < capacity)
             break;
-        if (capacity > DECK_LARGEST) {
-            errno = EFBIG;
+        if (capacity >= LARGEST_FILE) {
             free(contents);
-            contents = NULL;
-            break;
+            errno = EFBIG;
+            return NULL;
         }
         more = realloc(contents, 2 * capacity);
         if (!more)
@@ -60,20 +58,49 @@ static char *read_file(const char *path, size_t *length)
         contents = more;
         capacity *= 2;
     }
-    if (contents && (!file || ferror(file))) {
+    if (contents && ferror(file)) {
         int reason = errno;
 
         free(contents);
         contents = NULL;
         errno = reason;
     }
-    if (file && file != stdin) {
-        int reason = errno;
-
-        fclose(file);
-        errno = reason;
-    }
     *length = n;
+    return contents;
+}
+
+/* All of a file, or of standard input for "-". */
+static char *read_file(const char *path, size_t *length)
+{
+    FILE *file;
+    char *contents;
+    int reason;
+
+    if (strcmp(path, "-") == 0)
+        return read_stream(stdin, length);
+    file = fopen(path, "rb");
+    if (!file)
+        return NULL;
+    contents = read_stream(file, length);
+    reason = errno;
+    fclose(file);
+    errno = reason;
+    return contents;
+}
+
+/* A file that a deck names, relative to the deck's folder. */
+static char *read_named_file(const char *deck_name, const char *file_name, size_t *length)
+{
+    const char *slash = strrchr(deck_name, '/');
+    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
+    char *path = malloc(folder + strlen(file_name) + 1), *contents;
+
+    if (!path)
+        return NULL;
+    memcpy(path, deck_name, folder);
+    strcpy(path + folder, file_name);
+    contents = read_file(path, length);
+    free(path);
     return contents;
 }
 
@@ -109,7 +136,7 @@ static int read_job(const char *path, const options *o, job *j)
         return complain("cannot read", j->name, strerror(errno));
     all.start = contents;
     all.length = length;
-    status = deck_read(j->name, all, o->changes, o->n_changes, &j->deck);
+    status = deck_read(j->name, all, read_named_file, o->changes, o->n_changes, &j->deck);
     free(contents);
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
@@ -133,20 +160,28 @@ static int read_job(const char *path, const options *o, job *j)
     return 0;
 }
 
-/* Print a deck; how many of its rows could not be computed. */
-static unsigned long print_job(FILE *out, const options *o, const job *j, const column_list *header)
+/* Print a deck; the exit status it calls for. */
+static int print_job(FILE *out, const options *o, const job *j, const column_list *header)
 {
+    analysis a;
+    unsigned long failed;
+
     if (o->list) {
         table_print_list(out, &j->deck);
         return 0;
     }
+    if (!analysis_open(&a, &j->deck, o->matrix ? NEED_FORCES : columns_need(&j->columns)))
+        return complain("cannot analyse", j->name, "not enough memory");
     if (o->matrix)
-        return table_print_matrix(out, &j->deck);
-    if (o->format == FORMAT_PAPER)
-        return table_print_paper(out, &j->deck);
-    if (o->format == FORMAT_CSV)
-        return csv_print(out, &j->deck, &j->columns, header, o->n_decks > 1 ? j->name : NULL);
-    return table_print(out, &j->deck, &j->columns);
+        failed = table_print_matrix(out, &a);
+    else if (o->format == FORMAT_PAPER)
+        failed = table_print_paper(out, &a);
+    else if (o->format == FORMAT_CSV)
+        failed = csv_print(out, &a, &j->columns, header, o->n_decks > 1 ? j->name : NULL);
+    else
+        failed = table_print(out, &a, &j->columns);
+    analysis_close(&a);
+    return failed ? EXIT_ROWS : 0;
 }
 
 static int print_jobs(FILE *out, const options *o, const job *jobs)
@@ -167,8 +202,7 @@ static int print_jobs(FILE *out, const options *o, const job *jobs)
             fputs("\n\n", out);
         if (o->n_decks > 1 && !csv)
             fprintf(out, "# deck: %s\n", jobs[i].name);
-        if (print_job(out, o, &jobs[i], &header))
-            status = EXIT_ROWS;
+        status = worse(status, print_job(out, o, &jobs[i], &header));
     }
     return status;
 }

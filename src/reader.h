@@ -17,7 +17,15 @@ typedef struct setting {
     unit unit;     /* its unit */
     double si[2];  /* the value in SI units and radians, or the two components */
     int word;
+    struct point *curve; /* its points, if it is a curve */
+    size_t n_points;
 } setting;
+
+/* A point of a curve. */
+typedef struct point {
+    double x, y;      /* rad, SI units */
+    text_place place; /* where it is written */
+} point;
 
 /* A section as it stands in the deck, with one setting for each key of the schema that it can have;
 ** they are found at first + key - (first key of the section). */
@@ -31,6 +39,7 @@ typedef struct section_use {
 typedef struct parser {
     deck *d;
     const char *name;
+    deck_loader *load;
     section_use *uses;
     size_t n_uses, uses_capacity;
     setting *settings;
@@ -57,12 +66,19 @@ setting *setting_of(parser *p, const section_use *use, key_code key);
 /* The setting of a key of a section that does not repeat; null if the deck does not set it. */
 setting *find(parser *p, key_code key);
 
-/* First pass: the lines of the deck, and an assignment from outside it. */
-void read_lines(parser *p, text rest);
+/* A line up to its comment, which starts with # or ; at the start of the line or after a blank, but
+** not within quotes. */
+text without_comment(text line);
+
+/* First pass: the lines of the deck, all in `copy`, and an assignment from outside it. */
+void read_lines(parser *p, text rest, char *copy);
 void apply_change(parser *p, const char *option, text assignment);
 
 /* Second pass. */
 void read_values(parser *p);
+
+/* Memory that lasts as long as the deck; null when there is none. */
+void *keep(parser *p, size_t size);
 
 /* Sine and cosine, exact for whole quarters of a turn. */
 void direction_of(double angle, double *x, double *y);

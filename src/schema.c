@@ -13,6 +13,9 @@ const key_info key_table[] = {KEY_LIST(KEY_INFO)};
 
 const word_info word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR},
                                 {KEY_TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK},
+                                {KEY_TOP_SERIES, "none", FOURLINK_EXACT},
+                                {KEY_TOP_SERIES, "piston", FOURLINK_SERIES_PISTON},
+                                {KEY_TOP_SERIES, "all", FOURLINK_SERIES_ALL},
                                 {KEY_MOTION_HOLD, "no", 0},
                                 {KEY_MOTION_HOLD, "yes", 1},
                                 {KEY_LOAD_LINK, "crank", FOURLINK_CRANK},

@@ -19,10 +19,12 @@
     X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR)     \
     X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK)       \
     X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK) \
+    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK)       \
     X(MOTION, "motion", 0, ANY_KIND)              \
     X(GRAVITY, "gravity", 0, ANY_KIND)            \
     X(LOAD, "load", 1, ANY_KIND)                  \
-    X(TABLE, "table", 0, ANY_KIND)
+    X(TABLE, "table", 0, ANY_KIND)                \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND)
 
 /* What a value is. */
 typedef enum value_form {
@@ -32,23 +34,28 @@ typedef enum value_form {
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N */
     FORM_POINT,    /* the same for a point of a link; an angle of 0 may be left out */
+    FORM_PIN,      /* origin, end, or as FORM_POINT */
+    FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
     FORM_NAMES     /* names separated by commas or blanks */
 } value_form;
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
 
-#define LINK_KEYS(X, S)                                                  \
-    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND)         \
-    X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)           \
-    X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND) \
-    X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)  \
-    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)
+#define LINK_KEYS(X, S)                                                    \
+    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND)           \
+    X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)             \
+    X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)   \
+    X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
+    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
+    X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
+    X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
 
 /* section, key, its name, form, quantity, sign, mechanisms */
 #define KEY_LIST(X)                                                                          \
     X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                      \
     X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                              \
+    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                       \
     X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                  \
     X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                     \
     X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                        \
@@ -68,10 +75,16 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                \
     LINK_KEYS(X, CRANK)                                                                      \
+    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)            \
     LINK_KEYS(X, COUPLER)                                                                    \
     LINK_KEYS(X, ROCKER)                                                                     \
     LINK_KEYS(X, ROD)                                                                        \
     X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                          \
+    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                               \
+    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                          \
+    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                           \
+    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                \
+    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)               \
     X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                        \
     X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND)   \
     X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                  \
@@ -86,10 +99,12 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                       \
     X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                    \
     X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                          \
-    X(LOAD, TORQUE, "torque", QUANTITY, TORQUE, ANY, ANY_KIND)                               \
+    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                  \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                  \
     X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
-    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)
+    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \
+    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)            \
+    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)
 
 #define SECTION_CODE(code, name, repeats, kinds) SECTION_##code,
 typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;
@@ -117,6 +132,7 @@ typedef struct key_info {
 /* By key_code. */
 extern const key_info key_table[];
 
+enum { PIN_ORIGIN, PIN_END, PIN_POINT };
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
 /* The words that keys of FORM_WORD take, with their values. */

@@ -23,16 +23,6 @@ static int branches_of(const deck *d, fourlink_branch branches[2])
     return n;
 }
 
-/* The rows of a deck: its motion was found to be in order when it was read. */
-static fourlink_range range_of(const deck *d)
-{
-    fourlink_range range;
-
-    memset(&range, 0, sizeof range);
-    fourlink_motion_range(&d->motion, &range);
-    return range;
-}
-
 /* An angle of the motion, with no more decimals than it needs. */
 static const char *angle_text(double angle, char out[NUMBER_SIZE])
 {
@@ -40,16 +30,16 @@ static const char *angle_text(double angle, char out[NUMBER_SIZE])
 }
 
 /* The reason for which a crank stops, "" if it does not. */
-static const char *stop_text(const deck *d, const fourlink_range *range, char out[NUMBER_SIZE + 80])
+static const char *stop_text(const analysis *a, char out[NUMBER_SIZE + 80])
 {
     char number[NUMBER_SIZE];
 
     out[0] = '\0';
-    if (range->stops) {
+    if (a->range.stops) {
         strcpy(out, "the crank comes to rest at ");
-        strcat(out, angle_text(range->stop_angle, number));
+        strcat(out, angle_text(a->range.stop_angle, number));
         strcat(out, " ");
-        strcat(out, d->units[QUANTITY_ANGLE].name);
+        strcat(out, a->d->units[QUANTITY_ANGLE].name);
     }
     return out;
 }
@@ -67,13 +57,12 @@ typedef struct style {
 
 /* The largest magnitude of each column, over rows spread evenly over the motion; 0 for what is no
 ** more than the rounding of other columns of the same quantity. */
-static void find_sizes(const deck *d, const column_list *columns, double *size)
+static void find_sizes(analysis *a, const column_list *columns, double *size)
 {
-    fourlink_range range = range_of(d);
-    unsigned long samples = range.n_rows < SAMPLES ? range.n_rows : SAMPLES, k;
+    unsigned long n_rows = a->range.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k;
     double of_quantity[QUANTITY_COUNT] = {0};
     fourlink_branch branches[2];
-    int n = branches_of(d, branches), i;
+    int n = branches_of(a->d, branches), i;
     result r;
     size_t j;
 
@@ -83,8 +72,7 @@ static void find_sizes(const deck *d, const column_list *columns, double *size)
         for (k = 0; k < samples; k++) {
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
 
-            result_compute(d, &range, branches[i],
-                           (unsigned long)(share * (double)(range.n_rows - 1) + 0.5), &r);
+            analysis_row(a, branches[i], (unsigned long)(share * (double)(n_rows - 1) + 0.5), &r);
             for (j = 0; j < columns->count; j++)
                 if (r.status == FOURLINK_OK || column_of_crank(&columns->list[j])) {
                     double x = fabs(column_value(&columns->list[j], &r));
@@ -223,11 +211,11 @@ static void put_row(FILE *out, const deck *d, const column_list *columns, const 
     putc('\n', out);
 }
 
-unsigned long table_print(FILE *out, const deck *d, const column_list *columns)
+unsigned long table_print(FILE *out, analysis *a, const column_list *columns)
 {
+    const deck *d = a->d;
     double size[COLUMN_MOST];
     style styles[COLUMN_MOST];
-    fourlink_range range = range_of(d);
     fourlink_branch branches[2];
     int n = branches_of(d, branches), i;
     unsigned long k, failed = 0;
@@ -235,7 +223,7 @@ unsigned long table_print(FILE *out, const deck *d, const column_list *columns)
     result r;
     size_t j;
 
-    find_sizes(d, columns, size);
+    find_sizes(a, columns, size);
     for (j = 0; j < columns->count; j++)
         find_style(d, &columns->list[j], size[j], &styles[j]);
     put_head(out, d);
@@ -245,13 +233,13 @@ unsigned long table_print(FILE *out, const deck *d, const column_list *columns)
         fprintf(out, "# branch: %s\n", branch_name(branches[i]));
         put_names(out, columns, styles, 0);
         put_names(out, columns, styles, 1);
-        for (k = 0; k < range.n_rows; k++) {
-            result_compute(d, &range, branches[i], k, &r);
+        for (k = 0; k < a->range.n_rows; k++) {
+            analysis_row(a, branches[i], k, &r);
             put_row(out, d, columns, styles, &r);
             failed += r.status != FOURLINK_OK;
         }
-        if (range.stops) {
-            fprintf(out, "# %s\n", stop_text(d, &range, stop));
+        if (a->range.stops) {
+            fprintf(out, "# %s\n", stop_text(a, stop));
             failed++;
         }
     }
@@ -339,26 +327,24 @@ static void put_csv_row(FILE *out, const column_list *columns, const column_list
     fputs("\r\n", out);
 }
 
-unsigned long csv_print(FILE *out, const deck *d, const column_list *columns,
+unsigned long csv_print(FILE *out, analysis *a, const column_list *columns,
                         const column_list *header, const char *deck_name)
 {
-    fourlink_range range = range_of(d);
     fourlink_branch branches[2];
-    int n = branches_of(d, branches), i;
+    int n = branches_of(a->d, branches), i;
     unsigned long k, failed = 0;
     char stop[NUMBER_SIZE + 80];
     result r;
 
     for (i = 0; i < n; i++) {
-        for (k = 0; k < range.n_rows; k++) {
-            result_compute(d, &range, branches[i], k, &r);
+        for (k = 0; k < a->range.n_rows; k++) {
+            analysis_row(a, branches[i], k, &r);
             put_csv_row(out, columns, header, deck_name, branches[i], &r,
                         fourlink_status_text(r.status));
             failed += r.status != FOURLINK_OK;
         }
-        if (range.stops) {
-            put_csv_row(out, columns, header, deck_name, branches[i], NULL,
-                        stop_text(d, &range, stop));
+        if (a->range.stops) {
+            put_csv_row(out, columns, header, deck_name, branches[i], NULL, stop_text(a, stop));
             failed++;
         }
     }
@@ -391,15 +377,15 @@ static void put_paper_row(FILE *out, const result *r)
             no_minus_zero(s->link[3].alpha));
 }
 
-unsigned long table_print_paper(FILE *out, const deck *d)
+unsigned long table_print_paper(FILE *out, analysis *a)
 {
-    fourlink_range range = range_of(d);
-    unsigned long k, n_rows = range.n_rows, failed = 0;
+    const deck *d = a->d;
+    unsigned long k, n_rows = a->range.n_rows, failed = 0;
     char number[NUMBER_SIZE + 80];
     result r;
     int i;
 
-    if (d->one_revolution && !range.stops && n_rows > 1)
+    if (d->one_revolution && !a->range.stops && n_rows > 1)
         n_rows--;
     fputs("thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n", out);
     for (k = 0; k < n_rows; k++)
@@ -408,7 +394,7 @@ unsigned long table_print_paper(FILE *out, const deck *d)
 
             if (branch == FOURLINK_OPEN ? !d->open : !d->crossed)
                 continue;
-            result_compute(d, &range, branch, k, &r);
+            analysis_row(a, branch, k, &r);
             if (r.status == FOURLINK_OK)
                 put_paper_row(out, &r);
             else
@@ -417,8 +403,8 @@ unsigned long table_print_paper(FILE *out, const deck *d)
                         fourlink_status_text(r.status));
             failed += r.status != FOURLINK_OK;
         }
-    if (range.stops) {
-        fprintf(out, "# %s\n", stop_text(d, &range, number));
+    if (a->range.stops) {
+        fprintf(out, "# %s\n", stop_text(a, number));
         failed++;
     }
     return failed;
@@ -438,14 +424,15 @@ static void put_equation(FILE *out, const double A[9], double x, double b)
     putc('\n', out);
 }
 
-static void put_system(FILE *out, const deck *d, const result *r)
+static void put_system(FILE *out, const analysis *a, const result *r)
 {
+    const deck *d = a->d;
     const fourlink_forces *f = &r->forces;
     int slider_crank = d->design.kind == FOURLINK_SLIDER_CRANK, i;
     double A[9][9], b[9], x[9];
     char number[NUMBER_SIZE];
 
-    fourlink_system(&d->mechanism, &r->state, d->loads, d->n_loads, A, b);
+    fourlink_system(&d->mechanism, &r->state, a->loads, a->n_loads, A, b);
     x[0] = f->F12x;
     x[1] = f->F12y;
     x[2] = f->F23x;
@@ -464,9 +451,9 @@ static void put_system(FILE *out, const deck *d, const result *r)
         put_equation(out, A[i], x[i], b[i]);
 }
 
-unsigned long table_print_matrix(FILE *out, const deck *d)
+unsigned long table_print_matrix(FILE *out, analysis *a)
 {
-    fourlink_range range = range_of(d);
+    const deck *d = a->d;
     fourlink_branch branches[2];
     int n = branches_of(d, branches), i, blocks = 0;
     unsigned long k, failed = 0;
@@ -480,12 +467,12 @@ unsigned long table_print_matrix(FILE *out, const deck *d)
           "4.\n",
           out);
     for (i = 0; i < n; i++) {
-        for (k = 0; k < range.n_rows; k++) {
-            result_compute(d, &range, branches[i], k, &r);
+        for (k = 0; k < a->range.n_rows; k++) {
+            analysis_row(a, branches[i], k, &r);
             if (blocks++)
                 fputs("\n\n", out);
             if (r.status == FOURLINK_OK) {
-                put_system(out, d, &r);
+                put_system(out, a, &r);
                 continue;
             }
             failed++;
@@ -493,8 +480,8 @@ unsigned long table_print_matrix(FILE *out, const deck *d)
                     d->units[QUANTITY_ANGLE].name, branch_name(branches[i]),
                     fourlink_status_text(r.status));
         }
-        if (range.stops) {
-            fprintf(out, "# %s\n", stop_text(d, &range, stop));
+        if (a->range.stops) {
+            fprintf(out, "# %s\n", stop_text(a, stop));
             failed++;
         }
     }

@@ -13,14 +13,14 @@ typedef enum table_format { FORMAT_TABLE, FORMAT_CSV, FORMAT_PAPER } table_forma
 
 /* Each prints a deck to a stream and returns how many of its rows could not be computed; whether
 ** the stream took it is for the caller to ask. */
-unsigned long table_print(FILE *out, const deck *d, const column_list *columns);
-unsigned long table_print_paper(FILE *out, const deck *d);
-unsigned long table_print_matrix(FILE *out, const deck *d);
+unsigned long table_print(FILE *out, analysis *a, const column_list *columns);
+unsigned long table_print_paper(FILE *out, analysis *a);
+unsigned long table_print_matrix(FILE *out, analysis *a);
 
 /* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of
 ** that name. */
 void csv_print_header(FILE *out, const column_list *header, int with_deck);
-unsigned long csv_print(FILE *out, const deck *d, const column_list *columns,
+unsigned long csv_print(FILE *out, analysis *a, const column_list *columns,
                         const column_list *header, const char *deck_name);
 
 /* Add to the header the columns that it does not have yet: same name, same unit. */
