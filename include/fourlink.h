@@ -214,6 +214,52 @@ typedef struct fourlink_forces {
 } fourlink_forces;
 
 /* ---------------------------------------------------------------------------------------------
+** The mechanism as a whole
+** ------------------------------------------------------------------------------------------- */
+
+/* The types of linkages, by the Grashof condition and the place of the shortest link. */
+#define FOURLINK_TYPE_LIST(X)                                                    \
+    X(FOURLINK_CRANK_ROCKER, 1, "crank-rocker")                                  \
+    X(FOURLINK_ROCKER_CRANK, 2, "rocker-crank")                                  \
+    X(FOURLINK_DOUBLE_CRANK, 3, "double crank (drag link)")                      \
+    X(FOURLINK_DOUBLE_ROCKER, 4, "double rocker")                                \
+    X(FOURLINK_TRIPLE_ROCKER, 5, "triple rocker (not Grashof)")                  \
+    X(FOURLINK_PARALLELOGRAM, 6, "change point: parallelogram")                  \
+    X(FOURLINK_DELTOID, 7, "change point: deltoid")                              \
+    X(FOURLINK_RHOMBUS, 8, "change point: rhombus")                              \
+    X(FOURLINK_CHANGE_POINT_LINKAGE, 9, "change point")                          \
+    X(FOURLINK_ENGINE, 10, "slider-crank, the crank turns fully")                \
+    X(FOURLINK_SLIDER_ROCKER, 11, "slider-crank, the crank does not turn fully") \
+    X(FOURLINK_CHANGE_POINT_SLIDER, 12, "slider-crank with change point")
+
+#define FOURLINK_TYPE_CODE_(name, value, text) name = value,
+typedef enum fourlink_type {
+    FOURLINK_TYPE_LIST(FOURLINK_TYPE_CODE_) FOURLINK_TYPE_END_ = 99
+} fourlink_type;
+#undef FOURLINK_TYPE_CODE_
+
+/* The crank angles at which the links reach. */
+typedef struct fourlink_reach {
+    int n_ranges;          /* 0 (never), 1 or 2 */
+    double from[2], to[2]; /* rad, from < to; a crank that turns fully has 0 to 2 pi.  The ends of
+                                  other ranges are dead positions */
+} fourlink_reach;
+
+/* The limits of a mechanism on one branch. */
+typedef struct fourlink_limits {
+    double mu_min, mu_max; /* rad, transmission angle over the reachable crank angles */
+    int has_swing;         /* 1: link 4 swings between two limits, with the crank turning */
+    double theta4_min,
+        theta4_max; /* rad, four-bar: the limits of the rocker, max - min its swing */
+    double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
+    double time_ratio;             /* 1, >= 1, of the two swings at constant crank speed */
+    int has_stroke;                /* 1: the piston goes between two dead centres */
+    double stroke;                 /* m */
+    double inner, outer;           /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
+                                      farthest from the crankshaft, and nearest to it */
+} fourlink_limits;
+
+/* ---------------------------------------------------------------------------------------------
 ** Engines: what textbooks compute for a slider-crank
 ** ------------------------------------------------------------------------------------------- */
 
@@ -331,6 +377,46 @@ FOURLINK_API const char *fourlink_version(void);
 *so.
 */
 FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism);
+
+/* The type of a linkage, and its name: a constant string in English, never null.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+** Returned:
+**    type       by the Grashof condition: s + l < p + q, s the shortest, l the longest link
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
+FOURLINK_API const char *fourlink_type_text(int type);
+
+/* The crank angles at which the links reach, in closed form.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+** Returned:
+**    reach      up to two ranges; the same for both branches
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink_reach *reach);
+
+/* The limits of a mechanism, in closed form.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+** Returned:
+**    limits     what is not there, by has_swing and has_stroke, is 0
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
+** Notes:
+** 1) The rocker has limits of this kind in a crank-rocker, where they are at crank and coupler in one
+**    line.  A mechanism with a change point has none, and no dead centres either.
+** 2) time_ratio is the larger over the smaller crank angle between the limits.
+*/
+FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                                    fourlink_limits *limits);
 
 /* Position of all links at one crank angle.
 **
@@ -567,6 +653,18 @@ FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_r
 */
 FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range,
                                      unsigned long i, fourlink_row *row);
+
+/* The crank at any angle of a motion.
+**
+** Given:
+**    motion     as above
+**    angle      in the motion's own unit, between `from` and the last angle
+** Returned:
+**    row        as from fourlink_motion_row
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row);
 
 #ifdef __cplusplus
 }

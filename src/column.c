@@ -192,10 +192,9 @@ static int has(const deck *d, const column_info *info)
     return (info->kinds & (int)d->design.kind) != 0 && (info->need & ~analysis_possible(d)) == 0;
 }
 
-static void add(const deck *d, const column_info *info, column_list *columns)
+static void make(const deck *d, const column_info *info, column *c)
 {
     const deck_unit *u = &d->units[info->q];
-    column *c = &columns->list[columns->count++];
 
     c->info = info;
     c->name = info->name;
@@ -203,6 +202,35 @@ static void add(const deck *d, const column_info *info, column_list *columns)
     c->scale = u->unit.down / u->unit.up;
     if (info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
+}
+
+static void add(const deck *d, const column_info *info, column_list *columns)
+{
+    make(d, info, &columns->list[columns->count++]);
+}
+
+int column_find(const deck *d, text name, column *c)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (text_same(name, table[i].name) && has(d, &table[i])) {
+            make(d, &table[i], c);
+            return 1;
+        }
+    return 0;
+}
+
+const char *column_nearest(const deck *d, text name)
+{
+    const char *known[TABLE_COUNT + 1];
+    size_t i, n = 0;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (has(d, &table[i]))
+            known[n++] = table[i].name;
+    known[n] = NULL;
+    return text_nearest(name, known);
 }
 
 void columns_all(const deck *d, column_list *columns)
@@ -238,22 +266,17 @@ static const char *why_missing(const deck *d, const column_info *info)
 
 static void note_missing(deck *d, text name)
 {
-    const char *known[TABLE_COUNT + 1], *nearest;
+    const char *nearest = column_nearest(d, name);
     char word[DECK_NAME_SIZE];
-    size_t i, n = 0;
+    size_t i;
 
     text_copy(name, word, sizeof word);
-    for (i = 0; i < TABLE_COUNT; i++) {
-        if (text_equal(name, table[i].name)) {
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (text_same(name, table[i].name)) {
             mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
                          why_missing(d, &table[i]), (char *)NULL);
             return;
         }
-        if (has(d, &table[i]))
-            known[n++] = table[i].name;
-    }
-    known[n] = NULL;
-    nearest = text_nearest(name, known);
     mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'",
                  nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "",
                  (char *)NULL);
@@ -278,7 +301,7 @@ static int next_name(text *rest, text *name)
 int columns_choose(deck *d, column_list *columns)
 {
     text rest = d->columns.names, name;
-    size_t i;
+    column c;
 
     if (!rest.start) {
         choose_usual(d, columns);
@@ -286,19 +309,14 @@ int columns_choose(deck *d, column_list *columns)
     }
     columns->count = 0;
     while (next_name(&rest, &name)) {
-        if (text_equal(name, "all")) {
+        if (text_equal(name, "all"))
             columns_all(d, columns);
-            continue;
-        }
-        for (i = 0; i < TABLE_COUNT; i++)
-            if (text_equal(name, table[i].name) && has(d, &table[i]))
-                break;
-        if (i == TABLE_COUNT)
+        else if (!column_find(d, name, &c))
             note_missing(d, name);
         else if (columns->count == COLUMN_MOST)
             mistake_note(&d->mistakes, d->columns.place, "too many columns", (char *)NULL);
         else
-            add(d, &table[i], columns);
+            columns->list[columns->count++] = c;
     }
     if (!columns->count && !d->mistakes.count)
         mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);

@@ -28,6 +28,12 @@ typedef struct column_list {
 ** asks for some that it has not. */
 int columns_choose(deck *d, column_list *columns);
 
+/* The column of that name; 0 if the deck has none. */
+int column_find(const deck *d, text name, column *c);
+
+/* The column's name most like this one, or null. */
+const char *column_nearest(const deck *d, text name);
+
 /* All columns that the deck has. */
 void columns_all(const deck *d, column_list *columns);
 

@@ -26,16 +26,20 @@ static double value_or(parser *p, key_code key, double otherwise)
 }
 
 /* An angle in the deck's unit of angle, without rounding if it is written in that. */
-static double angle_or(parser *p, key_code key, double otherwise)
+static double in_deck_angle(parser *p, const setting *s)
 {
-    const setting *s = find(p, key);
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
 
-    if (!s)
-        return otherwise;
     if (s->unit.up == u->up && s->unit.down == u->down)
         return s->number;
     return s->si[0] * u->down / u->up;
+}
+
+static double angle_or(parser *p, key_code key, double otherwise)
+{
+    const setting *s = find(p, key);
+
+    return s ? in_deck_angle(p, s) : otherwise;
 }
 
 static text_place end_of_deck(parser *p)
@@ -527,6 +531,46 @@ static void build_table(parser *p)
     }
 }
 
+/* The printed values of the deck, in the order of its lines, after those it has already. */
+static void build_expectations(parser *p)
+{
+    deck *d = p->d;
+    deck_expectation *list;
+    size_t i;
+
+    if (!p->n_named)
+        return;
+    list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
+    if (!list) {
+        p->out_of_memory = 1;
+        return;
+    }
+    d->expectations = list;
+    for (i = 0; i < p->n_named; i++) {
+        const named_value *named = &p->named[i];
+        const section_use *use = &p->uses[named->use];
+        int misprint = use->section == SECTION_MISPRINT;
+        const setting *at = setting_of(p, use, misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
+        const setting *branch =
+            setting_of(p, use, misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
+        const setting *tolerance =
+            setting_of(p, use, misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
+        deck_expectation *e = &list[d->n_expectations++];
+
+        memset(e, 0, sizeof *e);
+        e->place = named->s.place;
+        e->name = named->name;
+        e->value = named->s.value;
+        e->tolerance = tolerance->value;
+        e->misprint = misprint;
+        e->has_at = at->place.source != NULL || d->one_instant;
+        e->at = at->place.source ? in_deck_angle(p, at) : d->motion.from;
+        e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
+                    : d->open    ? FOURLINK_OPEN
+                                 : FOURLINK_CROSSED;
+    }
+}
+
 static void build(parser *p)
 {
     const setting *title = find(p, KEY_TOP_TITLE);
@@ -543,6 +587,7 @@ static void build(parser *p)
     build_motion(p);
     build_flywheel(p);
     build_table(p);
+    build_expectations(p);
 }
 
 static void set_default_units(deck *d)
@@ -575,6 +620,30 @@ void *keep(parser *p, size_t size)
     return k->contents;
 }
 
+/* A copy of the text that lasts as long as the deck, read as lines. */
+static void read_copy(parser *p, text contents)
+{
+    char *copy = keep(p, contents.length + 1);
+
+    if (!copy)
+        return;
+    if (contents.length)
+        memcpy(copy, contents.start, contents.length);
+    contents.start = copy;
+    read_lines(p, contents, copy);
+}
+
+static int finish(parser *p)
+{
+    mistakes_sort(&p->d->mistakes);
+    free(p->uses);
+    free(p->settings);
+    free(p->named);
+    if (p->out_of_memory)
+        return -1;
+    return p->d->mistakes.count == 0;
+}
+
 int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
               size_t n_changes, deck *d)
 {
@@ -588,13 +657,7 @@ int deck_read(const char *name, text contents, deck_loader *load, const deck_cha
     p.name = name;
     p.load = load;
     set_default_units(d);
-    copy = keep(&p, contents.length + 1);
-    if (copy) {
-        if (contents.length)
-            memcpy(copy, contents.start, contents.length);
-        contents.start = copy;
-        read_lines(&p, contents, copy);
-    }
+    read_copy(&p, contents);
     for (i = 0; i < n_changes && !p.out_of_memory; i++) {
         copy = keep(&p, strlen(changes[i].assignment) + 1);
         if (copy)
@@ -604,12 +667,72 @@ int deck_read(const char *name, text contents, deck_loader *load, const deck_cha
         read_values(&p);
     if (!p.out_of_memory)
         build(&p);
-    mistakes_sort(&d->mistakes);
-    free(p.uses);
-    free(p.settings);
-    if (p.out_of_memory)
-        return -1;
-    return d->mistakes.count == 0;
+    return finish(&p);
+}
+
+int deck_add_expectations(const char *name, text contents, deck *d)
+{
+    parser p;
+
+    memset(&p, 0, sizeof p);
+    p.d = d;
+    p.name = name;
+    p.expectations_only = 1;
+    read_copy(&p, contents);
+    if (!p.out_of_memory)
+        read_values(&p);
+    if (!p.out_of_memory)
+        build_expectations(&p);
+    return finish(&p);
+}
+
+/* What one of the last digit of a number is worth: 0.01 for 2.50, 10 for 1.2e2. */
+static double last_digit(text t, double number)
+{
+    double digit = 1, value = number;
+    int decimals = 0, after = 0, exponent = 0;
+    size_t i;
+
+    for (i = 0; i < t.length; i++) {
+        char c = t.start[i];
+
+        if (c == '.')
+            after = 1;
+        else if ('0' <= c && c <= '9')
+            decimals += after;
+        else if ((c == 'e' || c == 'E') && i + 1 < t.length) {
+            text rest = t;
+
+            rest.start += i + 1;
+            rest.length -= i + 1;
+            if (number_read(&rest, &value) == NUMBER_OK)
+                exponent = (int)value;
+            break;
+        } else if (i > 0 || (c != '+' && c != '-')) {
+            break;
+        }
+    }
+    for (exponent -= decimals; exponent < 0; exponent++)
+        digit /= 10;
+    for (; exponent > 0; exponent--)
+        digit *= 10;
+    return digit;
+}
+
+int deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si, double *digit)
+{
+    parser p;
+    setting s;
+
+    memset(&p, 0, sizeof p);
+    memset(&s, 0, sizeof s);
+    p.d = d;
+    s.place = place;
+    s.value = value;
+    if (!read_quantity(&p, &s, value, q, si))
+        return 0;
+    *digit = unit_to_si(last_digit(value, s.number), s.unit);
+    return 1;
 }
 
 void deck_free(deck *d)
@@ -623,6 +746,7 @@ void deck_free(deck *d)
     curve_free(&d->gas.indicator);
     free(d->torques);
     free(d->loads);
+    free(d->expectations);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);

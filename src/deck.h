@@ -31,6 +31,17 @@ typedef struct deck_gas {
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
+/* A value that a source printed. */
+typedef struct deck_expectation {
+    text_place place;
+    text name, value; /* a column or a fact; what was printed */
+    text tolerance;   /* empty: half of the last printed digit */
+    int misprint;     /* 1: known to be wrong */
+    int has_at;
+    double at; /* crank angle in the deck's unit */
+    fourlink_branch branch;
+} deck_expectation;
+
 typedef struct deck {
     char title[256];
     fourlink_design design;
@@ -45,6 +56,8 @@ typedef struct deck {
     deck_gas gas;
     int has_forces; /* 1: the deck has masses, loads or gas */
     fourlink_approximation approximation;
+    deck_expectation *expectations;
+    size_t n_expectations;
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
     int open, crossed;
     deck_names columns;
@@ -79,6 +92,14 @@ typedef char *deck_loader(const char *deck_name, const char *file_name, size_t *
 */
 int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
               size_t n_changes, deck *d);
+
+/* Add the [expect] and [misprint] sections of another text to a deck.  As deck_read. */
+int deck_add_expectations(const char *name, text contents, deck *d);
+
+/* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
+** deck if it is none of that quantity. */
+int deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
+                       double *digit);
 
 void deck_free(deck *d);
 

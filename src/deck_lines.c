@@ -168,6 +168,11 @@ static section_use *read_section(parser *p, text line, text_place place)
         note_unknown_section(p, place, word);
         return NULL;
     }
+    if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT) {
+        mistake_note(&p->d->mistakes, place, "expected [expect] or [misprint] in this file, not [",
+                     section_table[section].name, "]", (char *)NULL);
+        return NULL;
+    }
     if (name.length && !section_table[section].repeats) {
         mistake_note(&p->d->mistakes, place, "[", section_table[section].name,
                      "] takes no name, but has '", word_of(name, copy), "'", (char *)NULL);
@@ -190,6 +195,29 @@ static section_use *read_section(parser *p, text line, text_place place)
     return open_section(p, section, name, place);
 }
 
+/* A key that the schema does not have, in a section that takes names of its own. */
+static void assign_named(parser *p, const section_use *use, text key, text value, text_place place)
+{
+    named_value *list, *new;
+    char word[WORD_SIZE];
+
+    if (!key.length || !value.length) {
+        mistake_note(&p->d->mistakes, place, "expected NAME = VALUE, not '", word_of(key, word),
+                     "'", (char *)NULL);
+        return;
+    }
+    list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *list);
+    if (!list)
+        return;
+    p->named = list;
+    new = &list[p->n_named++];
+    memset(new, 0, sizeof *new);
+    new->use = (size_t)(use - p->uses);
+    new->name = key;
+    new->s.place = place;
+    new->s.value = value;
+}
+
 /* key = value, in a section */
 static void assign(parser *p, const section_use *use, text key, text value, text_place place,
                    int replace)
@@ -201,6 +229,10 @@ static void assign(parser *p, const section_use *use, text key, text value, text
     for (i = 0; i < n; i++)
         if (text_equal(key, key_table[first + i].name))
             break;
+    if (i == n && (use->section == SECTION_EXPECT || use->section == SECTION_MISPRINT)) {
+        assign_named(p, use, key, value, place);
+        return;
+    }
     if (i == n) {
         note_unknown_key(p, place, use->section, key);
         return;

@@ -106,8 +106,7 @@ static int check_size(parser *p, const setting *s, double si)
     return 0;
 }
 
-/* A number with a unit, in SI units. */
-static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
 {
     double number;
     unit u;
@@ -365,6 +364,22 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
                      "' is beyond what the program computes with", (char *)NULL);
 }
 
+/* Areas are in the square of the unit of length, but for one with an exponent of its own. */
+static void set_area(deck *d)
+{
+    const deck_unit *length = &d->units[QUANTITY_LENGTH];
+    deck_unit *area = &d->units[QUANTITY_AREA];
+    size_t n = strlen(length->name), i;
+
+    for (i = 0; i < n; i++)
+        if (!text_is_word(length->name[i]) || n > 8)
+            return;
+    strcpy(area->name, length->name);
+    strcat(area->name, "2");
+    area->unit.up = length->unit.up * length->unit.up;
+    area->unit.down = length->unit.down * length->unit.down;
+}
+
 static void read_value(parser *p, key_code code, setting *s)
 {
     const key_info *key = &key_table[code];
@@ -385,6 +400,8 @@ static void read_value(parser *p, key_code code, setting *s)
         if (read_unit(p, s, t, key->q, &s->unit)) {
             text_copy(t, p->d->units[key->q].name, DECK_NAME_SIZE);
             p->d->units[key->q].unit = s->unit;
+            if (key->q == QUANTITY_LENGTH)
+                set_area(p->d);
         }
         return;
     case FORM_QUANTITY:

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <gsl/gsl_errno.h>
+
 #include "options.h"
 #include "output.h"
 
@@ -120,6 +122,24 @@ static void print_mistakes(const mistakes *m)
         fprintf(stderr, "fourlink: and %lu more mistakes\n", (unsigned long)m->left_out);
 }
 
+/* Put the expectations of a file in place of the deck's; the exit status if it cannot be read. */
+static int read_check_file(const char *path, deck *d)
+{
+    text all;
+    char *contents = read_file(path, &all.length);
+
+    if (!contents)
+        return complain("cannot read", path, strerror(errno));
+    d->n_expectations = 0;
+    all.start = contents;
+    if (deck_add_expectations(path, all, d) < 0) {
+        free(contents);
+        return complain("cannot read", path, "not enough memory");
+    }
+    free(contents);
+    return 0;
+}
+
 /* Read a deck; the exit status it calls for. */
 static int read_job(const char *path, const options *o, job *j)
 {
@@ -142,8 +162,15 @@ static int read_job(const char *path, const options *o, job *j)
         return complain("cannot read", j->name, "not enough memory");
     if (status > 0)
         columns_choose(&j->deck, &j->columns);
+    if (status > 0 && o->check_file && (status = read_check_file(o->check_file, &j->deck)) > 0)
+        return status;
     if (j->deck.mistakes.count) {
         print_mistakes(&j->deck.mistakes);
+        return EXIT_USAGE;
+    }
+    if (o->check && !j->deck.n_expectations) {
+        fprintf(stderr, "%s:1: error: nothing to check: there is no [expect] or [misprint]\n",
+                o->check_file ? o->check_file : j->name);
         return EXIT_USAGE;
     }
     if (o->matrix && !j->deck.has_forces) {
@@ -160,31 +187,57 @@ static int read_job(const char *path, const options *o, job *j)
     return 0;
 }
 
-/* Print a deck; the exit status it calls for. */
-static int print_job(FILE *out, const options *o, const job *j, const column_list *header)
+static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
 {
+    switch (check_print(out, &j->deck, o->format == FORMAT_CSV, deck_name)) {
+    case CHECK_PRINT_OK:
+        return 0;
+    case CHECK_PRINT_DIFFERENCES:
+        return EXIT_ROWS;
+    case CHECK_PRINT_MISTAKES:
+        print_mistakes(&j->deck.mistakes);
+        return EXIT_USAGE;
+    default:
+        return complain("cannot check", j->name, "not enough memory");
+    }
+}
+
+/* Print a deck; the exit status it calls for. */
+static int print_job(FILE *out, const options *o, job *j, const column_list *header)
+{
+    const char *deck_name = o->n_decks > 1 ? j->name : NULL;
     analysis a;
-    unsigned long failed;
+    unsigned long failed = 0;
+    int needs;
 
     if (o->list) {
         table_print_list(out, &j->deck);
         return 0;
     }
-    if (!analysis_open(&a, &j->deck, o->matrix ? NEED_FORCES : columns_need(&j->columns)))
+    if (o->check)
+        return check_job(out, o, j, deck_name);
+    needs = columns_need(&j->columns);
+    if (o->matrix || (o->summary && j->deck.has_forces))
+        needs |= NEED_FORCES;
+    if (!analysis_open(&a, &j->deck, needs))
         return complain("cannot analyse", j->name, "not enough memory");
-    if (o->matrix)
+    if (o->summary && o->format == FORMAT_CSV)
+        summary_print_csv(out, &a, &j->columns, deck_name);
+    else if (o->summary)
+        summary_print(out, &a, &j->columns);
+    else if (o->matrix)
         failed = table_print_matrix(out, &a);
     else if (o->format == FORMAT_PAPER)
         failed = table_print_paper(out, &a);
     else if (o->format == FORMAT_CSV)
-        failed = csv_print(out, &a, &j->columns, header, o->n_decks > 1 ? j->name : NULL);
+        failed = csv_print(out, &a, &j->columns, header, deck_name);
     else
         failed = table_print(out, &a, &j->columns);
     analysis_close(&a);
     return failed ? EXIT_ROWS : 0;
 }
 
-static int print_jobs(FILE *out, const options *o, const job *jobs)
+static int print_jobs(FILE *out, const options *o, job *jobs)
 {
     static column_list header;
     int status = 0, csv = o->format == FORMAT_CSV && !o->list, printed = 0;
@@ -193,7 +246,11 @@ static int print_jobs(FILE *out, const options *o, const job *jobs)
     for (i = 0; csv && i < o->n_decks; i++)
         if (jobs[i].usable)
             csv_merge_header(&header, &jobs[i].columns);
-    if (csv)
+    if (csv && o->check)
+        check_print_csv_header(out, o->n_decks > 1);
+    else if (csv && o->summary)
+        summary_print_csv_header(out, o->n_decks > 1);
+    else if (csv)
         csv_print_header(out, &header, o->n_decks > 1);
     for (i = 0; i < o->n_decks; i++) {
         if (!jobs[i].usable)
@@ -274,6 +331,7 @@ int main(int argc, char **argv)
     options o;
     int status = options_read(argc, argv, &o, message);
 
+    gsl_set_error_handler_off(); /* what GSL reports is looked at where it is called */
     if (status < 0) {
         status = complain("cannot start", "", "not enough memory");
     } else if (status == 0) {

@@ -112,20 +112,15 @@ static void accelerate(double speed, double acceleration, double s, fourlink_row
     row->time = speed + omega2 != 0 ? 2 * s / (speed + omega2) : 0;
 }
 
-int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range, unsigned long i,
-                        fourlink_row *row)
+int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row)
 {
     double s, end;
 
-    if (!motion || !range || !row)
+    if (!motion || !row)
         return FOURLINK_NULL;
-    if (i >= range->n_rows)
-        return FOURLINK_NO_SUCH_ROW;
-    row->angle = motion->from + direction(motion) * (double)i * motion->interval;
-    if (i > 0 && i == range->n_rows - 1 && !range->stops)
-        row->angle = last_angle(motion);
-    row->crank.theta2 = row->angle * motion->angle_unit;
-    s = (row->angle - motion->from) * motion->angle_unit;
+    row->angle = angle;
+    row->crank.theta2 = angle * motion->angle_unit;
+    s = (angle - motion->from) * motion->angle_unit;
     if (motion->run_up > 0) {
         end = direction(motion) * motion->run_up * motion->angle_unit;
         if (fabs(s) < fabs(end) * (1 - 1e-12)) {
@@ -143,4 +138,17 @@ int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *ran
         accelerate(motion->speed, motion->acceleration, s, row);
     }
     return FOURLINK_OK;
+}
+
+int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range, unsigned long i,
+                        fourlink_row *row)
+{
+    if (!motion || !range || !row)
+        return FOURLINK_NULL;
+    if (i >= range->n_rows)
+        return FOURLINK_NO_SUCH_ROW;
+    if (i > 0 && i == range->n_rows - 1 && !range->stops)
+        return fourlink_motion_at(motion, last_angle(motion), row);
+    return fourlink_motion_at(motion,
+                              motion->from + direction(motion) * (double)i * motion->interval, row);
 }

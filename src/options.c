@@ -21,7 +21,9 @@ const char *const options_help[] = {
     "  -c, --columns=NAME,NAME,...|all   the columns; --list tells their names",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
+    "  -C, --check[=FILE]                compare with the values that the deck, or FILE, expects",
     "  -m, --matrix                      the nine equations, A x = b, at each row",
+    "  -S, --summary                     facts of the mechanism, extremes, turning moment",
     "  -l, --list                        the columns that the deck has, and what they mean",
     "  -h, --help                        this text",
     "  -V, --version                     the version",
@@ -34,7 +36,7 @@ const char *const options_help[] = {
 typedef struct option_info {
     char letter;
     const char *name;
-    int takes_value;
+    int takes_value; /* 2: one may follow behind '=' */
     const char *key; /* not null: the key of the deck that it sets */
 } option_info;
 
@@ -45,6 +47,8 @@ static const option_info table[] = {{'f', "format", 1, NULL},
                                     {'c', "columns", 1, "table.columns"},
                                     {'s', "set", 1, NULL},
                                     {'m', "matrix", 0, NULL},
+                                    {'C', "check", 2, NULL},
+                                    {'S', "summary", 0, NULL},
                                     {'l', "list", 0, NULL},
                                     {'h', "help", 0, NULL},
                                     {'V', "version", 0, NULL}};
@@ -106,8 +110,13 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case 's':
         add_change(o, "--set", value);
         return 1;
+    case 'C':
+        o->check_file = *value ? value : NULL;
+        return o->check = 1;
     case 'm':
         return o->matrix = 1;
+    case 'S':
+        return o->summary = 1;
     case 'l':
         return o->list = 1;
     case 'h':
@@ -151,6 +160,8 @@ static int read_long(options *o, const char *word, const char *next, int *used_n
                       : set(o, &table[i], "", message);
     if (equals)
         return set(o, &table[i], equals + 1, message);
+    if (table[i].takes_value == 2)
+        return set(o, &table[i], "", message);
     if (!next)
         return say(message, "--", table[i].name, " needs a value");
     *used_next = 1;
@@ -171,7 +182,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
         letter[1] = *word;
         if (i == TABLE_COUNT)
             return say(message, "unknown option '", letter, "'");
-        if (table[i].takes_value) {
+        if (table[i].takes_value == 1) {
             if (!word[1] && !next)
                 return say(message, letter, " needs a value", "");
             *used_next = !word[1];
@@ -213,6 +224,11 @@ int options_read(int argc, char **argv, options *o, char message[400])
             return status;
         i += used_next;
     }
+    if (o->check + o->summary + o->matrix + o->list > 1)
+        return say(message, "--check, --summary, --matrix and --list exclude each other", "", "");
+    if ((o->summary || o->check) && o->format == FORMAT_PAPER)
+        return say(message, "--summary and --check are printed in the formats table and csv", "",
+                   "");
     if (o->matrix && o->format != FORMAT_TABLE)
         return say(message, "--matrix is printed in the format table only", "", "");
     if (!o->n_decks)

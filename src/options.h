@@ -10,9 +10,10 @@
 
 typedef struct options {
     table_format format;
-    int matrix, list, help, version;
-    const char *output;   /* null: standard output */
-    deck_change *changes; /* --set, and the options that are a key of the deck */
+    int check, matrix, summary, list, help, version;
+    const char *check_file; /* null: the deck's own expectations */
+    const char *output;     /* null: standard output */
+    deck_change *changes;   /* --set, and the options that are a key of the deck */
     size_t n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;

@@ -36,6 +36,13 @@ typedef struct section_use {
     size_t first;
 } section_use;
 
+/* A value of a section that takes names of its own: [expect], [misprint]. */
+typedef struct named_value {
+    size_t use; /* number of its section */
+    text name;
+    setting s;
+} named_value;
+
 typedef struct parser {
     deck *d;
     const char *name;
@@ -44,6 +51,9 @@ typedef struct parser {
     size_t n_uses, uses_capacity;
     setting *settings;
     size_t n_settings, settings_capacity;
+    named_value *named;
+    size_t n_named, named_capacity;
+    int expectations_only;
     long last_line;
     int out_of_memory;
 } parser;
@@ -76,6 +86,9 @@ void apply_change(parser *p, const char *option, text assignment);
 
 /* Second pass. */
 void read_values(parser *p);
+
+/* A quantity in SI units, with its sign and size checked; 0 and a mistake if it is none. */
+int read_quantity(parser *p, setting *s, text t, quantity q, double *si);
 
 /* Memory that lasts as long as the deck; null when there is none. */
 void *keep(parser *p, size_t size);

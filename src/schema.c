@@ -26,6 +26,10 @@ const word_info word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BA
                                 {KEY_TABLE_BRANCH, "open", BRANCH_OPEN},
                                 {KEY_TABLE_BRANCH, "crossed", BRANCH_CROSSED},
                                 {KEY_TABLE_BRANCH, "both", BRANCH_BOTH},
+                                {KEY_EXPECT_BRANCH, "open", BRANCH_OPEN},
+                                {KEY_EXPECT_BRANCH, "crossed", BRANCH_CROSSED},
+                                {KEY_MISPRINT_BRANCH, "open", BRANCH_OPEN},
+                                {KEY_MISPRINT_BRANCH, "crossed", BRANCH_CROSSED},
                                 {KEY_COUNT, NULL, 0}};
 
 const char *kind_words(fourlink_kind kind)

@@ -24,7 +24,9 @@
     X(GRAVITY, "gravity", 0, ANY_KIND)            \
     X(LOAD, "load", 1, ANY_KIND)                  \
     X(TABLE, "table", 0, ANY_KIND)                \
-    X(FLYWHEEL, "flywheel", 0, ANY_KIND)
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND)          \
+    X(EXPECT, "expect", 1, ANY_KIND)              \
+    X(MISPRINT, "misprint", 1, ANY_KIND)
 
 /* What a value is. */
 typedef enum value_form {
@@ -50,6 +52,12 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
     X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
+
+/* Beside these, any column or fact. */
+#define EXPECT_KEYS(X, S)                               \
+    X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)      \
+    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND) \
+    X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)
 
 /* section, key, its name, form, quantity, sign, mechanisms */
 #define KEY_LIST(X)                                                                          \
@@ -104,7 +112,9 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)            \
-    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)
+    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                   \
+    EXPECT_KEYS(X, EXPECT)                                                                   \
+    EXPECT_KEYS(X, MISPRINT)
 
 #define SECTION_CODE(code, name, repeats, kinds) SECTION_##code,
 typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;

@@ -8,6 +8,9 @@
 
 #include <gsl/gsl_math.h>
 
+#include "compare.h"
+#include "extreme.h"
+#include "fact.h"
 #include "number.h"
 #include "table.h"
 
@@ -194,6 +197,53 @@ static void put_names(FILE *out, const column_list *columns, const style *styles
     putc('\n', out);
 }
 
+/* A fact in the head of the table. */
+static void put_fact(const fact *f, void *data)
+{
+    FILE *out = data;
+    char number[NUMBER_SIZE];
+
+    fprintf(out, "# %s", f->name);
+    if (f->branch)
+        fprintf(out, " (%s)", branch_name((fourlink_branch)f->branch));
+    if (f->words)
+        fprintf(out, ": %s\n", f->words);
+    else
+        fprintf(out, ": %s%s%s", number_general(f->value, 9, number),
+                strcmp(f->unit, "1") ? " " : "", strcmp(f->unit, "1") ? f->unit : "");
+    if (!f->words && f->has_angle)
+        fprintf(out, " at theta2 = %s", number_general(f->theta2, 9, number));
+    if (!f->words)
+        putc('\n', out);
+}
+
+/* The extremes of the columns and where they are, as comments above the rows. */
+static void put_extremes(FILE *out, analysis *a, const column_list *columns, const style *styles,
+                         fourlink_branch branch)
+{
+    static const style angle = {3, 0, 0};
+    char value[NUMBER_SIZE];
+    extreme e[COLUMN_MOST];
+    int found[COLUMN_MOST], sign, line;
+    size_t j;
+
+    for (sign = 1; sign >= -1; sign -= 2) {
+        for (j = 0; j < columns->count; j++)
+            found[j] = !column_of_crank(&columns->list[j]) &&
+                       extreme_find(a, &columns->list[j], branch, sign, &e[j]);
+        for (line = 0; line < 2; line++) {
+            putc('#', out);
+            for (j = 0; j < columns->count; j++)
+                put_right(out,
+                          !found[j]   ? ""
+                          : line == 0 ? cell_text(e[j].value, &styles[j], value)
+                                      : cell_text(e[j].angle, &angle, value),
+                          styles[j].width - (j == 0));
+            fprintf(out, "  %s\n", line == 1 ? "at theta2" : sign > 0 ? "max" : "min");
+        }
+    }
+}
+
 static void put_row(FILE *out, const deck *d, const column_list *columns, const style *styles,
                     const result *r)
 {
@@ -227,12 +277,15 @@ unsigned long table_print(FILE *out, analysis *a, const column_list *columns)
     for (j = 0; j < columns->count; j++)
         find_style(d, &columns->list[j], size[j], &styles[j]);
     put_head(out, d);
+    facts_tell(a, 0, NULL, put_fact, out);
     for (i = 0; i < n; i++) {
         if (i > 0)
             fputs("\n\n", out);
         fprintf(out, "# branch: %s\n", branch_name(branches[i]));
         put_names(out, columns, styles, 0);
         put_names(out, columns, styles, 1);
+        if (a->range.n_rows > 1)
+            put_extremes(out, a, columns, styles, branches[i]);
         for (k = 0; k < a->range.n_rows; k++) {
             analysis_row(a, branches[i], k, &r);
             put_row(out, d, columns, styles, &r);
@@ -488,6 +541,143 @@ unsigned long table_print_matrix(FILE *out, analysis *a)
     return failed;
 }
 
+/* -------------------- --summary -------------------- */
+
+static void put_summary_line(const fact *f, void *data)
+{
+    FILE *out = data;
+    char value[NUMBER_SIZE], angle[NUMBER_SIZE];
+
+    value[0] = angle[0] = '\0';
+    if (!f->words)
+        number_general(f->value, 12, value);
+    if (f->has_angle)
+        number_general(f->theta2, 10, angle);
+    fprintf(out, "%-22s %20s %-8s %14s %-8s %s\n", f->name, f->words ? "" : value, f->unit, angle,
+            f->branch ? branch_name((fourlink_branch)f->branch) : "",
+            f->words ? f->words : f->meaning);
+}
+
+void summary_print(FILE *out, analysis *a, const column_list *columns)
+{
+    put_head(out, a->d);
+    fprintf(out, "# %-20s %20s %-8s %10s %-3s %-8s %s\n", "name", "value", "unit", "theta2",
+            a->d->units[QUANTITY_ANGLE].name, "branch", "meaning");
+    facts_tell(a, 1, columns, put_summary_line, out);
+}
+
+void summary_print_csv_header(FILE *out, int with_deck)
+{
+    fprintf(out, "%sname,value,unit,theta2,branch\r\n", with_deck ? "deck," : "");
+}
+
+typedef struct summary_csv {
+    FILE *out;
+    const char *deck_name;
+} summary_csv;
+
+static void put_summary_csv(const fact *f, void *data)
+{
+    const summary_csv *s = data;
+    char number[NUMBER_SIZE];
+
+    if (s->deck_name) {
+        put_field(s->out, s->deck_name);
+        putc(',', s->out);
+    }
+    fprintf(s->out, "%s,", f->name);
+    put_field(s->out, f->words ? f->words : number_general(f->value + 0.0, DBL_DIG + 2, number));
+    fprintf(s->out, ",%s,", f->unit);
+    if (f->has_angle)
+        fputs(number_general(f->theta2 + 0.0, DBL_DIG + 2, number), s->out);
+    fprintf(s->out, ",%s\r\n", f->branch ? branch_name((fourlink_branch)f->branch) : "");
+}
+
+void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const char *deck_name)
+{
+    summary_csv s;
+
+    s.out = out;
+    s.deck_name = deck_name;
+    facts_tell(a, 1, columns, put_summary_csv, &s);
+}
+
+/* -------------------- --check -------------------- */
+
+static const char *const check_words[] = {"ok", "differs", "misprint confirmed", "not a misprint"};
+
+typedef struct check_printer {
+    FILE *out;
+    const deck *d;
+    const char *deck_name; /* csv: null, no column of that name */
+    unsigned long n[4];
+} check_printer;
+
+static void put_check(const check *c, void *data)
+{
+    check_printer *p = data;
+    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+
+    p->n[c->result]++;
+    fprintf(p->out, "%-18s %s:%ld: %s = %s", check_words[c->result], c->e->place.source,
+            c->e->place.line, text_copy(c->e->name, name, sizeof name),
+            text_copy(c->e->value, value, sizeof value));
+    if (c->words[0])
+        fprintf(p->out, ", computed %s", c->words);
+    else
+        fprintf(p->out, ", computed %s %s", number_general(c->computed, 9, number), c->unit);
+    if (c->at_angle)
+        fprintf(p->out, " at %s %s", number_general(c->e->at, 9, number),
+                p->d->units[QUANTITY_ANGLE].name);
+    fprintf(p->out, ", %s\n", branch_name(c->e->branch));
+}
+
+void check_print_csv_header(FILE *out, int with_deck)
+{
+    fprintf(out, "%sfile,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n",
+            with_deck ? "deck," : "");
+}
+
+static void put_check_csv(const check *c, void *data)
+{
+    check_printer *p = data;
+    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+
+    p->n[c->result]++;
+    if (p->deck_name) {
+        put_field(p->out, p->deck_name);
+        putc(',', p->out);
+    }
+    put_field(p->out, c->e->place.source);
+    fprintf(p->out, ",%ld,%s,", c->e->place.line, check_words[c->result]);
+    put_field(p->out, text_copy(c->e->name, name, sizeof name));
+    fprintf(p->out, ",%s,%s,%s,", c->at_angle ? number_general(c->e->at, DBL_DIG + 2, number) : "",
+            branch_name(c->e->branch), c->unit);
+    put_field(p->out, text_copy(c->e->value, value, sizeof value));
+    putc(',', p->out);
+    put_field(p->out, c->words[0] ? c->words : number_general(c->computed, DBL_DIG + 2, number));
+    fprintf(p->out, ",%s\r\n",
+            c->words[0] ? "" : number_general(c->tolerance, DBL_DIG + 2, number));
+}
+
+int check_print(FILE *out, deck *d, int csv, const char *deck_name)
+{
+    check_printer p;
+    int status;
+
+    memset(&p, 0, sizeof p);
+    p.out = out;
+    p.d = d;
+    p.deck_name = deck_name;
+    status = checks_run(d, csv ? put_check_csv : put_check, &p);
+    if (status != 1)
+        return status == 0 ? CHECK_PRINT_MISTAKES : CHECK_PRINT_MEMORY;
+    if (!csv)
+        fprintf(out, "# ok: %lu, misprint confirmed: %lu, differs: %lu, not a misprint: %lu\n",
+                p.n[CHECK_OK], p.n[CHECK_MISPRINT], p.n[CHECK_DIFFERS], p.n[CHECK_NO_MISPRINT]);
+    return p.n[CHECK_DIFFERS] + p.n[CHECK_NO_MISPRINT] ? CHECK_PRINT_DIFFERENCES : CHECK_PRINT_OK;
+}
+
 /* -------------------- --list -------------------- */
 
 void table_print_list(FILE *out, const deck *d)
@@ -496,12 +686,12 @@ void table_print_list(FILE *out, const deck *d)
     size_t j;
 
     columns_all(d, &all);
-    fprintf(out, "%-10s %-8s %-60s %s\n", "column", "unit", "meaning", "in the sources");
+    fprintf(out, "%-18s %-8s %-60s %s\n", "column", "unit", "meaning", "in the sources");
     for (j = 0; j < all.count; j++) {
         const column *c = &all.list[j];
         const char *source = column_source_name(c);
 
-        fprintf(out, "%-10s %-8s %-*s%s%s\n", c->name, c->unit, *source ? 60 : 0, column_meaning(c),
+        fprintf(out, "%-18s %-8s %-*s%s%s\n", c->name, c->unit, *source ? 60 : 0, column_meaning(c),
                 *source ? " " : "", source);
     }
 }

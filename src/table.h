@@ -17,6 +17,18 @@ unsigned long table_print(FILE *out, analysis *a, const column_list *columns);
 unsigned long table_print_paper(FILE *out, analysis *a);
 unsigned long table_print_matrix(FILE *out, analysis *a);
 
+/* The facts, in place of the table. */
+void summary_print(FILE *out, analysis *a, const column_list *columns);
+
+/* The same in csv; one header for all decks. */
+void summary_print_csv_header(FILE *out, int with_deck);
+void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const char *deck_name);
+
+/* The printed values against the computed ones, a line each. */
+enum { CHECK_PRINT_OK, CHECK_PRINT_DIFFERENCES, CHECK_PRINT_MISTAKES, CHECK_PRINT_MEMORY };
+int check_print(FILE *out, deck *d, int csv, const char *deck_name);
+void check_print_csv_header(FILE *out, int with_deck);
+
 /* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of
 ** that name. */
 void csv_print_header(FILE *out, const column_list *header, int with_deck);

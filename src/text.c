@@ -54,6 +54,11 @@ int text_equal(text t, const char *word)
     return word[i] == '\0';
 }
 
+int text_same(text t, const char *word)
+{
+    return strlen(word) == t.length && memcmp(t.start, word, t.length) == 0;
+}
+
 int text_split(text *rest, int stop, text *piece)
 {
     const char *end;

@@ -22,6 +22,9 @@ int text_is_word(int c);
 /* Equal but for the case of ASCII letters. */
 int text_equal(text t, const char *word);
 
+/* Equal, case included. */
+int text_same(text t, const char *word);
+
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 when nothing is left. */
 int text_split(text *rest, int stop, text *piece);
 

@@ -16,6 +16,7 @@ typedef struct dimension {
 /* name, in words, exponents, unit in which bare numbers are read and columns printed, an example */
 #define QUANTITY_LIST(X)                                                                    \
     X(LENGTH, "length", "a length", 1, 0, 0, 0, "m", "80 mm")                               \
+    X(AREA, "area", "an area", 2, 0, 0, 0, "m2", "5 mm2")                                   \
     X(ANGLE, "angle", "an angle", 0, 0, 0, 1, "deg", "40 deg")                              \
     X(MASS, "mass", "a mass", 0, 1, 0, 0, "kg", "0.3 kg")                                   \
     X(TIME, "time", "a time", 0, 0, 1, 0, "s", "2.5 s")                                     \

@@ -4,6 +4,8 @@
 */
 #include <stdlib.h>
 
+#include <gsl/gsl_errno.h>
+
 #include "check.h"
 #include "deck.h"
 
@@ -30,10 +32,34 @@
     "[crank]\n"                  \
     "length = 300 mm\n"
 
-/* A deck that names no files. */
+/* The files that the decks may name. */
+static const char *const files[][2] = {
+    {"card.txt", "# crank angle, pressure\n0 1\r\n\n 90.5\t32 # at the top\n180, 4e0\n270 ,2"},
+    {"two words.txt", "0 5\n100 6\n"},
+    {"empty.txt", "# nothing\n"},
+    {"wrong.txt", "0 1\n90 2\nlate 3\n"},
+    {"falling.txt", "0 1\n90 2\n45 3\n"},
+};
+
+static char *load_file(const char *deck_name, const char *file_name, size_t *length)
+{
+    size_t i;
+    char *copy;
+
+    assert_string_equal(deck_name, "x.deck");
+    for (i = 0; i < sizeof files / sizeof files[0]; i++)
+        if (strcmp(file_name, files[i][0]) == 0) {
+            *length = strlen(files[i][1]);
+            copy = malloc(*length); /* without a null character, as the loader promises none */
+            assert_non_null(copy);
+            return memcpy(copy, files[i][1], *length);
+        }
+    return NULL;
+}
+
 static int read_text(text contents, const deck_change *changes, size_t n, deck *d)
 {
-    return deck_read("x.deck", contents, NULL, changes, n, d);
+    return deck_read("x.deck", contents, load_file, changes, n, d);
 }
 
 static int read_changed(const char *contents, const deck_change *changes, size_t n, deck *d)
@@ -178,9 +204,9 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "[table]\ndigits = 4 mm\n", 11, "expected a whole number, not '4 mm'"},
 
     /* links, loads, motion */
-    {FOUR_BAR "gyration = 8 mm\n", 10, "a radius of gyration needs a mass"},
+    {FOUR_BAR "gyration = 8 mm\n", 10, "the radius of gyration needs a mass"},
     {FOUR_BAR "mass = 1 kg\ngyration = 8 mm\ninertia = 1 kg m2\n", 11,
-     "give either the gyration or the inertia, not both"},
+     "give one of gyration, inertia and swing_period, not several"},
     {FOUR_BAR "mass = 1 kg\ncg = (1 mm, 2 mm)\n", 11,
      "expected two components, such as (10, 5) mm, not '(1 mm, 2 mm)'"},
     {FOUR_BAR "mass = 1 kg\ncg = (1, 2 mm\n", 11,
@@ -209,6 +235,48 @@ static const mistaken all_mistaken[] = {
      "a run-up starts from rest: it takes an acceleration and no speed"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nto = 1 rev\n", 13,
      "a run-up ends one revolution after its angle: it takes no 'to'"},
+    {FOUR_BAR "mass = 1 kg\nswing_period = 2 s\n", 11,
+     "a swing_period needs a swing_pin: origin, end or a point of the link"},
+    {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
+    {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
+    {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
+     "a swing_period of 0.1 s is too short: even all mass in one point, 0.02 m from the pin, "
+     "swings "
+     "more slowly"},
+    {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
+    {SLIDER_CRANK "stroke = 1 m\n", 10, "give either the length or the stroke, not both"},
+    {FOUR_BAR "[gas]\nbore = 1 m\npressure = 1 bar\n", 10, "a four-bar linkage has no [gas]"},
+    {SLIDER_CRANK "[gas]\npressure = 1 bar\n", 10, "[gas] has no bore"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\n", 10, "[gas] has neither a pressure nor an indicator"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2\npressure = 1 bar\n", 13,
+     "give either the pressure or the indicator, not both"},
+    {SLIDER_CRANK "[gas]\nbore = 1 cm\npressure = 1 bar\npiston_rod = 11 mm\n", 13,
+     "the piston_rod, 11 mm, is not thinner than the bore"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1 bar, 90 2 kg\n", 12,
+     "'0 1 bar, 90 2 kg' is a mass; expected a pressure, such as 2 N/mm2"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 mm 1 bar, 90 2\n", 12,
+     "'0 mm 1 bar, 90 2' is a length; expected an angle, such as 40 deg"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 80 3\n", 12,
+     "the angles of a curve must rise"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 90 3\n", 12,
+     "the angles of a curve must rise"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1,\n", 12, "a curve needs at least two points"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 400 3\n", 12,
+     "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is one of four "
+     "strokes"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 360 3\n", 12,
+     "the curve does not close: its last point is the first, one cycle on"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file missing.txt\n", 12,
+     "cannot read the file 'missing.txt'"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file empty.txt\n", 12,
+     "a curve needs at least two points"},
+    {"mechanism = four-bar\nseries = all\n[ground]\nlength = 80 mm\n[coupler]\nlength = 66 mm\n"
+     "[rocker]\nlength = 56 mm\n[crank]\nlength = 20 mm\n",
+     2, "a four-bar linkage has no series"},
+    {"series = xyzzy\n" SLIDER_CRANK, 1, "expected none, piston or all, not 'xyzzy'"},
+    {SLIDER_CRANK "[flywheel]\ninertia = 1 kg m2\nfluctuation = 0.02\n", 11,
+     "give either the fluctuation or the inertia: the other follows"},
+    {SLIDER_CRANK "[flywheel]\nfluctuation = 0\n", 11, "the fluctuation must be positive, not 0"},
     {FOUR_BAR "[motion]\nhold = perhaps\n", 11, "expected no or yes, not 'perhaps'"},
     {FOUR_BAR "[table]\nbranch = opened\n", 11,
      "expected open, crossed or both, not 'opened'; did you mean 'open'?"},
@@ -216,21 +284,25 @@ static const mistaken all_mistaken[] = {
 
 static void test_every_mistake(void **unused)
 {
-    size_t i;
+    size_t i, failed = 0;
 
     (void)unused;
     for (i = 0; i < sizeof all_mistaken / sizeof all_mistaken[0]; i++) {
         const mistaken *x = &all_mistaken[i];
+        const struct mistake *first;
         deck d;
 
-        print_message("----\n%s\n", x->contents);
-        assert_int_equal(read_changed(x->contents, NULL, 0, &d), 0);
-        assert_int_equal(d.mistakes.count, 1);
-        assert_string_equal(d.mistakes.list[0].message, x->message);
-        assert_int_equal(d.mistakes.list[0].place.line, x->line);
-        assert_string_equal(d.mistakes.list[0].place.source, "x.deck");
+        read_changed(x->contents, NULL, 0, &d);
+        first = d.mistakes.list;
+        if (d.mistakes.count != 1 || strcmp(first->message, x->message) != 0 ||
+            first->place.line != x->line || strcmp(first->place.source, "x.deck") != 0) {
+            print_error("expected x.deck:%ld: %s\nand nothing else of\n%s\n", x->line, x->message,
+                        x->contents);
+            failed++;
+        }
         deck_free(&d);
     }
+    assert_int_equal(failed, 0);
 }
 
 /* Decks that are wrong, whatever the message; the line that is to blame. */
@@ -251,6 +323,11 @@ static const struct {
     {FOUR_BAR "[motion]\nat = 1e30 rad\n", 11},
     {FOUR_BAR "[motion]\nfrom = 1e30 rad\n", 11},
     {SLIDER_CRANK "[ground]\noffset = 1e16 m\n", 11},
+    {FOUR_BAR "[load]\nlink = crank\ntorque = 0,5 N m\n", 12},
+    /* the end of a crank that is given by its stroke is at half of it: 0.1 s is too short */
+    {"mechanism = slider-crank\n[rod]\nlength = 1 m\n[crank]\nstroke = 600 mm\nmass = 1 kg\n"
+     "swing_pin = end\nswing_period = 0.1 s\n",
+     8},
 };
 
 static void test_blamed_line(void **unused)
@@ -407,6 +484,147 @@ static void test_slider_crank(void **unused)
     assert_close(d.motion.from * d.motion.angle_unit, 1.0, 1e-15);
     assert_true(d.motion.to == d.motion.from);
     deck_free(&d);
+}
+
+#define ENGINE                                                                     \
+    "mechanism = slider-crank\nseries = piston\n[crank]\nstroke = 600 mm\n"        \
+    "[rod]\nlength = 1.2 m\nmass = 50 kg\ncg = 500 mm\nswing_period = 2 s\n"       \
+    "swing_pin = origin\n[piston]\nmass = 30 kg\n[units]\npressure = bar\n"        \
+    "[gas]\nbore = 200 mm\nindicator = 0 deg 1 bar, 0.25 rev 32, # top\n"          \
+    "  180 400 kPa, 270 -.5\nback_pressure = 1 bar\npiston_rod = 4 cm\n"           \
+    "[load T]\nlink = crank\ntorque = 0 0 N m, 90 10 N m, 180 deg -3 N m, 360 0\n" \
+    "[flywheel]\nfluctuation = 0.02\n"
+
+static void check_curve(const curve *c, const double points[][2], size_t n)
+{
+    size_t i;
+    int turns;
+
+    assert_true(c->n > 0);
+    for (i = 0; i < n; i++)
+        for (turns = -2; turns <= 2; turns++)
+            assert_near(curve_value(c, (points[i][0] + 360 * turns) * DEG), points[i][1],
+                        1e-9 * (1 + fabs(points[i][1])));
+}
+
+static void test_engine(void **unused)
+{
+    static const double card[][2] = {{0, 1e5}, {90, 32e5}, {180, 4e5}, {270, -0.5e5}};
+    static const double torque[][2] = {{0, 0}, {90, 10}, {180, -3}};
+    static const double card_file[][2] = {{0, 1e5}, {90.5, 32e5}, {180, 4e5}, {270, 2e5}};
+    double turns = 2 / (2 * 3.14159265358979323846), L = 9.81 * turns * turns;
+    deck d;
+    int i;
+
+    (void)unused;
+    read_good(ENGINE, &d);
+    assert_int_equal(d.approximation, FOURLINK_SERIES_PISTON);
+    assert_true(d.design.link[2].length == 0.3);
+    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    assert_close(d.gas.area, 0.031415926535897932, 1e-15);
+    assert_close(d.gas.back_area, 0.031415926535897932 * (1 - 0.04), 1e-15);
+    assert_true(d.gas.back_pressure == 1e5);
+    check_curve(&d.gas.indicator, card, 4);
+    for (i = -720; i < 720; i++) { /* between the points it stays between their values */
+        double p = curve_value(&d.gas.indicator, i * DEG);
+
+        assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
+    }
+    check_curve(&d.torques[0], torque, 3);
+    assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
+    assert_int_equal(d.has_forces, 1);
+    deck_free(&d);
+
+    read_with(ENGINE, "gas.indicator=file card.txt", &d);
+    check_curve(&d.gas.indicator, card_file, 4);
+    deck_free(&d);
+    read_with(ENGINE, "gas.indicator=file \"two words.txt\"", &d);
+    assert_near(curve_value(&d.gas.indicator, 100 * DEG), 6e5, 1e-3);
+    deck_free(&d);
+    read_with(ENGINE, "load T.torque=-7 N m", &d);
+    assert_true(d.loads[0].torque == -7);
+    assert_int_equal(d.torques[0].n, 0);
+    deck_free(&d);
+    read_with(ENGINE, "rod.swing_pin=end", &d);
+    assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
+    deck_free(&d);
+    read_with(ENGINE, "rod.swing_pin=(500, -300) mm", &d);
+    assert_close(d.design.link[3].inertia, 50 * 0.3 * (L - 0.3), 1e-14);
+    deck_free(&d);
+    read_with(ENGINE, "gravity.acceleration=0", &d); /* not where the rod was swung */
+    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    deck_free(&d);
+    read_with("mechanism = slider-crank\n[ground]\noffset = 300 mm\n[crank]\nstroke = 600 mm\n"
+              "[rod]\nlength = 1.2 m\n[flywheel]\ninertia = 3 kg m2\n",
+              "title=offset", &d);
+    assert_true(d.flywheel_inertia == 3);
+    { /* the dead centres are the stroke apart */
+        double r = d.design.link[2].length, e = 0.3;
+
+        assert_close(sqrt((1.2 + r) * (1.2 + r) - e * e) - sqrt((1.2 - r) * (1.2 - r) - e * e), 0.6,
+                     1e-14);
+    }
+    deck_free(&d);
+}
+
+static void test_mistakes_of_files(void **unused)
+{
+    static const struct {
+        const char *name;
+        long line;
+        const char *message;
+    } cases[] = {{"wrong.txt", 3, "expected an angle, such as 40 deg, not 'late 3'"},
+                 {"falling.txt", 3, "the angles of a curve must rise"}};
+    char contents[500];
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        deck d;
+
+        sprintf(contents, SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file %s\n", cases[i].name);
+        assert_int_equal(read_changed(contents, NULL, 0, &d), 0);
+        assert_int_equal(d.mistakes.count, 1);
+        assert_string_equal(d.mistakes.list[0].place.source, cases[i].name);
+        assert_int_equal(d.mistakes.list[0].place.line, cases[i].line);
+        assert_string_equal(d.mistakes.list[0].message, cases[i].message);
+        deck_free(&d);
+    }
+}
+
+/* Curves that the interpolation could not take: it must not be asked.  In order, or a mistake. */
+static void test_odd_curves(void **unused)
+{
+    static const char *const curves[] = {
+        "gas.indicator=0 deg 1 bar, 360 deg 1 bar",
+        "gas.indicator=10 1, 370 1",
+        "gas.indicator=0 1, 1e-300 2",
+        "gas.indicator=0 1, 1e-200 2, 180 3",
+        "gas.indicator=0 1, 1e-18 2e9, 180 3",
+        "gas.indicator=1e16 rad 1 bar, 1.0000000000000006e16 rad 2 bar",
+        "gas.indicator=1e29 rad 1 bar, 1.0000000000000001e29 rad 2 bar",
+        "gas.indicator=0 1, 359.99999999999994 2",
+        "gas.indicator=0 1e24, 1e-9 -1e24",
+        "load T.torque=0 1, 359.99999999 2, 360 1",
+        "motion.cycle=1e-12 rad",
+    };
+    deck_change change = {"--set", NULL};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+        deck d;
+        int k;
+
+        print_message("%s\n", curves[i]);
+        change.assignment = curves[i];
+        if (read_changed(ENGINE, &change, 1, &d))
+            for (k = -100; k < 100; k++) {
+                assert_true(fabs(curve_value(&d.gas.indicator, k * 0.1)) <= FOURLINK_NUMBER_MAX);
+                assert_true(fabs(curve_value(&d.torques[0], k * 0.1)) <= FOURLINK_NUMBER_MAX);
+            }
+        deck_free(&d);
+    }
 }
 
 static void test_defaults(void **unused)
@@ -763,6 +981,12 @@ static int check_outcome(const char *contents, size_t length)
         assert_in_range(status, FOURLINK_OK, FOURLINK_NULL - 1);
         assert_true(d.open || d.crossed);
         assert_in_range(d.digits, 1, 17);
+        for (i = 0; i < 20; i++) {
+            if (d.gas.indicator.n)
+                assert_true(fabs(curve_value(&d.gas.indicator, (double)i)) <= FOURLINK_NUMBER_MAX);
+            if (d.n_loads && d.torques[0].n)
+                assert_true(fabs(curve_value(&d.torques[0], (double)i)) <= FOURLINK_NUMBER_MAX);
+        }
         status = 1;
     }
     for (i = 0; i < d.mistakes.count; i++) {
@@ -835,7 +1059,7 @@ static size_t splice(char *contents, size_t length, size_t where, size_t remove,
     return length - remove + n;
 }
 
-static void test_mutations(void **unused)
+static void mutate(const char *original, size_t size, uint64_t seed)
 {
     static const char *const tokens[] = {
         "1e400",
@@ -887,17 +1111,15 @@ static void test_mutations(void **unused)
         "99999999999999999999",
     };
     char contents[MUTANT_SIZE], piece[64];
-    uint64_t seed = 3491;
     int i, good = 0, bad = 0;
 
-    (void)unused;
-    assert_int_equal(check_outcome(valid, sizeof valid - 1), 1);
+    assert_int_equal(check_outcome(original, size), 1);
     for (i = 0; i < 20000; i++) {
-        size_t length = sizeof valid - 1, changes = 1 + pick(&seed, 4), n, from;
+        size_t length = size, changes = 1 + pick(&seed, 4), n, from;
         const char *token;
         char c;
 
-        memcpy(contents, valid, length);
+        memcpy(contents, original, length);
         while (changes-- > 0) {
             size_t where = pick(&seed, length + 1);
 
@@ -939,6 +1161,18 @@ static void test_mutations(void **unused)
     print_message("%d in order, %d with mistakes\n", good, bad);
     assert_true(good > 1000); /* both ends of the reader are reached */
     assert_true(bad > 1000);
+}
+
+static void test_mutations(void **unused)
+{
+    (void)unused;
+    mutate(valid, sizeof valid - 1, 3491);
+}
+
+static void test_mutations_of_an_engine(void **unused)
+{
+    (void)unused;
+    mutate(ENGINE, sizeof ENGINE - 1, 3492);
 }
 
 /* Fill a buffer with copies of a piece, after a deck in order. */
@@ -1058,20 +1292,41 @@ static void test_cut_short(void **unused)
     assert_in_range(good, 50, sizeof valid / 2);
 }
 
+/* The host's error handler of GSL, which is never to be reached. */
+static void handler(const char *reason, const char *file, int line, int code)
+{
+    fail_msg("GSL: %s (%s:%d, %d)", reason, file, line, code);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_mistake),  cmocka_unit_test(test_blamed_line),
-        cmocka_unit_test(test_all_in_one_run), cmocka_unit_test(test_four_bar),
-        cmocka_unit_test(test_slider_crank),   cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_units),          cmocka_unit_test(test_layout),
-        cmocka_unit_test(test_joined_lines),   cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_vectors),        cmocka_unit_test(test_gravity),
-        cmocka_unit_test(test_changes),        cmocka_unit_test(test_mistaken_changes),
-        cmocka_unit_test(test_random_bytes),   cmocka_unit_test(test_mutations),
-        cmocka_unit_test(test_large),          cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_no_text),        cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_every_mistake),
+        cmocka_unit_test(test_blamed_line),
+        cmocka_unit_test(test_all_in_one_run),
+        cmocka_unit_test(test_four_bar),
+        cmocka_unit_test(test_slider_crank),
+        cmocka_unit_test(test_engine),
+        cmocka_unit_test(test_mistakes_of_files),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_units),
+        cmocka_unit_test(test_layout),
+        cmocka_unit_test(test_joined_lines),
+        cmocka_unit_test(test_long_title),
+        cmocka_unit_test(test_vectors),
+        cmocka_unit_test(test_gravity),
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_mistaken_changes),
+        cmocka_unit_test(test_random_bytes),
+        cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_no_text),
+        cmocka_unit_test(test_cut_short),
+        cmocka_unit_test(test_mutations_of_an_engine),
+        cmocka_unit_test(test_odd_curves),
     };
 
+    gsl_set_error_handler(handler);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,8 +75,9 @@ static void A2_output_angles(void **unused)
            C = K - a * (d + c) * cos(th) + c * d;
 
     (void)unused;
-    assert_near(row(40, FOURLINK_CROSSED).link[4].theta / DEG, -126.30, 0.005); /* printed -113.27 */
-    assert_near(row(40, FOURLINK_OPEN).link[4].theta / DEG, 103.82, 0.005);     /* printed 120 */
+    assert_near(row(40, FOURLINK_CROSSED).link[4].theta / DEG, -126.30,
+                0.005);                                                     /* printed -113.27 */
+    assert_near(row(40, FOURLINK_OPEN).link[4].theta / DEG, 103.82, 0.005); /* printed 120 */
     assert_near(root(A, B, C, 1), -126.30, 0.005);
     assert_near(root(A, B, C, -1), 103.82, 0.005);
     /* -1439.84 put in for -B, 2A = -2057.76 for -4115.40, C = 5186.35 for 5186.36 */
@@ -270,6 +271,176 @@ static void M6_angles_raised_by_pi(void **unused)
     assert_near(gap, -40.26, 0.005); /* mm: the loop does not close */
 }
 
+/* The engines.  Exact values by the nine equations, the text's by its own formulas. */
+typedef struct engine {
+    double r, l, m, b, k2, m_p, gas, omega, theta;
+    int vertical;
+} engine;
+
+static const engine ME3491_1 = {0.15, 0.45, 2, 0.3, 0.175 * 0.175, 2.5, 20773.8, 1000, 40, 0};
+static const engine ME3491_2 = {0.4, 2, 300, 1.175, 0, 0, 0, 200, 45, 1};
+static const engine DFA_1 = {0.15, 0.625, 0, 0, 0, 15, 26389.378, 250, 30, 0};
+static const engine DFA_2 = {0.1, 0.4, 100, 0.24, 0.0144, 125, 0, 750, 30, 0};
+
+static double rpm(double n)
+{
+    return n * 2 * 180 * DEG / 60;
+}
+
+/* The torque delivered, with the crank pin rising or sinking. */
+static double exact_torque(const engine *e, double k2, int sense)
+{
+    fourlink_design design;
+    fourlink_mechanism mechanism;
+    fourlink_state state;
+    fourlink_forces forces;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_load gas = {4, FOURLINK_FRAME_GROUND, {0, 0}, {0, 0}, 0};
+
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_SLIDER_CRANK;
+    design.link[2].length = e->r;
+    design.link[3].length = e->l;
+    design.link[3].mass = e->m;
+    design.link[3].inertia = e->m * k2;
+    design.link[3].cg.x = e->l - e->b;
+    design.link[4].mass = e->m_p;
+    design.gravity.x = e->vertical ? -9.81 : 0;
+    design.gravity.y = e->vertical ? 0 : -9.81 * sense;
+    gas.force.x = -e->gas;
+    crank.theta2 = e->theta * DEG;
+    crank.omega2 = rpm(e->omega);
+    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_analyse(&mechanism, FOURLINK_OPEN, &crank, &gas, 1, &state, &forces),
+                     FOURLINK_OK);
+    return -forces.Ts;
+}
+
+/* F r [sin + sin 2theta / 2 sqrt(n^2 - sin^2)] */
+static double arm(const engine *e)
+{
+    double th = e->theta * DEG, n = e->l / e->r;
+
+    return e->r * (sin(th) + sin(2 * th) / (2 * sqrt(n * n - sin(th) * sin(th))));
+}
+
+/* r omega^2 (cos + cos 2theta / n) */
+static double a_series(const engine *e)
+{
+    double th = e->theta * DEG, w = rpm(e->omega);
+
+    return e->r * w * w * (cos(th) + cos(2 * th) * e->r / e->l);
+}
+
+/* -omega^2 sin (n^2 - 1) / (n^2 - sin^2)^(3/2) */
+static double alpha_c(const engine *e)
+{
+    double s = sin(e->theta * DEG), n = e->l / e->r, w = rpm(e->omega);
+
+    return -w * w * s * (n * n - 1) / pow(n * n - s * s, 1.5);
+}
+
+static void E1_brackets(void **unused)
+{
+    const engine *e = &ME3491_1;
+    double th = e->theta * DEG, n = 3, w = rpm(1000), root = sqrt(n * n - sin(th) * sin(th));
+
+    (void)unused;
+    assert_near(e->r * w * sin(th) + sin(2 * th) / (2 * root) * w, 27.69, 0.005); /* as printed */
+    assert_near(w * arm(e), 12.74, 0.005);
+    assert_near(3.16667 * e->r * w * w * cos(th) + cos(2 * th) / n, 3990, 0.5); /* F_b as printed */
+    assert_near(3.16667 * a_series(e), 4291.8, 0.05);
+}
+
+static void E2_outer_dead_centre(void **unused)
+{
+    engine e = ME3491_1;
+    double rw2 = e.r * rpm(1000) * rpm(1000);
+
+    (void)unused;
+    e.theta = 180;
+    assert_near(fabs(a_series(&e)) / rw2, 1 - 1. / 3, 1e-9); /* printed 1 + 1/n */
+}
+
+static void E3_second_term(void **unused)
+{
+    (void)unused;
+    /* sin(2 theta)/2n beside sin(theta) at 40 deg: negligible for large n, not for small */
+    assert_near(sin(80 * DEG) / (2 * 3) / sin(40 * DEG), 0.26, 0.005);
+    assert_near(sin(80 * DEG) / (2 * 100) / sin(40 * DEG), 0.0077, 0.00005);
+}
+
+static void E4_example_1(void **unused)
+{
+    const engine *e = &ME3491_1;
+    double m_b = 2. / 3, th = e->theta * DEG, root = sqrt(9 - sin(th) * sin(th));
+    double T = (e->gas - (2.5 + m_b) * a_series(e)) * arm(e);
+    double T_c = 2 * 0.3 * alpha_c(e) * (0.45 - (0.3 + e->k2 / 0.3)) * cos(th) / root;
+    double T_a = 4. / 3 * 9.81 * 0.15 * cos(th);
+
+    (void)unused;
+    assert_near((2.5 + m_b) * a_series(e), 4291.8, 0.05); /* printed 4290.6 */
+    assert_near(alpha_c(e), -2241.1, 0.05);               /* printed -2240.3 */
+    assert_near(T, 2004.6, 0.05);                         /* printed 2004.7 */
+    assert_near(T_c, -16.84, 0.005);
+    assert_near(T_a, 1.503, 0.0005);
+    assert_near(2004.7 + 16.84 + 1.503, 2023.0, 0.05); /* the printed sum: 2021.1 */
+    assert_near(T + T_c - T_a, 1986.25, 0.005);
+    assert_near(exact_torque(e, e->k2, 1), 1979.28, 0.005);
+    assert_near(exact_torque(e, e->k2, -1), 1982.28, 0.005);
+}
+
+static void E5_example_2(void **unused)
+{
+    const engine *e = &ME3491_2;
+    double L = 9.81 * pow(2.5 / (360 * DEG), 2), k2 = 1.175 * (L - 1.175), m_b = 123.75;
+    double th = e->theta * DEG, T = m_b * a_series(e) * arm(e);
+    double T_c = 300 * 1.175 * alpha_c(e) * (2 - L) * cos(th) / sqrt(25 - sin(th) * sin(th));
+    double T_a = 176.25 * 9.81 * 0.4 * sin(th), T_b = m_b * 9.81 * arm(e);
+
+    (void)unused;
+    assert_near(300 * 1.175 / 2, 176.25, 1e-9); /* printed 176.35 */
+    assert_near(sqrt(k2), 0.6665, 5e-5);
+    assert_near(T, 4963.0, 0.05);                           /* printed 4967.6 */
+    assert_near(4967.6 + 1381.2 - 489 - 392, 5467.8, 0.05); /* the printed sum: 5466.7 */
+    assert_near(T - T_c - T_a - T_b, 5463.1, 0.05);         /* the text's approximations */
+    assert_near(-exact_torque(e, k2, 1), 5477.58, 0.005);   /* exact */
+    assert_near(13714 * 0.4, 5485.6, 0.05);                 /* graphical: printed 5487 */
+    assert_near(13705 * 0.4, 5482.0, 0.05);
+}
+
+static void D1_example_1(void **unused)
+{
+    const engine *e = &DFA_1;
+    double F = e->gas - 15 * a_series(e), th = 30 * DEG, ph = asin(sin(th) / (625. / 150));
+
+    (void)unused;
+    assert_near(rpm(250), 26.18, 0.005);
+    assert_near(F, 24869, 0.5); /* printed 26870 */
+    assert_near(F * arm(e), 2255.6, 0.05);
+    assert_near(26870 * arm(e), 2437, 0.5); /* what the printed force would give */
+    assert_near(F * cos(th + ph) / cos(ph), 20034, 0.5);
+}
+
+static void D2_example_2(void **unused)
+{
+    const engine *e = &DFA_2;
+    double th = 30 * DEG, w = rpm(750), n = 4, F = 165 * a_series(e), T_1 = F * arm(e);
+    double couple = 100 * (0.24 * 0.16 - 0.0144) * (-w * w * sin(th) / n);
+    double T_2 = couple * cos(th) / sqrt(n * n - sin(th) * sin(th));
+    double T_3 = 60 * 9.81 * 0.1 * cos(th);
+
+    (void)unused;
+    assert_near(F, 100867, 0.5);     /* printed 6144.8 N, which is the torque */
+    assert_near(T_1, 6143.9, 0.05);  /* printed 6145 */
+    assert_near(couple, -1851, 0.5); /* the couple on the rod, added as a torque on the crank */
+    assert_near(T_2, -404, 0.5);
+    assert_near(T_3, 51, 0.05);
+    assert_near(6145 + 1851 + 51, 8047, 0.5);
+    assert_near(T_1 - T_2 + T_3, 6598.7, 0.05);
+    assert_near(-exact_torque(e, e->k2, 1), 6607.22, 0.005);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -289,6 +460,13 @@ int main(void)
         cmocka_unit_test(M4_acceleration_of_coupler),
         cmocka_unit_test(M5_sign_of_b),
         cmocka_unit_test(M6_angles_raised_by_pi),
+        cmocka_unit_test(E1_brackets),
+        cmocka_unit_test(E2_outer_dead_centre),
+        cmocka_unit_test(E3_second_term),
+        cmocka_unit_test(E4_example_1),
+        cmocka_unit_test(E5_example_2),
+        cmocka_unit_test(D1_example_1),
+        cmocka_unit_test(D2_example_2),
     };
 
     return cmocka_run_group_tests(tests, prepare, NULL);

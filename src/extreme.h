@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** extreme.h - the largest and smallest value of a column over a deck's motion.
+*/
+#ifndef FOURLINK_EXTREME_H
+#define FOURLINK_EXTREME_H
+
+#include "column.h"
+
+typedef struct extreme {
+    double value; /* in the column's unit */
+    double angle; /* crank angle at which it occurs, in the deck's unit of angle */
+} extreme;
+
+/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows.
+** 1, or 0 if the links reach at no angle of the motion. */
+int extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign, extreme *found);
+
+#endif

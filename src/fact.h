@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fact.h - what can be said of a deck in single numbers: type, limits, masses, extremes, turning moment.
+*/
+#ifndef FOURLINK_FACT_H
+#define FOURLINK_FACT_H
+
+#include <stdio.h>
+
+#include "column.h"
+
+typedef struct fact {
+    char name[DECK_NAME_SIZE];
+    const char *words; /* a fact in words; null: it is a number */
+    double value;
+    quantity q;
+    const char *unit;
+    int has_angle; /* 1: it occurs at a crank angle, in the deck's unit */
+    double theta2;
+    int branch; /* FOURLINK_OPEN, FOURLINK_CROSSED, or 0 where it is the same for both */
+    const char *meaning;
+} fact;
+
+typedef void fact_taker(const fact *f, void *data);
+
+/* Tell the facts of a deck one by one: those of the mechanism; if `with_turning`, of its turning
+** moment; if `columns` is not null, the extremes of these. */
+void facts_tell(analysis *a, int with_turning, const column_list *columns, fact_taker *take,
+                void *data);
+
+#endif

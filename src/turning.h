@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** turning.h - the turning moment over a cycle, and the flywheel that it needs.
+*/
+#ifndef FOURLINK_TURNING_H
+#define FOURLINK_TURNING_H
+
+#include "analysis.h"
+
+typedef struct turning {
+    double mean_torque;        /* N m, of the turning moment -Ts, which is delivered */
+    double mean_power;         /* W */
+    double energy_fluctuation; /* J, greatest less least energy of the flywheel in a cycle */
+    double from, to;           /* rad, crank angles of the two */
+    int has_coefficient;       /* 0: the mean is 0 */
+    double energy_coefficient; /* 1, of the fluctuation of energy: over the work of a cycle */
+    double inertia;     /* kg m2, of the flywheel; 0: neither it nor the fluctuation is given */
+    double fluctuation; /* 1, coefficient of fluctuation of speed */
+} turning;
+
+/* The turning moment at the deck's speed, which is taken as constant.  1, or 0 if it is not defined: the
+** crank does not turn, or is accelerated, or does not reach all angles, or there are no forces. */
+int turning_find(analysis *a, fourlink_branch branch, turning *t);
+
+#endif

@@ -1,0 +1,1145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_engine.c - what textbooks compute for a slider-crank: the series against the expansion of the
+** exact formulas, the two masses of the rod against the conditions they are to meet, the engine
+** method against published examples and the nine equations, Klein's construction against circles.
+*/
+#include "check.h"
+#include "fourlink.h"
+
+#define PI 3.14159265358979323846
+
+typedef struct sample {
+    fourlink_design design;
+    fourlink_mechanism mechanism;
+    fourlink_branch branch;
+    fourlink_crank crank;
+    fourlink_state state;
+} sample;
+
+static int solve(sample *s)
+{
+    assert_int_equal(fourlink_prepare(&s->design, &s->mechanism), FOURLINK_OK);
+    return fourlink_analyse(&s->mechanism, s->branch, &s->crank, NULL, 0, &s->state, NULL);
+}
+
+static void slider_crank(double r, double l, double theta2, double omega2, double alpha2, sample *s)
+{
+    memset(s, 0, sizeof *s);
+    s->design.kind = FOURLINK_SLIDER_CRANK;
+    s->design.link[2].length = r;
+    s->design.link[3].length = l;
+    s->branch = FOURLINK_OPEN;
+    s->crank.theta2 = theta2;
+    s->crank.omega2 = omega2;
+    s->crank.alpha2 = alpha2;
+}
+
+static void four_bar(sample *s)
+{
+    slider_crank(1, 2, 1, 3, 0, s);
+    s->design.kind = FOURLINK_FOUR_BAR;
+    s->design.link[1].length = s->design.link[4].length = 2;
+    assert_int_equal(solve(s), FOURLINK_OK);
+}
+
+/* A slider-crank with or without offset, turning either way, and a position of it not nearer to a
+** dead one than `smallest_sine`. */
+static void draw(uint64_t *seed, int n, int offset, double smallest_sine, sample *s)
+{
+    do {
+        slider_crank(uniform(seed, 0.05, 1), uniform(seed, 0.05, 3), uniform(seed, -10, 10),
+                     uniform(seed, -50, 50), uniform(seed, -2000, 2000), s);
+        s->design.offset = offset ? uniform(seed, -1, 1) : 0;
+        s->branch = n % 2 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+    } while (solve(s) != FOURLINK_OK || fabs(s->state.sine) < smallest_sine);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The series
+** ------------------------------------------------------------------------------------------- */
+
+static fourlink_series series_of(sample *s)
+{
+    fourlink_series series;
+
+    assert_int_equal(solve(s), FOURLINK_OK);
+    assert_int_equal(fourlink_textbook_series(&s->mechanism, &s->state, &series), FOURLINK_OK);
+    return series;
+}
+
+/* Exact less series, each divided by what makes it a number near 1. */
+enum { OF_X, OF_V, OF_A, OF_OMEGA3, OF_ALPHA3, N_ERRORS };
+
+static void series_errors(double r, double n, double theta2, double w, double al,
+                          fourlink_branch branch, double error[N_ERRORS])
+{
+    double rate = w * w + fabs(al);
+    fourlink_series series;
+    sample s;
+
+    slider_crank(r, n * r, theta2, w, al, &s);
+    s.branch = branch;
+    series = series_of(&s);
+    error[OF_X] = (s.state.x - series.x) / r;
+    error[OF_V] = (s.state.v - series.v) / (r * w);
+    error[OF_A] = (s.state.a - series.a) / (r * rate);
+    error[OF_OMEGA3] = (s.state.link[3].omega - series.omega3) / w;
+    error[OF_ALPHA3] = (s.state.link[3].alpha - series.alpha3) / rate;
+}
+
+/* Expanded in 1/n, with s and c of the crank angle from the inner dead centre,
+**
+**    x/r = 1 - c + n - sqrt(n^2 - s^2) = 1 - c + s^2/2n + s^4/8n^3 + O(1/n^5)
+**    phi = asin(s/n) = s/n + s^3/6n^3 + O(1/n^5)
+**
+** and the first terms left out, differentiated, are the errors: of order 3, falling by 8 as n is
+** doubled.  The next terms are below 3/n^5 for x and v, 10/n^5 for the rest. */
+static void test_series_expansion(void **unused)
+{
+    uint64_t seed = 1;
+    int i, k;
+
+    (void)unused;
+    for (i = 0; i < 2000; i++) {
+        double r = uniform(&seed, 0.01, 2), theta2 = uniform(&seed, -10, 10);
+        double w = uniform(&seed, 1, 50) * (i % 4 < 2 ? 1 : -1);
+        double al = i % 3 ? uniform(&seed, -2000, 2000) : 0, rate = w * w + fabs(al);
+        double side = i % 2 ? -1 : 1, s = side * sin(theta2), c = side * cos(theta2);
+        fourlink_branch branch = i % 2 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+        double n = uniform(&seed, 20, 60), e1[N_ERRORS], e2[N_ERRORS], term[N_ERRORS];
+
+        term[OF_X] = s * s * s * s / 8;
+        term[OF_V] = s * s * s * c / 2;
+        term[OF_A] =
+            (w * w * (3 * s * s * c * c - s * s * s * s) / 2 + al * s * s * s * c / 2) / rate;
+        /* the series of the sources keep cos(theta)/n of dphi/dt and its derivative */
+        term[OF_OMEGA3] = -s * s * c / 2;
+        term[OF_ALPHA3] =
+            -(w * w * (2 * s * c * c - s * s * s) / 2 + al * s * s * c / 2) / rate;
+        series_errors(r, n, theta2, w, al, branch, e1);
+        series_errors(r, 2 * n, theta2, w, al, branch, e2);
+        for (k = 0; k < N_ERRORS; k++) {
+            double next = (k <= OF_V ? 3 : 10) / pow(n, 5);
+
+            /* n - sqrt(n^2 - s^2) is found to n times the rounding error */
+            assert_near(e1[k], term[k] / (n * n * n), next + 1e-15 * n);
+            assert_near(8 * e2[k], e1[k], next + 2e-14 * n);
+        }
+    }
+}
+
+/* Central differences of order h^6, from f(-3h) ... f(3h). */
+static double slope(const double f[7], double h)
+{
+    return (45 * (f[4] - f[2]) - 9 * (f[5] - f[1]) + (f[6] - f[0])) / (60 * h);
+}
+
+/* The v and a of the series are the derivatives of its x, with one term as with two, the crank
+** speeding up or slowing down; so is the rod's alpha that of its omega. */
+static void test_series_derivatives(void **unused)
+{
+    uint64_t seed = 2;
+    int i, k;
+
+    (void)unused;
+    for (i = 0; i < 2000; i++) {
+        double x[7], v[7], x1[7], v1[7], rod[7], h, scale, r, n;
+        fourlink_series middle;
+        sample s;
+
+        r = uniform(&seed, 0.05, 1);
+        n = uniform(&seed, 1.2, 10);
+        slider_crank(r, n * r, uniform(&seed, -10, 10), uniform(&seed, -50, 50),
+                     uniform(&seed, -2000, 2000), &s);
+        s.branch = i % 2 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+        middle = series_of(&s);
+        scale = fabs(s.crank.omega2) + sqrt(fabs(s.crank.alpha2));
+        h = 0.01 / scale;
+        for (k = 0; k < 7; k++) {
+            double t = (k - 3) * h;
+            fourlink_series near;
+            sample moved = s;
+
+            moved.crank.theta2 += (s.crank.omega2 + s.crank.alpha2 * t / 2) * t;
+            moved.crank.omega2 += s.crank.alpha2 * t;
+            near = series_of(&moved);
+            x[k] = near.x;
+            v[k] = near.v;
+            x1[k] = near.x_harmonic;
+            v1[k] = near.v_harmonic;
+            rod[k] = near.omega3;
+        }
+        /* trigonometric functions of at most 2 theta: the error is 2^7 step^6/140, the rounding
+        ** 3e-15/step, with the angle's own up to 10 eps */
+        assert_near(middle.v, slope(x, h), 3e-12 * r * scale);
+        assert_near(middle.a, slope(v, h), 3e-12 * r * scale * scale);
+        assert_near(middle.v_harmonic, slope(x1, h), 3e-12 * r * scale);
+        assert_near(middle.a_harmonic, slope(v1, h), 3e-12 * r * scale * scale);
+        assert_near(middle.alpha3, slope(rod, h), 3e-12 * scale * scale);
+    }
+}
+
+/* An endless rod: simple harmonic motion about the middle of the stroke. */
+static void test_series_harmonic(void **unused)
+{
+    uint64_t seed = 3;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 1000; i++) {
+        double r = uniform(&seed, 0.01, 2), w = uniform(&seed, -50, 50), n = 1e10, v2;
+        fourlink_series endless, ordinary;
+        sample s;
+
+        slider_crank(r, n * r, uniform(&seed, -10, 10), w, 0, &s);
+        s.branch = i % 2 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+        endless = series_of(&s);
+        assert_near(endless.x, endless.x_harmonic, r / n);
+        assert_near(endless.v, endless.v_harmonic, r * fabs(w) / n);
+        assert_near(endless.a, endless.a_harmonic, 2 * r * w * w / n);
+        assert_near(endless.omega3, 0, 2 * fabs(w) / n);
+        assert_near(endless.alpha3, 0, 2 * w * w / n);
+        assert_near(endless.a_harmonic, w * w * (r - endless.x_harmonic), 1e-14 * r * w * w);
+        v2 = w * w * (2 * r - endless.x_harmonic) * endless.x_harmonic;
+        assert_near(endless.v_harmonic * endless.v_harmonic, v2, 1e-14 * r * r * w * w);
+        s.design.link[3].length = uniform(&seed, 1.5, 10) * r;
+        ordinary = series_of(&s);
+        assert_true(ordinary.x_harmonic == endless.x_harmonic);
+        assert_true(ordinary.v_harmonic == endless.v_harmonic);
+        assert_true(ordinary.a_harmonic == endless.a_harmonic);
+    }
+}
+
+/* n = 3, 4, 5, as engines have: the gap of a is largest with the crank upright, where the exact
+** value is -1/sqrt(n^2 - 1) and the series' -1/n; 2.0 %, 0.8 % and 0.4 % of r omega^2. */
+static void test_series_gap(void **unused)
+{
+    static const double percent[] = {2.0, 0.8, 0.4};
+    int n, degree;
+
+    (void)unused;
+    for (n = 3; n <= 5; n++) {
+        double largest[N_ERRORS] = {0}, upright[N_ERRORS];
+        int k;
+
+        for (degree = 0; degree < 360; degree++) {
+            double error[N_ERRORS];
+
+            series_errors(0.1, n, degree * DEG, 10, 0, FOURLINK_OPEN, error);
+            for (k = 0; k < N_ERRORS; k++)
+                largest[k] = fmax(largest[k], fabs(error[k]));
+        }
+        series_errors(0.1, n, 90 * DEG, 10, 0, FOURLINK_OPEN, upright);
+        assert_near(upright[OF_A], 1.0 / n - 1 / sqrt(n * n - 1), 1e-14);
+        assert_near(largest[OF_A], fabs(upright[OF_A]), 1e-14);
+        assert_near(100 * largest[OF_A], percent[n - 3], 0.05);
+        assert_near(largest[OF_X], n - sqrt(n * n - 1) - 0.5 / n, 1e-14);
+        assert_true(largest[OF_X] > 5e-4 && largest[OF_X] < 0.005);
+        assert_true(largest[OF_V] > 5e-4 && largest[OF_V] < 0.008);
+    }
+}
+
+static void test_series_statuses(void **unused)
+{
+    fourlink_series series, before;
+    sample s;
+
+    (void)unused;
+    memset(&before, 0x5A, sizeof before);
+    series = before;
+    slider_crank(1, 3, 1, 2, 3, &s);
+    s.design.offset = 1e-9;
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    assert_int_equal(fourlink_textbook_series(&s.mechanism, &s.state, &series), FOURLINK_NO_SERIES);
+    assert_int_equal(fourlink_textbook_series(NULL, &s.state, &series), FOURLINK_NULL);
+    assert_int_equal(fourlink_textbook_series(&s.mechanism, NULL, &series), FOURLINK_NULL);
+    assert_int_equal(fourlink_textbook_series(&s.mechanism, &s.state, NULL), FOURLINK_NULL);
+    four_bar(&s);
+    assert_int_equal(fourlink_textbook_series(&s.mechanism, &s.state, &series),
+                     FOURLINK_NOT_AN_ENGINE);
+    assert_memory_equal(&series, &before, sizeof series);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The rod as two masses
+** ------------------------------------------------------------------------------------------- */
+
+static fourlink_rod masses_of(double l, double mass, double inertia, double crank_pin_to_cg)
+{
+    fourlink_rod rod;
+    sample s;
+
+    slider_crank(0.25, l, 0, 0, 0, &s);
+    s.design.link[3].mass = mass;
+    s.design.link[3].inertia = inertia;
+    s.design.link[3].cg.x = crank_pin_to_cg;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+    return rod;
+}
+
+/* DFA's three conditions: the same mass, the same centre of mass, the same moment of inertia.  The
+** pair at the pins meets two, and has m b (l - L) too much of the third; the pair of ME3491 meets
+** all, and L is the length of the simple pendulum that swings with the rod about its gudgeon pin. */
+static void test_rod_masses(void **unused)
+{
+    uint64_t seed = 4;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 5000; i++) {
+        double l = uniform(&seed, 0.3, 3), m = uniform(&seed, 0.1, 300);
+        double I = i % 10 ? m * l * l * uniform(&seed, 0, 0.3) : 0;
+        /* also beyond the pins */
+        double g = l * uniform(&seed, -0.2, 1.2), b = l - g, tolerance = 1e-14 * m;
+        fourlink_rod rod = masses_of(l, m, I, g);
+
+        assert_close(rod.n, l / 0.25, 1e-15);
+        assert_near(rod.b, b, 1e-15 * l);
+        assert_near(rod.k * rod.k * m, I, 1e-15 * I);
+
+        assert_near(rod.m_a + rod.m_b, m, tolerance);
+        assert_near(rod.m_b * b, rod.m_a * (l - b), tolerance * l);
+        assert_near(rod.m_a * (l - b) * (l - b) + rod.m_b * b * b, I + m * b * (l - rod.L),
+                    4 * tolerance * l * l + 1e-15 * I);
+
+        if (fabs(b) < 0.01 * l)
+            continue; /* d is beyond 100 k there */
+        assert_near(rod.L, rod.b + rod.d, 0);
+        assert_near(rod.m_g + rod.m_d, m, tolerance);
+        assert_near(rod.m_g * b, rod.m_d * rod.d, tolerance * (fabs(b) + fabs(rod.d)));
+        assert_near(rod.m_g * b * b + rod.m_d * rod.d * rod.d, I,
+                    1e-14 * (I + m * b * b + fabs(rod.m_d) * rod.d * rod.d));
+        assert_near(m * fabs(b) * fabs(rod.L), I + m * b * b, 1e-14 * (I + m * b * b));
+    }
+}
+
+static void test_rod_masses_limits(void **unused)
+{
+    fourlink_rod rod, before;
+    sample s;
+
+    (void)unused;
+    /* the centre of mass at the gudgeon pin: all of the rod is there */
+    rod = masses_of(0.7, 3, 0.12, 0.7);
+    assert_true(rod.b == 0 && rod.d == 0 && rod.L == 0 && rod.m_d == 0 && rod.m_g == 0);
+    assert_true(rod.m_a == 0 && rod.m_b == 3);
+    assert_close(rod.k, 0.2, 1e-15);
+    /* at the crank pin */
+    rod = masses_of(0.7, 3, 0.12, 0);
+    assert_close(rod.m_a, 3, 1e-15);
+    assert_near(rod.m_b, 0, 1e-15);
+    /* a point mass: the true pair is that point alone */
+    rod = masses_of(0.7, 3, 0, 0.2);
+    assert_true(rod.d == 0 && rod.m_g == 0);
+    assert_close(rod.m_d, 3, 1e-15);
+    /* no mass */
+    rod = masses_of(0.7, 0, 0, 0.2);
+    assert_true(rod.m_a == 0 && rod.m_b == 0 && rod.m_d == 0 && rod.m_g == 0 && rod.k == 0);
+
+    memset(&before, 0x5A, sizeof before);
+    rod = before;
+    slider_crank(0.25, 0.7, 0, 0, 0, &s);
+    s.design.link[3].cg.x = 0.3;
+    s.design.link[3].cg.y = 1e-7;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_rod_masses(NULL, &rod), FOURLINK_NULL);
+    s.design.link[3].mass = 1;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_ROD_OFF_LINE);
+    s.design.link[3].cg.y = -1e-7;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_ROD_OFF_LINE);
+    four_bar(&s);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_NOT_AN_ENGINE);
+    assert_memory_equal(&rod, &before, sizeof rod);
+    /* without mass it has no centre of mass to be off the line */
+    s.design.kind = FOURLINK_SLIDER_CRANK;
+    s.design.link[3].mass = 0;
+    s.design.link[3].cg.y = 1;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The engine method: worked examples
+** ------------------------------------------------------------------------------------------- */
+
+/* A printed number: right to half of its last digit. */
+#define assert_printed(actual, printed, last_digit) assert_near(actual, printed, 0.5 * (last_digit))
+
+static void set_rod(sample *s, double mass, double k, double crank_pin_to_cg)
+{
+    s->design.link[3].mass = mass;
+    s->design.link[3].inertia = mass * k * k;
+    s->design.link[3].cg.x = crank_pin_to_cg;
+}
+
+static fourlink_engine engine_of(sample *s, double gas, fourlink_approximation approximation)
+{
+    fourlink_engine engine;
+
+    assert_int_equal(solve(s), FOURLINK_OK);
+    assert_int_equal(
+        fourlink_engine_method(&s->mechanism, &s->state, gas, NULL, 0, approximation, &engine),
+        FOURLINK_OK);
+    return engine;
+}
+
+static double phi_of(const sample *s)
+{
+    return asin(s->design.link[2].length * sin(s->crank.theta2) / s->design.link[3].length) / DEG;
+}
+
+/* 15 kg of reciprocating parts and no rod: "26870 N" is a slip of the pen for 24869, as the torque
+** and the force on the bearing show; the latter is printed as 20000. */
+static void test_DFA_example_1(void **unused)
+{
+    const double gas = 840e3 * PI / 4 * 0.2 * 0.2;
+    fourlink_engine engine;
+    sample s;
+
+    (void)unused;
+    slider_crank(0.15, 0.625, 30 * DEG, 2 * PI * 250 / 60, 0, &s);
+    s.design.link[4].mass = 15;
+    s.design.gravity.y = -9.81;
+    engine = engine_of(&s, gas, FOURLINK_SERIES_PISTON);
+    assert_printed(s.crank.omega2, 26.18, 0.01);
+    assert_printed(s.design.link[3].length / s.design.link[2].length, 4.167, 0.001);
+    assert_printed(engine.gas_force, 26390, 10);
+    assert_printed(phi_of(&s), 6.89, 0.01);
+    assert_near(s.state.phi / DEG, phi_of(&s), 1e-12);
+    assert_printed(engine.piston_effort, 24869, 1);
+    assert_printed(engine.T_piston, 2255.6, 0.1);
+    assert_printed(engine.T_engine, 2255.6, 0.1);
+    assert_printed(engine.radial_force, 20034, 1);
+    assert_printed(engine.radial_force, 20000, 100);
+    /* the same with the derivatives of sqrt(l^2 - r^2 sin^2) in 30 digits */
+    engine = engine_of(&s, gas, FOURLINK_EXACT);
+    assert_close(engine.piston_effort, 24863.371115195, 1e-12);
+    assert_close(engine.rod_force, 25044.344259637, 1e-12);
+    assert_close(engine.side_thrust, 3005.3213111564, 1e-12);
+    assert_close(engine.crank_effort, 15034.370159594, 1e-12);
+    assert_close(engine.radial_force, 20029.650353901, 1e-12);
+    assert_close(engine.T_engine, 2255.155523939, 1e-12);
+}
+
+static void test_DFA_example_2(void **unused)
+{
+    fourlink_engine engine;
+    fourlink_rod rod;
+    sample s;
+
+    (void)unused;
+    slider_crank(0.1, 0.4, 30 * DEG, 2 * PI * 750 / 60, 0, &s);
+    set_rod(&s, 100, 0.12, 0.16);
+    s.design.link[4].mass = 125;
+    s.design.gravity.y = -9.81;
+    engine = engine_of(&s, 0, FOURLINK_SERIES_ALL);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+    assert_close(rod.n, 4, 1e-15);
+    assert_close(rod.m_b, 40, 1e-14);
+    assert_close(rod.m_a, 60, 1e-14);
+    assert_printed(s.crank.omega2, 78.54, 0.01);
+    assert_printed(phi_of(&s), 7.18, 0.01);
+    assert_printed(engine.inertia_force, -100867, 1);
+    assert_printed(engine.T_piston, -6143.9, 0.1);
+    assert_printed(engine.correction_couple, -1851, 1);
+    assert_printed(engine.T_correction, -404, 1);
+    assert_printed(engine.T_weight_a, -51, 1);
+    assert_printed(engine.T_engine, -6599, 1);
+    engine = engine_of(&s, 0, FOURLINK_EXACT);
+    assert_close(engine.T_engine, -6607.2217024444, 1e-12);
+    assert_close(engine.correction_couple, -1776.361822032, 1e-12);
+
+    /* "For a vertical engine": the weight of m_p + m_b comes off the inertia force, and that of m_a
+    ** is m2 g r sin(theta), clockwise */
+    s.design.gravity.x = -9.81;
+    s.design.gravity.y = 0;
+    engine = engine_of(&s, 0, FOURLINK_SERIES_ALL);
+    assert_near(engine.piston_effort, -(100866.85833244 - 165 * 9.81), 1e-7);
+    assert_near(engine.T_weight_a, 60 * 9.81 * 0.1 * sin(30 * DEG), 1e-12);
+}
+
+/* The crank pin rises: the weight of the rod's big end and its correction couple resist. */
+static void test_ME3491_example_1(void **unused)
+{
+    const double gas = 2e6 * PI / 4 * 0.115 * 0.115;
+    fourlink_engine engine;
+    fourlink_rod rod;
+    sample s;
+
+    (void)unused;
+    slider_crank(0.15, 0.45, 40 * DEG, 2 * PI * 1000 / 60, 0, &s);
+    set_rod(&s, 2, 0.175, 0.15);
+    s.design.link[4].mass = 2.5;
+    s.design.gravity.y = -9.81;
+    engine = engine_of(&s, gas, FOURLINK_SERIES_PISTON);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+    assert_close(rod.n, 3, 1e-15);
+    assert_printed(rod.m_a, 1.333, 0.001);
+    assert_printed(rod.m_b, 0.6667, 0.0001);
+    assert_printed(rod.m_b + 2.5, 3.16667, 0.00001);
+    assert_printed(rod.L, 0.40208, 0.00001);
+    assert_printed(engine.gas_force, 20773.8, 0.1);
+    assert_printed(engine.inertia_force, -4291.8, 0.1);
+    assert_printed(engine.piston_effort, 20773.8 - 4291.8, 0.1);
+    assert_printed(engine.T_piston, 2004.6, 0.1);
+    assert_printed(-s.state.link[3].alpha, -2241.1, 0.1);
+    assert_printed(engine.T_correction, -16.84, 0.01);
+    assert_printed(engine.T_weight_a, -1.503, 0.001);
+    assert_near(engine.T_engine, 2004.6 - 16.84 - 1.50, 0.05);
+    engine = engine_of(&s, gas, FOURLINK_EXACT);
+    assert_close(engine.T_engine, 1979.2760424146, 1e-12);
+
+    /* turning the other way it sinks, and they help: 1982.28 is the right sum */
+    s.crank.theta2 = -s.crank.theta2;
+    s.crank.omega2 = -s.crank.omega2;
+    engine = engine_of(&s, gas, FOURLINK_EXACT);
+    assert_printed(-engine.T_engine, 1982.28, 0.01);
+}
+
+/* A vertical engine whose k is that of a period of swings; the text has rounded omega to 20.94. */
+static void test_ME3491_example_2(void **unused)
+{
+    const double L = 9.81 * (2.5 / (2 * PI)) * (2.5 / (2 * PI)), k = sqrt(1.175 * (L - 1.175));
+    fourlink_engine engine, level;
+    fourlink_klein klein;
+    fourlink_rod rod;
+    double gx, gy;
+    sample s;
+
+    (void)unused;
+    slider_crank(0.4, 2, 45 * DEG, 2 * PI * 200 / 60, 0, &s);
+    set_rod(&s, 300, k, 0.825);
+    s.design.gravity.x = -9.81;
+    engine = engine_of(&s, 0, FOURLINK_SERIES_PISTON);
+    assert_printed(engine.T_engine, -5463.1, 0.1);
+    engine = engine_of(&s, 0, FOURLINK_EXACT);
+    assert_close(engine.T_engine, -5477.575795545, 1e-12);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+    assert_close(rod.n, 5, 1e-15);
+    assert_close(rod.m_a, 176.25, 1e-14);
+    assert_close(rod.m_b, 123.75, 1e-14);
+    assert_printed(rod.L, 1.553, 0.001);
+    assert_printed(rod.k, 0.6665, 0.0001);
+    engine = engine_of(&s, 0, FOURLINK_SERIES_PISTON);
+    assert_printed(engine.T_weight_a, 489, 1);
+    /* the weight of m_b is in the piston effort: 392 N m; without it, 4963.0 */
+    s.design.gravity.x = 0;
+    level = engine_of(&s, 0, FOURLINK_SERIES_PISTON);
+    assert_printed(engine.T_piston - level.T_piston, 392, 1);
+    assert_printed(level.T_piston, -4963.0, 0.1);
+
+    s.crank.omega2 = 20.94;
+    level = engine_of(&s, 0, FOURLINK_SERIES_PISTON);
+    assert_printed(level.inertia_force, -15348, 1);
+    assert_printed(-s.state.link[3].alpha, -61.36, 0.01);
+    /* with L = 1.553, too, the text has -1381.2 */
+    assert_near(level.T_correction, -1381.2, 0.2);
+
+    /* The drawing: the acceleration of the centre of mass is omega^2 gO, g between B and N as G is
+    ** between B and the gudgeon pin. */
+    assert_int_equal(fourlink_klein_construction(&s.mechanism, &s.state, &klein), FOURLINK_OK);
+    gx = (0.4 * cos(45 * DEG) * 1.175 + klein.ON * 0.825) / 2;
+    gy = 0.4 * sin(45 * DEG) * 1.175 / 2;
+    assert_near(hypot(gx, gy), 0.3282, 0.0005);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The engine method: against the nine equations
+** ------------------------------------------------------------------------------------------- */
+
+#define MOST_LOADS 4
+
+typedef struct engine_sample {
+    sample s;
+    double gas;
+    fourlink_load load[MOST_LOADS + 1]; /* the last is the gas */
+    unsigned long n_loads;              /* without it */
+    fourlink_forces forces;
+    fourlink_engine engine;
+} engine_sample;
+
+/* An engine with a massless crank, gravity in any direction, loads on the piston alone. */
+static void draw_engine(uint64_t *seed, int n, int massless_rod, double smallest_sine,
+                        engine_sample *e)
+{
+    fourlink_load *gas = NULL;
+    double gravity, direction;
+    unsigned long i;
+    sample *s = &e->s;
+
+    memset(e, 0, sizeof *e);
+    draw(seed, n, n % 3, smallest_sine, s);
+    if (!massless_rod)
+        set_rod(s, uniform(seed, 0, 10), uniform(seed, 0, 1),
+                s->design.link[3].length * uniform(seed, -0.2, 1.2));
+    s->design.link[4].mass = n % 7 ? uniform(seed, 0, 10) : 0;
+    s->design.link[4].inertia = uniform(seed, 0, 1);
+    s->design.link[4].cg.x = uniform(seed, -1, 1);
+    s->design.link[4].cg.y = uniform(seed, -1, 1);
+    gravity = n % 5 ? uniform(seed, 0, 30) : 0;
+    direction = uniform(seed, -PI, PI);
+    s->design.gravity.x = gravity * cos(direction);
+    s->design.gravity.y = gravity * sin(direction);
+    e->gas = n % 4 ? uniform(seed, -1e4, 1e4) : 0;
+    e->n_loads = (unsigned long)uniform(seed, 0, MOST_LOADS + 1);
+    for (i = 0; i < e->n_loads; i++) {
+        fourlink_load *load = &e->load[i];
+
+        load->link = FOURLINK_FOLLOWER;
+        load->frame = i % 2 ? FOURLINK_FRAME_GROUND : FOURLINK_FRAME_LINK;
+        load->force.x = uniform(seed, -5e3, 5e3);
+        load->force.y = uniform(seed, -5e3, 5e3);
+        load->at.x = uniform(seed, -1, 1);
+        load->at.y = uniform(seed, -1, 1);
+        load->torque = uniform(seed, -1e3, 1e3);
+    }
+    gas = &e->load[e->n_loads];
+    gas->link = FOURLINK_FOLLOWER;
+    gas->force.x = s->branch == FOURLINK_OPEN ? -e->gas : e->gas;
+    assert_int_equal(solve(s), FOURLINK_OK);
+    assert_int_equal(
+        fourlink_solve(&s->mechanism, &s->state, e->load, e->n_loads + 1, &e->forces),
+        FOURLINK_OK);
+    assert_int_equal(fourlink_engine_method(&s->mechanism, &s->state, e->gas, e->load, e->n_loads,
+                                            FOURLINK_EXACT, &e->engine),
+                     FOURLINK_OK);
+}
+
+/* The largest force on the piston or on the rod, inertia included, as it bears on the crank. */
+static double largest_force(const engine_sample *e)
+{
+    const fourlink_design *d = &e->s.design;
+    const fourlink_state *state = &e->s.state;
+    double g = hypot(d->gravity.x, d->gravity.y), m = d->link[3].mass, largest = 1e-3;
+    double I = d->link[3].inertia + m * d->link[3].length * d->link[3].length;
+    unsigned long i;
+
+    for (i = 0; i <= e->n_loads; i++)
+        largest = fmax(largest, hypot(e->load[i].force.x, e->load[i].force.y));
+    largest = fmax(largest, (d->link[4].mass + 1.2 * m) * (fabs(state->a) + g));
+    largest = fmax(largest, I * fabs(state->link[3].alpha) / d->link[3].length);
+    largest = fmax(largest, m * hypot(state->link[3].acceleration.x, state->link[3].acceleration.y));
+    return largest / fabs(state->sine);
+}
+
+static void test_nine_equations(void **unused)
+{
+    uint64_t seed = 5;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 30000; n++) {
+        engine_sample e;
+
+        draw_engine(&seed, n, 0, 0.05, &e);
+        assert_near(e.engine.T_engine, -e.forces.Ts,
+                    1e-12 * e.s.design.link[2].length * largest_force(&e));
+        assert_near(e.engine.T_engine,
+                    e.engine.T_piston + e.engine.T_correction + e.engine.T_weight_a +
+                        e.engine.T_inertia_a,
+                    1e-15 * e.s.design.link[2].length * largest_force(&e));
+    }
+}
+
+/* A massless rod is a strut: the side thrust is the guide's force on the piston, less what acts on
+** the piston across the stroke; the forces on crank pin and piston pin are the thrust in the rod,
+** along it; crank effort and radial force are the components of the force on the crank pin. */
+static void test_strut(void **unused)
+{
+    uint64_t seed = 6;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 20000; n++) {
+        double tolerance, across, theta3, theta2;
+        const fourlink_forces *f;
+        engine_sample e;
+        unsigned long i;
+
+        draw_engine(&seed, n, 1, 0.05, &e);
+        f = &e.forces;
+        tolerance = 1e-12 * largest_force(&e);
+        across = e.s.design.link[4].mass * e.s.design.gravity.y;
+        for (i = 0; i < e.n_loads; i++)
+            across += e.load[i].force.y;
+        theta2 = e.s.crank.theta2;
+        theta3 = e.s.state.link[3].theta;
+        assert_near(e.engine.side_thrust, f->F14y + across, tolerance);
+        assert_near(f->F34x, e.engine.rod_force * cos(theta3), tolerance);
+        assert_near(f->F34y, e.engine.rod_force * sin(theta3), tolerance);
+        assert_near(f->F23x, f->F34x, tolerance);
+        assert_near(f->F23y, f->F34y, tolerance);
+        /* the triangle of forces at the piston pin */
+        assert_near(hypot(e.engine.piston_effort, e.engine.side_thrust), fabs(e.engine.rod_force),
+                    tolerance);
+        assert_near(e.engine.crank_effort, f->F23x * sin(theta2) - f->F23y * cos(theta2),
+                    tolerance);
+        assert_near(e.engine.radial_force, f->F23x * cos(theta2) + f->F23y * sin(theta2),
+                    tolerance);
+        assert_near(e.engine.T_engine, e.engine.T_piston, 0);
+        assert_near(e.engine.T_piston, e.engine.crank_effort * e.s.design.link[2].length,
+                    tolerance * e.s.design.link[2].length);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The engine method: the classical formulas
+** ------------------------------------------------------------------------------------------- */
+
+/* theory.md section 4 as it stands: e = 0, constant speed, horizontal or vertical engine. */
+static void test_classical_formulas(void **unused)
+{
+    uint64_t seed = 7;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 6000; i++) {
+        double r = uniform(&seed, 0.05, 1), n = uniform(&seed, 1.1, 8), l = n * r, g = 9.81;
+        double theta = uniform(&seed, -PI, PI), w = uniform(&seed, -100, 100);
+        double m = uniform(&seed, 0.1, 10), b = uniform(&seed, 0.05, 1) * l;
+        double k = uniform(&seed, 0, 0.6) * l, m_p = uniform(&seed, 0, 10), s = sin(theta);
+        double c = cos(theta), root = sqrt(n * n - s * s), phi = asin(s / n), lever, tolerance;
+        double m_a = m * b / l, m_b = m * (l - b) / l, L = b + k * k / b;
+        double p1A1 = uniform(&seed, 0, 1e4), p2A2 = uniform(&seed, 0, 1e4), a, F, ddphi, T_c;
+        int vertical = i % 2;
+        fourlink_engine engine;
+        sample e;
+
+        a = r * w * w * (c + (n * n * cos(2 * theta) + s * s * s * s) / (root * root * root));
+        ddphi = -w * w * s * (n * n - 1) / (root * root * root);
+        lever = r * (s + sin(2 * theta) / (2 * root));
+        F = p1A1 - p2A2 - (m_p + m_b) * a + (vertical ? (m_p + m_b) * g : 0);
+        T_c = m * b * (l - L) * ddphi * c / root;
+        slider_crank(r, l, theta, w, 0, &e);
+        set_rod(&e, m, k, l - b);
+        e.design.link[4].mass = m_p;
+        if (vertical)
+            e.design.gravity.x = -g;
+        else
+            e.design.gravity.y = -g;
+        engine = engine_of(&e, p1A1 - p2A2, FOURLINK_EXACT);
+        tolerance =
+            1e-13 * (p1A1 + p2A2 + (m_p + m) * (g + 10 * r * w * w)) * n / root * n / root;
+        assert_true(engine.gas_force == p1A1 - p2A2);
+        assert_near(engine.inertia_force, -(m_p + m_b) * a, tolerance);
+        assert_near(engine.piston_effort, F, tolerance);
+        assert_near(engine.rod_force, F / cos(phi), tolerance * n / root);
+        assert_near(engine.side_thrust, F * tan(phi), tolerance * n / root);
+        assert_near(engine.crank_effort, F * sin(theta + phi) / cos(phi), tolerance * n / root);
+        assert_near(engine.radial_force, F * cos(theta + phi) / cos(phi), tolerance * n / root);
+        assert_near(engine.correction_couple, m * b * (l - L) * ddphi, tolerance * l);
+        assert_near(engine.T_piston, F * lever, tolerance * r * n / root);
+        assert_near(engine.T_correction, T_c, tolerance * l);
+        /* against the crank while the part rises, with it while it sinks */
+        assert_near(engine.T_weight_a, vertical ? m_a * g * r * s : -m_a * g * r * c, tolerance * r);
+        assert_true(engine.T_inertia_a == 0);
+        assert_near(engine.T_engine,
+                    F * lever + T_c + (vertical ? m_a * g * r * s : -m_a * g * r * c),
+                    tolerance * l * n / root);
+    }
+}
+
+/* What the series replace, and what not. */
+static void test_approximations(void **unused)
+{
+    uint64_t seed = 8;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2000; i++) {
+        fourlink_engine exact, piston, all;
+        fourlink_series series;
+        fourlink_rod rod;
+        double reciprocating, scale;
+        sample s;
+
+        draw(&seed, i, 0, 0.2, &s);
+        set_rod(&s, uniform(&seed, 1, 10), uniform(&seed, 0, 0.1),
+                s.design.link[3].length * uniform(&seed, 0.1, 0.9));
+        s.design.link[4].mass = uniform(&seed, 0, 10);
+        s.design.gravity.x = uniform(&seed, -10, 10);
+        exact = engine_of(&s, 1000, FOURLINK_EXACT);
+        piston = engine_of(&s, 1000, FOURLINK_SERIES_PISTON);
+        all = engine_of(&s, 1000, FOURLINK_SERIES_ALL);
+        series = series_of(&s);
+        assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+        reciprocating = s.design.link[4].mass + rod.m_b;
+        scale = 1000 + reciprocating * (10 + fabs(s.state.a) + fabs(series.a));
+        assert_near(exact.inertia_force, -reciprocating * s.state.a, 1e-14 * scale);
+        assert_near(piston.inertia_force, -reciprocating * series.a, 1e-14 * scale);
+        assert_near(all.inertia_force, piston.inertia_force, 0);
+        assert_near(piston.piston_effort - exact.piston_effort,
+                    reciprocating * (s.state.a - series.a), 1e-14 * scale);
+        assert_near(piston.correction_couple, exact.correction_couple, 0);
+        assert_near(all.correction_couple * s.state.link[3].alpha,
+                    exact.correction_couple * series.alpha3,
+                    1e-14 * fabs(all.correction_couple * s.state.link[3].alpha));
+        assert_near(all.T_piston, piston.T_piston, 0);
+        assert_near(all.T_weight_a, exact.T_weight_a, 0);
+        assert_near(all.T_inertia_a, exact.T_inertia_a, 0);
+        assert_near(exact.T_inertia_a,
+                    -rod.m_a * s.design.link[2].length * s.design.link[2].length * s.crank.alpha2,
+                    1e-12 * scale);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------
+** The engine method: the same engine seen from elsewhere
+** ------------------------------------------------------------------------------------------- */
+
+enum { N_QUANTITIES = 13 };
+
+static void list(const fourlink_engine *e, double value[N_QUANTITIES])
+{
+    value[0] = e->gas_force;
+    value[1] = e->inertia_force;
+    value[2] = e->piston_effort;
+    value[3] = e->rod_force;
+    value[4] = e->radial_force;
+    value[5] = e->side_thrust;
+    value[6] = e->crank_effort;
+    value[7] = e->correction_couple;
+    value[8] = e->T_piston;
+    value[9] = e->T_correction;
+    value[10] = e->T_weight_a;
+    value[11] = e->T_inertia_a;
+    value[12] = e->T_engine;
+}
+
+static void assert_same_engine(const engine_sample *e, double half_turn, double mirror)
+{
+    double scale = largest_force(e) * (1 + e->s.design.link[3].length), a[N_QUANTITIES];
+    double b[N_QUANTITIES];
+    fourlink_load load[MOST_LOADS];
+    fourlink_engine engine;
+    sample s = e->s;
+    unsigned long i;
+    int k;
+
+    if (half_turn < 0) {
+        s.branch = s.branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
+        s.crank.theta2 += PI;
+    }
+    s.crank.theta2 *= mirror;
+    s.crank.omega2 *= mirror;
+    s.crank.alpha2 *= mirror;
+    s.design.offset *= half_turn * mirror;
+    s.design.gravity.x *= half_turn;
+    s.design.gravity.y *= half_turn * mirror;
+    memcpy(load, e->load, sizeof load);
+    for (i = 0; i < e->n_loads; i++)
+        load[i].force.x *= half_turn;
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, e->gas, load, e->n_loads,
+                                            FOURLINK_EXACT, &engine),
+                     FOURLINK_OK);
+    list(&e->engine, a);
+    list(&engine, b);
+    /* torques and what points along y change sign in a mirror, what points along y in a half turn */
+    for (k = 0; k < N_QUANTITIES; k++)
+        assert_near(b[k], (k >= 5 ? mirror : 1) * (k == 5 ? half_turn : 1) * a[k], 2e-12 * scale);
+}
+
+static void test_half_turn_and_mirror(void **unused)
+{
+    uint64_t seed = 9;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 5000; n++) {
+        engine_sample e;
+
+        draw_engine(&seed, n, 0, 0.1, &e);
+        assert_same_engine(&e, -1, 1);
+        assert_same_engine(&e, 1, -1);
+        assert_same_engine(&e, -1, -1);
+    }
+}
+
+/* Loads on crank and rod, and the mass of the crank, are outside the method. */
+static void test_passed_over(void **unused)
+{
+    uint64_t seed = 10;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        fourlink_load loads[MOST_LOADS + 2];
+        fourlink_engine engine;
+        engine_sample e;
+
+        draw_engine(&seed, n, 0, 0.1, &e);
+        memset(loads, 0, sizeof loads);
+        loads[0].link = FOURLINK_CRANK;
+        loads[1].link = FOURLINK_COUPLER;
+        loads[0].force.x = loads[1].force.x = loads[0].torque = loads[1].torque = 1e3;
+        memcpy(loads + 2, e.load, e.n_loads * sizeof loads[0]);
+        e.s.design.link[2].mass = e.s.design.link[2].inertia = 3;
+        e.s.design.link[2].cg.x = 0.1;
+        assert_int_equal(solve(&e.s), FOURLINK_OK);
+        memset(&engine, 0, sizeof engine);
+        assert_int_equal(fourlink_engine_method(&e.s.mechanism, &e.s.state, e.gas, loads,
+                                                e.n_loads + 2, FOURLINK_EXACT, &engine),
+                         FOURLINK_OK);
+        assert_memory_equal(&engine, &e.engine, sizeof engine);
+    }
+}
+
+static void refuse(const sample *s, double gas, const fourlink_load *loads, unsigned long n_loads,
+                   fourlink_approximation approximation, int status)
+{
+    fourlink_engine engine, before;
+
+    memset(&before, 0x5A, sizeof before);
+    engine = before;
+    assert_int_equal(fourlink_engine_method(&s->mechanism, &s->state, gas, loads, n_loads,
+                                            approximation, &engine),
+                     status);
+    assert_memory_equal(&engine, &before, sizeof engine);
+}
+
+static void test_engine_statuses(void **unused)
+{
+    static const fourlink_approximation any[] = {FOURLINK_EXACT, FOURLINK_SERIES_PISTON,
+                                                 FOURLINK_SERIES_ALL};
+    fourlink_engine engine;
+    size_t i;
+    sample s;
+
+    (void)unused;
+    slider_crank(1, 3, 1, 2, 3, &s);
+    set_rod(&s, 1, 1, 1);
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    assert_int_equal(
+        fourlink_engine_method(NULL, &s.state, 0, NULL, 0, FOURLINK_EXACT, &engine), FOURLINK_NULL);
+    assert_int_equal(
+        fourlink_engine_method(&s.mechanism, NULL, 0, NULL, 0, FOURLINK_EXACT, &engine),
+        FOURLINK_NULL);
+    assert_int_equal(
+        fourlink_engine_method(&s.mechanism, &s.state, 0, NULL, 0, FOURLINK_EXACT, NULL),
+        FOURLINK_NULL);
+    refuse(&s, 0, NULL, 1, FOURLINK_EXACT, FOURLINK_NULL);
+    refuse(&s, NAN, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
+    refuse(&s, INFINITY, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
+    refuse(&s, -1.1e30, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
+    assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, -1e30, NULL, 0, FOURLINK_EXACT,
+                                            &engine),
+                     FOURLINK_OK);
+
+    s.design.offset = 0.5;
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    refuse(&s, 0, NULL, 0, FOURLINK_SERIES_PISTON, FOURLINK_NO_SERIES);
+    refuse(&s, 0, NULL, 0, FOURLINK_SERIES_ALL, FOURLINK_NO_SERIES);
+    assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, 0, NULL, 0, FOURLINK_EXACT,
+                                            &engine),
+                     FOURLINK_OK);
+
+    s.design.offset = 0;
+    s.design.link[3].cg.y = 1e-3;
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    for (i = 0; i < sizeof any / sizeof any[0]; i++)
+        refuse(&s, 0, NULL, 0, any[i], FOURLINK_ROD_OFF_LINE);
+    four_bar(&s);
+    for (i = 0; i < sizeof any / sizeof any[0]; i++)
+        refuse(&s, 0, NULL, 0, any[i], FOURLINK_NOT_AN_ENGINE);
+}
+
+/* "What is outside is refused with FOURLINK_BAD_NUMBER, NaN included": loads are no exception. */
+static void test_bad_loads(void **unused)
+{
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 1.1e30};
+    size_t i;
+    sample s;
+
+    (void)unused;
+    slider_crank(1, 3, 1, 2, 3, &s);
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    for (i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        fourlink_load loads[2];
+
+        memset(loads, 0, sizeof loads);
+        loads[0].link = loads[1].link = FOURLINK_FOLLOWER;
+        loads[1].force.x = bad[i];
+        refuse(&s, 0, loads, 2, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Klein's construction
+** ------------------------------------------------------------------------------------------- */
+
+static fourlink_klein klein_of(const sample *s)
+{
+    fourlink_klein klein;
+
+    assert_int_equal(fourlink_klein_construction(&s->mechanism, &s->state, &klein), FOURLINK_OK);
+    return klein;
+}
+
+/* What is read from the drawing is the motion at constant speed. */
+static void test_klein_motion(void **unused)
+{
+    uint64_t seed = 11;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 10000; n++) {
+        double w, l, size, sine;
+        fourlink_klein klein;
+        sample s;
+
+        draw(&seed, n, n % 3, 0.05, &s);
+        klein = klein_of(&s); /* it does not look at the acceleration of the crank */
+        s.crank.alpha2 = 0;
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        w = s.crank.omega2;
+        l = s.design.link[3].length;
+        sine = fabs(s.state.sine);
+        /* BM^2/l is at most size^2/l/sine^2, and divided by sine once more in QN and ON */
+        size = s.design.link[2].length + l;
+        assert_near(w * klein.OM, s.state.v, 1e-14 * size * fabs(w) / (sine * sine));
+        assert_near(w * klein.BM / l, s.state.link[3].omega, 1e-14 * size / l * fabs(w) / sine);
+        size += size * size / l;
+        assert_near(w * w * klein.BQ / l, s.state.link[3].omega * s.state.link[3].omega,
+                    1e-14 * size / l * w * w / (sine * sine));
+        assert_near(w * w * klein.ON, s.state.a, 1e-14 * size * w * w / (sine * sine * sine));
+        assert_near(w * w * klein.QN / l, s.state.link[3].alpha,
+                    1e-14 * size / l * w * w / (sine * sine * sine));
+    }
+}
+
+/* The point of the circle about B with radius R that is on the circle on BC as diameter, on one side
+** of BC: bisection over the angle from BC, at which the distance from the middle of BC grows. */
+static fourlink_vector common_point(fourlink_vector B, fourlink_vector C, double R, double side)
+{
+    double l = hypot(C.x - B.x, C.y - B.y), direction = atan2(C.y - B.y, C.x - B.x);
+    double low = 0, high = PI;
+    fourlink_vector P = B;
+    int i;
+
+    for (i = 0; i < 60; i++) {
+        double angle = (low + high) / 2;
+
+        P.x = B.x + R * cos(direction + side * angle);
+        P.y = B.y + R * sin(direction + side * angle);
+        if (hypot(P.x - (B.x + C.x) / 2, P.y - (B.y + C.y) / 2) < l / 2)
+            low = angle;
+        else
+            high = angle;
+    }
+    return P;
+}
+
+/* The drawing: M where the rod's line cuts the perpendicular to the stroke through O, two circles,
+** their common chord, Q where it cuts the rod, N where it cuts the parallel to the stroke through
+** O.  Lengths from the points, signs from the motion. */
+static void test_klein_drawing(void **unused)
+{
+    uint64_t seed = 12;
+    int n, drawn = 0;
+
+    (void)unused;
+    for (n = 0; n < 20000; n++) {
+        fourlink_vector B, C, M, P1, P2, Q, N;
+        double r, l, e, X, R, along, tolerance, theta2;
+        fourlink_klein klein;
+        sample s;
+
+        draw(&seed, n, n % 3, 0.2, &s);
+        r = s.design.link[2].length;
+        l = s.design.link[3].length;
+        e = s.design.offset;
+        theta2 = s.crank.theta2;
+        B.x = r * cos(theta2);
+        B.y = r * sin(theta2);
+        X = sqrt(l * l - (B.y - e) * (B.y - e));
+        C.x = B.x + (s.branch == FOURLINK_OPEN ? X : -X);
+        C.y = e;
+        M.x = 0;
+        M.y = B.y - B.x * (C.y - B.y) / (C.x - B.x);
+        R = hypot(M.x - B.x, M.y - B.y);
+        /* the circles must meet, at points far enough apart to draw a line through */
+        if (R > 0.9 * l || R < 0.05 * l)
+            continue;
+        drawn++;
+        klein = klein_of(&s);
+        P1 = common_point(B, C, R, 1);
+        P2 = common_point(B, C, R, -1);
+        along = P1.y / (P1.y - P2.y);
+        N.x = P1.x + along * (P2.x - P1.x);
+        N.y = 0;
+        along = ((P1.x - B.x) * (C.x - B.x) + (P1.y - B.y) * (C.y - B.y)) / (l * l);
+        Q.x = B.x + along * (C.x - B.x);
+        Q.y = B.y + along * (C.y - B.y);
+        /* Q is on the line through the two points as well */
+        assert_near((Q.x - P1.x) * (P2.y - P1.y) - (Q.y - P1.y) * (P2.x - P1.x), 0, 1e-13 * l * l);
+        tolerance = 1e-12 * (r + l + fabs(e));
+        assert_near(fabs(klein.OM), hypot(M.x, M.y), tolerance);
+        assert_near(fabs(klein.BM), R, tolerance);
+        assert_near(klein.BQ, hypot(Q.x - B.x, Q.y - B.y), tolerance);
+        assert_near(fabs(klein.QN), hypot(N.x - Q.x, N.y - Q.y), tolerance);
+        assert_near(fabs(klein.ON), hypot(N.x, N.y), tolerance);
+        s.crank.omega2 = 1;
+        s.crank.alpha2 = 0;
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        assert_true(klein.OM * s.state.v >= -tolerance);
+        assert_true(klein.BM * s.state.link[3].omega >= -tolerance);
+        assert_true(klein.QN * s.state.link[3].alpha >= -tolerance);
+        assert_true(klein.ON * s.state.a >= -tolerance);
+    }
+    assert_true(drawn > 8000);
+}
+
+static void test_klein_statuses(void **unused)
+{
+    fourlink_klein klein, before;
+    sample s;
+
+    (void)unused;
+    memset(&before, 0x5A, sizeof before);
+    klein = before;
+    slider_crank(1, 3, 1, 2, 3, &s);
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    assert_int_equal(fourlink_klein_construction(NULL, &s.state, &klein), FOURLINK_NULL);
+    assert_int_equal(fourlink_klein_construction(&s.mechanism, NULL, &klein), FOURLINK_NULL);
+    assert_int_equal(fourlink_klein_construction(&s.mechanism, &s.state, NULL), FOURLINK_NULL);
+    four_bar(&s);
+    assert_int_equal(fourlink_klein_construction(&s.mechanism, &s.state, &klein),
+                     FOURLINK_NOT_AN_ENGINE);
+    assert_memory_equal(&klein, &before, sizeof klein);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_series_expansion),
+        cmocka_unit_test(test_series_derivatives),
+        cmocka_unit_test(test_series_harmonic),
+        cmocka_unit_test(test_series_gap),
+        cmocka_unit_test(test_series_statuses),
+        cmocka_unit_test(test_rod_masses),
+        cmocka_unit_test(test_rod_masses_limits),
+        cmocka_unit_test(test_DFA_example_1),
+        cmocka_unit_test(test_DFA_example_2),
+        cmocka_unit_test(test_ME3491_example_1),
+        cmocka_unit_test(test_ME3491_example_2),
+        cmocka_unit_test(test_nine_equations),
+        cmocka_unit_test(test_strut),
+        cmocka_unit_test(test_classical_formulas),
+        cmocka_unit_test(test_approximations),
+        cmocka_unit_test(test_half_turn_and_mirror),
+        cmocka_unit_test(test_passed_over),
+        cmocka_unit_test(test_engine_statuses),
+        cmocka_unit_test(test_bad_loads),
+        cmocka_unit_test(test_klein_motion),
+        cmocka_unit_test(test_klein_drawing),
+        cmocka_unit_test(test_klein_statuses),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
