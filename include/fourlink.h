@@ -301,7 +301,7 @@ typedef struct fourlink_engine {
     double side_thrust;       /* N, guide on piston, along +y */
     double crank_effort;      /* N, at right angles to the crank, counter-clockwise positive */
     double radial_force;      /* N, along the crank, towards the main bearing positive */
-    double correction_couple; /* N m, m b (l - L) phi'' */
+    double correction_couple; /* N m, m b (l - L) phi'', phi'' = -alpha3 */
     double T_piston;          /* N m, of the piston effort */
     double T_correction;      /* N m, of the correction couple */
     double T_weight_a;        /* N m, of the weight of m_a */
@@ -590,8 +590,8 @@ FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourli
 ** Returned:
 **    engine         the forces and torques
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NOT_AN_ENGINE,
-**    FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME,
+**    FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES
 ** Note:
 **    With FOURLINK_EXACT the sum T_engine is the nine equations' -Ts to rounding, if the crank has no
 **    mass and loads act on the piston alone: offset, inclination, branch and crank acceleration

@@ -4,6 +4,7 @@
 */
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -204,21 +205,52 @@ static void make(const deck *d, const column_info *info, column *c)
         c->scale = 1; /* already in the deck's unit, exactly */
 }
 
-static void add(const deck *d, const column_info *info, column_list *columns)
+int columns_are_same(const column *x, const column *y)
 {
-    make(d, info, &columns->list[columns->count++]);
+    return strcmp(x->name, y->name) == 0 && strcmp(x->unit, y->unit) == 0;
 }
 
-int column_find(const deck *d, text name, column *c)
+int columns_add(column_list *columns, const column *c)
+{
+    size_t i;
+
+    for (i = 0; i < columns->count; i++)
+        if (columns_are_same(&columns->list[i], c))
+            return 1;
+    if (columns->count == columns->capacity) {
+        size_t capacity = columns->capacity ? 2 * columns->capacity : 64;
+        column *list = realloc(columns->list, capacity * sizeof *list);
+
+        if (!list)
+            return 0;
+        columns->list = list;
+        columns->capacity = capacity;
+    }
+    columns->list[columns->count++] = *c;
+    return 1;
+}
+
+void columns_free(column_list *columns)
+{
+    free(columns->list);
+    memset(columns, 0, sizeof *columns);
+}
+
+static int find(const deck *d, text name, int equal(text, const char *), column *c)
 {
     size_t i;
 
     for (i = 0; i < TABLE_COUNT; i++)
-        if (text_same(name, table[i].name) && has(d, &table[i])) {
+        if (equal(name, table[i].name) && has(d, &table[i])) {
             make(d, &table[i], c);
             return 1;
         }
     return 0;
+}
+
+int column_find(const deck *d, text name, column *c)
+{
+    return find(d, name, text_same, c);
 }
 
 const char *column_nearest(const deck *d, text name)
@@ -227,30 +259,29 @@ const char *column_nearest(const deck *d, text name)
     size_t i, n = 0;
 
     for (i = 0; i < TABLE_COUNT; i++)
-        if (has(d, &table[i]))
+        if (d->mistakes.count || has(d, &table[i]))
             known[n++] = table[i].name;
     known[n] = NULL;
     return text_nearest(name, known);
 }
 
-void columns_all(const deck *d, column_list *columns)
+static int add_all(const deck *d, int usual_only, column_list *columns)
 {
+    column c;
     size_t i;
 
-    columns->count = 0;
     for (i = 0; i < TABLE_COUNT; i++)
-        if (has(d, &table[i]))
-            add(d, &table[i], columns);
+        if (has(d, &table[i]) && (table[i].usual || !usual_only)) {
+            make(d, &table[i], &c);
+            if (!columns_add(columns, &c))
+                return 0;
+        }
+    return 1;
 }
 
-static void choose_usual(const deck *d, column_list *columns)
+int columns_all(const deck *d, column_list *columns)
 {
-    size_t i;
-
-    columns->count = 0;
-    for (i = 0; i < TABLE_COUNT; i++)
-        if (has(d, &table[i]) && table[i].usual)
-            add(d, &table[i], columns);
+    return add_all(d, 0, columns);
 }
 
 static const char *why_missing(const deck *d, const column_info *info)
@@ -298,25 +329,41 @@ static int next_name(text *rest, text *name)
     return name->length > 0;
 }
 
+static int is_known(text name)
+{
+    size_t i;
+
+    for (i = 0; i < TABLE_COUNT; i++)
+        if (text_equal(name, table[i].name))
+            return 1;
+    return text_equal(name, "all");
+}
+
+void columns_check(deck *d)
+{
+    text rest = d->columns.names, name;
+
+    while (rest.start && next_name(&rest, &name))
+        if (!is_known(name))
+            note_missing(d, name);
+}
+
 int columns_choose(deck *d, column_list *columns)
 {
     text rest = d->columns.names, name;
     column c;
 
-    if (!rest.start) {
-        choose_usual(d, columns);
-        return 1;
-    }
-    columns->count = 0;
+    if (!rest.start)
+        return add_all(d, 1, columns) ? 1 : -1;
     while (next_name(&rest, &name)) {
-        if (text_equal(name, "all"))
-            columns_all(d, columns);
-        else if (!column_find(d, name, &c))
+        if (text_equal(name, "all")) {
+            if (!columns_all(d, columns))
+                return -1;
+        } else if (!find(d, name, text_same, &c) && !find(d, name, text_equal, &c)) {
             note_missing(d, name);
-        else if (columns->count == COLUMN_MOST)
-            mistake_note(&d->mistakes, d->columns.place, "too many columns", (char *)NULL);
-        else
-            columns->list[columns->count++] = c;
+        } else if (!columns_add(columns, &c)) {
+            return -1;
+        }
     }
     if (!columns->count && !d->mistakes.count)
         mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);

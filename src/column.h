@@ -17,16 +17,25 @@ typedef struct column {
     double scale;     /* what SI values are multiplied by */
 } column;
 
-#define COLUMN_MOST 100
-
+/* Zero it before its first use, and give it to columns_free after its last. */
 typedef struct column_list {
-    column list[COLUMN_MOST];
-    size_t count;
+    column *list;
+    size_t count, capacity;
 } column_list;
 
-/* Choose the columns that the deck asks for, or the usual ones; 0 and mistakes of the deck if it
-** asks for some that it has not. */
+/* Add a column that the list does not have yet: same name, same unit.  0 when out of memory. */
+int columns_add(column_list *columns, const column *c);
+void columns_free(column_list *columns);
+
+/* 1 if two columns have the same name and the same unit. */
+int columns_are_same(const column *x, const column *y);
+
+/* Choose the columns that the deck asks for, or the usual ones.  1; 0 and mistakes of the deck if it
+** asks for some that it has not; -1 out of memory. */
 int columns_choose(deck *d, column_list *columns);
+
+/* Of a deck with other mistakes: look for columns that no deck has. */
+void columns_check(deck *d);
 
 /* The column of that name; 0 if the deck has none. */
 int column_find(const deck *d, text name, column *c);
@@ -34,8 +43,8 @@ int column_find(const deck *d, text name, column *c);
 /* The column's name most like this one, or null. */
 const char *column_nearest(const deck *d, text name);
 
-/* All columns that the deck has. */
-void columns_all(const deck *d, column_list *columns);
+/* Add all columns that the deck has.  0 when out of memory. */
+int columns_all(const deck *d, column_list *columns);
 
 /* The value of a column in its unit.  Defined for any row if column_of_crank, else only where
 ** r->status is FOURLINK_OK. */

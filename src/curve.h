@@ -14,7 +14,7 @@ typedef struct curve {
     void *interpolation; /* GSL's */
 } curve;
 
-/* Make a curve through n >= 3 points, x rising, x[n-1] - x[0] < period.  1, or 0 when out of memory. */
+/* Make a curve through n >= 2 points, x rising, x[n-1] - x[0] < period.  1, or 0 when out of memory. */
 int curve_make(const double *x, const double *y, size_t n, double period, curve *c);
 
 /* Its value at any x. */

@@ -61,7 +61,11 @@ static void require(parser *p, key_code key)
         return;
     if (use)
         mistake_note(&p->d->mistakes, use->place, "[", section_table[k->section].name, "] has no ",
-                     k->name, (char *)NULL);
+                     k->name,
+                     key == KEY_CRANK_LENGTH && p->d->design.kind == FOURLINK_SLIDER_CRANK
+                         ? ", and no stroke"
+                         : "",
+                     (char *)NULL);
     else
         mistake_note(&p->d->mistakes, end_of_deck(p), "there is no [",
                      section_table[k->section].name, "] with a ", k->name, " in it", (char *)NULL);
@@ -94,7 +98,10 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
         g = 9.81; /* switched off in the machine, not in the test */
     h = gsl_hypot(x - link->cg.x, y - link->cg.y);
     L = g * turns * turns;
-    if (L < h)
+    if (h == 0)
+        mistake_note(&p->d->mistakes, pin->place,
+                     "the swing_pin is at the centre of mass, where nothing swings", (char *)NULL);
+    else if (L < h)
         mistake_note(&p->d->mistakes, period->place, "a swing_period of ",
                      word_of(period->value, word), " is too short: even all mass in one point, ",
                      number_general(h, 4, number), " m from the pin, swings more slowly",
@@ -127,11 +134,15 @@ static void build_link(parser *p, key_code length, int number)
     if ((s || period) && !find(p, mass))
         mistake_note(&p->d->mistakes, s ? s->place : period->place, "the ",
                      s ? "radius of gyration" : "swing_period", " needs a mass", (char *)NULL);
-    if (s)
+    if (s) {
         link->inertia = link->mass * s->si[0] * s->si[0]; /* I = m k^2 */
-    if (period)
+        if (link->inertia > FOURLINK_NUMBER_MAX)
+            mistake_note(&p->d->mistakes, s->place, "the moment of inertia of this radius of ",
+                         "gyration is beyond what the program computes with", (char *)NULL);
+    }
+    if (period && period->si[0] > 0)
         build_swing(p, period, find(p, swing_pin), link);
-    else if ((s = find(p, swing_pin)) != NULL)
+    else if (!period && (s = find(p, swing_pin)) != NULL)
         mistake_note(&p->d->mistakes, s->place, "a swing_pin needs a swing_period", (char *)NULL);
 }
 
@@ -199,9 +210,10 @@ static int build_kind(parser *p)
         for (k = first; k < first + n; k++) {
             s = setting_of(p, use, (key_code)k);
             if (s->place.source && !(key_table[k].kinds & (int)kind))
-                mistake_note(&p->d->mistakes, s->place, "the ", section_table[use->section].name,
-                             " of a ", kind_words(kind), " has no ", key_table[k].name,
-                             (char *)NULL);
+                mistake_note(&p->d->mistakes, s->place, use->section == SECTION_TOP ? "" : "the ",
+                             section_table[use->section].name,
+                             use->section == SECTION_TOP ? "a " : " of a ", kind_words(kind),
+                             " has no ", key_table[k].name, (char *)NULL);
         }
     }
     return 1;
@@ -262,9 +274,9 @@ static void build_mechanism(parser *p)
         build_link(p, KEY_ROCKER_LENGTH, FOURLINK_FOLLOWER);
     } else {
         design->offset = value_or(p, KEY_GROUND_OFFSET, 0);
-        build_link(p, KEY_CRANK_LENGTH, FOURLINK_CRANK);
         build_link(p, KEY_ROD_LENGTH, FOURLINK_COUPLER);
         build_stroke(p);
+        build_link(p, KEY_CRANK_LENGTH, FOURLINK_CRANK);
         design->link[FOURLINK_FOLLOWER].mass = value_or(p, KEY_PISTON_MASS, 0);
     }
     g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81);
@@ -284,6 +296,9 @@ static void build_mechanism(parser *p)
                      (char *)NULL);
 }
 
+/* Angles that are closer, in rad, are the same. */
+#define LEAST_STEP 1e-9
+
 /* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
 ** closes the cycle is the first again. */
 static void build_curve(parser *p, const setting *s, curve *result)
@@ -294,17 +309,13 @@ static void build_curve(parser *p, const setting *s, curve *result)
 
     if (!c || p->d->mistakes.count)
         return;
-    if (n < 2) {
-        mistake_note(&p->d->mistakes, s->place, "a curve needs at least two points", (char *)NULL);
-        return;
-    }
     for (i = 1; i < n; i++)
-        if (c[i].x <= c[i - 1].x) {
+        if (c[i].x - c[i - 1].x < LEAST_STEP) {
             mistake_note(&p->d->mistakes, c[i].place, "the angles of a curve must rise",
                          (char *)NULL);
             return;
         }
-    if (fabs(c[n - 1].x - c[0].x - period) < 1e-9) {
+    if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
             mistake_note(&p->d->mistakes, c[n].place,
@@ -313,7 +324,11 @@ static void build_curve(parser *p, const setting *s, curve *result)
             return;
         }
     }
-    if (c[n - 1].x - c[0].x > period) {
+    if (n < 2) {
+        mistake_note(&p->d->mistakes, s->place, "a curve needs at least two points", (char *)NULL);
+        return;
+    }
+    if (c[n - 1].x - c[0].x > period - LEAST_STEP) {
         mistake_note(
             &p->d->mistakes, c[n - 1].place,
             "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
@@ -446,6 +461,21 @@ static void build_loads(parser *p)
     p->d->has_forces = 1;
 }
 
+/* One instant has no range.  But `at` from the command line takes the place of the deck's range. */
+static void check_alone(parser *p, const setting *at)
+{
+    static const key_code others[] = {KEY_MOTION_FROM, KEY_MOTION_TO, KEY_MOTION_RUN_UP};
+    size_t i;
+
+    for (i = 0; i < sizeof others / sizeof others[0]; i++) {
+        const setting *s = find(p, others[i]);
+
+        if (s && (s->place.line == 0) == (at->place.line == 0))
+            mistake_note(&p->d->mistakes, s->place, "'", key_table[others[i]].name,
+                         "' has no place beside 'at', one instant", (char *)NULL);
+    }
+}
+
 static void build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -464,6 +494,7 @@ static void build_motion(parser *p)
     if (u->up == M_PI && u->down == 180)
         motion->interval = angle_or(p, KEY_MOTION_INTERVAL, 10);
     if ((s = find(p, KEY_MOTION_AT)) != NULL) {
+        check_alone(p, s);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
         motion->to = motion->from;
         p->d->one_instant = 1;
@@ -665,7 +696,7 @@ int deck_read(const char *name, text contents, deck_loader *load, const deck_cha
     }
     if (!p.out_of_memory)
         read_values(&p);
-    if (!p.out_of_memory)
+    if (!p.out_of_memory && !p.not_text)
         build(&p);
     return finish(&p);
 }

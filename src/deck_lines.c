@@ -128,6 +128,12 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
     } else {
         strcpy(where, " before the first section");
     }
+    for (i = first_key(SECTION_TOP); i < first_key(SECTION_TOP) + key_count(SECTION_TOP); i++)
+        if (text_equal(name, key_table[i].name)) {
+            mistake_note(&p->d->mistakes, place, "unknown key '", word_of(name, word), "'", where,
+                         "; it belongs before the first section", (char *)NULL);
+            return;
+        }
     if (!text_nearest(name, known))
         for (i = 0; i < KEY_COUNT; i++)
             if (text_equal(name, key_table[i].name) && key_table[i].section != SECTION_UNITS &&
@@ -138,6 +144,17 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
                 return;
             }
     note_unknown(p, place, "key", name, known, where);
+}
+
+static const section_use *find_named(const parser *p, section_code section, text name)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == section && p->uses[i].name.length == name.length &&
+            memcmp(p->uses[i].name.start, name.start, name.length) == 0)
+            return &p->uses[i];
+    return NULL;
 }
 
 /* [section], [section NAME] */
@@ -185,6 +202,11 @@ static section_use *read_section(parser *p, text line, text_place place)
         mistake_note(&p->d->mistakes, place, "a second [", section_table[section].name,
                      "]; the first is at line ", number_fixed((double)use->place.line, 0, number),
                      (char *)NULL);
+        return NULL;
+    }
+    if (name.length && find_named(p, section, name)) {
+        mistake_note(&p->d->mistakes, place, "a second [", section_table[section].name, " ",
+                     word_of(name, copy), "]", (char *)NULL);
         return NULL;
     }
     if (p->n_uses >= MOST_SECTIONS) {
@@ -279,6 +301,7 @@ static int is_text(parser *p, text line, text_place place)
     size_t i;
 
     if (line.length > LINE_MAX_LENGTH) {
+        p->not_text = 1;
         mistake_note(&p->d->mistakes, place, "a line of more than 65536 characters: not a deck",
                      (char *)NULL);
         return 0;
@@ -287,6 +310,7 @@ static int is_text(parser *p, text line, text_place place)
         unsigned char c = (unsigned char)line.start[i];
 
         if ((c < ' ' && c != '\t' && c != '\r') || c == 0x7f) {
+            p->not_text = 1;
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
             mistake_note(&p->d->mistakes, place, "a control character (0x", code,
@@ -367,8 +391,10 @@ void read_lines(parser *p, text rest, char *copy)
         value = line;
         text_split(&value, '=', &key);
         if (!value.start) {
-            mistake_note(&p->d->mistakes, place, "expected 'key = value' or '[section]'",
-                         (char *)NULL);
+            char word[WORD_SIZE];
+
+            mistake_note(&p->d->mistakes, place, "expected 'key = value' or '[section]', not '",
+                         word_of(line, word), "'", (char *)NULL);
         } else if (use) { /* the keys of an unknown section are not judged */
             assign(p, use, text_trim(key), text_trim(value), place, 0);
         }

@@ -75,8 +75,15 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
         return 1;
     }
     word_of(s->value, value);
-    if (!unit_read(t, u, &bad)) {
+    if (text_same(t, "1") || !unit_read(t, u, &bad)) {
+        if (text_same(t, "1"))
+            bad = t;
         nearest = unit_nearest(bad);
+        if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
+            mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
+                         "': a comment needs a blank before it", (char *)NULL);
+            return 0;
+        }
         mistake_note(&p->d->mistakes, s->place, "unknown unit '",
                      word_of(bad.length ? bad : t, word), "' in '", value, "'", hint(nearest),
                      nearest ? nearest : "", hint_end(nearest), (char *)NULL);
@@ -95,11 +102,17 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
     return 1;
 }
 
-static int check_size(parser *p, const setting *s, double si)
+/* Beyond 1e9 rad the digits of an angle are those of its revolutions. */
+#define ANGLE_MAX 1e9
+
+static int check_size(parser *p, const setting *s, quantity q, double si)
 {
     char word[WORD_SIZE];
+    double max = q == QUANTITY_ANGLE    ? ANGLE_MAX
+                 : q == QUANTITY_LENGTH ? FOURLINK_LENGTH_MAX
+                                        : FOURLINK_NUMBER_MAX;
 
-    if (-FOURLINK_NUMBER_MAX <= si && si <= FOURLINK_NUMBER_MAX)
+    if (-max <= si && si <= max)
         return 1;
     mistake_note(&p->d->mistakes, s->place, "'", word_of(s->value, word),
                  "' is beyond what the program computes with", (char *)NULL);
@@ -116,7 +129,7 @@ int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
     s->number = number;
     s->unit = u;
     *si = unit_to_si(number, u);
-    return check_size(p, s, *si);
+    return check_size(p, s, q, *si);
 }
 
 void direction_of(double angle, double *x, double *y)
@@ -149,7 +162,8 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
         if (strchr(" \t", t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
             break;
     if (i >= t.length) {
-        note_expected(p, s, "an angle and a value", "20 deg 32 bar");
+        note_expected(p, s, "an angle and a value",
+                      q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m");
         return 0;
     }
     angle = t;
@@ -162,7 +176,7 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     result->x = unit_to_si(x, ux);
     result->y = unit_to_si(y, uy);
     result->place = s->place;
-    return check_size(p, s, result->x) && check_size(p, s, result->y);
+    return check_size(p, s, QUANTITY_ANGLE, result->x) && check_size(p, s, q, result->y);
 }
 
 /* Two columns of bare numbers in the deck's units, separated by blanks or a comma. */
@@ -242,13 +256,18 @@ static void load_curve(parser *p, setting *s, quantity q, text name)
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 static void read_curve(parser *p, setting *s, quantity q)
 {
-    text rest = s->value, item;
+    text rest = s->value, item = rest;
+    double number;
 
     if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && strchr(" \t", rest.start[4])) {
         item = rest;
         item.start += 5;
         item.length -= 5;
         load_curve(p, s, q, text_trim(item));
+        return;
+    }
+    if (number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
+        read_quantity(p, s, rest, q, &number);
         return;
     }
     if (!memchr(rest.start, ',', rest.length) && q != QUANTITY_PRESSURE) {
@@ -266,46 +285,65 @@ static void read_curve(parser *p, setting *s, quantity q)
     }
 }
 
+static int is_blank(int c)
+{
+    return c == ' ' || c == '\t';
+}
+
+/* (10, 5) mm */
+static void read_components(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, inside, x;
+    unit u;
+    int i;
+
+    rest.start++;
+    rest.length--;
+    text_split(&rest, ')', &inside);
+    if (!rest.start || count(inside, ',') != 1) {
+        note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+        return;
+    }
+    if (!read_unit(p, s, rest, q, &u))
+        return;
+    for (i = 0; i < 2; i++) {
+        double number;
+
+        text_split(&inside, ',', &x);
+        if (!read_number(p, s, &x, q, &number))
+            return;
+        if (text_trim(x).length) {
+            note_expected(p, s, "two components",
+                          q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+            return;
+        }
+        s->si[i] = unit_to_si(number, u);
+        if (!check_size(p, s, q, s->si[i]))
+            return;
+    }
+}
+
 /* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
 static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
     text t = s->value, part;
     double size, angle = 0, x, y;
-    unit u;
     size_t i;
 
     if (t.length && t.start[0] == '(') {
-        t.start++;
-        t.length--;
-        if (!read_number(p, s, &t, q, &x))
-            return;
-        t = text_trim(t);
-        if (t.length && t.start[0] == ',') {
-            t.start++;
-            t.length--;
-            if (!read_number(p, s, &t, q, &y))
-                return;
-            t = text_trim(t);
-            if (t.length && t.start[0] == ')') {
-                t.start++;
-                t.length--;
-                if (read_unit(p, s, t, q, &u)) {
-                    s->si[0] = unit_to_si(x, u);
-                    s->si[1] = unit_to_si(y, u);
-                    if (check_size(p, s, s->si[0]))
-                        check_size(p, s, s->si[1]);
-                }
-                return;
-            }
-        }
-        note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+        read_components(p, s, q);
         return;
     }
     part = t;
     for (i = 1; i + 3 < t.length; i++)
-        if (t.start[i - 1] == ' ' && t.start[i] == 'a' && t.start[i + 1] == 't' &&
-            t.start[i + 2] == ' ')
+        if (is_blank(t.start[i - 1]) && t.start[i] == 'a' && t.start[i + 1] == 't' &&
+            is_blank(t.start[i + 2]))
             break;
+    if (t.length > 3 && is_blank(t.start[t.length - 3]) && t.start[t.length - 2] == 'a' &&
+        t.start[t.length - 1] == 't') {
+        note_expected(p, s, "an angle after 'at'", NULL);
+        return;
+    }
     if (i + 3 < t.length) {
         part.length = i - 1;
         t.start += i + 3;
@@ -364,6 +402,20 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
                      "' is beyond what the program computes with", (char *)NULL);
 }
 
+/* The name of a unit for tables: in one word, kgf.m for "kgf m". */
+static void name_unit(text t, char name[DECK_NAME_SIZE])
+{
+    char *c, *end = name;
+
+    text_copy(t, name, DECK_NAME_SIZE);
+    for (c = name; *c; c++)
+        if (*c != ' ' && *c != '\t')
+            *end++ = *c;
+        else if (end > name && text_is_word(end[-1]) && text_is_word(c[strspn(c, " \t")]))
+            *end++ = '.';
+    *end = '\0';
+}
+
 /* Areas are in the square of the unit of length, but for one with an exponent of its own. */
 static void set_area(deck *d)
 {
@@ -397,8 +449,10 @@ static void read_value(parser *p, key_code code, setting *s)
         read_word(p, code, s);
         return;
     case FORM_UNIT:
-        if (read_unit(p, s, t, key->q, &s->unit)) {
-            text_copy(t, p->d->units[key->q].name, DECK_NAME_SIZE);
+        if (!read_unit(p, s, t, key->q, &s->unit)) {
+            return;
+        } else {
+            name_unit(t, p->d->units[key->q].name);
             p->d->units[key->q].unit = s->unit;
             if (key->q == QUANTITY_LENGTH)
                 set_area(p->d);

@@ -96,7 +96,7 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    T_correction = dT cos(theta) / sqrt(n^2 - sin^2(theta)) = dT dphi/dtheta
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
 **
-** In general (offset, inclination, branch) theta + phi is theta2 - theta3, phi'' is -alpha3, dphi/dtheta
+** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is theta2 - theta3, phi'' is -alpha3, dphi/dtheta
 ** is -k3, and cos(phi) is |cos(theta3)|; the weight of m_a works along the path of the crank pin.
 ** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
 */
@@ -116,7 +116,12 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
         return FOURLINK_NULL;
     if (!FLK_WITHIN(gas_force, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
+    if (approximation != FOURLINK_EXACT && approximation != FOURLINK_SERIES_PISTON &&
+        approximation != FOURLINK_SERIES_ALL)
+        return FOURLINK_NO_SERIES;
     status = fourlink_rod_masses(mechanism, &rod);
+    for (i = 0; i < n_loads && status == FOURLINK_OK; i++)
+        status = flk_check_load(&loads[i]);
     if (status != FOURLINK_OK)
         return status;
     crank = &state->link[2];

@@ -94,12 +94,12 @@ void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *s
     q = w / (2 * f2);
     coupler->axis.x = (p3 * BD.x + q * n.x) / b;
     coupler->axis.y = (p3 * BD.y + q * n.y) / b;
-    coupler->theta = atan2(coupler->axis.y, coupler->axis.x);
+    coupler->theta = atan2(coupler->axis.y + 0.0, coupler->axis.x);
     rocker->origin.x = d;
     rocker->origin.y = 0;
     rocker->axis.x = (p4 * BD.x + q * n.x) / c;
     rocker->axis.y = (p4 * BD.y + q * n.y) / c;
-    rocker->theta = atan2(rocker->axis.y, rocker->axis.x);
+    rocker->theta = atan2(rocker->axis.y + 0.0, rocker->axis.x);
     state->mu = fabs(rocker->theta - coupler->theta);
     if (state->mu > M_PI)
         state->mu = 2 * M_PI - state->mu;

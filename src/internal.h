@@ -45,6 +45,9 @@ void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_stat
 void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state);
 void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
 
+/* Whether a load is in order: FOURLINK_OK or why it is not (kinetostatics.c). */
+int flk_check_load(const fourlink_load *load);
+
 /* The arm from a link's origin to a point of it, turned into the frame of link 1 (mechanism.c). */
 fourlink_vector flk_arm(const fourlink_link_state *link, fourlink_vector at);
 

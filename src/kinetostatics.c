@@ -42,7 +42,7 @@ static fourlink_vector unit_velocity(const fourlink_link_state *link, fourlink_v
     return k;
 }
 
-static int check_load(const fourlink_load *load)
+int flk_check_load(const fourlink_load *load)
 {
     if (load->link < FOURLINK_CRANK || load->link > FOURLINK_FOLLOWER)
         return FOURLINK_BAD_LINK;
@@ -84,7 +84,7 @@ static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *s
     int i;
 
     for (n = 0; n < n_loads; n++) {
-        int status = check_load(&loads[n]);
+        int status = flk_check_load(&loads[n]);
 
         if (status != FOURLINK_OK)
             return status;

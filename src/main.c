@@ -160,8 +160,12 @@ static int read_job(const char *path, const options *o, job *j)
     free(contents);
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
-    if (status > 0)
-        columns_choose(&j->deck, &j->columns);
+    if (status == 0)
+        columns_check(&j->deck);
+    else
+        status = columns_choose(&j->deck, &j->columns);
+    if (status < 0)
+        return complain("cannot read", j->name, "not enough memory");
     if (status > 0 && o->check_file && (status = read_check_file(o->check_file, &j->deck)) > 0)
         return status;
     if (j->deck.mistakes.count) {
@@ -202,50 +206,61 @@ static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
     }
 }
 
+/* Print what is asked for of an analysis; 0 when out of memory. */
+static int print_analysis(FILE *out, const options *o, analysis *a, const job *j,
+                          const column_list *header, const char *deck_name, unsigned long *failed)
+{
+    if (o->summary && o->format == FORMAT_CSV)
+        summary_print_csv(out, a, &j->columns, deck_name);
+    else if (o->summary)
+        summary_print(out, a, &j->columns);
+    else if (o->matrix)
+        *failed = table_print_matrix(out, a);
+    else if (o->format == FORMAT_PAPER)
+        *failed = table_print_paper(out, a);
+    else if (o->format == FORMAT_CSV)
+        return csv_print(out, a, &j->columns, header, deck_name, failed);
+    else
+        return table_print(out, a, &j->columns, failed);
+    return 1;
+}
+
 /* Print a deck; the exit status it calls for. */
 static int print_job(FILE *out, const options *o, job *j, const column_list *header)
 {
     const char *deck_name = o->n_decks > 1 ? j->name : NULL;
-    analysis a;
+    int needs = columns_need(&j->columns), enough;
     unsigned long failed = 0;
-    int needs;
+    analysis a;
 
-    if (o->list) {
-        table_print_list(out, &j->deck);
-        return 0;
-    }
     if (o->check)
         return check_job(out, o, j, deck_name);
-    needs = columns_need(&j->columns);
     if (o->matrix || (o->summary && j->deck.has_forces))
         needs |= NEED_FORCES;
-    if (!analysis_open(&a, &j->deck, needs))
+    if (o->list) {
+        enough = table_print_list(out, &j->deck);
+    } else {
+        enough = analysis_open(&a, &j->deck, needs) &&
+                 print_analysis(out, o, &a, j, header, deck_name, &failed);
+        analysis_close(&a);
+    }
+    if (!enough)
         return complain("cannot analyse", j->name, "not enough memory");
-    if (o->summary && o->format == FORMAT_CSV)
-        summary_print_csv(out, &a, &j->columns, deck_name);
-    else if (o->summary)
-        summary_print(out, &a, &j->columns);
-    else if (o->matrix)
-        failed = table_print_matrix(out, &a);
-    else if (o->format == FORMAT_PAPER)
-        failed = table_print_paper(out, &a);
-    else if (o->format == FORMAT_CSV)
-        failed = csv_print(out, &a, &j->columns, header, deck_name);
-    else
-        failed = table_print(out, &a, &j->columns);
-    analysis_close(&a);
     return failed ? EXIT_ROWS : 0;
 }
 
 static int print_jobs(FILE *out, const options *o, job *jobs)
 {
-    static column_list header;
+    column_list header;
+    char name[1024];
     int status = 0, csv = o->format == FORMAT_CSV && !o->list, printed = 0;
-    size_t i;
+    size_t i, k;
 
+    memset(&header, 0, sizeof header);
     for (i = 0; csv && i < o->n_decks; i++)
-        if (jobs[i].usable)
-            csv_merge_header(&header, &jobs[i].columns);
+        for (k = 0; jobs[i].usable && k < jobs[i].columns.count; k++)
+            if (!columns_add(&header, &jobs[i].columns.list[k]))
+                status = complain("cannot start", "", "not enough memory");
     if (csv && o->check)
         check_print_csv_header(out, o->n_decks > 1);
     else if (csv && o->summary)
@@ -258,9 +273,10 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
         if (printed++ && !csv)
             fputs("\n\n", out);
         if (o->n_decks > 1 && !csv)
-            fprintf(out, "# deck: %s\n", jobs[i].name);
+            fprintf(out, "# deck: %s\n", text_copy(text_of(jobs[i].name), name, sizeof name));
         status = worse(status, print_job(out, o, &jobs[i], &header));
     }
+    columns_free(&header);
     return status;
 }
 
@@ -272,10 +288,13 @@ static int is_a_deck(const char *path, const options *o)
 
     if (stat(path, &out) != 0 || !S_ISREG(out.st_mode))
         return 0;
-    for (i = 0; i < o->n_decks; i++)
-        if (strcmp(o->decks[i], "-") != 0 && stat(o->decks[i], &in) == 0 &&
-            in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+    for (i = 0; i < o->n_decks; i++) {
+        int status =
+            strcmp(o->decks[i], "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(o->decks[i], &in);
+
+        if (status == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
             return 1;
+    }
     return 0;
 }
 
@@ -303,8 +322,10 @@ static int run(const options *o)
             output_discard(&out);
         }
     }
-    for (i = 0; i < o->n_decks; i++)
+    for (i = 0; i < o->n_decks; i++) {
+        columns_free(&jobs[i].columns);
         deck_free(&jobs[i].deck);
+    }
     free(jobs);
     return status;
 }

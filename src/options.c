@@ -11,11 +11,11 @@
 const char *const options_help[] = {
     "Usage: fourlink [OPTION]... [DECK]...",
     "",
-    "angle.",
+    "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
     "Reads the decks, or standard input where none is named, or for -.",
     "",
     "  -f, --format=table|csv|paper      how the rows are written (default: table)",
-    "  -o, --output=FILE                 write to FILE, which changes only if all goes well",
+    "  -o, --output=FILE                 write to FILE, all at once, or not at all",
     "  -b, --branch=open|crossed|both    which way of assembly (default: both)",
     "  -i, --interval=QUANTITY           the interval of the crank angle, such as '10 deg'",
     "  -c, --columns=NAME,NAME,...|all   the columns; --list tells their names",
@@ -105,7 +105,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case 'f':
         return set_format(o, value, message);
     case 'o':
-        o->output = value;
+        o->output = strcmp(value, "-") == 0 ? NULL : value;
         return 1;
     case 's':
         add_change(o, "--set", value);

@@ -2,15 +2,43 @@
 **
 ** output.c - a file for results, of which nothing is seen until all of it is there.
 */
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with realpath and mkstemp */
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp */
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "output.h"
+
+/* The temporary file that a signal has to take away, null if there is none. */
+static char *volatile at_work;
+
+static void on_signal(int number)
+{
+    if (at_work)
+        unlink(at_work);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+/* An interrupted run leaves nothing behind. */
+static void watch_signals(char *temporary)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU};
+    struct sigaction action, old;
+    size_t i;
+
+    memset(&action, 0, sizeof action);
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    at_work = temporary;
+    for (i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+            sigaction(numbers[i], &action, NULL);
+}
 
 static char *join(const char *x, const char *y)
 {
@@ -23,12 +51,37 @@ static char *join(const char *x, const char *y)
     return both;
 }
 
-/* The file that a path leads to, through symbolic links; the path itself if there is none yet. */
+/* Where a symbolic link leads; null if the path is none, or out of memory. */
+static char *read_link(const char *path)
+{
+    char target[4096], *slash, *folder, *result;
+    ssize_t n = readlink(path, target, sizeof target - 1);
+
+    if (n < 0)
+        return NULL;
+    target[n] = '\0';
+    if (target[0] == '/' || (slash = strrchr(path, '/')) == NULL)
+        return join(target, "");
+    folder = join(path, "");
+    if (!folder)
+        return NULL;
+    folder[slash - path + 1] = '\0';
+    result = join(folder, target);
+    free(folder);
+    return result;
+}
+
+/* The file that a path leads to through symbolic links, whether it is there yet or not. */
 static char *resolve(const char *path)
 {
-    char *real = realpath(path, NULL);
+    char *real = join(path, ""), *next;
+    int links;
 
-    return real ? real : join(path, "");
+    for (links = 0; real && links < 40 && (next = read_link(real)) != NULL; links++) {
+        free(real);
+        real = next;
+    }
+    return real;
 }
 
 /* A regular file, or one that is not there yet: its new contents are written beside it. */
@@ -47,6 +100,7 @@ static int open_beside(output *o, int exists, mode_t mode)
         o->temporary = NULL;
         return 0;
     }
+    watch_signals(o->temporary);
     fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
     o->file = fdopen(descriptor, "w");
     return o->file != NULL;
@@ -54,7 +108,7 @@ static int open_beside(output *o, int exists, mode_t mode)
 
 int output_open(output *o, const char *path)
 {
-    struct stat status;
+    struct stat status, standard;
     int exists;
 
     memset(o, 0, sizeof *o);
@@ -62,17 +116,22 @@ int output_open(output *o, const char *path)
         o->file = stdout;
         return 1;
     }
-    o->path = resolve(path);
-    if (!o->path)
-        return 0;
-    exists = stat(o->path, &status) == 0;
+    exists = stat(path, &status) == 0;
     if (!exists && errno != ENOENT)
         return 0;
+    if (exists && fstat(STDOUT_FILENO, &standard) == 0 && standard.st_dev == status.st_dev &&
+        standard.st_ino == status.st_ino) {
+        o->file = stdout; /* as for /dev/stdout: others may be writing to it too */
+        return 1;
+    }
     if (exists && S_ISDIR(status.st_mode)) {
         errno = EISDIR;
         return 0;
     }
-    if (exists && access(o->path, W_OK) != 0)
+    if (exists && access(path, W_OK) != 0)
+        return 0;
+    o->path = exists && !S_ISREG(status.st_mode) ? join(path, "") : resolve(path);
+    if (!o->path)
         return 0;
     if (!exists || S_ISREG(status.st_mode))
         return open_beside(o, exists, exists ? status.st_mode : 0);
@@ -82,6 +141,7 @@ int output_open(output *o, const char *path)
 
 static void forget(output *o)
 {
+    at_work = NULL;
     free(o->temporary);
     free(o->path);
     memset(o, 0, sizeof *o);

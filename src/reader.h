@@ -54,6 +54,7 @@ typedef struct parser {
     named_value *named;
     size_t n_named, named_capacity;
     int expectations_only;
+    int not_text; /* 1: the reading ended at what is no text */
     long last_line;
     int out_of_memory;
 } parser;

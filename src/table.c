@@ -4,6 +4,7 @@
 */
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -141,7 +142,7 @@ static void find_style(const deck *d, const column *c, double size, style *s)
 static const char *cell_text(double x, const style *s, char out[NUMBER_SIZE])
 {
     if (s->exponent)
-        number_exponent(x, s->decimals, out);
+        number_exponent(x + 0.0, s->decimals, out); /* -0 + 0 is 0 */
     else
         number_fixed(x, s->decimals, out);
     return out[0] == '-' && strspn(out, "-0.") == strlen(out) ? out + 1 : out;
@@ -151,6 +152,8 @@ static void put_right(FILE *out, const char *s, size_t width)
 {
     size_t n = strlen(s);
 
+    if (n >= width)
+        putc(' ', out); /* wider than foreseen: still a field of its own */
     for (; n < width; n++)
         putc(' ', out);
     fputs(s, out);
@@ -222,25 +225,23 @@ static void put_extremes(FILE *out, analysis *a, const column_list *columns, con
                          fourlink_branch branch)
 {
     static const style angle = {3, 0, 0};
-    char value[NUMBER_SIZE];
-    extreme e[COLUMN_MOST];
-    int found[COLUMN_MOST], sign, line;
+    char number[NUMBER_SIZE];
+    int line;
     size_t j;
 
-    for (sign = 1; sign >= -1; sign -= 2) {
-        for (j = 0; j < columns->count; j++)
-            found[j] = !column_of_crank(&columns->list[j]) &&
-                       extreme_find(a, &columns->list[j], branch, sign, &e[j]);
-        for (line = 0; line < 2; line++) {
-            putc('#', out);
-            for (j = 0; j < columns->count; j++)
-                put_right(out,
-                          !found[j]   ? ""
-                          : line == 0 ? cell_text(e[j].value, &styles[j], value)
-                                      : cell_text(e[j].angle, &angle, value),
-                          styles[j].width - (j == 0));
-            fprintf(out, "  %s\n", line == 1 ? "at theta2" : sign > 0 ? "max" : "min");
+    for (line = 0; line < 4; line++) {
+        putc('#', out);
+        for (j = 0; j < columns->count; j++) {
+            const char *cell = "";
+            extreme e;
+
+            if (!column_of_crank(&columns->list[j]) &&
+                extreme_find(a, &columns->list[j], branch, line < 2 ? 1 : -1, &e))
+                cell = line % 2 == 0 ? cell_text(e.value, &styles[j], number)
+                                     : cell_text(e.angle, &angle, number);
+            put_right(out, cell, styles[j].width - (j == 0));
         }
+        fprintf(out, "  %s\n", line % 2 ? "at theta2" : line == 0 ? "max" : "min");
     }
 }
 
@@ -261,42 +262,53 @@ static void put_row(FILE *out, const deck *d, const column_list *columns, const 
     putc('\n', out);
 }
 
-unsigned long table_print(FILE *out, analysis *a, const column_list *columns)
+static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns,
+                                  const style *styles, fourlink_branch branch)
 {
-    const deck *d = a->d;
-    double size[COLUMN_MOST];
-    style styles[COLUMN_MOST];
-    fourlink_branch branches[2];
-    int n = branches_of(d, branches), i;
     unsigned long k, failed = 0;
     char stop[NUMBER_SIZE + 80];
     result r;
-    size_t j;
 
-    find_sizes(a, columns, size);
-    for (j = 0; j < columns->count; j++)
-        find_style(d, &columns->list[j], size[j], &styles[j]);
-    put_head(out, d);
-    facts_tell(a, 0, NULL, put_fact, out);
-    for (i = 0; i < n; i++) {
-        if (i > 0)
-            fputs("\n\n", out);
-        fprintf(out, "# branch: %s\n", branch_name(branches[i]));
-        put_names(out, columns, styles, 0);
-        put_names(out, columns, styles, 1);
-        if (a->range.n_rows > 1)
-            put_extremes(out, a, columns, styles, branches[i]);
-        for (k = 0; k < a->range.n_rows; k++) {
-            analysis_row(a, branches[i], k, &r);
-            put_row(out, d, columns, styles, &r);
-            failed += r.status != FOURLINK_OK;
-        }
-        if (a->range.stops) {
-            fprintf(out, "# %s\n", stop_text(a, stop));
-            failed++;
-        }
+    fprintf(out, "# branch: %s\n", branch_name(branch));
+    put_names(out, columns, styles, 0);
+    put_names(out, columns, styles, 1);
+    if (a->range.n_rows > 1)
+        put_extremes(out, a, columns, styles, branch);
+    for (k = 0; k < a->range.n_rows; k++) {
+        analysis_row(a, branch, k, &r);
+        put_row(out, a->d, columns, styles, &r);
+        failed += r.status != FOURLINK_OK;
+    }
+    if (a->range.stops) {
+        fprintf(out, "# %s\n", stop_text(a, stop));
+        failed++;
     }
     return failed;
+}
+
+int table_print(FILE *out, analysis *a, const column_list *columns, unsigned long *failed)
+{
+    style *styles = malloc(columns->count * sizeof *styles);
+    double *size = malloc(columns->count * sizeof *size);
+    fourlink_branch branches[2];
+    int n = branches_of(a->d, branches), i;
+    size_t j;
+
+    if (styles && size) {
+        find_sizes(a, columns, size);
+        for (j = 0; j < columns->count; j++)
+            find_style(a->d, &columns->list[j], size[j], &styles[j]);
+        put_head(out, a->d);
+        facts_tell(a, 0, NULL, put_fact, out);
+        for (i = 0; i < n; i++) {
+            if (i > 0)
+                fputs("\n\n", out);
+            *failed += print_branch(out, a, columns, styles, branches[i]);
+        }
+    }
+    free(styles);
+    free(size);
+    return styles && size;
 }
 
 /* -------------------- format csv -------------------- */
@@ -318,24 +330,6 @@ static void put_field(FILE *out, const char *s)
     putc('"', out);
 }
 
-static int same_column(const column *x, const column *y)
-{
-    return strcmp(x->name, y->name) == 0 && strcmp(x->unit, y->unit) == 0;
-}
-
-void csv_merge_header(column_list *header, const column_list *columns)
-{
-    size_t i, j;
-
-    for (i = 0; i < columns->count; i++) {
-        for (j = 0; j < header->count; j++)
-            if (same_column(&header->list[j], &columns->list[i]))
-                break;
-        if (j == header->count && header->count < COLUMN_MOST)
-            header->list[header->count++] = columns->list[i];
-    }
-}
-
 void csv_print_header(FILE *out, const column_list *header, int with_deck)
 {
     char field[2 * DECK_NAME_SIZE];
@@ -352,56 +346,67 @@ void csv_print_header(FILE *out, const column_list *header, int with_deck)
     fputs(",status\r\n", out);
 }
 
+/* For each column of the header, the deck's column that it is; null if it has none. */
+static const column **map_columns(const column_list *columns, const column_list *header)
+{
+    const column **map = malloc((header->count + 1) * sizeof *map);
+    size_t i, j;
+
+    for (j = 0; map && j < header->count; j++) {
+        map[j] = NULL;
+        for (i = 0; i < columns->count; i++)
+            if (columns_are_same(&header->list[j], &columns->list[i]))
+                map[j] = &columns->list[i];
+    }
+    return map;
+}
+
 /* r null: a line with nothing but a reason in it. */
-static void put_csv_row(FILE *out, const column_list *columns, const column_list *header,
-                        const char *deck_name, fourlink_branch branch, const result *r,
-                        const char *status)
+static void put_csv_row(FILE *out, const column **map, size_t n, const char *deck_name,
+                        fourlink_branch branch, const result *r, const char *status)
 {
     char number[NUMBER_SIZE];
-    size_t i, j;
+    size_t j;
 
     if (deck_name) {
         put_field(out, deck_name);
         putc(',', out);
     }
     fputs(branch_name(branch), out);
-    for (j = 0; j < header->count; j++) {
+    for (j = 0; j < n; j++) {
         putc(',', out);
-        for (i = 0; i < columns->count; i++)
-            if (same_column(&header->list[j], &columns->list[i]))
-                break;
-        if (i < columns->count && r &&
-            (r->status == FOURLINK_OK || column_of_crank(&columns->list[i])))
-            fputs(number_general(column_value(&columns->list[i], r) + 0.0, DBL_DIG + 2, number),
-                  out);
+        if (map[j] && r && (r->status == FOURLINK_OK || column_of_crank(map[j])))
+            fputs(number_general(column_value(map[j], r) + 0.0, DBL_DIG + 2, number), out);
     }
     putc(',', out);
     put_field(out, status);
     fputs("\r\n", out);
 }
 
-unsigned long csv_print(FILE *out, analysis *a, const column_list *columns,
-                        const column_list *header, const char *deck_name)
+int csv_print(FILE *out, analysis *a, const column_list *columns, const column_list *header,
+              const char *deck_name, unsigned long *failed)
 {
+    const column **map = map_columns(columns, header);
     fourlink_branch branches[2];
     int n = branches_of(a->d, branches), i;
-    unsigned long k, failed = 0;
+    unsigned long k;
     char stop[NUMBER_SIZE + 80];
     result r;
 
-    for (i = 0; i < n; i++) {
+    for (i = 0; map && i < n; i++) {
         for (k = 0; k < a->range.n_rows; k++) {
             analysis_row(a, branches[i], k, &r);
-            put_csv_row(out, columns, header, deck_name, branches[i], &r,
+            put_csv_row(out, map, header->count, deck_name, branches[i], &r,
                         fourlink_status_text(r.status));
-            failed += r.status != FOURLINK_OK;
+            *failed += r.status != FOURLINK_OK;
         }
         if (a->range.stops) {
-            put_csv_row(out, columns, header, deck_name, branches[i], NULL, stop_text(a, stop));
-            failed++;
+            put_csv_row(out, map, header->count, deck_name, branches[i], NULL, stop_text(a, stop));
+            ++*failed;
         }
     }
-    return failed;
+    free((void *)map);
+    return map != NULL;
 }
 
 /* -------------------- format paper -------------------- */
@@ -680,12 +685,16 @@ int check_print(FILE *out, deck *d, int csv, const char *deck_name)
 
 /* -------------------- --list -------------------- */
 
-void table_print_list(FILE *out, const deck *d)
+int table_print_list(FILE *out, const deck *d)
 {
     column_list all;
     size_t j;
 
-    columns_all(d, &all);
+    memset(&all, 0, sizeof all);
+    if (!columns_all(d, &all)) {
+        columns_free(&all);
+        return 0;
+    }
     fprintf(out, "%-18s %-8s %-60s %s\n", "column", "unit", "meaning", "in the sources");
     for (j = 0; j < all.count; j++) {
         const column *c = &all.list[j];
@@ -694,4 +703,6 @@ void table_print_list(FILE *out, const deck *d)
         fprintf(out, "%-18s %-8s %-*s%s%s\n", c->name, c->unit, *source ? 60 : 0, column_meaning(c),
                 *source ? " " : "", source);
     }
+    columns_free(&all);
+    return 1;
 }

@@ -11,9 +11,11 @@
 
 typedef enum table_format { FORMAT_TABLE, FORMAT_CSV, FORMAT_PAPER } table_format;
 
-/* Each prints a deck to a stream and returns how many of its rows could not be computed; whether
-** the stream took it is for the caller to ask. */
-unsigned long table_print(FILE *out, analysis *a, const column_list *columns);
+/* Each prints a deck to a stream and adds to `failed` how many of its rows could not be computed;
+** whether the stream took it is for the caller to ask.  0 when out of memory. */
+int table_print(FILE *out, analysis *a, const column_list *columns, unsigned long *failed);
+
+/* The same; these need no memory, and return how many rows. */
 unsigned long table_print_paper(FILE *out, analysis *a);
 unsigned long table_print_matrix(FILE *out, analysis *a);
 
@@ -29,16 +31,13 @@ enum { CHECK_PRINT_OK, CHECK_PRINT_DIFFERENCES, CHECK_PRINT_MISTAKES, CHECK_PRIN
 int check_print(FILE *out, deck *d, int csv, const char *deck_name);
 void check_print_csv_header(FILE *out, int with_deck);
 
-/* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of
-** that name. */
+/* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of that
+** name. */
 void csv_print_header(FILE *out, const column_list *header, int with_deck);
-unsigned long csv_print(FILE *out, analysis *a, const column_list *columns,
-                        const column_list *header, const char *deck_name);
-
-/* Add to the header the columns that it does not have yet: same name, same unit. */
-void csv_merge_header(column_list *header, const column_list *columns);
+int csv_print(FILE *out, analysis *a, const column_list *columns, const column_list *header,
+              const char *deck_name, unsigned long *failed);
 
 /* The columns and what they mean. */
-void table_print_list(FILE *out, const deck *d);
+int table_print_list(FILE *out, const deck *d);
 
 #endif

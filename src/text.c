@@ -49,7 +49,7 @@ int text_equal(text t, const char *word)
     size_t i;
 
     for (i = 0; i < t.length; i++)
-        if (lower(t.start[i]) != lower(word[i]))
+        if (word[i] == '\0' || lower(t.start[i]) != lower(word[i]))
             return 0;
     return word[i] == '\0';
 }

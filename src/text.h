@@ -56,7 +56,7 @@ struct mistake {
 /* Note a mistake: the message is made of the strings given, up to a null pointer. */
 void mistake_note(mistakes *m, text_place place, ...);
 
-/* Sort by source and line, for printing. */
+/* Sort by line, for printing. */
 void mistakes_sort(mistakes *m);
 void mistakes_free(mistakes *m);
 

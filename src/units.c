@@ -87,10 +87,26 @@ static const named_unit *find(text name)
     return NULL;
 }
 
+/* What people write, and what they mean. */
+static const struct {
+    const char *written, *meant;
+} synonyms[] = {{"Nm", "N m"},      {"N\302\267m", "N m"}, {"kgm2", "kg m2"}, {"inch", "in"},
+                {"inches", "in"},   {"feet", "ft"},        {"foot", "ft"},    {"meter", "m"},
+                {"metre", "m"},     {"meters", "m"},       {"metres", "m"},   {"degree", "deg"},
+                {"degrees", "deg"}, {"\302\260", "deg"},   {"radian", "rad"}, {"radians", "rad"},
+                {"sec", "s"},       {"second", "s"},       {"seconds", "s"},  {"minute", "min"},
+                {"hour", "h"},      {"lbs", "lb"},         {"pound", "lb"},   {"kilogram", "kg"},
+                {"gram", "g"},      {"newton", "N"},       {"pascal", "Pa"},  {"rps", "rev/s"},
+                {"lbft", "lbf.ft"}, {"lbin", "lbf.in"}};
+
 const char *unit_nearest(text word)
 {
     const char *names[UNIT_COUNT + 1];
     size_t i;
+
+    for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+        if (text_equal(word, synonyms[i].written))
+            return synonyms[i].meant;
 
     for (i = 0; i < UNIT_COUNT; i++)
         names[i] = units[i].name;
@@ -103,6 +119,8 @@ static void skip(text *t)
     t->start++;
     t->length--;
 }
+
+#define MOST_FACTORS 8
 
 int unit_read(text t, unit *result, text *bad)
 {
@@ -127,6 +145,8 @@ int unit_read(text t, unit *result, text *bad)
             return 0;
         }
         factors++;
+        if (text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
+            return 0; /* 1/s, but no 1 mm */
         if (t.length && t.start[0] == '^')
             skip(&t);
         if (t.length && '0' <= t.start[0] && t.start[0] <= '9') {
@@ -134,8 +154,8 @@ int unit_read(text t, unit *result, text *bad)
             skip(&t);
             if (exponent < 1 || exponent > 4 || (t.length && text_is_word(t.start[0])))
                 return 0;
-        } else if (t.length && t.start[-1] == '^') {
-            return 0;
+        } else if (t.start[-1] == '^') {
+            return 0; /* nothing after it */
         }
         for (i = 0; i < exponent; i++) {
             u.up *= sign > 0 ? known->up : known->down;
@@ -146,6 +166,8 @@ int unit_read(text t, unit *result, text *bad)
         u.dim.s += sign * exponent * known->dim.s;
         u.dim.rad += sign * exponent * known->dim.rad;
 
+        if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
+            return 0;
         sign = 1;
         t = text_trim(t);
         if (!t.length)

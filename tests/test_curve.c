@@ -61,8 +61,7 @@ static double steepest(const sample *s)
     int i;
 
     for (i = 0; i < (int)s->n; i++)
-        result = fmax(result,
-                      fabs(y_of(s, i + 1) - y_of(s, i)) / (x_of(s, i + 1) - x_of(s, i)));
+        result = fmax(result, fabs(y_of(s, i + 1) - y_of(s, i)) / (x_of(s, i + 1) - x_of(s, i)));
     return result;
 }
 
@@ -197,8 +196,8 @@ static double one_sided(const sample *s, int i, int side)
            (6 * h);
 }
 
-/* M. Steffen, "A simple method for monotonic interpolation in one dimension", 1990: the slope of the
-** parabola through three neighbours, limited so that the curve is monotonic. */
+/* M. Steffen, "A simple method for monotonic interpolation in one dimension", 1990: the slope of
+** the parabola through three neighbours, limited so that the curve is monotonic. */
 static double steffen(const sample *s, int i)
 {
     double h0 = x_of(s, i) - x_of(s, i - 1), h1 = x_of(s, i + 1) - x_of(s, i);
@@ -230,8 +229,10 @@ static void test_continuous(void **unused)
             double h = fmin(x_of(&s, i + 1) - x, x - x_of(&s, i - 1));
 
             tolerance = 40 * rounding(&s, x) / h;
-            assert_near(curve_value(&s.c, x + tiny), y_of(&s, i), 3 * steep * tiny + rounding(&s, x));
-            assert_near(curve_value(&s.c, x - tiny), y_of(&s, i), 3 * steep * tiny + rounding(&s, x));
+            assert_near(curve_value(&s.c, x + tiny), y_of(&s, i),
+                        3 * steep * tiny + rounding(&s, x));
+            assert_near(curve_value(&s.c, x - tiny), y_of(&s, i),
+                        3 * steep * tiny + rounding(&s, x));
             assert_near(one_sided(&s, i, 1), slope, tolerance);
             assert_near(one_sided(&s, i, -1), slope, tolerance);
             sloping += fabs(slope) > 100 * tolerance;
@@ -308,7 +309,8 @@ static void test_constant_and_straight(void **unused)
     curve_free(&c);
 }
 
-/* An indicator card over the two turns of a four-stroke engine: the second turn is not the first. */
+/* An indicator card over the two turns of a four-stroke engine: the second turn is not the
+** first. */
 static void test_two_turns(void **unused)
 {
     static const double degrees[] = {0, 10, 30, 90, 180, 360, 540, 700},
@@ -332,7 +334,7 @@ static void test_two_turns(void **unused)
     curve_free(&c);
 }
 
-static void test_free(void **unused)
+static void test_release(void **unused)
 {
     static const double x[] = {0, 1, 2}, y[] = {1, 2, 3};
     curve c;
@@ -356,7 +358,7 @@ int main(void)
         cmocka_unit_test(test_two_points),
         cmocka_unit_test(test_constant_and_straight),
         cmocka_unit_test(test_two_turns),
-        cmocka_unit_test(test_free),
+        cmocka_unit_test(test_release),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

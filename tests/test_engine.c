@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_engine.c - what textbooks compute for a slider-crank: the series against the expansion of the
-** exact formulas, the two masses of the rod against the conditions they are to meet, the engine
+** test_engine.c - what textbooks compute for a slider-crank: the series against the expansion of
+** the exact formulas, the two masses of the rod against the conditions they are to meet, the engine
 ** method against published examples and the nine equations, Klein's construction against circles.
 */
 #include "check.h"
@@ -115,8 +115,7 @@ static void test_series_expansion(void **unused)
             (w * w * (3 * s * s * c * c - s * s * s * s) / 2 + al * s * s * s * c / 2) / rate;
         /* the series of the sources keep cos(theta)/n of dphi/dt and its derivative */
         term[OF_OMEGA3] = -s * s * c / 2;
-        term[OF_ALPHA3] =
-            -(w * w * (2 * s * c * c - s * s * s) / 2 + al * s * s * c / 2) / rate;
+        term[OF_ALPHA3] = -(w * w * (2 * s * c * c - s * s * s) / 2 + al * s * s * c / 2) / rate;
         series_errors(r, n, theta2, w, al, branch, e1);
         series_errors(r, 2 * n, theta2, w, al, branch, e2);
         for (k = 0; k < N_ERRORS; k++) {
@@ -171,12 +170,12 @@ static void test_series_derivatives(void **unused)
             rod[k] = near.omega3;
         }
         /* trigonometric functions of at most 2 theta: the error is 2^7 step^6/140, the rounding
-        ** 3e-15/step, with the angle's own up to 10 eps */
-        assert_near(middle.v, slope(x, h), 3e-12 * r * scale);
-        assert_near(middle.a, slope(v, h), 3e-12 * r * scale * scale);
-        assert_near(middle.v_harmonic, slope(x1, h), 3e-12 * r * scale);
-        assert_near(middle.a_harmonic, slope(v1, h), 3e-12 * r * scale * scale);
-        assert_near(middle.alpha3, slope(rod, h), 3e-12 * scale * scale);
+        ** 3e-15/step, with that of the angle itself */
+        assert_near(middle.v, slope(x, h), 1e-11 * r * scale);
+        assert_near(middle.a, slope(v, h), 1e-11 * r * scale * scale);
+        assert_near(middle.v_harmonic, slope(x1, h), 1e-11 * r * scale);
+        assert_near(middle.a_harmonic, slope(v1, h), 1e-11 * r * scale * scale);
+        assert_near(middle.alpha3, slope(rod, h), 1e-11 * scale * scale);
     }
 }
 
@@ -281,7 +280,8 @@ static fourlink_rod masses_of(double l, double mass, double inertia, double cran
 
 /* DFA's three conditions: the same mass, the same centre of mass, the same moment of inertia.  The
 ** pair at the pins meets two, and has m b (l - L) too much of the third; the pair of ME3491 meets
-** all, and L is the length of the simple pendulum that swings with the rod about its gudgeon pin. */
+** all, and L is the length of the simple pendulum that swings with the rod about its gudgeon
+** pin. */
 static void test_rod_masses(void **unused)
 {
     uint64_t seed = 4;
@@ -328,12 +328,12 @@ static void test_rod_masses_limits(void **unused)
     assert_close(rod.k, 0.2, 1e-15);
     /* at the crank pin */
     rod = masses_of(0.7, 3, 0.12, 0);
-    assert_close(rod.m_a, 3, 1e-15);
+    assert_close(rod.m_a, 3.0, 1e-15);
     assert_near(rod.m_b, 0, 1e-15);
     /* a point mass: the true pair is that point alone */
     rod = masses_of(0.7, 3, 0, 0.2);
     assert_true(rod.d == 0 && rod.m_g == 0);
-    assert_close(rod.m_d, 3, 1e-15);
+    assert_close(rod.m_d, 3.0, 1e-15);
     /* no mass */
     rod = masses_of(0.7, 0, 0, 0.2);
     assert_true(rod.m_a == 0 && rod.m_b == 0 && rod.m_d == 0 && rod.m_g == 0 && rod.k == 0);
@@ -439,9 +439,9 @@ static void test_DFA_example_2(void **unused)
     s.design.gravity.y = -9.81;
     engine = engine_of(&s, 0, FOURLINK_SERIES_ALL);
     assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
-    assert_close(rod.n, 4, 1e-15);
-    assert_close(rod.m_b, 40, 1e-14);
-    assert_close(rod.m_a, 60, 1e-14);
+    assert_close(rod.n, 4.0, 1e-15);
+    assert_close(rod.m_b, 40.0, 1e-14);
+    assert_close(rod.m_a, 60.0, 1e-14);
     assert_printed(s.crank.omega2, 78.54, 0.01);
     assert_printed(phi_of(&s), 7.18, 0.01);
     assert_printed(engine.inertia_force, -100867, 1);
@@ -478,7 +478,7 @@ static void test_ME3491_example_1(void **unused)
     s.design.gravity.y = -9.81;
     engine = engine_of(&s, gas, FOURLINK_SERIES_PISTON);
     assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
-    assert_close(rod.n, 3, 1e-15);
+    assert_close(rod.n, 3.0, 1e-15);
     assert_printed(rod.m_a, 1.333, 0.001);
     assert_printed(rod.m_b, 0.6667, 0.0001);
     assert_printed(rod.m_b + 2.5, 3.16667, 0.00001);
@@ -520,7 +520,7 @@ static void test_ME3491_example_2(void **unused)
     engine = engine_of(&s, 0, FOURLINK_EXACT);
     assert_close(engine.T_engine, -5477.575795545, 1e-12);
     assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
-    assert_close(rod.n, 5, 1e-15);
+    assert_close(rod.n, 5.0, 1e-15);
     assert_close(rod.m_a, 176.25, 1e-14);
     assert_close(rod.m_b, 123.75, 1e-14);
     assert_printed(rod.L, 1.553, 0.001);
@@ -602,9 +602,8 @@ static void draw_engine(uint64_t *seed, int n, int massless_rod, double smallest
     gas->link = FOURLINK_FOLLOWER;
     gas->force.x = s->branch == FOURLINK_OPEN ? -e->gas : e->gas;
     assert_int_equal(solve(s), FOURLINK_OK);
-    assert_int_equal(
-        fourlink_solve(&s->mechanism, &s->state, e->load, e->n_loads + 1, &e->forces),
-        FOURLINK_OK);
+    assert_int_equal(fourlink_solve(&s->mechanism, &s->state, e->load, e->n_loads + 1, &e->forces),
+                     FOURLINK_OK);
     assert_int_equal(fourlink_engine_method(&s->mechanism, &s->state, e->gas, e->load, e->n_loads,
                                             FOURLINK_EXACT, &e->engine),
                      FOURLINK_OK);
@@ -623,7 +622,8 @@ static double largest_force(const engine_sample *e)
         largest = fmax(largest, hypot(e->load[i].force.x, e->load[i].force.y));
     largest = fmax(largest, (d->link[4].mass + 1.2 * m) * (fabs(state->a) + g));
     largest = fmax(largest, I * fabs(state->link[3].alpha) / d->link[3].length);
-    largest = fmax(largest, m * hypot(state->link[3].acceleration.x, state->link[3].acceleration.y));
+    largest =
+        fmax(largest, m * hypot(state->link[3].acceleration.x, state->link[3].acceleration.y));
     return largest / fabs(state->sine);
 }
 
@@ -703,7 +703,8 @@ static void test_classical_formulas(void **unused)
         double theta = uniform(&seed, -PI, PI), w = uniform(&seed, -100, 100);
         double m = uniform(&seed, 0.1, 10), b = uniform(&seed, 0.05, 1) * l;
         double k = uniform(&seed, 0, 0.6) * l, m_p = uniform(&seed, 0, 10), s = sin(theta);
-        double c = cos(theta), root = sqrt(n * n - s * s), phi = asin(s / n), lever, tolerance;
+        double c = cos(theta), root = sqrt(n * n - s * s), phi = asin(s / n), lever, tolerance,
+               of_couple;
         double m_a = m * b / l, m_b = m * (l - b) / l, L = b + k * k / b;
         double p1A1 = uniform(&seed, 0, 1e4), p2A2 = uniform(&seed, 0, 1e4), a, F, ddphi, T_c;
         int vertical = i % 2;
@@ -723,8 +724,9 @@ static void test_classical_formulas(void **unused)
         else
             e.design.gravity.y = -g;
         engine = engine_of(&e, p1A1 - p2A2, FOURLINK_EXACT);
-        tolerance =
-            1e-13 * (p1A1 + p2A2 + (m_p + m) * (g + 10 * r * w * w)) * n / root * n / root;
+        /* rounding of the angle grows by (n/root)^2 */
+        tolerance = 1e-14 * (p1A1 + p2A2 + (m_p + m) * (g + 10 * r * w * w)) * n / root * n / root;
+        of_couple = 1e-14 * m * (b * l + b * b + k * k) * w * w * pow(n / root, 4) / root;
         assert_true(engine.gas_force == p1A1 - p2A2);
         assert_near(engine.inertia_force, -(m_p + m_b) * a, tolerance);
         assert_near(engine.piston_effort, F, tolerance);
@@ -732,11 +734,12 @@ static void test_classical_formulas(void **unused)
         assert_near(engine.side_thrust, F * tan(phi), tolerance * n / root);
         assert_near(engine.crank_effort, F * sin(theta + phi) / cos(phi), tolerance * n / root);
         assert_near(engine.radial_force, F * cos(theta + phi) / cos(phi), tolerance * n / root);
-        assert_near(engine.correction_couple, m * b * (l - L) * ddphi, tolerance * l);
+        assert_near(engine.correction_couple, m * b * (l - L) * ddphi, of_couple);
         assert_near(engine.T_piston, F * lever, tolerance * r * n / root);
-        assert_near(engine.T_correction, T_c, tolerance * l);
+        assert_near(engine.T_correction, T_c, of_couple / root);
         /* against the crank while the part rises, with it while it sinks */
-        assert_near(engine.T_weight_a, vertical ? m_a * g * r * s : -m_a * g * r * c, tolerance * r);
+        assert_near(engine.T_weight_a, vertical ? m_a * g * r * s : -m_a * g * r * c,
+                    1e-14 * m_a * g * r);
         assert_true(engine.T_inertia_a == 0);
         assert_near(engine.T_engine,
                     F * lever + T_c + (vertical ? m_a * g * r * s : -m_a * g * r * c),
@@ -840,7 +843,8 @@ static void assert_same_engine(const engine_sample *e, double half_turn, double 
                      FOURLINK_OK);
     list(&e->engine, a);
     list(&engine, b);
-    /* torques and what points along y change sign in a mirror, what points along y in a half turn */
+    /* torques and what points along y change sign in a mirror, what points along y in a half
+    ** turn */
     for (k = 0; k < N_QUANTITIES; k++)
         assert_near(b[k], (k >= 5 ? mirror : 1) * (k == 5 ? half_turn : 1) * a[k], 2e-12 * scale);
 }
@@ -915,8 +919,8 @@ static void test_engine_statuses(void **unused)
     slider_crank(1, 3, 1, 2, 3, &s);
     set_rod(&s, 1, 1, 1);
     assert_int_equal(solve(&s), FOURLINK_OK);
-    assert_int_equal(
-        fourlink_engine_method(NULL, &s.state, 0, NULL, 0, FOURLINK_EXACT, &engine), FOURLINK_NULL);
+    assert_int_equal(fourlink_engine_method(NULL, &s.state, 0, NULL, 0, FOURLINK_EXACT, &engine),
+                     FOURLINK_NULL);
     assert_int_equal(
         fourlink_engine_method(&s.mechanism, NULL, 0, NULL, 0, FOURLINK_EXACT, &engine),
         FOURLINK_NULL);
@@ -927,17 +931,17 @@ static void test_engine_statuses(void **unused)
     refuse(&s, NAN, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
     refuse(&s, INFINITY, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
     refuse(&s, -1.1e30, NULL, 0, FOURLINK_EXACT, FOURLINK_BAD_NUMBER);
-    assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, -1e30, NULL, 0, FOURLINK_EXACT,
-                                            &engine),
-                     FOURLINK_OK);
+    assert_int_equal(
+        fourlink_engine_method(&s.mechanism, &s.state, -1e30, NULL, 0, FOURLINK_EXACT, &engine),
+        FOURLINK_OK);
 
     s.design.offset = 0.5;
     assert_int_equal(solve(&s), FOURLINK_OK);
     refuse(&s, 0, NULL, 0, FOURLINK_SERIES_PISTON, FOURLINK_NO_SERIES);
     refuse(&s, 0, NULL, 0, FOURLINK_SERIES_ALL, FOURLINK_NO_SERIES);
-    assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, 0, NULL, 0, FOURLINK_EXACT,
-                                            &engine),
-                     FOURLINK_OK);
+    assert_int_equal(
+        fourlink_engine_method(&s.mechanism, &s.state, 0, NULL, 0, FOURLINK_EXACT, &engine),
+        FOURLINK_OK);
 
     s.design.offset = 0;
     s.design.link[3].cg.y = 1e-3;
@@ -1013,8 +1017,8 @@ static void test_klein_motion(void **unused)
     }
 }
 
-/* The point of the circle about B with radius R that is on the circle on BC as diameter, on one side
-** of BC: bisection over the angle from BC, at which the distance from the middle of BC grows. */
+/* The point of the circle about B with radius R that is on the circle on BC as diameter, on one
+** side of BC: bisection over the angle from BC, with which the distance from its middle grows. */
 static fourlink_vector common_point(fourlink_vector B, fourlink_vector C, double R, double side)
 {
     double l = hypot(C.x - B.x, C.y - B.y), direction = atan2(C.y - B.y, C.x - B.x);

@@ -91,8 +91,8 @@ static void test_closed_forms(void **unused)
     }
 }
 
-/* The piston is where the circle about the crank pin cuts the line of stroke: at +x of the pin or at
-** -x of it. */
+/* The piston is where the circle about the crank pin cuts the line of stroke: at +x of the pin
+** or at -x of it. */
 static void test_coordinates(void **unused)
 {
     uint64_t seed = 2;
@@ -172,7 +172,7 @@ static void test_differences(void **unused)
         tested++;
         /* `time` is that to the next dead position, or to turn by a radian: derivative n of a
         ** function of size M is below n! M / time^n there, and the differences are in error by
-        ** less than 72 step^6 of M / time^2 and, by rounding, 1e-15 / (step^2 sine) */
+        ** less than 72 step^6 of M / time^2 and, by rounding, 1e-15 / (step^2 sine) of it */
         time = 1 / ((1 + 2 * r / (l * sine2)) * (fabs(w) + sqrt(fabs(al))));
         h = step * time;
         at_rest = atan2(e - r * sin(theta2), side * l * sqrt(sine2));
@@ -186,14 +186,14 @@ static void test_differences(void **unused)
         assert_int_equal(analyse(&m, branch_of(i), theta2, w, al, &state), FOURLINK_OK);
         dX = first(X, h);
         ddX = second(X, h);
-        assert_near(state.link[4].velocity.x, dX, 1e-10 * (r + l) / time);
+        assert_near(state.link[4].velocity.x, dX, 2e-12 * (r + l) / time);
         assert_near(state.link[4].acceleration.x, ddX, 1e-9 * (r + l) / (time * time));
-        assert_near(state.v, -side * dX, 1e-10 * (r + l) / time);
+        assert_near(state.v, -side * dX, 2e-12 * (r + l) / time);
         assert_near(state.a, -side * ddX, 1e-9 * (r + l) / (time * time));
-        assert_near(state.link[3].omega, first(theta3, h), 1e-10 / time);
+        assert_near(state.link[3].omega, first(theta3, h), 2e-12 / time);
         assert_near(state.link[3].alpha, second(theta3, h), 1e-9 / (time * time));
-        assert_near(state.link[3].k * w, first(theta3, h), 1e-10 / time);
-        assert_near(state.link[4].k_origin.x * w, dX, 1e-10 * (r + l) / time);
+        assert_near(state.link[3].k * w, first(theta3, h), 2e-12 / time);
+        assert_near(state.link[4].k_origin.x * w, dX, 2e-12 * (r + l) / time);
         assert_true(state.link[4].velocity.y == 0 && state.link[4].acceleration.y == 0);
     }
     assert_true(tested > 3000);
@@ -253,23 +253,23 @@ static void test_dead_centres(void **unused)
         in = branch == FOURLINK_OPEN ? asin(e / (l + r)) : PI - asin(e / (l + r));
         out = branch == FOURLINK_OPEN ? PI + asin(e / (l - r)) : -asin(e / (l - r));
         smallest = extreme(&m, branch, 1, low, 2 * PI / STEPS, &angle);
-        assert_near(smallest, 0, 1e-12 * size);
+        assert_near(smallest, 0, 1e-14 * size);
         /* the foot of a parabola is found to the square root of the rounding error */
         assert_near(remainder(angle - in, 2 * PI), 0, 1e-5);
         largest = extreme(&m, branch, -1, high, 2 * PI / STEPS, &angle);
-        assert_near(largest, stroke, 1e-12 * size);
-        assert_near(largest - smallest, stroke, 1e-12 * size);
+        assert_near(largest, stroke, 1e-14 * size);
+        assert_near(largest - smallest, stroke, 1e-14 * size);
         assert_near(remainder(angle - out, 2 * PI), 0, 1e-5);
 
         state = at(&m, branch, in);
-        assert_near(remainder(state.link[3].theta - in, 2 * PI), 0, 1e-13);
-        assert_near(state.x, 0, 1e-13 * size);
-        assert_near(state.v, 0, 1e-13 * size);
+        assert_near(remainder(state.link[3].theta - in, 2 * PI), 0, 1e-14);
+        assert_near(state.x, 0, 1e-14 * size);
+        assert_near(state.v, 0, 1e-14 * size);
         assert_true(state.a > 0);
         state = at(&m, branch, out);
-        assert_near(remainder(state.link[3].theta - out - PI, 2 * PI), 0, 1e-12);
-        assert_near(state.x, stroke, 1e-12 * size);
-        assert_near(state.v, 0, 1e-12 * size);
+        assert_near(remainder(state.link[3].theta - out - PI, 2 * PI), 0, 1e-14);
+        assert_near(state.x, stroke, 1e-14 * size);
+        assert_near(state.v, 0, 1e-14 * size);
     }
 }
 
@@ -314,8 +314,8 @@ static void test_equal_lengths(void **unused)
         fourlink_state state;
 
         if (i % 3 == 0)
-            theta2 =
-                ((int)uniform(&seed, -5, 5) + 0.5) * PI + uniform(&seed, 2, 9) * (i % 2 ? 1e-4 : -1e-4);
+            theta2 = ((int)uniform(&seed, -5, 5) + 0.5) * PI +
+                     uniform(&seed, 2, 9) * (i % 2 ? 1e-4 : -1e-4);
         c = cos(theta2);
         s = sin(theta2);
         tolerance = 4e-15 / fabs(c);
@@ -410,10 +410,13 @@ static void test_left_out(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms),        cmocka_unit_test(test_coordinates),
-        cmocka_unit_test(test_differences),         cmocka_unit_test(test_dead_centres),
-                      cmocka_unit_test(test_displacement_of_any),
-        cmocka_unit_test(test_equal_lengths),       cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_closed_forms),
+        cmocka_unit_test(test_coordinates),
+        cmocka_unit_test(test_differences),
+        cmocka_unit_test(test_dead_centres),
+        cmocka_unit_test(test_displacement_of_any),
+        cmocka_unit_test(test_equal_lengths),
+        cmocka_unit_test(test_left_out),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
