@@ -68,7 +68,7 @@ static void tell_type(const teller *t)
 
     fourlink_type_of(&t->d->mechanism, &type);
     begin(t, &f, "type", "by the Grashof condition");
-    f.words = fourlink_type_text(type);
+    f.words = fourlink_type_text((int)type);
     t->take(&f, t->data);
 }
 
