@@ -2,6 +2,7 @@
 **
 ** analysis.c - a deck at work: all that is known of one crank position on one branch.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,7 +23,7 @@ int analysis_possible(const deck *d)
                 ? NEED_ENGINE
                 : 0) |
            (slider_crank && d->design.offset == 0 ? NEED_SERIES : 0) |
-           (slider_crank ? NEED_KLEIN : 0);
+           (slider_crank ? NEED_KLEIN : 0) | NEED_EXTRAS | (d->has_forces ? NEED_SUPERPOSITION : 0);
 }
 
 int analysis_open(analysis *a, const deck *d, int needs)
@@ -54,6 +55,25 @@ static double gas_force(const deck_gas *gas, double theta2)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
+/* A load at this crank angle: its curve is followed, and outside its window it is nothing. */
+static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
+                     double theta2, fourlink_load *now)
+{
+    if (variation->is_windowed) {
+        double after = theta2 - variation->from;
+
+        after -= cycle * floor(after / cycle + 1e-12);
+        if (after > variation->to - variation->from + 1e-12 * cycle) {
+            now->force.x = now->force.y = now->torque = 0;
+            return;
+        }
+        now->force = load->force;
+        now->torque = load->torque;
+    }
+    if (variation->torque.n)
+        now->torque = curve_value(&variation->torque, theta2);
+}
+
 /* The loads at this crank angle: curves are followed, and the gas pushes the piston from its side. */
 static double set_loads(analysis *a, fourlink_branch branch, double theta2)
 {
@@ -61,8 +81,7 @@ static double set_loads(analysis *a, fourlink_branch branch, double theta2)
     double gas = 0;
 
     for (i = 0; i < a->d->n_loads; i++)
-        if (a->d->torques[i].n)
-            a->loads[i].torque = curve_value(&a->d->torques[i], theta2);
+        set_load(&a->d->loads[i], &a->d->variations[i], a->d->cycle, theta2, &a->loads[i]);
     if (a->n_loads > a->d->n_loads) {
         fourlink_load *load = &a->loads[a->d->n_loads];
 
@@ -77,9 +96,9 @@ void analysis_at(analysis *a, fourlink_branch branch, const fourlink_crank *cran
 {
     const fourlink_mechanism *mechanism = &a->d->mechanism;
     double gas = 0;
-    int forces = (a->needs & NEED_FORCES) != 0;
+    int forces = (a->needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
 
-    if (a->needs & (NEED_FORCES | NEED_ENGINE))
+    if (forces || (a->needs & NEED_ENGINE))
         gas = set_loads(a, branch, crank->theta2);
     r->branch = branch;
     r->status = fourlink_analyse(mechanism, branch, crank, a->loads, a->n_loads, &r->state,
@@ -91,6 +110,13 @@ void analysis_at(analysis *a, fourlink_branch branch, const fourlink_crank *cran
         r->status = fourlink_textbook_series(mechanism, &r->state, &r->series);
     if (r->status == FOURLINK_OK && (a->needs & NEED_KLEIN))
         r->status = fourlink_klein_construction(mechanism, &r->state, &r->klein);
+    if (r->status == FOURLINK_OK && (a->needs & NEED_EXTRAS))
+        extras_of_motion(mechanism, &r->state, &r->extras);
+    if (r->status == FOURLINK_OK && (a->needs & NEED_EXTRAS) && forces)
+        extras_of_forces(mechanism, &r->state, &r->forces, &r->extras);
+    if (r->status == FOURLINK_OK && (a->needs & NEED_SUPERPOSITION))
+        r->status = extras_superposition(mechanism, &r->state, a->loads, a->n_loads, &r->forces,
+                                         &r->extras);
 }
 
 void analysis_row(analysis *a, fourlink_branch branch, unsigned long i, result *r)

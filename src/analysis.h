@@ -6,9 +6,17 @@
 #define FOURLINK_ANALYSIS_H
 
 #include "deck.h"
+#include "extras.h"
 
 /* What is computed beside the motion of the links. */
-enum { NEED_FORCES = 1, NEED_ENGINE = 2, NEED_SERIES = 4, NEED_KLEIN = 8 };
+enum {
+    NEED_FORCES = 1,
+    NEED_ENGINE = 2,
+    NEED_SERIES = 4,
+    NEED_KLEIN = 8,
+    NEED_EXTRAS = 16,
+    NEED_SUPERPOSITION = 32
+};
 
 /* One row of results. */
 typedef struct result {
@@ -20,6 +28,7 @@ typedef struct result {
     fourlink_engine engine;
     fourlink_series series;
     fourlink_klein klein;
+    extras extras; /* of motion, and of forces if these are needed */
 } result;
 
 typedef struct analysis {

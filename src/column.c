@@ -25,7 +25,9 @@ enum {
     FORCES = NEED_FORCES,
     ENGINE = NEED_ENGINE,
     SERIES = NEED_SERIES,
-    KLEIN = NEED_KLEIN
+    KLEIN = NEED_KLEIN,
+    EXTRAS = NEED_EXTRAS,
+    SPLIT = NEED_SUPERPOSITION
 };
 
 struct column_info {
@@ -49,6 +51,7 @@ struct column_info {
 #define OF_SERIES(member) offsetof(result, series.member)
 #define OF_ENGINE(member) offsetof(result, engine.member)
 #define OF_KLEIN(member) offsetof(result, klein.member)
+#define OF_EXTRAS(member) offsetof(result, extras.member)
 
 static const column_info table[] = {
     {"theta2", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, ROW(angle), 0, "angle of the crank",
@@ -119,6 +122,74 @@ static const column_info table[] = {
      "direction of F14", "theta_F14 (ME3491)"},
     {"power", QUANTITY_POWER, BOTH, FORCES, 0, PRODUCT, FORCE(Ts), ROW(crank.omega2),
      "power put into the crank", ""},
+    {"Fsx", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Fsx), 0,
+     "shaking force on the frame, x", ""},
+    {"Fsy", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Fsy), 0,
+     "shaking force on the frame, y", ""},
+    {"Ms", QUANTITY_TORQUE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Ms), 0,
+     "shaking moment on the frame about A", ""},
+    {"F12_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F12.along), 0,
+     "F12 along the line of the crank", ""},
+    {"F12_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F12.across), 0,
+     "F12 across it, to the left", ""},
+    {"F32_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F32.along), 0,
+     "F32 along the line of the crank", ""},
+    {"F32_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F32.across), 0,
+     "F32 across it, to the left", ""},
+    {"F23_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F23.along), 0,
+     "F23 along the line of the coupler or rod", ""},
+    {"F23_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F23.across), 0,
+     "F23 across it, to the left", ""},
+    {"F43_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F43.along), 0,
+     "F43 along the line of the coupler or rod", ""},
+    {"F43_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F43.across), 0,
+     "F43 across it, to the left", ""},
+    {"F34_along", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F34.along), 0,
+     "F34 along the line of the rocker", ""},
+    {"F34_across", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F34.across), 0,
+     "F34 across it, to the left", ""},
+    {"F14_along", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F14.along), 0,
+     "F14 along the line of the rocker", ""},
+    {"F14_across", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F14.across), 0,
+     "F14 across it, to the left", ""},
+    {"Fi2", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].size), 0,
+     "inertia force of link 2", "F_g2 (ME3491)"},
+    {"Fi2_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].direction), 0,
+     "direction of Fi2", ""},
+    {"h2", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].h), 0,
+     "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
+    {"Fi3", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].size), 0,
+     "inertia force of link 3", "F_g3 (ME3491)"},
+    {"Fi3_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].direction), 0,
+     "direction of Fi3", ""},
+    {"h3", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].h), 0,
+     "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
+    {"Fi4", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].size), 0,
+     "inertia force of link 4", "F_g4 (ME3491)"},
+    {"Fi4_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].direction), 0,
+     "direction of Fi4", ""},
+    {"h4", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].h), 0,
+     "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
+    {"mechanical_advantage", QUANTITY_NUMBER, BOTH, EXTRAS, 0, VALUE,
+     OF_EXTRAS(mechanical_advantage), 0, "omega2 / omega4; slider-crank: r omega2 / v", ""},
+    {"condition", QUANTITY_NUMBER, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(condition), 0,
+     "1 / sine of the transmission angle: how errors of the data grow", ""},
+    {"I13x", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I13.x), 0,
+     "instantaneous centre of links 1 and 3, x", ""},
+    {"I13y", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I13.y), 0,
+     "instantaneous centre of links 1 and 3, y", ""},
+    {"I24x", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I24.x), 0,
+     "instantaneous centre of links 2 and 4, x", ""},
+    {"I24y", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I24.y), 0,
+     "instantaneous centre of links 2 and 4, y", ""},
+    {"Ts_work", QUANTITY_TORQUE, BOTH, FORCES, 0, VALUE, FORCE(Ts_work), 0,
+     "driving torque by virtual work, without the nine equations", ""},
+    {"Ts_static", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(Ts_static), 0,
+     "driving torque of loads and weights at rest", ""},
+    {"Ts_inertia", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(Ts_inertia), 0,
+     "driving torque of inertia alone", ""},
+    {"superposition", QUANTITY_NUMBER, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(superposition), 0,
+     "difference of their sum to the whole, relative to the largest force", ""},
     {"residual", QUANTITY_NUMBER, BOTH, FORCES, 1, VALUE, FORCE(residual), 0,
      "power balance, relative to its largest term", ""},
     {"x_series", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x), 0,
@@ -193,6 +264,21 @@ static int has(const deck *d, const column_info *info)
     return (info->kinds & (int)d->design.kind) != 0 && (info->need & ~analysis_possible(d)) == 0;
 }
 
+/* The columns of a point. */
+#define POINT_COLUMN(q, meaning)                          \
+    {                                                     \
+        "", q, BOTH, NOTHING, 0, VALUE, 0, 0, meaning, "" \
+    }
+static const column_info point_table[DECK_POINT_COLUMNS] = {
+    POINT_COLUMN(QUANTITY_LENGTH, "position of the point, x"),
+    POINT_COLUMN(QUANTITY_LENGTH, "position of the point, y"),
+    POINT_COLUMN(QUANTITY_SPEED, "velocity of the point, x"),
+    POINT_COLUMN(QUANTITY_SPEED, "velocity of the point, y"),
+    POINT_COLUMN(QUANTITY_ACCELERATION, "acceleration of the point, x"),
+    POINT_COLUMN(QUANTITY_ACCELERATION, "acceleration of the point, y"),
+    POINT_COLUMN(QUANTITY_SPEED, "speed of the point"),
+    POINT_COLUMN(QUANTITY_ACCELERATION, "magnitude of the acceleration of the point")};
+
 static void make(const deck *d, const column_info *info, column *c)
 {
     const deck_unit *u = &d->units[info->q];
@@ -201,8 +287,18 @@ static void make(const deck *d, const column_info *info, column *c)
     c->name = info->name;
     c->unit = u->name;
     c->scale = u->unit.down / u->unit.up;
-    if (info->x == ROW(angle))
+    c->point = NULL;
+    if (info->form == VALUE && info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
+}
+
+static void make_of_point(const deck *d, const deck_point *point, int i, column *c)
+{
+    make(d, &point_table[i], c);
+    c->name = point->column_names[i];
+    c->point = point;
+    c->component = i;
+    c->scale = d->units[c->info->q].unit.down / d->units[c->info->q].unit.up;
 }
 
 int columns_are_same(const column *x, const column *y)
@@ -239,12 +335,19 @@ void columns_free(column_list *columns)
 static int find(const deck *d, text name, int equal(text, const char *), column *c)
 {
     size_t i;
+    int j;
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (equal(name, table[i].name) && has(d, &table[i])) {
             make(d, &table[i], c);
             return 1;
         }
+    for (i = 0; i < d->n_points; i++)
+        for (j = 0; j < DECK_POINT_COLUMNS; j++)
+            if (equal(name, d->points[i].column_names[j])) {
+                make_of_point(d, &d->points[i], j, c);
+                return 1;
+            }
     return 0;
 }
 
@@ -269,10 +372,17 @@ static int add_all(const deck *d, int usual_only, column_list *columns)
 {
     column c;
     size_t i;
+    int j;
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (has(d, &table[i]) && (table[i].usual || !usual_only)) {
             make(d, &table[i], &c);
+            if (!columns_add(columns, &c))
+                return 0;
+        }
+    for (i = 0; i < d->n_points; i++)
+        for (j = 0; j < (usual_only ? 2 : DECK_POINT_COLUMNS); j++) {
+            make_of_point(d, &d->points[i], j, &c);
             if (!columns_add(columns, &c))
                 return 0;
         }
@@ -336,7 +446,7 @@ static int is_known(text name)
     for (i = 0; i < TABLE_COUNT; i++)
         if (text_equal(name, table[i].name))
             return 1;
-    return text_equal(name, "all");
+    return text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL;
 }
 
 void columns_check(deck *d)
@@ -375,9 +485,38 @@ static double number_at(const result *r, size_t place)
     return *(const double *)(const void *)((const char *)r + place);
 }
 
+static double point_value(const column *c, const result *r)
+{
+    fourlink_vector p, v, a;
+
+    fourlink_point(&r->state, c->point->link, &c->point->at, &p, &v, &a);
+    switch (c->component) {
+    case 0:
+        return p.x * c->scale;
+    case 1:
+        return p.y * c->scale;
+    case 2:
+        return v.x * c->scale;
+    case 3:
+        return v.y * c->scale;
+    case 4:
+        return a.x * c->scale;
+    case 5:
+        return a.y * c->scale;
+    case 6:
+        return gsl_hypot(v.x, v.y) * c->scale;
+    default:
+        return gsl_hypot(a.x, a.y) * c->scale;
+    }
+}
+
 double column_value(const column *c, const result *r)
 {
-    double x = number_at(r, c->info->x);
+    double x;
+
+    if (c->point)
+        return point_value(c, r);
+    x = number_at(r, c->info->x);
 
     switch (c->info->form) {
     case SIZE:
@@ -401,12 +540,12 @@ double column_value(const column *c, const result *r)
 
 int column_of_crank(const column *c)
 {
-    return c->info->form == VALUE && c->info->x < offsetof(result, branch);
+    return !c->point && c->info->form == VALUE && c->info->x < offsetof(result, branch);
 }
 
 int column_of_rounding(const column *c)
 {
-    return c->info->x == FORCE(residual);
+    return !c->point && (c->info->x == FORCE(residual) || c->info->x == OF_EXTRAS(superposition));
 }
 
 int columns_need(const column_list *columns)

@@ -13,8 +13,10 @@ typedef struct column_info column_info;
 typedef struct column {
     const column_info *info;
     const char *name;
-    const char *unit; /* as the deck names it */
-    double scale;     /* what SI values are multiplied by */
+    const char *unit;        /* as the deck names it */
+    double scale;            /* what SI values are multiplied by */
+    const deck_point *point; /* null: a column of the mechanism */
+    int component;           /* which of the point's columns */
 } column;
 
 /* Zero it before its first use, and give it to columns_free after its last. */

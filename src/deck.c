@@ -405,38 +405,121 @@ static void build_flywheel(parser *p)
                      "give either the fluctuation or the inertia: the other follows", (char *)NULL);
 }
 
-static void build_load(parser *p, const section_use *use, fourlink_load *load, curve *of_torque)
+/* The link that a load or a point is on. */
+static void check_link(parser *p, const section_use *use, const setting *link)
+{
+    int four_bar = p->d->design.kind == FOURLINK_FOUR_BAR;
+    char word[WORD_SIZE];
+
+    if (!link->place.source)
+        mistake_note(&p->d->mistakes, use->place, "[", section_table[use->section].name,
+                     "] has no link: ",
+                     four_bar ? "crank, coupler or rocker" : "crank, rod or piston", (char *)NULL);
+    else if (four_bar ? text_equal(link->value, "rod") || text_equal(link->value, "piston")
+                      : text_equal(link->value, "coupler") || text_equal(link->value, "rocker"))
+        mistake_note(&p->d->mistakes, link->place, "a ", kind_words(p->d->design.kind), " has no ",
+                     word_of(link->value, word), ": its links are ",
+                     four_bar ? "crank, coupler and rocker" : "crank, rod and piston",
+                     (char *)NULL);
+}
+
+/* The crank angles between which a load acts. */
+static void build_window(parser *p, const section_use *use, deck_load *variation)
+{
+    const setting *from = setting_of(p, use, KEY_LOAD_FROM), *to = setting_of(p, use, KEY_LOAD_TO);
+    char a[WORD_SIZE], b[WORD_SIZE];
+
+    if (!from->place.source && !to->place.source)
+        return;
+    variation->is_windowed = 1;
+    variation->from = from->si[0]; /* 0 if it is not given */
+    variation->to = to->place.source ? to->si[0] : p->d->cycle;
+    if (variation->to <= variation->from)
+        mistake_note(&p->d->mistakes, (from->place.source ? from : to)->place,
+                     "the load's 'from' must be before its 'to', not ",
+                     from->place.source ? word_of(from->value, a) : "0", " and ",
+                     to->place.source ? word_of(to->value, b) : "the end of the cycle",
+                     (char *)NULL);
+    else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
+        mistake_note(&p->d->mistakes, (to->place.source ? to : from)->place,
+                     "the load acts for longer than a cycle", (char *)NULL);
+}
+
+/* [point NAME] */
+static void build_point(parser *p, const section_use *use, deck_point *new)
+{
+    static const char *const endings[DECK_POINT_COLUMNS] = {".x",  ".y",  ".vx", ".vy",
+                                                            ".ax", ".ay", ".v",  ".a"};
+    const setting *link = setting_of(p, use, KEY_POINT_LINK),
+                  *at = setting_of(p, use, KEY_POINT_AT);
+    size_t i;
+
+    check_link(p, use, link);
+    if (!use->name.length)
+        mistake_note(&p->d->mistakes, use->place, "a point needs a name: [point P]", (char *)NULL);
+    for (i = 0; i < use->name.length; i++)
+        if (!text_is_word(use->name.start[i])) {
+            mistake_note(&p->d->mistakes, use->place,
+                         "the name of a point is one word: its columns are NAME.x, NAME.y ...",
+                         (char *)NULL);
+            break;
+        }
+    new->name = use->name;
+    new->link = link->word;
+    new->at.x = at->si[0];
+    new->at.y = at->si[1];
+    for (i = 0; i < DECK_POINT_COLUMNS; i++) {
+        char *name = keep(p, use->name.length + 4);
+
+        if (!name)
+            return;
+        memcpy(name, use->name.start, use->name.length);
+        strcpy(name + use->name.length, endings[i]);
+        new->column_names[i] = name;
+    }
+}
+
+static void build_points(parser *p)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < p->n_uses; i++)
+        n += p->uses[i].section == SECTION_POINT;
+    if (!n)
+        return;
+    p->d->points = calloc(n, sizeof *p->d->points);
+    if (!p->d->points) {
+        p->out_of_memory = 1;
+        return;
+    }
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == SECTION_POINT)
+            build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
+}
+
+static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
 {
     const setting *link = setting_of(p, use, KEY_LOAD_LINK);
     const setting *force = setting_of(p, use, KEY_LOAD_FORCE),
                   *at = setting_of(p, use, KEY_LOAD_AT);
     const setting *torque = setting_of(p, use, KEY_LOAD_TORQUE);
-    char word[WORD_SIZE];
-    int four_bar = p->d->design.kind == FOURLINK_FOUR_BAR;
+    const setting *frame = setting_of(p, use, KEY_LOAD_FRAME);
 
-    if (!link->place.source) {
-        mistake_note(&p->d->mistakes, use->place, "[load] has no link: ",
-                     four_bar ? "crank, coupler or rocker" : "crank, rod or piston", (char *)NULL);
-    } else if (four_bar ? text_equal(link->value, "rod") || text_equal(link->value, "piston")
-                        : text_equal(link->value, "coupler") || text_equal(link->value, "rocker")) {
-        mistake_note(&p->d->mistakes, link->place, "a ", kind_words(p->d->design.kind), " has no ",
-                     word_of(link->value, word), ": its links are ",
-                     four_bar ? "crank, coupler and rocker" : "crank, rod and piston",
-                     (char *)NULL);
-    }
+    check_link(p, use, link);
     if (!force->place.source && !torque->place.source)
         mistake_note(&p->d->mistakes, use->place, "[load] has neither a force nor a torque",
                      (char *)NULL);
     if (at->place.source && !force->place.source)
         mistake_note(&p->d->mistakes, at->place, "'at' is for a force", (char *)NULL);
     load->link = link->word;
-    load->frame = FOURLINK_FRAME_GROUND;
+    load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];
     load->force.y = force->si[1];
     load->at.x = at->si[0];
     load->at.y = at->si[1];
     load->torque = torque->si[0];
-    build_curve(p, torque, of_torque);
+    build_curve(p, torque, &variation->torque);
+    build_window(p, use, variation);
 }
 
 static void build_loads(parser *p)
@@ -448,14 +531,15 @@ static void build_loads(parser *p)
     if (!n)
         return;
     p->d->loads = calloc(n, sizeof *p->d->loads);
-    p->d->torques = calloc(n, sizeof *p->d->torques);
-    if (!p->d->loads || !p->d->torques) {
+    p->d->variations = calloc(n, sizeof *p->d->variations);
+    if (!p->d->loads || !p->d->variations) {
         p->out_of_memory = 1;
         return;
     }
     for (i = 0; i < p->n_uses; i++)
         if (p->uses[i].section == SECTION_LOAD) {
-            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads], &p->d->torques[p->d->n_loads]);
+            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads],
+                       &p->d->variations[p->d->n_loads]);
             p->d->n_loads++;
         }
     p->d->has_forces = 1;
@@ -614,6 +698,7 @@ static void build(parser *p)
     build_mechanism(p);
     build_gas(p);
     build_loads(p);
+    build_points(p);
     build_series(p);
     build_motion(p);
     build_flywheel(p);
@@ -772,10 +857,11 @@ void deck_free(deck *d)
     unsigned long i;
 
     mistakes_free(&d->mistakes);
-    for (i = 0; d->torques && i < d->n_loads; i++)
-        curve_free(&d->torques[i]);
+    for (i = 0; d->variations && i < d->n_loads; i++)
+        curve_free(&d->variations[i].torque);
     curve_free(&d->gas.indicator);
-    free(d->torques);
+    free(d->variations);
+    free(d->points);
     free(d->loads);
     free(d->expectations);
     for (k = d->storage; k; k = next) {

@@ -31,6 +31,23 @@ typedef struct deck_gas {
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
+/* Beside a load: what changes with the crank angle. */
+typedef struct deck_load {
+    curve torque;    /* over the crank angle, if it has such a curve */
+    int is_windowed; /* 1: it acts between two crank angles only, in every cycle */
+    double from, to; /* rad */
+} deck_load;
+
+#define DECK_POINT_COLUMNS 8
+
+/* A tracer point. */
+typedef struct deck_point {
+    text name;
+    int link;
+    fourlink_vector at;                     /* m, in the link's own axes */
+    char *column_names[DECK_POINT_COLUMNS]; /* NAME.x ... */
+} deck_point;
+
 /* A value that a source printed. */
 typedef struct deck_expectation {
     text_place place;
@@ -51,8 +68,10 @@ typedef struct deck {
     int one_revolution;           /* 1: the last row repeats the first */
     double cycle;                 /* rad, the period of curves and of the turning moment */
     fourlink_load *loads;
-    curve *torques; /* for each load: its torque over the crank angle, if it has such a curve */
+    deck_load *variations; /* for each load */
     unsigned long n_loads;
+    deck_point *points;
+    size_t n_points;
     deck_gas gas;
     int has_forces; /* 1: the deck has masses, loads or gas */
     fourlink_approximation approximation;

@@ -11,6 +11,11 @@
 #include "number.h"
 #include "reader.h"
 
+static int is_blank(int c)
+{
+    return c == ' ' || c == '\t';
+}
+
 static void note_expected(parser *p, const setting *s, const char *expected, const char *example)
 {
     char word[WORD_SIZE];
@@ -79,6 +84,8 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
         if (text_same(t, "1"))
             bad = t;
         nearest = unit_nearest(bad);
+        if (nearest && text_same(bad, nearest))
+            nearest = NULL;
         if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
             mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
                          "': a comment needs a blank before it", (char *)NULL);
@@ -159,7 +166,7 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     if (!read_number(p, s, &t, QUANTITY_ANGLE, &x))
         return 0;
     for (i = 1; i < t.length; i++)
-        if (strchr(" \t", t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
             break;
     if (i >= t.length) {
         note_expected(p, s, "an angle and a value",
@@ -253,6 +260,17 @@ static void load_curve(parser *p, setting *s, quantity q, text name)
     free(data);
 }
 
+/* 0 deg 1 N m: a curve of one point, not a quantity */
+static int has_second_number(text t)
+{
+    size_t i;
+
+    for (i = 1; i < t.length; i++)
+        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+            return 1;
+    return 0;
+}
+
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 static void read_curve(parser *p, setting *s, quantity q)
 {
@@ -270,7 +288,8 @@ static void read_curve(parser *p, setting *s, quantity q)
         read_quantity(p, s, rest, q, &number);
         return;
     }
-    if (!memchr(rest.start, ',', rest.length) && q != QUANTITY_PRESSURE) {
+    if (!memchr(rest.start, ',', rest.length) && !has_second_number(rest) &&
+        q != QUANTITY_PRESSURE) {
         read_quantity(p, s, rest, q, &s->si[0]);
         return;
     }
@@ -283,11 +302,6 @@ static void read_curve(parser *p, setting *s, quantity q)
             return;
         s->n_points++;
     }
-}
-
-static int is_blank(int c)
-{
-    return c == ' ' || c == '\t';
 }
 
 /* (10, 5) mm */

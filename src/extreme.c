@@ -22,6 +22,8 @@ typedef struct search {
     int sign;
     int periodic;       /* 1: one revolution, whose ends meet */
     double first, last; /* crank angles in the deck's unit */
+    double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
+    double last_value;  /* from which such an angle goes on */
 } search;
 
 /* The column at any angle, with its sign turned so that the extreme is a minimum; NaN where there is
@@ -30,6 +32,7 @@ static double value_at(double angle, void *data)
 {
     const search *s = data;
     const fourlink_motion *motion = &s->a->d->motion;
+    double value;
     result r;
 
     if (s->periodic && (angle < s->first || angle > s->last))
@@ -38,7 +41,10 @@ static double value_at(double angle, void *data)
     analysis_at(s->a, s->branch, &r.row.crank, &r);
     if (r.status != FOURLINK_OK)
         return GSL_NAN;
-    return -s->sign * column_value(s->c, &r);
+    value = -s->sign * column_value(s->c, &r);
+    if (s->turn > 0)
+        value -= s->turn * floor((value - s->last_value) / s->turn + 0.5);
+    return value;
 }
 
 /* One of GSL's minimisers, from a bracket on; the lowest point goes to `best`, the bracket shrinks. */
@@ -119,8 +125,13 @@ int extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
         steps = span > 0 ? 360 : 0;
     step = steps ? span / (double)steps : 0;
 
-    before = s.periodic ? value_at(s.first - step, &s) : GSL_NAN;
+    s.turn = 0;
     now = value_at(s.first, &s);
+    if (column_quantity(c) == QUANTITY_ANGLE && !gsl_isnan(now)) {
+        s.turn = 2 * M_PI * d->units[QUANTITY_ANGLE].unit.down / d->units[QUANTITY_ANGLE].unit.up;
+        s.last_value = now;
+    }
+    before = s.periodic ? value_at(s.first - step, &s) : GSL_NAN;
     for (i = 0; i <= steps; i++) {
         after = i < steps    ? value_at(s.first + (double)(i + 1) * step, &s)
                 : s.periodic ? value_at(s.last + step, &s)
@@ -130,12 +141,16 @@ int extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
             keep_lowest(peaks, &n, now, s.first + (double)i * step);
         before = now;
         now = after;
+        if (!gsl_isnan(now))
+            s.last_value = now;
     }
     if (!n)
         return 0;
     best = peaks[0];
     for (k = 0; k < n; k++) {
         double x = peaks[k].angle, low = x - step, high = x + step;
+
+        s.last_value = peaks[k].value;
 
         if (low < s.first && !s.periodic) /* at an end: is there a minimum just inside it? */
             low = s.first, x = s.first + 1e-3 * step;

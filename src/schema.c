@@ -30,6 +30,13 @@ const word_info word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BA
                                 {KEY_EXPECT_BRANCH, "crossed", BRANCH_CROSSED},
                                 {KEY_MISPRINT_BRANCH, "open", BRANCH_OPEN},
                                 {KEY_MISPRINT_BRANCH, "crossed", BRANCH_CROSSED},
+                                {KEY_POINT_LINK, "crank", FOURLINK_CRANK},
+                                {KEY_POINT_LINK, "coupler", FOURLINK_COUPLER},
+                                {KEY_POINT_LINK, "rod", FOURLINK_COUPLER},
+                                {KEY_POINT_LINK, "rocker", FOURLINK_FOLLOWER},
+                                {KEY_POINT_LINK, "piston", FOURLINK_FOLLOWER},
+                                {KEY_LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND},
+                                {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
                                 {KEY_COUNT, NULL, 0}};
 
 const char *kind_words(fourlink_kind kind)

@@ -23,6 +23,7 @@
     X(MOTION, "motion", 0, ANY_KIND)              \
     X(GRAVITY, "gravity", 0, ANY_KIND)            \
     X(LOAD, "load", 1, ANY_KIND)                  \
+    X(POINT, "point", 1, ANY_KIND)                \
     X(TABLE, "table", 0, ANY_KIND)                \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND)          \
     X(EXPECT, "expect", 1, ANY_KIND)              \
@@ -108,6 +109,11 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                    \
     X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                          \
     X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                  \
+    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND)                                     \
+    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                    \
+    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                        \
+    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                      \
+    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                         \
     X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                  \
     X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \

@@ -148,6 +148,16 @@ static const char *cell_text(double x, const style *s, char out[NUMBER_SIZE])
     return out[0] == '-' && strspn(out, "-0.") == strlen(out) ? out + 1 : out;
 }
 
+/* A dead position is flagged before it is reached: within a degree of it, errors of the data grow more
+** than 57 times. */
+static const char near_dead_text[] =
+    "near a dead position: the transmission angle is less than 1 deg";
+
+static int near_dead_position(const result *r)
+{
+    return r->status == FOURLINK_OK && r->state.mu < M_PI / 180;
+}
+
 static void put_right(FILE *out, const char *s, size_t width)
 {
     size_t n = strlen(s);
@@ -260,6 +270,9 @@ static void put_row(FILE *out, const deck *d, const column_list *columns, const 
         put_right(out, cell_text(column_value(&columns->list[j], r), &styles[j], number),
                   styles[j].width);
     putc('\n', out);
+    if (near_dead_position(r))
+        fprintf(out, "# theta2 = %s %s: %s\n", angle_text(r->row.angle, number),
+                d->units[QUANTITY_ANGLE].name, near_dead_text);
 }
 
 static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns,
@@ -397,7 +410,7 @@ int csv_print(FILE *out, analysis *a, const column_list *columns, const column_l
         for (k = 0; k < a->range.n_rows; k++) {
             analysis_row(a, branches[i], k, &r);
             put_csv_row(out, map, header->count, deck_name, branches[i], &r,
-                        fourlink_status_text(r.status));
+                        near_dead_position(&r) ? near_dead_text : fourlink_status_text(r.status));
             *failed += r.status != FOURLINK_OK;
         }
         if (a->range.stops) {

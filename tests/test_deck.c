@@ -530,7 +530,7 @@ static void test_engine(void **unused)
 
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
-    check_curve(&d.torques[0], torque, 3);
+    check_curve(&d.variations[0].torque, torque, 3);
     assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
     assert_int_equal(d.has_forces, 1);
     deck_free(&d);
@@ -543,7 +543,7 @@ static void test_engine(void **unused)
     deck_free(&d);
     read_with(ENGINE, "load T.torque=-7 N m", &d);
     assert_true(d.loads[0].torque == -7);
-    assert_int_equal(d.torques[0].n, 0);
+    assert_int_equal(d.variations[0].torque.n, 0);
     deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
@@ -621,7 +621,7 @@ static void test_odd_curves(void **unused)
         if (read_changed(ENGINE, &change, 1, &d))
             for (k = -100; k < 100; k++) {
                 assert_true(fabs(curve_value(&d.gas.indicator, k * 0.1)) <= FOURLINK_NUMBER_MAX);
-                assert_true(fabs(curve_value(&d.torques[0], k * 0.1)) <= FOURLINK_NUMBER_MAX);
+                assert_true(fabs(curve_value(&d.variations[0].torque, k * 0.1)) <= FOURLINK_NUMBER_MAX);
             }
         deck_free(&d);
     }
@@ -984,8 +984,8 @@ static int check_outcome(const char *contents, size_t length)
         for (i = 0; i < 20; i++) {
             if (d.gas.indicator.n)
                 assert_true(fabs(curve_value(&d.gas.indicator, (double)i)) <= FOURLINK_NUMBER_MAX);
-            if (d.n_loads && d.torques[0].n)
-                assert_true(fabs(curve_value(&d.torques[0], (double)i)) <= FOURLINK_NUMBER_MAX);
+            if (d.n_loads && d.variations[0].torque.n)
+                assert_true(fabs(curve_value(&d.variations[0].torque, (double)i)) <= FOURLINK_NUMBER_MAX);
         }
         status = 1;
     }
