@@ -81,7 +81,7 @@ void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *s
     const fourlink_link *link = mechanism->design.link;
     double b = link[3].length, c = link[4].length, d = link[1].length;
     fourlink_link_state *coupler = &state->link[3], *rocker = &state->link[4];
-    double w = 2 * b * c * state->sine, b2_c2 = (b - c) * (b + c), f2, p3, p4, q;
+    double w = 2 * b * c * state->sine, b2_c2 = (b - c) * (b + c), f2, p;
     fourlink_vector BD, n;
 
     BD.x = d - coupler->origin.x;
@@ -89,16 +89,15 @@ void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *s
     n.x = -BD.y;
     n.y = BD.x;
     f2 = FLK_DOT(BD, BD);
-    p3 = (f2 + b2_c2) / (2 * f2);
-    p4 = (b2_c2 - f2) / (2 * f2);
-    q = w / (2 * f2);
-    coupler->axis.x = (p3 * BD.x + q * n.x) / b;
-    coupler->axis.y = (p3 * BD.y + q * n.y) / b;
+    p = 0.5 / (f2 * b);
+    coupler->axis.x = p * ((f2 + b2_c2) * BD.x + w * n.x);
+    coupler->axis.y = p * ((f2 + b2_c2) * BD.y + w * n.y);
     coupler->theta = atan2(coupler->axis.y + 0.0, coupler->axis.x);
     rocker->origin.x = d;
     rocker->origin.y = 0;
-    rocker->axis.x = (p4 * BD.x + q * n.x) / c;
-    rocker->axis.y = (p4 * BD.y + q * n.y) / c;
+    p = 0.5 / (f2 * c);
+    rocker->axis.x = p * ((b2_c2 - f2) * BD.x + w * n.x);
+    rocker->axis.y = p * ((b2_c2 - f2) * BD.y + w * n.y);
     rocker->theta = atan2(rocker->axis.y + 0.0, rocker->axis.x);
     state->mu = fabs(rocker->theta - coupler->theta);
     if (state->mu > M_PI)

@@ -48,7 +48,10 @@ void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_
 /* Whether a load is in order: FOURLINK_OK or why it is not (kinetostatics.c). */
 int flk_check_load(const fourlink_load *load);
 
-/* The arm from a link's origin to a point of it, turned into the frame of link 1 (mechanism.c). */
-fourlink_vector flk_arm(const fourlink_link_state *link, fourlink_vector at);
+/* A vector from a link's own axes into the frame of link 1: v = the arm from the link's origin to the
+** point `at` of it, or a force that turns with the link. */
+#define FLK_TURN(v, link, at)                                   \
+    ((v).x = (at).x * (link)->axis.x - (at).y * (link)->axis.y, \
+     (v).y = (at).x * (link)->axis.y + (at).y * (link)->axis.x)
 
 #endif

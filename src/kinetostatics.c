@@ -60,10 +60,11 @@ int flk_check_load(const fourlink_load *load)
 static void apply_load(const fourlink_load *load, const fourlink_link_state *link,
                        fourlink_vector cg, free_body *body)
 {
-    fourlink_vector F = load->force, r = flk_arm(link, load->at), rho, k;
+    fourlink_vector F = load->force, r, rho, k;
 
+    FLK_TURN(r, link, load->at);
     if (load->frame == FOURLINK_FRAME_LINK)
-        F = flk_arm(link, F);
+        FLK_TURN(F, link, load->force);
     rho.x = r.x - cg.x;
     rho.y = r.y - cg.y;
     k = unit_velocity(link, r);
@@ -100,9 +101,11 @@ static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *s
     for (i = 0; i < 3; i++) {
         const fourlink_link *data = &mechanism->design.link[i + 2];
         const fourlink_link_state *link = &state->link[i + 2];
-        fourlink_vector r = flk_arm(link, data->cg), G, a, k = unit_velocity(link, r), W;
         double omega2 = link->omega * link->omega;
+        fourlink_vector r, G, a, k, W;
 
+        FLK_TURN(r, link, data->cg);
+        k = unit_velocity(link, r);
         G.x = link->origin.x + r.x;
         G.y = link->origin.y + r.y;
         a.x = link->acceleration.x - link->alpha * r.y - omega2 * r.x;

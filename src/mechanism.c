@@ -163,15 +163,6 @@ int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fo
     return FOURLINK_OK;
 }
 
-fourlink_vector flk_arm(const fourlink_link_state *link, fourlink_vector at)
-{
-    fourlink_vector arm;
-
-    arm.x = at.x * link->axis.x - at.y * link->axis.y;
-    arm.y = at.x * link->axis.y + at.y * link->axis.x;
-    return arm;
-}
-
 /* A point P of a rigid body with origin O, arm r = P - O:
 **
 **    v_P = v_O + omega x r,   a_P = a_O + alpha x r - omega^2 r
@@ -190,7 +181,7 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
     if (!check_vector(at, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
     body = &state->link[link];
-    r = flk_arm(body, *at);
+    FLK_TURN(r, body, *at);
     if (position) {
         position->x = body->origin.x + r.x;
         position->y = body->origin.y + r.y;

@@ -801,5 +801,10 @@ check 'a machine at rest without weight' none -Eiw 'nan|inf' out
 run 2 -s 'motion.at=1e30 rad' "$alvi"
 nothing
 
+# Memory does not grow with the number of rows.  (A sanitizer needs more address space than this.)
+if (ulimit -v 65536 && "$fourlink" "$matrix" >out) 2>err; then
+    check 'a million rows in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -b open -i 0.00036 "$1" | wc -l | grep -q "^ *10000[0-9][0-9]"' "$fourlink" "$matrix"
+fi
+
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
