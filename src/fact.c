@@ -95,6 +95,27 @@ static void tell_reach(const teller *t)
     }
 }
 
+/* The angles that link 4 can have: by symmetry those of a crank in the linkage read from D to A, with
+** the angle 180 deg - theta4. */
+static void tell_reach_of_rocker(const teller *t)
+{
+    fourlink_design mirrored = t->d->design;
+    fourlink_mechanism mechanism;
+    fourlink_reach reach;
+    int i;
+
+    mirrored.link[FOURLINK_CRANK].length = t->d->design.link[FOURLINK_FOLLOWER].length;
+    mirrored.link[FOURLINK_FOLLOWER].length = t->d->design.link[FOURLINK_CRANK].length;
+    if (fourlink_prepare(&mirrored, &mechanism) != FOURLINK_OK)
+        return;
+    fourlink_reach_of(&mechanism, &reach);
+    for (i = 0; i < reach.n_ranges; i++) {
+        tell(t, "theta4_from", M_PI - reach.to[i], QUANTITY_ANGLE, "link 4 can be at this angle");
+        tell(t, "theta4_to", M_PI - reach.from[i], QUANTITY_ANGLE, "to this one");
+        tell(t, "theta4_swing", reach.to[i] - reach.from[i], QUANTITY_ANGLE, "between them");
+    }
+}
+
 static void tell_rod(const teller *t)
 {
     fourlink_rod rod;
@@ -195,6 +216,8 @@ void facts_tell(analysis *a, int with_turning, const column_list *columns, fact_
     if (t.d->design.kind == FOURLINK_FOUR_BAR)
         tell_freudenstein(&t);
     tell_reach(&t);
+    if (t.d->design.kind == FOURLINK_FOUR_BAR)
+        tell_reach_of_rocker(&t);
     tell_rod(&t);
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;

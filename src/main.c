@@ -152,6 +152,10 @@ static int read_job(const char *path, const options *o, job *j)
     if (j->name != path && isatty(STDIN_FILENO))
         fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
     contents = read_file(path, &length);
+    if (!contents && errno == EFBIG) {
+        fprintf(stderr, "%s:1: error: a file of more than 64 MB: not a deck\n", j->name);
+        return EXIT_USAGE;
+    }
     if (!contents)
         return complain("cannot read", j->name, strerror(errno));
     all.start = contents;

@@ -621,7 +621,8 @@ static void test_odd_curves(void **unused)
         if (read_changed(ENGINE, &change, 1, &d))
             for (k = -100; k < 100; k++) {
                 assert_true(fabs(curve_value(&d.gas.indicator, k * 0.1)) <= FOURLINK_NUMBER_MAX);
-                assert_true(fabs(curve_value(&d.variations[0].torque, k * 0.1)) <= FOURLINK_NUMBER_MAX);
+                assert_true(fabs(curve_value(&d.variations[0].torque, k * 0.1)) <=
+                            FOURLINK_NUMBER_MAX);
             }
         deck_free(&d);
     }
@@ -985,7 +986,8 @@ static int check_outcome(const char *contents, size_t length)
             if (d.gas.indicator.n)
                 assert_true(fabs(curve_value(&d.gas.indicator, (double)i)) <= FOURLINK_NUMBER_MAX);
             if (d.n_loads && d.variations[0].torque.n)
-                assert_true(fabs(curve_value(&d.variations[0].torque, (double)i)) <= FOURLINK_NUMBER_MAX);
+                assert_true(fabs(curve_value(&d.variations[0].torque, (double)i)) <=
+                            FOURLINK_NUMBER_MAX);
         }
         status = 1;
     }
