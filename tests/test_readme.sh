@@ -14,7 +14,7 @@ passed=0
 failed=0
 
 awk '/^```c$/ {on = 1; next} on && /^```/ {exit} on' README.md >"$work/example.c"
-${CC:-cc} -std=c90 -pedantic-errors -Wall -Wextra -Werror -Iinclude "$work/example.c" \
+${CC:-cc} ${CFLAGS-} -std=c90 -pedantic-errors -Wall -Wextra -Werror -Iinclude "$work/example.c" \
   -o "$work/example" "$build/libfourlink.a" -lgsl -lgslcblas -lm || exit 1
 
 awk -v work="$work" '
