@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** table.h - rows to text: the formats table, csv and paper, and the nine equations.
+** table.h - results to text, a file for each way: table.c, csv.c, paper.c, matrix.c, summary.c,
+** grade.c.
 */
 #ifndef FOURLINK_TABLE_H
 #define FOURLINK_TABLE_H

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** grade.c - printed values against computed ones, to text: --check.
+*/
+#include <float.h>
+#include <string.h>
+
+#include "compare.h"
+#include "number.h"
+#include "print.h"
+#include "table.h"
+
+static const char *const check_words[] = {"ok", "differs", "misprint confirmed", "not a misprint"};
+
+typedef struct check_printer {
+    FILE *out;
+    const deck *d;
+    const char *deck_name; /* csv: null, no column of that name */
+    unsigned long n[4];
+} check_printer;
+
+static void put_check(const check *c, void *data)
+{
+    check_printer *p = data;
+    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+
+    p->n[c->result]++;
+    fprintf(p->out, "%-18s %s:%ld: %s = %s", check_words[c->result], c->e->place.source,
+            c->e->place.line, text_copy(c->e->name, name, sizeof name),
+            text_copy(c->e->value, value, sizeof value));
+    if (c->words[0])
+        fprintf(p->out, ", computed %s", c->words);
+    else
+        fprintf(p->out, ", computed %s %s", number_general(c->computed, 9, number), c->unit);
+    if (c->at_angle)
+        fprintf(p->out, " at %s %s", number_general(c->e->at, 9, number),
+                p->d->units[QUANTITY_ANGLE].name);
+    fprintf(p->out, ", %s\n", branch_name(c->e->branch));
+}
+
+void check_print_csv_header(FILE *out, int with_deck)
+{
+    fprintf(out, "%sfile,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n",
+            with_deck ? "deck," : "");
+}
+
+static void put_check_csv(const check *c, void *data)
+{
+    check_printer *p = data;
+    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+
+    p->n[c->result]++;
+    if (p->deck_name) {
+        print_field(p->out, p->deck_name);
+        putc(',', p->out);
+    }
+    print_field(p->out, c->e->place.source);
+    fprintf(p->out, ",%ld,%s,", c->e->place.line, check_words[c->result]);
+    print_field(p->out, text_copy(c->e->name, name, sizeof name));
+    fprintf(p->out, ",%s,%s,%s,", c->at_angle ? number_general(c->e->at, DBL_DIG + 2, number) : "",
+            branch_name(c->e->branch), c->unit);
+    print_field(p->out, text_copy(c->e->value, value, sizeof value));
+    putc(',', p->out);
+    print_field(p->out, c->words[0] ? c->words : number_general(c->computed, DBL_DIG + 2, number));
+    fprintf(p->out, ",%s\r\n",
+            c->words[0] ? "" : number_general(c->tolerance, DBL_DIG + 2, number));
+}
+
+int check_print(FILE *out, deck *d, int csv, const char *deck_name)
+{
+    check_printer p;
+    int status;
+
+    memset(&p, 0, sizeof p);
+    p.out = out;
+    p.d = d;
+    p.deck_name = deck_name;
+    status = checks_run(d, csv ? put_check_csv : put_check, &p);
+    if (status != 1)
+        return status == 0 ? CHECK_PRINT_MISTAKES : CHECK_PRINT_MEMORY;
+    if (!csv)
+        fprintf(out, "# ok: %lu, misprint confirmed: %lu, differs: %lu, not a misprint: %lu\n",
+                p.n[CHECK_OK], p.n[CHECK_MISPRINT], p.n[CHECK_DIFFERS], p.n[CHECK_NO_MISPRINT]);
+    return p.n[CHECK_DIFFERS] + p.n[CHECK_NO_MISPRINT] ? CHECK_PRINT_DIFFERENCES : CHECK_PRINT_OK;
+}
