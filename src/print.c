@@ -9,7 +9,6 @@
 #include "number.h"
 #include "print.h"
 
-/* The branches of a deck in the order of printing. */
 int print_branches_of(const deck *d, fourlink_branch branches[2])
 {
     int n = 0;
@@ -21,13 +20,11 @@ int print_branches_of(const deck *d, fourlink_branch branches[2])
     return n;
 }
 
-/* An angle of the motion, with no more decimals than it needs. */
 const char *print_angle(double angle, char out[NUMBER_SIZE])
 {
     return number_general(angle, 12, out);
 }
 
-/* The reason for which a crank stops, "" if it does not. */
 const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80])
 {
     char number[NUMBER_SIZE];
@@ -42,8 +39,6 @@ const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80])
     return out;
 }
 
-/* A dead position is flagged before it is reached: within a degree of it, errors of the data grow more
-** than 57 times. */
 const char print_near_dead_text[] =
     "near a dead position: the transmission angle is less than 1 deg";
 
