@@ -431,7 +431,7 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
 ** Notes:
-** 1) A position counts as dead when sine^2 < 1e-14: what is left is rounding error.
+** 1) A position counts as dead when sine^2 <= 1e-14: what is left is rounding error.
 ** 2) What the next two functions fill is not yet to be used.
 ** Reference:
 **    Alvi, eqs. 1 to 3; theory in fourbar.c and slidercrank.c.
@@ -462,8 +462,7 @@ FOURLINK_API int fourlink_velocity(const fourlink_mechanism *mechanism, double o
 **    alpha2     rad/s2, acceleration of the crank
 ** Given and returned:
 **    state      from fourlink_velocity; receives alpha and acceleration of each link; slider-crank:
-*a
-** Returned (function value):
+** a Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER
 ** Reference:
 **    Alvi, section 3.3.

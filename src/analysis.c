@@ -37,8 +37,7 @@ int analysis_open(analysis *a, const deck *d, int needs)
         return 0;
     if (d->n_loads)
         memcpy(a->loads, d->loads, d->n_loads * sizeof *d->loads);
-    fourlink_motion_range(&d->motion, &a->range); /* in order: deck_read has tried it */
-    return 1;
+    return fourlink_motion_range(&d->motion, &a->range) == FOURLINK_OK; /* deck_read has tried it */
 }
 
 void analysis_close(analysis *a)

@@ -259,8 +259,16 @@ static const column_info table[] = {
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
+/* A crank at rest, or one held at a speed and an acceleration, has no time. */
+static int has_time(const fourlink_motion *motion)
+{
+    return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
+}
+
 static int has(const deck *d, const column_info *info)
 {
+    if (info->x == ROW(time) && !has_time(&d->motion))
+        return 0;
     return (info->kinds & (int)d->design.kind) != 0 && (info->need & ~analysis_possible(d)) == 0;
 }
 
@@ -298,7 +306,6 @@ static void make_of_point(const deck *d, const deck_point *point, int i, column 
     c->name = point->column_names[i];
     c->point = point;
     c->component = i;
-    c->scale = d->units[c->info->q].unit.down / d->units[c->info->q].unit.up;
 }
 
 int columns_are_same(const column *x, const column *y)
@@ -396,6 +403,8 @@ int columns_all(const deck *d, column_list *columns)
 
 static const char *why_missing(const deck *d, const column_info *info)
 {
+    if (info->x == ROW(time))
+        return "needs a crank that turns";
     if (!(info->kinds & (int)d->design.kind))
         return "is one of the other mechanism";
     if (info->need == SERIES)
@@ -477,7 +486,7 @@ int columns_choose(deck *d, column_list *columns)
     }
     if (!columns->count && !d->mistakes.count)
         mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);
-    return d->mistakes.count == 0;
+    return d->mistakes.out_of_memory ? -1 : d->mistakes.count == 0;
 }
 
 static double number_at(const result *r, size_t place)
@@ -556,6 +565,21 @@ int columns_need(const column_list *columns)
     for (i = 0; i < columns->count; i++)
         needs |= columns->list[i].info->need;
     return needs;
+}
+
+double column_bound(const column *c)
+{
+    size_t x = c->info->x;
+
+    if (!c->point && (x == OF_EXTRAS(mechanical_advantage) || x == OF_EXTRAS(I13.x) ||
+                      x == OF_EXTRAS(I13.y) || x == OF_EXTRAS(I24.x)))
+        return 1e9 * c->scale;
+    return GSL_POSINF;
+}
+
+int column_is_angle_of_crank(const column *c)
+{
+    return !c->point && c->info->form == VALUE && c->info->x == ROW(angle);
 }
 
 quantity column_quantity(const column *c)

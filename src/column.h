@@ -61,6 +61,13 @@ int column_of_rounding(const column *c);
 /* What has to be computed for a list of columns: NEED_FORCES ... */
 int columns_need(const column_list *columns);
 
+/* Beyond this magnitude, in its unit, a column is infinite: a centre or an advantage at a position where
+** there is none. */
+double column_bound(const column *c);
+
+/* 1: the crank angle itself, the one column without extremes. */
+int column_is_angle_of_crank(const column *c);
+
 quantity column_quantity(const column *c);
 const char *column_meaning(const column *c);
 

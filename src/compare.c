@@ -20,6 +20,8 @@ typedef struct found {
     quantity q;
     double value;      /* in the deck's unit; of a column only at the end */
     const char *words; /* a fact in words; null: a number */
+    double values[4];  /* of several facts of one name: that nearest to the printed one is meant */
+    int n_values;
     column c;
     int sign; /* of an extreme, else 0 */
 } found;
@@ -38,26 +40,40 @@ static int extreme_of(text name, text *of)
     return sign;
 }
 
+#define MOST_ALIKE 4 /* facts of one name: the ends of several ranges */
+
 typedef struct fact_search {
     text name;
     fourlink_branch branch;
     int n;
     fact f;
+    double values[MOST_ALIKE];
+    char nearest[DECK_NAME_SIZE]; /* a name that is spelt nearly like it */
 } fact_search;
 
 static void take_if_named(const fact *f, void *data)
 {
     fact_search *s = data;
+    const char *known[2];
 
-    if (text_same(s->name, f->name) && (f->branch == 0 || f->branch == (int)s->branch) && !s->n++)
+    if (f->branch != 0 && f->branch != (int)s->branch)
+        return;
+    if (text_same(s->name, f->name) && s->n < MOST_ALIKE) {
         s->f = *f;
+        s->values[s->n++] = f->value;
+    }
+    known[0] = f->name;
+    known[1] = NULL;
+    if (!s->nearest[0] && text_nearest(s->name, known))
+        strcpy(s->nearest, f->name);
 }
 
-static void note_unknown(deck *d, const deck_expectation *e, text name)
+static void note_unknown(deck *d, const deck_expectation *e, text name, const char *nearest)
 {
-    const char *nearest = column_nearest(d, name);
     char word[DECK_NAME_SIZE];
 
+    if (nearest && (!*nearest || text_same(name, nearest)))
+        nearest = NULL;
     mistake_note(&d->mistakes, e->place, "'", text_copy(name, word, sizeof word),
                  "' is no column and no fact of this deck", nearest ? "; did you mean '" : "",
                  nearest ? nearest : "", nearest ? "'?" : "", (char *)NULL);
@@ -66,13 +82,14 @@ static void note_unknown(deck *d, const deck_expectation *e, text name)
 /* A column, an extreme of one, or a fact. */
 static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
 {
+    const char *nearest;
     fact_search s;
     text of;
 
     memset(f, 0, sizeof *f);
     f->sign = extreme_of(e->name, &of);
     if (f->sign && !column_find(d, of, &f->c)) {
-        note_unknown(d, e, of);
+        note_unknown(d, e, of, column_nearest(d, of));
         return 0;
     }
     if (f->sign || column_find(d, e->name, &f->c)) {
@@ -83,30 +100,56 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
     memset(&s, 0, sizeof s);
     s.name = e->name;
     s.branch = e->branch;
-    facts_tell(a, 1, NULL, take_if_named, &s);
+    facts_tell(a, 1, 1, NULL, take_if_named, &s);
     if (!s.n) {
-        note_unknown(d, e, e->name);
+        nearest = column_nearest(d, e->name);
+        note_unknown(d, e, e->name, s.nearest[0] ? s.nearest : nearest);
         return 0;
     }
     f->q = s.f.q;
-    f->value = s.f.value;
     f->words = s.f.words;
+    f->n_values = s.n;
+    memcpy(f->values, s.values, sizeof f->values);
+    f->value = f->values[0];
     return 1;
+}
+
+/* The angle of the motion that an angle is, but for whole turns; 0 if the motion does not reach it. */
+static int angle_in_motion(const analysis *a, double angle, double *at)
+{
+    const fourlink_motion *motion = &a->d->motion;
+    double turn = 2 * M_PI / motion->angle_unit, tiny = 1e-9 * turn, first, last;
+    fourlink_row end;
+
+    fourlink_motion_row(motion, &a->range, a->range.n_rows - 1, &end);
+    if (a->range.stops)
+        end.angle = a->range.stop_angle;
+    first = motion->from < end.angle ? motion->from : end.angle;
+    last = motion->from < end.angle ? end.angle : motion->from;
+    *at = angle;
+    if (angle < first - tiny || angle > last + tiny)
+        *at = angle + turn * ceil((first - tiny - angle) / turn);
+    return *at <= last + tiny;
 }
 
 /* The value of a column at the expectation's angle; 0 and a mistake if it has none. */
 static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f)
 {
     char number[NUMBER_SIZE];
+    double at;
     extreme x;
     result r;
 
     if (f->sign) {
-        if (extreme_find(a, &f->c, e->branch, f->sign, &x)) {
+        extreme_result status = extreme_find(a, &f->c, e->branch, f->sign, &x);
+
+        if (status == EXTREME_FOUND) {
             f->value = x.value;
             return 1;
         }
-        mistake_note(&d->mistakes, e->place, "the links reach at no angle of the motion",
+        mistake_note(&d->mistakes, e->place,
+                     status == EXTREME_NONE ? "the links reach at no angle of the motion"
+                                            : "it grows beyond all bounds",
                      (char *)NULL);
         return 0;
     }
@@ -116,7 +159,13 @@ static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f
                      (char *)NULL);
         return 0;
     }
-    fourlink_motion_at(&d->motion, e->at, &r.row);
+    if (!angle_in_motion(a, e->at, &at)) {
+        mistake_note(&d->mistakes, e->place,
+                     "the motion does not reach theta2 = ", number_general(e->at, 9, number), " ",
+                     d->units[QUANTITY_ANGLE].name, (char *)NULL);
+        return 0;
+    }
+    fourlink_motion_at(&d->motion, at, &r.row);
     analysis_at(a, e->branch, &r.row.crank, &r);
     if (r.status != FOURLINK_OK && !column_of_crank(&f->c)) {
         mistake_note(&d->mistakes, e->place,
@@ -134,7 +183,7 @@ static int read_tolerance(deck *d, const deck_expectation *e, quantity q, double
                           double *tolerance)
 {
     text t = e->tolerance;
-    text_place place = e->place;
+    text_place place = e->tolerance_place;
     double ignored;
 
     if (!t.length) {
@@ -146,12 +195,13 @@ static int read_tolerance(deck *d, const deck_expectation *e, quantity q, double
         if (!deck_read_quantity(d, place, text_trim(t), QUANTITY_NUMBER, tolerance, &ignored))
             return 0;
         *tolerance *= fabs(si) / 100;
-        return 1;
-    }
-    if (!deck_read_quantity(d, place, t, q, tolerance, &ignored))
+    } else if (!deck_read_quantity(d, place, t, q, tolerance, &ignored)) {
         return 0;
-    *tolerance = fabs(*tolerance);
-    return 1;
+    }
+    if (*tolerance >= 0)
+        return 1;
+    mistake_note(&d->mistakes, place, "a tolerance must not be negative", (char *)NULL);
+    return 0;
 }
 
 /* The difference of two angles is one of less than half a turn. */
@@ -166,11 +216,12 @@ static int compare(analysis *a, deck *d, const deck_expectation *e, check *c)
 {
     const deck_unit *u;
     double si = 0, digit, tolerance, turn;
-    int agrees;
+    int agrees, i;
     found f;
 
     memset(c, 0, sizeof *c);
     c->e = e;
+    c->unit = "";
     if (!find_name(a, d, e, &f))
         return 0;
     u = &d->units[f.q];
@@ -186,6 +237,10 @@ static int compare(analysis *a, deck *d, const deck_expectation *e, check *c)
             return 0;
         turn = 2 * M_PI * u->unit.down / u->unit.up;
         c->printed = si * u->unit.down / u->unit.up;
+        for (i = 1; i < f.n_values; i++)
+            if (fabs(difference(f.values[i], c->printed, f.q, turn)) <
+                fabs(difference(f.value, c->printed, f.q, turn)))
+                f.value = f.values[i];
         c->tolerance = tolerance * u->unit.down / u->unit.up;
         c->computed = f.value;
         /* a value in the middle between two digits may be printed either way */
@@ -210,11 +265,14 @@ int checks_run(deck *d, check_taker *take, void *data)
         return -1;
     }
     for (i = 0; i < d->n_expectations; i++)
-        compare(&a, d, &d->expectations[i], &list[i]);
-    for (i = 0; i < d->n_expectations && !d->mistakes.count; i++)
+        if (!compare(&a, d, &d->expectations[i], &list[i]))
+            list[i].result = CHECK_NO_VALUE;
+    for (i = 0; i < d->n_expectations; i++)
         take(&list[i], data);
     mistakes_sort(&d->mistakes);
     analysis_close(&a);
     free(list);
+    if (d->mistakes.out_of_memory)
+        return -1;
     return d->mistakes.count == 0;
 }

@@ -13,7 +13,8 @@ typedef enum check_result {
     CHECK_OK,
     CHECK_DIFFERS,
     CHECK_MISPRINT,
-    CHECK_NO_MISPRINT
+    CHECK_NO_MISPRINT,
+    CHECK_NO_VALUE /* a mistake of the deck says why */
 } check_result;
 
 /* An expectation, compared. */
@@ -28,9 +29,9 @@ typedef struct check {
 
 typedef void check_taker(const check *c, void *data);
 
-/* Compare the printed values of a deck, in their order.  1, or 0 and mistakes of the deck where one of
-** them cannot be compared: no such column or fact, another quantity, an angle that is not reached; then
-** none is told.  -1 out of memory. */
+/* Compare the printed values of a deck, in their order.  1, or 0 and mistakes of the deck where some
+** cannot be compared: no such column or fact, another quantity, an angle that is not reached.  -1 out of
+** memory. */
 int checks_run(deck *d, check_taker *take, void *data);
 
 #endif

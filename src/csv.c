@@ -67,7 +67,7 @@ int csv_print(FILE *out, analysis *a, const column_list *columns, const column_l
 {
     const column **map = map_columns(columns, header);
     fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i;
+    int n = print_branches_of(a->d, branches), i, enough;
     unsigned long k;
     char stop[NUMBER_SIZE + 80];
     result r;
@@ -85,6 +85,7 @@ int csv_print(FILE *out, analysis *a, const column_list *columns, const column_l
             ++*failed;
         }
     }
+    enough = map != NULL;
     free((void *)map);
-    return map != NULL;
+    return enough;
 }

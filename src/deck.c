@@ -3,10 +3,8 @@
 ** deck.c - the input deck: text in, a problem to solve out, or its mistakes.
 **
 ** In three passes: the lines give settings, each a text and its place (deck_lines.c); the texts
-*give
-** values, by the forms of schema.h and in the deck's units (deck_values.c); the values give the
-*problem,
-** here.  A mistake does not end the reading, so that one run tells all of them.
+** give values, by the forms of schema.h and in the deck's units (deck_values.c); the values give the
+** problem, here.  A mistake does not end the reading, so that one run tells all of them.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -157,7 +155,7 @@ static void build_stroke(parser *p)
     const setting *s = find(p, KEY_CRANK_STROKE);
     double S, l2 = 4 * link[3].length * link[3].length, e = p->d->design.offset, square;
 
-    if (!s)
+    if (!s || link[3].length <= 0)
         return;
     if (find(p, KEY_CRANK_LENGTH))
         mistake_note(&p->d->mistakes, s->place, "give either the length or the stroke, not both",
@@ -219,6 +217,21 @@ static int build_kind(parser *p)
     return 1;
 }
 
+/* A length in the unit in which another is written. */
+static const char *in_unit_of(parser *p, const setting *s, double length, char out[NUMBER_SIZE])
+{
+    text t = s->value;
+    double number;
+    char name[WORD_SIZE];
+
+    number_general(length * s->unit.down / s->unit.up, 6, out);
+    number_read(&t, &number);
+    t = text_trim(t);
+    strcat(out, " ");
+    strcat(out, t.length ? word_of(t, name) : p->d->units[QUANTITY_LENGTH].name);
+    return out;
+}
+
 /* The links reach at some angle if no link is longer than the other three together; of a
 ** slider-crank, if crank and rod together reach the line of stroke. */
 static void check_reach(parser *p)
@@ -226,7 +239,6 @@ static void check_reach(parser *p)
     static const key_code keys[4] = {KEY_GROUND_LENGTH, KEY_CRANK_LENGTH, KEY_COUPLER_LENGTH,
                                      KEY_ROCKER_LENGTH};
     const fourlink_design *design = &p->d->design;
-    const unit *u = &p->d->units[QUANTITY_LENGTH].unit;
     char rest[NUMBER_SIZE], word[WORD_SIZE];
     int i, longest = 0;
     double sum = 0;
@@ -237,10 +249,8 @@ static void check_reach(parser *p)
         sum = design->link[2].length + design->link[3].length;
         if (s && fabs(design->offset) > sum)
             mistake_note(&p->d->mistakes, s->place, "the offset, ", word_of(s->value, word),
-                         ", is more than crank and rod together, ",
-                         number_general(sum * u->down / u->up, 6, rest), " ",
-                         p->d->units[QUANTITY_LENGTH].name, ": the rod never reaches",
-                         (char *)NULL);
+                         ", is more than crank and rod together, ", in_unit_of(p, s, sum, rest),
+                         ": the rod never reaches", (char *)NULL);
         return;
     }
     for (i = 0; i < 4; i++) {
@@ -255,8 +265,7 @@ static void check_reach(parser *p)
         mistake_note(&p->d->mistakes, s->place, "the ",
                      section_table[key_table[keys[longest]].section].name, ", ",
                      word_of(s->value, word), ", is longer than the other three together, ",
-                     number_general(sum * u->down / u->up, 6, rest), " ",
-                     p->d->units[QUANTITY_LENGTH].name, ": they cannot be assembled", (char *)NULL);
+                     in_unit_of(p, s, sum, rest), ": they cannot be assembled", (char *)NULL);
     }
 }
 
@@ -357,7 +366,7 @@ static void build_gas(parser *p)
     double d_rod = rod ? rod->si[0] : 0;
     char word[WORD_SIZE];
 
-    if (!use)
+    if (!use || p->d->design.kind != FOURLINK_SLIDER_CRANK)
         return;
     p->d->has_forces = 1;
     if (!bore) {
@@ -445,6 +454,9 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
                      "the load acts for longer than a cycle", (char *)NULL);
 }
 
+/* So that max(NAME.vx) fits wherever names are kept. */
+#define LONGEST_NAME 32
+
 /* [point NAME] */
 static void build_point(parser *p, const section_use *use, deck_point *new)
 {
@@ -457,6 +469,8 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
     check_link(p, use, link);
     if (!use->name.length)
         mistake_note(&p->d->mistakes, use->place, "a point needs a name: [point P]", (char *)NULL);
+    if (use->name.length > LONGEST_NAME)
+        mistake_note(&p->d->mistakes, use->place, "the name of a point is too long", (char *)NULL);
     for (i = 0; i < use->name.length; i++)
         if (!text_is_word(use->name.start[i])) {
             mistake_note(&p->d->mistakes, use->place,
@@ -509,6 +523,10 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     if (!force->place.source && !torque->place.source)
         mistake_note(&p->d->mistakes, use->place, "[load] has neither a force nor a torque",
                      (char *)NULL);
+    if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
+        !(link->word == FOURLINK_FOLLOWER && p->d->design.kind == FOURLINK_SLIDER_CRANK))
+        mistake_note(&p->d->mistakes, use->place,
+                     "the force needs 'at', the point of the link where it acts", (char *)NULL);
     if (at->place.source && !force->place.source)
         mistake_note(&p->d->mistakes, at->place, "'at' is for a force", (char *)NULL);
     load->link = link->word;
@@ -560,6 +578,14 @@ static void check_alone(parser *p, const setting *at)
     }
 }
 
+/* 360 and not 360.00000000000006 */
+static double whole(double x)
+{
+    double nearest = floor(x + 0.5);
+
+    return fabs(x - nearest) < 1e-12 * x ? nearest : x;
+}
+
 static void build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -574,17 +600,16 @@ static void build_motion(parser *p)
     motion->acceleration = value_or(p, KEY_MOTION_ACCELERATION, 0);
     s = find(p, KEY_MOTION_HOLD);
     motion->hold = s ? s->word : 0;
-    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, 10 * (M_PI / 180) / motion->angle_unit);
-    if (u->up == M_PI && u->down == 180)
-        motion->interval = angle_or(p, KEY_MOTION_INTERVAL, 10);
+    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(M_PI / 18 * u->down / u->up));
     if ((s = find(p, KEY_MOTION_AT)) != NULL) {
         check_alone(p, s);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
         motion->to = motion->from;
+        motion->interval = 1; /* any */
         p->d->one_instant = 1;
         return;
     }
-    cycle = angle_or(p, KEY_MOTION_CYCLE, floor(2 * M_PI * u->down / u->up * 1e9 + 0.5) / 1e9);
+    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(2 * M_PI * u->down / u->up));
     turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
@@ -677,6 +702,7 @@ static void build_expectations(parser *p)
         e->name = named->name;
         e->value = named->s.value;
         e->tolerance = tolerance->value;
+        e->tolerance_place = tolerance->place;
         e->misprint = misprint;
         e->has_at = at->place.source != NULL || d->one_instant;
         e->at = at->place.source ? in_deck_angle(p, at) : d->motion.from;
@@ -755,7 +781,7 @@ static int finish(parser *p)
     free(p->uses);
     free(p->settings);
     free(p->named);
-    if (p->out_of_memory)
+    if (p->out_of_memory || p->d->mistakes.out_of_memory)
         return -1;
     return p->d->mistakes.count == 0;
 }
@@ -803,9 +829,9 @@ int deck_add_expectations(const char *name, text contents, deck *d)
 }
 
 /* What one of the last digit of a number is worth: 0.01 for 2.50, 10 for 1.2e2. */
-static double last_digit(text t, double number)
+static double last_digit(text t)
 {
-    double digit = 1, value = number;
+    double digit = 1, value = 0;
     int decimals = 0, after = 0, exponent = 0;
     size_t i;
 
@@ -822,7 +848,7 @@ static double last_digit(text t, double number)
             rest.start += i + 1;
             rest.length -= i + 1;
             if (number_read(&rest, &value) == NUMBER_OK)
-                exponent = (int)value;
+                exponent = value < -400 ? -400 : value > 400 ? 400 : (int)value;
             break;
         } else if (i > 0 || (c != '+' && c != '-')) {
             break;
@@ -847,7 +873,7 @@ int deck_read_quantity(deck *d, text_place place, text value, quantity q, double
     s.value = value;
     if (!read_quantity(&p, &s, value, q, si))
         return 0;
-    *digit = unit_to_si(last_digit(value, s.number), s.unit);
+    *digit = unit_to_si(last_digit(value), s.unit);
     return 1;
 }
 

@@ -53,7 +53,8 @@ typedef struct deck_expectation {
     text_place place;
     text name, value; /* a column or a fact; what was printed */
     text tolerance;   /* empty: half of the last printed digit */
-    int misprint;     /* 1: known to be wrong */
+    text_place tolerance_place;
+    int misprint; /* 1: known to be wrong */
     int has_at;
     double at; /* crank angle in the deck's unit */
     fourlink_branch branch;

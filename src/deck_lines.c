@@ -91,11 +91,34 @@ const char *hint_end(const char *nearest)
     return nearest ? "'?" : "";
 }
 
+/* What people write, and what they mean. */
+static const struct {
+    const char *written, *meant;
+} synonyms[] = {{"connecting", "rod"},     {"conrod", "rod"},    {"follower", "rocker"},
+                {"frame", "ground"},       {"fixed", "ground"},  {"link1", "ground"},
+                {"link2", "crank"},        {"link3", "coupler"}, {"link4", "rocker"},
+                {"input", "crank"},        {"slider", "piston"}, {"cylinder", "gas"},
+                {"force", "load"},         {"omega", "speed"},   {"rpm", "speed"},
+                {"alpha", "acceleration"}, {"step", "interval"}, {"g", "acceleration"},
+                {"weight", "mass"},        {"k", "gyration"},    {"radius", "length"}};
+
+/* The nearest word, by meaning or by spelling; null if none is. */
+static const char *nearest_word(text word, const char *const *known)
+{
+    size_t i, j;
+
+    for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+        for (j = 0; text_equal(word, synonyms[i].written) && known[j]; j++)
+            if (strcmp(known[j], synonyms[i].meant) == 0)
+                return known[j];
+    return text_nearest(word, known);
+}
+
 static void note_unknown(parser *p, text_place place, const char *what, text word,
                          const char *const *known, const char *where)
 {
     char copy[WORD_SIZE];
-    const char *nearest = text_nearest(word, known);
+    const char *nearest = nearest_word(word, known);
 
     mistake_note(&p->d->mistakes, place, "unknown ", what, " '", word_of(word, copy), "'", where,
                  hint(nearest), nearest ? nearest : "", hint_end(nearest), (char *)NULL);
@@ -134,7 +157,7 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
                          "; it belongs before the first section", (char *)NULL);
             return;
         }
-    if (!text_nearest(name, known))
+    if (!nearest_word(name, known))
         for (i = 0; i < KEY_COUNT; i++)
             if (text_equal(name, key_table[i].name) && key_table[i].section != SECTION_UNITS &&
                 key_table[i].section != SECTION_TOP) {
@@ -211,16 +234,17 @@ static section_use *read_section(parser *p, text line, text_place place)
     }
     if (p->n_uses >= MOST_SECTIONS) {
         mistake_note(&p->d->mistakes, place, "too many sections", (char *)NULL);
-        p->out_of_memory = p->n_uses > MOST_SECTIONS;
         return NULL;
     }
     return open_section(p, section, name, place);
 }
 
 /* A key that the schema does not have, in a section that takes names of its own. */
-static void assign_named(parser *p, const section_use *use, text key, text value, text_place place)
+static void assign_named(parser *p, const section_use *use, text key, text value, text_place place,
+                         int replace)
 {
     named_value *list, *new;
+    size_t i;
     char word[WORD_SIZE];
 
     if (!key.length || !value.length) {
@@ -228,6 +252,18 @@ static void assign_named(parser *p, const section_use *use, text key, text value
                      "'", (char *)NULL);
         return;
     }
+    for (i = 0; i < p->n_named; i++)
+        if (p->named[i].use == (size_t)(use - p->uses) && p->named[i].name.length == key.length &&
+            memcmp(p->named[i].name.start, key.start, key.length) == 0) {
+            if (replace) {
+                p->named[i].s.place = place;
+                p->named[i].s.value = value;
+            } else {
+                mistake_note(&p->d->mistakes, place, "'", word_of(key, word), "' a second time",
+                             (char *)NULL);
+            }
+            return;
+        }
     list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *list);
     if (!list)
         return;
@@ -252,7 +288,7 @@ static void assign(parser *p, const section_use *use, text key, text value, text
         if (text_equal(key, key_table[first + i].name))
             break;
     if (i == n && (use->section == SECTION_EXPECT || use->section == SECTION_MISPRINT)) {
-        assign_named(p, use, key, value, place);
+        assign_named(p, use, key, value, place, replace);
         return;
     }
     if (i == n) {
@@ -373,10 +409,7 @@ void read_lines(parser *p, text rest, char *copy)
     place.source = p->name;
     place.line = 1;
     use = open_section(p, SECTION_TOP, text_of(""), place);
-    if (rest.length >= 3 && memcmp(rest.start, "\357\273\277", 3) == 0) {
-        rest.start += 3; /* the byte order mark of UTF-8 */
-        rest.length -= 3;
-    }
+    rest = text_without_mark(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;
 

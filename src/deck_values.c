@@ -86,6 +86,12 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
         nearest = unit_nearest(bad);
         if (nearest && text_same(bad, nearest))
             nearest = NULL;
+        if (text_equal(bad, "clockwise") || text_equal(bad, "cw") ||
+            text_equal(bad, "counterclockwise") || text_equal(bad, "ccw")) {
+            mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
+                         "': counter-clockwise is positive, clockwise negative", (char *)NULL);
+            return 0;
+        }
         if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
             mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
                          "': a comment needs a blank before it", (char *)NULL);
@@ -155,6 +161,17 @@ void direction_of(double angle, double *x, double *y)
     }
 }
 
+/* Where a number starts behind a blank, as the value of "20 deg 32 bar"; the text's length if none does. */
+static size_t second_number(text t)
+{
+    size_t i;
+
+    for (i = 1; i < t.length; i++)
+        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+            break;
+    return t.length ? i : 0;
+}
+
 /* The next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
 static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
 {
@@ -165,9 +182,7 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
 
     if (!read_number(p, s, &t, QUANTITY_ANGLE, &x))
         return 0;
-    for (i = 1; i < t.length; i++)
-        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
-            break;
+    i = second_number(t);
     if (i >= t.length) {
         note_expected(p, s, "an angle and a value",
                       q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m");
@@ -183,6 +198,8 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     result->x = unit_to_si(x, ux);
     result->y = unit_to_si(y, uy);
     result->place = s->place;
+    result->has_unit = text_trim(t).length > 0;
+    result->unit_to_si = unit_to_si(1, uy);
     return check_size(p, s, QUANTITY_ANGLE, result->x) && check_size(p, s, q, result->y);
 }
 
@@ -201,6 +218,7 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
     file[name.length] = '\0';
     row.place.source = file;
     row.place.line = 0;
+    contents = text_without_mark(contents);
     while (text_split(&contents, '\n', &line)) {
         const char *comma;
 
@@ -260,17 +278,6 @@ static void load_curve(parser *p, setting *s, quantity q, text name)
     free(data);
 }
 
-/* 0 deg 1 N m: a curve of one point, not a quantity */
-static int has_second_number(text t)
-{
-    size_t i;
-
-    for (i = 1; i < t.length; i++)
-        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
-            return 1;
-    return 0;
-}
-
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 static void read_curve(parser *p, setting *s, quantity q)
 {
@@ -288,7 +295,7 @@ static void read_curve(parser *p, setting *s, quantity q)
         read_quantity(p, s, rest, q, &number);
         return;
     }
-    if (!memchr(rest.start, ',', rest.length) && !has_second_number(rest) &&
+    if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
         q != QUANTITY_PRESSURE) {
         read_quantity(p, s, rest, q, &s->si[0]);
         return;
@@ -300,6 +307,12 @@ static void read_curve(parser *p, setting *s, quantity q)
             break; /* a comma at the very end */
         if (!read_point(p, s, item, q, &s->curve[s->n_points]))
             return;
+        if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
+            s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
+            mistake_note(&p->d->mistakes, s->place,
+                         "the values of a curve have either all a unit or none", (char *)NULL);
+            return;
+        }
         s->n_points++;
     }
 }
@@ -346,6 +359,12 @@ static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 
     if (t.length && t.start[0] == '(') {
         read_components(p, s, q);
+        return;
+    }
+    if (memchr(t.start, ',', t.length)) {
+        note_expected(p, s, needs_angle ? "a force with its direction" : "a point",
+                      needs_angle ? "50 N at 30 deg or (43, 25) N"
+                                  : "10 mm at 5 deg or (10, 5) mm");
         return;
     }
     part = t;

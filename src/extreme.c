@@ -3,9 +3,11 @@
 ** extreme.c - the largest and smallest value of a column over a deck's motion.
 **
 ** The motion is scanned in steps of a degree at most; every peak of the samples that comes near the
-** highest is refined by GSL's minimiser of Brent.
+** highest is refined by GSL's minimisers.  Where the links stop reaching, and on both sides of a jump of a
+** load, the column's limit counts too.
 */
 #include <math.h>
+#include <stdlib.h>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
@@ -14,6 +16,7 @@
 #include "extreme.h"
 
 #define PEAKS 8
+#define MOST_STEPS 1000000
 
 typedef struct search {
     analysis *a;
@@ -22,6 +25,7 @@ typedef struct search {
     int sign;
     int periodic;       /* 1: one revolution, whose ends meet */
     double first, last; /* crank angles in the deck's unit */
+    double degree;      /* a degree in that unit */
     double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
     double last_value;  /* from which such an angle goes on */
 } search;
@@ -39,12 +43,20 @@ static double value_at(double angle, void *data)
         angle += angle < s->first ? s->last - s->first : s->first - s->last;
     fourlink_motion_at(motion, angle, &r.row);
     analysis_at(s->a, s->branch, &r.row.crank, &r);
-    if (r.status != FOURLINK_OK)
+    if (r.status != FOURLINK_OK && !column_of_crank(s->c))
         return GSL_NAN;
     value = -s->sign * column_value(s->c, &r);
     if (s->turn > 0)
         value -= s->turn * floor((value - s->last_value) / s->turn + 0.5);
     return value;
+}
+
+static void keep_best(extreme *best, double value, double angle)
+{
+    if (value < best->value) {
+        best->value = value;
+        best->angle = angle;
+    }
 }
 
 /* One of GSL's minimisers, from a bracket on; the lowest point goes to `best`, the bracket shrinks. */
@@ -64,12 +76,31 @@ static void minimise(const gsl_min_fminimizer_type *type, gsl_function *f, doubl
                 break;
         *low = gsl_min_fminimizer_x_lower(m);
         *high = gsl_min_fminimizer_x_upper(m);
-        if (gsl_min_fminimizer_f_minimum(m) < best->value) {
-            best->value = gsl_min_fminimizer_f_minimum(m);
-            best->angle = gsl_min_fminimizer_x_minimum(m);
-        }
+        keep_best(best, gsl_min_fminimizer_f_minimum(m), gsl_min_fminimizer_x_minimum(m));
     }
     gsl_min_fminimizer_free(m);
+}
+
+/* Four times the step times the slope, by five points (its error is of the fourth order). */
+static double slope(search *s, double x, double step)
+{
+    return 8 * (value_at(x + step, s) - value_at(x - step, s)) -
+           (value_at(x + 2 * step, s) - value_at(x - 2 * step, s));
+}
+
+/* A smooth minimum is flat: values tell its place to 1e-8 rad only.  A step of Newton's method on the
+** slope tells it better. */
+static void sharpen(search *s, extreme *best)
+{
+    double step = 0.1 * s->degree, dx = 1e-3 * s->degree, x, rise;
+    double curvature =
+        (slope(s, best->angle + dx, step) - slope(s, best->angle - dx, step)) / (2 * dx);
+
+    x = best->angle - slope(s, best->angle, step) / curvature;
+    rise = fabs(value_at(best->angle + step, s) - best->value);
+    if (fabs(x - best->angle) < 1e-3 * s->degree &&
+        value_at(x, s) <= best->value + 1e-9 * rise + 1e-15 * fabs(best->value))
+        best->angle = x;
 }
 
 /* Refine the minimum between three angles, the middle one the lowest.  Brent's method ends at the
@@ -78,11 +109,45 @@ static void minimise(const gsl_min_fminimizer_type *type, gsl_function *f, doubl
 static void refine(search *s, double low, double middle, double high, extreme *best)
 {
     gsl_function f;
+    extreme here;
 
     f.function = value_at;
     f.params = s;
-    minimise(gsl_min_fminimizer_brent, &f, &low, middle, &high, best);
-    minimise(gsl_min_fminimizer_goldensection, &f, &low, best->angle, &high, best);
+    here.value = value_at(middle, s);
+    here.angle = middle;
+    minimise(gsl_min_fminimizer_brent, &f, &low, middle, &high, &here);
+    minimise(gsl_min_fminimizer_goldensection, &f, &low, here.angle, &high, &here);
+    sharpen(s, &here);
+    keep_best(best, here.value, here.angle);
+}
+
+/* The limit of the column where the links stop reaching, between two angles, at the first of which it has
+** a value.  1, or 0 if it grows beyond all bounds there.
+**
+** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
+** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
+static int limit_at_edge(search *s, double good, double bad, extreme *limit)
+{
+    double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
+    int i;
+
+    for (i = 0; i < 100; i++) {
+        double middle = 0.5 * (good + bad);
+
+        if (gsl_isnan(value_at(middle, s)))
+            bad = middle;
+        else
+            good = middle;
+    }
+    v1 = value_at(good + x, s);
+    v2 = value_at(good + 4 * x, s);
+    limit->value = 2 * v1 - v2;
+    limit->angle = good;
+    if (gsl_isnan(limit->value)) {
+        limit->value = value_at(good, s);
+        return 1;
+    }
+    return fabs(limit->value - v2) <= fabs(v2 - value_at(far, s)) + 1e-9 * fabs(v2);
 }
 
 /* Keep the lowest angles of a list, the lowest first. */
@@ -100,69 +165,147 @@ static void keep_lowest(extreme *list, int *n, double value, double angle)
     list[i].angle = angle;
 }
 
-int extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign, extreme *found)
+/* Both sides of every jump of the loads, in all cycles of the motion. */
+static void look_at_jumps(search *s, extreme *best)
 {
-    const deck *d = a->d;
-    extreme peaks[PEAKS], best;
-    double step, before, now, after, span;
-    long steps, i;
-    int n = 0, k;
-    search s;
+    const deck *d = s->a->d;
+    double cycle = d->cycle / d->motion.angle_unit, side = 1e-9 / d->motion.angle_unit;
+    double jumps[2];
+    unsigned long i;
+    int j;
+
+    for (i = 0; i < d->n_loads; i++) {
+        if (!d->variations[i].is_windowed)
+            continue;
+        jumps[0] = d->variations[i].from / d->motion.angle_unit;
+        jumps[1] = d->variations[i].to / d->motion.angle_unit;
+        for (j = 0; j < 2; j++) {
+            double x = jumps[j] + cycle * ceil((s->first - jumps[j]) / cycle);
+
+            for (; x <= s->last; x += cycle) {
+                double before = value_at(x - side, s), after = value_at(x + side, s);
+
+                if (x - side >= s->first && !gsl_isnan(before))
+                    keep_best(best, before, x);
+                if (x + side <= s->last && !gsl_isnan(after))
+                    keep_best(best, after, x);
+            }
+        }
+    }
+}
+
+/* A step for each degree; not fewer than 360, and where there are very many revolutions no more than can be
+** waited for. */
+static long steps_of(double degrees)
+{
+    if (degrees <= 0)
+        return 0;
+    if (degrees > MOST_STEPS)
+        return MOST_STEPS;
+    return degrees > 360 ? (long)ceil(degrees - 1e-6) : 360;
+}
+
+static void set_range(search *s)
+{
+    const deck *d = s->a->d;
     fourlink_row end;
+
+    s->periodic = d->one_revolution && d->motion.run_up <= 0 && !s->a->range.stops &&
+                  (d->motion.acceleration == 0 || d->motion.hold);
+    fourlink_motion_row(&d->motion, &s->a->range, s->a->range.n_rows - 1, &end);
+    if (s->a->range.stops)
+        end.angle = s->a->range.stop_angle;
+    s->first = d->motion.from < end.angle ? d->motion.from : end.angle;
+    s->last = d->motion.from < end.angle ? end.angle : d->motion.from;
+    s->degree = M_PI / 180 / d->motion.angle_unit;
+    s->turn = 0;
+    s->last_value = 0;
+}
+
+/* Start to follow an angle past 180 deg. */
+static void follow(search *s, double value)
+{
+    const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
+
+    if (column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
+        s->turn = 2 * M_PI * u->down / u->up;
+        s->last_value = value;
+    }
+}
+
+extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
+                            extreme *found)
+{
+    extreme peaks[PEAKS], best, limit;
+    double step, before, now, after;
+    int n = 0, k, unbounded = 0;
+    long steps, i;
+    search s;
 
     s.a = a;
     s.c = c;
     s.branch = branch;
     s.sign = sign;
-    s.periodic = d->one_revolution && d->motion.run_up <= 0 &&
-                 (d->motion.acceleration == 0 || d->motion.hold);
-    fourlink_motion_row(&d->motion, &a->range, a->range.n_rows - 1, &end);
-    s.first = d->motion.from < end.angle ? d->motion.from : end.angle;
-    s.last = d->motion.from < end.angle ? end.angle : d->motion.from;
-    span = s.last - s.first;
-    steps = (long)ceil(span * d->motion.angle_unit / (M_PI / 180) - 1e-6);
-    if (steps < 360)
-        steps = span > 0 ? 360 : 0;
-    step = steps ? span / (double)steps : 0;
+    set_range(&s);
+    steps = steps_of((s.last - s.first) / s.degree);
+    step = steps ? (s.last - s.first) / (double)steps : 0;
 
-    s.turn = 0;
+    best.value = GSL_POSINF;
+    best.angle = s.first;
     now = value_at(s.first, &s);
-    if (column_quantity(c) == QUANTITY_ANGLE && !gsl_isnan(now)) {
-        s.turn = 2 * M_PI * d->units[QUANTITY_ANGLE].unit.down / d->units[QUANTITY_ANGLE].unit.up;
-        s.last_value = now;
-    }
+    follow(&s, now);
     before = s.periodic ? value_at(s.first - step, &s) : GSL_NAN;
     for (i = 0; i <= steps; i++) {
-        after = i < steps    ? value_at(s.first + (double)(i + 1) * step, &s)
-                : s.periodic ? value_at(s.last + step, &s)
-                             : GSL_NAN;
+        double x = s.first + (double)i * step;
+
+        if (gsl_isnan(now))
+            s.turn = 0; /* a gap: the angle starts anew */
+        after = i < steps || s.periodic ? value_at(x + step, &s) : GSL_NAN;
         /* a NaN on one side is an end */
         if (!gsl_isnan(now) && !(before < now) && !(after < now))
-            keep_lowest(peaks, &n, now, s.first + (double)i * step);
+            keep_lowest(peaks, &n, now, x);
+        if (!gsl_isnan(now) && gsl_isnan(after) && (i < steps || s.periodic)) {
+            unbounded |= !limit_at_edge(&s, x, x + step, &limit) && limit.value < now;
+            keep_best(&best, limit.value, limit.angle);
+        }
+        if (!gsl_isnan(now) && gsl_isnan(before) && (i > 0 || s.periodic)) {
+            unbounded |= !limit_at_edge(&s, x, x - step, &limit) && limit.value < now;
+            keep_best(&best, limit.value, limit.angle);
+        }
         before = now;
         now = after;
-        if (!gsl_isnan(now))
+        if (s.turn == 0)
+            follow(&s, now);
+        else if (!gsl_isnan(now))
             s.last_value = now;
     }
-    if (!n)
-        return 0;
-    best = peaks[0];
+    if (!n) /* no value at all, or an angle that goes on and on */
+        return s.turn > 0 ? EXTREME_UNBOUNDED : EXTREME_NONE;
     for (k = 0; k < n; k++) {
         double x = peaks[k].angle, low = x - step, high = x + step;
 
         s.last_value = peaks[k].value;
-
-        if (low < s.first && !s.periodic) /* at an end: is there a minimum just inside it? */
-            low = s.first, x = s.first + 1e-3 * step;
-        if (high > s.last && !s.periodic)
-            high = s.last, x = s.last - 1e-3 * step;
+        keep_best(&best, peaks[k].value, x);
+        if (low < s.first && !s.periodic) { /* at an end: is there a minimum just inside it? */
+            low = s.first;
+            x = s.first + 1e-3 * step;
+        }
+        if (high > s.last && !s.periodic) {
+            high = s.last;
+            x = s.last - 1e-3 * step;
+        }
         if (!column_of_rounding(c) && value_at(x, &s) < value_at(low, &s) &&
             value_at(x, &s) < value_at(high, &s))
             refine(&s, low, x, high, &best);
     }
+    look_at_jumps(&s, &best);
     found->value = -sign * best.value;
-    found->angle = best.angle < s.first  ? best.angle + span
-                   : best.angle > s.last ? best.angle - span
-                                         : best.angle;
-    return 1;
+    found->angle = best.angle;
+    if (s.periodic && best.angle < s.first)
+        found->angle += s.last - s.first;
+    if (s.periodic && best.angle > s.last)
+        found->angle -= s.last - s.first;
+    if (unbounded || fabs(found->value) >= column_bound(c))
+        return EXTREME_UNBOUNDED;
+    return EXTREME_FOUND;
 }

@@ -12,8 +12,14 @@ typedef struct extreme {
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } extreme;
 
-/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows.
-** 1, or 0 if the links reach at no angle of the motion. */
-int extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign, extreme *found);
+typedef enum extreme_result {
+    EXTREME_NONE, /* the links reach at no angle of the motion */
+    EXTREME_FOUND,
+    EXTREME_UNBOUNDED /* the column grows beyond all bounds, as velocities do at a dead position */
+} extreme_result;
+
+/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows. */
+extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
+                            extreme *found);
 
 #endif

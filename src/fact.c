@@ -166,8 +166,9 @@ static void tell_extreme(const teller *t, analysis *a, const column *c, int sign
 {
     extreme e;
     fact f;
+    extreme_result status = extreme_find(a, c, (fourlink_branch)t->branch, sign, &e);
 
-    if (!extreme_find(a, c, (fourlink_branch)t->branch, sign, &e))
+    if (status == EXTREME_NONE)
         return;
     begin(t, &f, sign > 0 ? "max(" : "min(", sign > 0 ? "greatest value" : "least value");
     strcat(f.name, c->name);
@@ -175,8 +176,10 @@ static void tell_extreme(const teller *t, analysis *a, const column *c, int sign
     f.value = e.value;
     f.q = column_quantity(c);
     f.unit = c->unit;
-    f.has_angle = 1;
+    f.has_angle = status == EXTREME_FOUND;
     f.theta2 = e.angle;
+    if (status == EXTREME_UNBOUNDED)
+        f.words = "none: it grows beyond all bounds";
     t->take(&f, t->data);
 }
 
@@ -201,8 +204,8 @@ static void tell_turning(const teller *t, analysis *a)
     }
 }
 
-void facts_tell(analysis *a, int with_turning, const column_list *columns, fact_taker *take,
-                void *data)
+void facts_tell(analysis *a, int both_branches, int with_turning, const column_list *columns,
+                fact_taker *take, void *data)
 {
     teller t;
     int i;
@@ -221,11 +224,11 @@ void facts_tell(analysis *a, int with_turning, const column_list *columns, fact_
     tell_rod(&t);
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
-        if (t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed)
+        if (!both_branches && (t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed))
             continue;
         tell_limits(&t);
         for (j = 0; columns && j < columns->count; j++)
-            if (!column_of_crank(&columns->list[j])) {
+            if (!column_is_angle_of_crank(&columns->list[j])) {
                 tell_extreme(&t, a, &columns->list[j], 1);
                 tell_extreme(&t, a, &columns->list[j], -1);
             }

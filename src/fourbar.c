@@ -20,8 +20,7 @@
 **    u2 = f^2 - (b - c)^2 = [(a - d)^2 - (b - c)^2] + 4 a d sin^2(theta2/2)
 **
 ** and u1 u2 = 16 area^2 = 4 b^2 c^2 sin^2(theta4 - theta3).  The brackets, `stretched` and
-*`folded`,
-** depend on the lengths alone.  The first is 0 for a linkage that can lie in one line at 180 deg,
+** `folded`, depend on the lengths alone.  The first is 0 for a linkage that can lie in one line at 180 deg,
 ** the second for one that can do so at 0 deg: its change points.  There the root of u1, or u2, is
 ** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes
 ** sign: so the side on which C lies follows from the angle, with no memory of earlier rows.
@@ -92,13 +91,13 @@ void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *s
     p = 0.5 / (f2 * b);
     coupler->axis.x = p * ((f2 + b2_c2) * BD.x + w * n.x);
     coupler->axis.y = p * ((f2 + b2_c2) * BD.y + w * n.y);
-    coupler->theta = atan2(coupler->axis.y + 0.0, coupler->axis.x);
+    coupler->theta = FLK_ANGLE(coupler->axis);
     rocker->origin.x = d;
     rocker->origin.y = 0;
     p = 0.5 / (f2 * c);
     rocker->axis.x = p * ((b2_c2 - f2) * BD.x + w * n.x);
     rocker->axis.y = p * ((b2_c2 - f2) * BD.y + w * n.y);
-    rocker->theta = atan2(rocker->axis.y + 0.0, rocker->axis.x);
+    rocker->theta = FLK_ANGLE(rocker->axis);
     state->mu = fabs(rocker->theta - coupler->theta);
     if (state->mu > M_PI)
         state->mu = 2 * M_PI - state->mu;

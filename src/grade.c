@@ -10,13 +10,14 @@
 #include "print.h"
 #include "table.h"
 
-static const char *const check_words[] = {"ok", "differs", "misprint confirmed", "not a misprint"};
+static const char *const check_words[] = {"ok", "differs", "misprint confirmed", "not a misprint",
+                                          "no value"};
 
 typedef struct check_printer {
     FILE *out;
     const deck *d;
     const char *deck_name; /* csv: null, no column of that name */
-    unsigned long n[4];
+    unsigned long n[5];
 } check_printer;
 
 static void put_check(const check *c, void *data)
@@ -30,7 +31,7 @@ static void put_check(const check *c, void *data)
             text_copy(c->e->value, value, sizeof value));
     if (c->words[0])
         fprintf(p->out, ", computed %s", c->words);
-    else
+    else if (c->result != CHECK_NO_VALUE)
         fprintf(p->out, ", computed %s %s", number_general(c->computed, 9, number), c->unit);
     if (c->at_angle)
         fprintf(p->out, " at %s %s", number_general(c->e->at, 9, number),
@@ -61,9 +62,14 @@ static void put_check_csv(const check *c, void *data)
             branch_name(c->e->branch), c->unit);
     print_field(p->out, text_copy(c->e->value, value, sizeof value));
     putc(',', p->out);
-    print_field(p->out, c->words[0] ? c->words : number_general(c->computed, DBL_DIG + 2, number));
-    fprintf(p->out, ",%s\r\n",
-            c->words[0] ? "" : number_general(c->tolerance, DBL_DIG + 2, number));
+    if (c->words[0])
+        print_field(p->out, c->words);
+    else if (c->result != CHECK_NO_VALUE)
+        fputs(number_general(c->computed, DBL_DIG + 2, number), p->out);
+    putc(',', p->out);
+    if (!c->words[0] && c->result != CHECK_NO_VALUE)
+        fputs(number_general(c->tolerance, DBL_DIG + 2, number), p->out);
+    fputs("\r\n", p->out);
 }
 
 int check_print(FILE *out, deck *d, int csv, const char *deck_name)
@@ -76,10 +82,21 @@ int check_print(FILE *out, deck *d, int csv, const char *deck_name)
     p.d = d;
     p.deck_name = deck_name;
     status = checks_run(d, csv ? put_check_csv : put_check, &p);
-    if (status != 1)
-        return status == 0 ? CHECK_PRINT_MISTAKES : CHECK_PRINT_MEMORY;
+    if (status < 0)
+        return CHECK_PRINT_MEMORY;
     if (!csv)
-        fprintf(out, "# ok: %lu, misprint confirmed: %lu, differs: %lu, not a misprint: %lu\n",
-                p.n[CHECK_OK], p.n[CHECK_MISPRINT], p.n[CHECK_DIFFERS], p.n[CHECK_NO_MISPRINT]);
+        fprintf(out,
+                "# ok: %lu, misprint confirmed: %lu, differs: %lu, not a misprint: %lu, no value: "
+                "%lu\n",
+                p.n[CHECK_OK], p.n[CHECK_MISPRINT], p.n[CHECK_DIFFERS], p.n[CHECK_NO_MISPRINT],
+                p.n[CHECK_NO_VALUE]);
+    if (status == 0)
+        return CHECK_PRINT_MISTAKES;
     return p.n[CHECK_DIFFERS] + p.n[CHECK_NO_MISPRINT] ? CHECK_PRINT_DIFFERENCES : CHECK_PRINT_OK;
+}
+
+void check_print_csv_bad_deck(FILE *out, const char *deck_name)
+{
+    print_field(out, deck_name);
+    fputs(",,,bad deck,,,,,,,\r\n", out);
 }

@@ -17,6 +17,14 @@
 /* 1 if |x| <= max; 0 for larger numbers, and for NaN. */
 #define FLK_WITHIN(x, max) (-(max) <= (x) && (x) <= (max))
 
+/* A line of the switch that gives a code its text. */
+#define FLK_CASE(name, value, text) \
+    case name:                      \
+        return text;
+
+/* The angle of a unit vector, in (-pi, pi]: one that is at 180 deg but for rounding is not at -180. */
+#define FLK_ANGLE(u) (fabs((u).y) < 4e-16 ? ((u).x < 0 ? M_PI : 0.0) : atan2((u).y, (u).x))
+
 /* z component of u x v, and u . v */
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)

@@ -184,11 +184,9 @@ static void assemble(const fourlink_mechanism *mechanism, const free_body body[3
 **    moment 2, x 2, y 2, x 3, y 3, moment 3, moment 4, x 4, y 4
 **
 ** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded
-*matrices
-** works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of the
+** matrices works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of the
 ** matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's
-*length:
-** so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
+** length: so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
 */
 #define BELOW 2
 #define ABOVE 4

@@ -9,14 +9,10 @@
 
 #include "internal.h"
 
-#define CASE(name, value, text) \
-    case name:                  \
-        return text;
-
 const char *fourlink_type_text(int type)
 {
     switch (type) {
-        FOURLINK_TYPE_LIST(CASE)
+        FOURLINK_TYPE_LIST(FLK_CASE)
     default:
         return "unknown type";
     }

@@ -71,15 +71,12 @@ static char *read_stream(FILE *file, size_t *length)
     return contents;
 }
 
-/* All of a file, or of standard input for "-". */
-static char *read_file(const char *path, size_t *length)
+static char *read_path(const char *path, size_t *length)
 {
     FILE *file;
     char *contents;
     int reason;
 
-    if (strcmp(path, "-") == 0)
-        return read_stream(stdin, length);
     file = fopen(path, "rb");
     if (!file)
         return NULL;
@@ -88,6 +85,12 @@ static char *read_file(const char *path, size_t *length)
     fclose(file);
     errno = reason;
     return contents;
+}
+
+/* All of a file, or of standard input for "-". */
+static char *read_file(const char *path, size_t *length)
+{
+    return strcmp(path, "-") == 0 ? read_stream(stdin, length) : read_path(path, length);
 }
 
 /* A file that a deck names, relative to the deck's folder. */
@@ -101,47 +104,41 @@ static char *read_named_file(const char *deck_name, const char *file_name, size_
         return NULL;
     memcpy(path, deck_name, folder);
     strcpy(path + folder, file_name);
-    contents = read_file(path, length);
+    contents = read_path(path, length);
     free(path);
     return contents;
 }
 
-static void print_mistakes(const mistakes *m)
+/* `deck_name` is not null where several decks are worked on: it goes to the mistakes that stand in none
+** of them, but in an option or a file of answers. */
+static void print_mistakes(const mistakes *m, const char *deck_name)
 {
     size_t i;
 
     for (i = 0; i < m->count; i++) {
         const struct mistake *x = &m->list[i];
 
-        if (x->place.line)
-            fprintf(stderr, "%s:%ld: error: %s\n", x->place.source, x->place.line, x->message);
+        if (!x->place.line)
+            fprintf(stderr, "fourlink: %s: error: %s", x->place.source, x->message);
         else
-            fprintf(stderr, "fourlink: %s: error: %s\n", x->place.source, x->message);
+            fprintf(stderr, "%s:%ld: error: %s", x->place.source, x->place.line, x->message);
+        if (deck_name && strcmp(x->place.source, deck_name) != 0)
+            fprintf(stderr, " (%s)", deck_name);
+        putc('\n', stderr);
     }
     if (m->left_out)
         fprintf(stderr, "fourlink: and %lu more mistakes\n", (unsigned long)m->left_out);
 }
 
-/* Put the expectations of a file in place of the deck's; the exit status if it cannot be read. */
-static int read_check_file(const char *path, deck *d)
+/* Put the expectations of the answers in place of the deck's; -1 when out of memory. */
+static int use_answers(const char *path, text answers, deck *d)
 {
-    text all;
-    char *contents = read_file(path, &all.length);
-
-    if (!contents)
-        return complain("cannot read", path, strerror(errno));
     d->n_expectations = 0;
-    all.start = contents;
-    if (deck_add_expectations(path, all, d) < 0) {
-        free(contents);
-        return complain("cannot read", path, "not enough memory");
-    }
-    free(contents);
-    return 0;
+    return deck_add_expectations(path, answers, d);
 }
 
 /* Read a deck; the exit status it calls for. */
-static int read_job(const char *path, const options *o, job *j)
+static int read_job(const char *path, const options *o, text answers, job *j)
 {
     size_t length;
     char *contents;
@@ -170,10 +167,11 @@ static int read_job(const char *path, const options *o, job *j)
         status = columns_choose(&j->deck, &j->columns);
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
-    if (status > 0 && o->check_file && (status = read_check_file(o->check_file, &j->deck)) > 0)
-        return status;
+    if (status > 0 && answers.start && use_answers(o->check_file, answers, &j->deck) < 0)
+        return complain("cannot read", o->check_file, "not enough memory");
     if (j->deck.mistakes.count) {
-        print_mistakes(&j->deck.mistakes);
+        mistakes_sort(&j->deck.mistakes);
+        print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
         return EXIT_USAGE;
     }
     if (o->check && !j->deck.n_expectations) {
@@ -203,7 +201,7 @@ static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
     case CHECK_PRINT_DIFFERENCES:
         return EXIT_ROWS;
     case CHECK_PRINT_MISTAKES:
-        print_mistakes(&j->deck.mistakes);
+        print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
         return EXIT_USAGE;
     default:
         return complain("cannot check", j->name, "not enough memory");
@@ -263,8 +261,10 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
     memset(&header, 0, sizeof header);
     for (i = 0; csv && i < o->n_decks; i++)
         for (k = 0; jobs[i].usable && k < jobs[i].columns.count; k++)
-            if (!columns_add(&header, &jobs[i].columns.list[k]))
-                status = complain("cannot start", "", "not enough memory");
+            if (!columns_add(&header, &jobs[i].columns.list[k])) {
+                columns_free(&header);
+                return complain("cannot start", "", "not enough memory");
+            }
     if (csv && o->check)
         check_print_csv_header(out, o->n_decks > 1);
     else if (csv && o->summary)
@@ -272,6 +272,9 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
     else if (csv)
         csv_print_header(out, &header, o->n_decks > 1);
     for (i = 0; i < o->n_decks; i++) {
+        if (!jobs[i].usable && csv && o->check && o->n_decks > 1)
+            check_print_csv_bad_deck(out,
+                                     jobs[i].name); /* a grade is missed where it is not given */
         if (!jobs[i].usable)
             continue;
         if (printed++ && !csv)
@@ -284,7 +287,7 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
     return status;
 }
 
-/* 1 if the output file is one of the decks, which it would replace. */
+/* 1 if the output file is one of the decks, or the file of answers, which it would replace. */
 static int is_a_deck(const char *path, const options *o)
 {
     struct stat out, in;
@@ -292,6 +295,9 @@ static int is_a_deck(const char *path, const options *o)
 
     if (stat(path, &out) != 0 || !S_ISREG(out.st_mode))
         return 0;
+    if (o->check_file && stat(o->check_file, &in) == 0 && in.st_dev == out.st_dev &&
+        in.st_ino == out.st_ino)
+        return 1;
     for (i = 0; i < o->n_decks; i++) {
         int status =
             strcmp(o->decks[i], "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(o->decks[i], &in);
@@ -307,19 +313,33 @@ static int run(const options *o)
     job *jobs = calloc(o->n_decks, sizeof *jobs);
     const char *name = o->output ? o->output : "standard output";
     int status = 0, usable = 0;
+    char *contents;
+    text answers;
     output out;
     size_t i;
 
     if (!jobs)
         return complain("cannot start", "", "not enough memory");
+    answers.start = contents = NULL;
+    if (o->check_file) {
+        answers.start = contents = read_file(o->check_file, &answers.length);
+        if (!contents) {
+            free(jobs);
+            return complain("cannot read", o->check_file, strerror(errno));
+        }
+    }
     for (i = 0; i < o->n_decks; i++) {
-        status = worse(status, read_job(o->decks[i], o, &jobs[i]));
+        status = worse(status, read_job(o->decks[i], o, answers, &jobs[i]));
         usable += jobs[i].usable;
     }
     if (usable) {
         if (output_open(&out, o->output)) {
-            status = worse(status, print_jobs(out.file, o, jobs));
-            if (!output_close(&out))
+            int printed = print_jobs(out.file, o, jobs);
+
+            status = worse(status, printed);
+            if (printed == EXIT_FILES)
+                output_discard(&out); /* half of the results are none */
+            else if (!output_close(&out))
                 status = worse(status, complain("cannot write", name, strerror(errno)));
         } else {
             status = worse(status, complain("cannot write", name, strerror(errno)));
@@ -331,6 +351,7 @@ static int run(const options *o)
         deck_free(&jobs[i].deck);
     }
     free(jobs);
+    free(contents);
     return status;
 }
 
@@ -369,7 +390,7 @@ int main(int argc, char **argv)
                fourlink_version());
         status = finish_text();
     } else if (o.output && is_a_deck(o.output, &o)) {
-        status = complain("cannot write", o.output, "it is one of the decks");
+        status = complain("cannot write", o.output, "it is an input");
     } else {
         status = run(&o);
     }

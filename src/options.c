@@ -65,6 +65,9 @@ static int say(char message[400], const char *a, const char *b, const char *c)
     return 0;
 }
 
+/* The value of an option that was given without one. */
+static const char no_value[] = "";
+
 static int set_format(options *o, const char *value, char message[400])
 {
     static const char *const names[] = {"table", "csv", "paper", NULL};
@@ -111,6 +114,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
         add_change(o, "--set", value);
         return 1;
     case 'C':
+        if (value[0] == '\0' && value != no_value)
+            return say(message, "--check= needs the name of a file", "", "");
         o->check_file = *value ? value : NULL;
         return o->check = 1;
     case 'm':
@@ -161,7 +166,7 @@ static int read_long(options *o, const char *word, const char *next, int *used_n
     if (equals)
         return set(o, &table[i], equals + 1, message);
     if (table[i].takes_value == 2)
-        return set(o, &table[i], "", message);
+        return set(o, &table[i], no_value, message);
     if (!next)
         return say(message, "--", table[i].name, " needs a value");
     *used_next = 1;
@@ -188,7 +193,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
             *used_next = !word[1];
             return set(o, &table[i], word[1] ? word + 1 : next, message);
         }
-        set(o, &table[i], "", message);
+        set(o, &table[i], no_value, message);
     }
     return 1;
 }

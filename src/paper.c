@@ -26,7 +26,9 @@ static void put_paper_row(FILE *out, const result *r)
         fprintf(out, "%02.0f", whole);
     else
         fprintf(out, "%.2f", degrees);
-    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n", r->row.crank.omega2,
+    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n",
+            r->row.crank.omega2 + 0.0, /* no -0 */
+
             no_minus_zero(r->row.crank.alpha2), no_minus_zero(s->link[4].theta * 180 / M_PI),
             no_minus_zero(s->link[3].theta * 180 / M_PI), no_minus_zero(s->link[4].omega),
             no_minus_zero(s->link[3].omega), no_minus_zero(s->link[4].alpha),

@@ -25,6 +25,8 @@ typedef struct setting {
 typedef struct point {
     double x, y;      /* rad, SI units */
     text_place place; /* where it is written */
+    int has_unit;     /* 1: its value has one */
+    double unit_to_si;
 } point;
 
 /* A section as it stands in the deck, with one setting for each key of the schema that it can have;

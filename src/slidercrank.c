@@ -75,8 +75,7 @@ void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_stat
 
     rod->axis.x = state->sine;
     rod->axis.y = (e - rod->origin.y) / l;
-    rod->theta = atan2(rod->axis.y + 0.0, /* not -0: the angle is 180 deg */
-                       rod->axis.x);
+    rod->theta = FLK_ANGLE(rod->axis);
     piston->theta = 0;
     piston->axis.x = 1;
     piston->axis.y = 0;

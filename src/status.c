@@ -4,14 +4,10 @@
 */
 #include "internal.h"
 
-#define CASE(name, value, text) \
-    case name:                  \
-        return text;
-
 const char *fourlink_status_text(int status)
 {
     switch (status) {
-        FOURLINK_STATUS_LIST(CASE)
+        FOURLINK_STATUS_LIST(FLK_CASE)
     default:
         return "unknown status";
     }

@@ -30,7 +30,7 @@ void summary_print(FILE *out, analysis *a, const column_list *columns)
     print_head(out, a->d);
     fprintf(out, "# %-20s %20s %-8s %10s %-3s %-8s %s\n", "name", "value", "unit", "theta2",
             a->d->units[QUANTITY_ANGLE].name, "branch", "meaning");
-    facts_tell(a, 1, columns, put_summary_line, out);
+    facts_tell(a, 0, 1, columns, put_summary_line, out);
 }
 
 void summary_print_csv_header(FILE *out, int with_deck)
@@ -66,7 +66,7 @@ void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const
 
     s.out = out;
     s.deck_name = deck_name;
-    facts_tell(a, 1, columns, put_summary_csv, &s);
+    facts_tell(a, 0, 1, columns, put_summary_csv, &s);
 }
 
 int table_print_list(FILE *out, const deck *d)

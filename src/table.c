@@ -17,6 +17,8 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
+    extreme_result found; /* the extreme of the column last looked for */
+    extreme at;
 } style;
 
 #define SAMPLES 200
@@ -143,27 +145,34 @@ static void put_fact(const fact *f, void *data)
 }
 
 /* The extremes of the columns and where they are, as comments above the rows. */
-static void put_extremes(FILE *out, analysis *a, const column_list *columns, const style *styles,
+static void put_extremes(FILE *out, analysis *a, const column_list *columns, style *styles,
                          fourlink_branch branch)
 {
-    static const style angle = {3, 0, 0};
+    static const style angle = {3, 0, 0, EXTREME_NONE, {0, 0}};
     char number[NUMBER_SIZE];
-    int line;
+    int sign, line;
     size_t j;
 
-    for (line = 0; line < 4; line++) {
-        putc('#', out);
-        for (j = 0; j < columns->count; j++) {
-            const char *cell = "";
-            extreme e;
+    for (sign = 1; sign >= -1; sign -= 2) {
+        for (j = 0; j < columns->count; j++)
+            styles[j].found = column_is_angle_of_crank(&columns->list[j])
+                                  ? EXTREME_NONE
+                                  : extreme_find(a, &columns->list[j], branch, sign, &styles[j].at);
+        for (line = 0; line < 2; line++) {
+            putc('#', out);
+            for (j = 0; j < columns->count; j++) {
+                const style *s = &styles[j];
+                const char *cell = "";
 
-            if (!column_of_crank(&columns->list[j]) &&
-                extreme_find(a, &columns->list[j], branch, line < 2 ? 1 : -1, &e))
-                cell = line % 2 == 0 ? cell_text(e.value, &styles[j], number)
-                                     : cell_text(e.angle, &angle, number);
-            print_right(out, cell, styles[j].width - (j == 0));
+                if (s->found == EXTREME_FOUND)
+                    cell = line == 0 ? cell_text(s->at.value, s, number)
+                                     : cell_text(s->at.angle, &angle, number);
+                else if (s->found == EXTREME_UNBOUNDED && line == 0)
+                    cell = "none";
+                print_right(out, cell, s->width - (j == 0));
+            }
+            fprintf(out, "  %s\n", line == 1 ? "at theta2" : sign > 0 ? "max" : "min");
         }
-        fprintf(out, "  %s\n", line % 2 ? "at theta2" : line == 0 ? "max" : "min");
     }
 }
 
@@ -187,8 +196,8 @@ static void put_row(FILE *out, const deck *d, const column_list *columns, const 
                 d->units[QUANTITY_ANGLE].name, print_near_dead_text);
 }
 
-static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns,
-                                  const style *styles, fourlink_branch branch)
+static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns, style *styles,
+                                  fourlink_branch branch)
 {
     unsigned long k, failed = 0;
     char stop[NUMBER_SIZE + 80];
@@ -216,7 +225,7 @@ int table_print(FILE *out, analysis *a, const column_list *columns, unsigned lon
     style *styles = malloc(columns->count * sizeof *styles);
     double *size = malloc(columns->count * sizeof *size);
     fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i;
+    int n = print_branches_of(a->d, branches), i, enough;
     size_t j;
 
     if (styles && size) {
@@ -224,14 +233,15 @@ int table_print(FILE *out, analysis *a, const column_list *columns, unsigned lon
         for (j = 0; j < columns->count; j++)
             find_style(a->d, &columns->list[j], size[j], &styles[j]);
         print_head(out, a->d);
-        facts_tell(a, 0, NULL, put_fact, out);
+        facts_tell(a, 0, 0, NULL, put_fact, out);
         for (i = 0; i < n; i++) {
             if (i > 0)
                 fputs("\n\n", out);
             *failed += print_branch(out, a, columns, styles, branches[i]);
         }
     }
+    enough = styles && size;
     free(styles);
     free(size);
-    return styles && size;
+    return enough;
 }

@@ -31,6 +31,7 @@ void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const
 enum { CHECK_PRINT_OK, CHECK_PRINT_DIFFERENCES, CHECK_PRINT_MISTAKES, CHECK_PRINT_MEMORY };
 int check_print(FILE *out, deck *d, int csv, const char *deck_name);
 void check_print_csv_header(FILE *out, int with_deck);
+void check_print_csv_bad_deck(FILE *out, const char *deck_name);
 
 /* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of that
 ** name. */

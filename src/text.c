@@ -33,6 +33,15 @@ text text_trim(text t)
     return t;
 }
 
+text text_without_mark(text t)
+{
+    if (t.length >= 3 && memcmp(t.start, "\357\273\277", 3) == 0) {
+        t.start += 3;
+        t.length -= 3;
+    }
+    return t;
+}
+
 /* ASCII only: the host's locale has no say in how a deck is read. */
 static int lower(int c)
 {
@@ -163,6 +172,7 @@ void mistake_note(mistakes *m, text_place place, ...)
         }
     }
     if (m->count == m->capacity || m->count >= MOST_MISTAKES) {
+        m->out_of_memory = m->count < MOST_MISTAKES;
         m->left_out++;
         return;
     }

@@ -16,6 +16,9 @@ typedef struct text {
 text text_of(const char *string);
 text text_trim(text t);
 
+/* Without the byte order mark of UTF-8 at its start. */
+text text_without_mark(text t);
+
 /* 1 if the first character is one of a word (letter, digit, _ or a byte of UTF-8). */
 int text_is_word(int c);
 
@@ -46,6 +49,7 @@ typedef struct text_place {
 typedef struct mistakes {
     struct mistake *list;
     size_t count, capacity, left_out;
+    int out_of_memory; /* 1: there was one that could not be noted */
 } mistakes;
 
 struct mistake {

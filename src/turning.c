@@ -8,10 +8,12 @@
 **    E(theta) = integral of (T - Tm) dtheta,    dE = max E - min E
 **    coefficient of fluctuation of energy dE / (Tm c),   of speed Cs = dE / (I omega^2)
 **
-** E has its extremes where T crosses Tm: those crossings are found by GSL's root finder, and the areas
-** between them by its quadrature.
+** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
+** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
+** and where T crosses Tm, which GSL's root finder tells.
 */
 #include <math.h>
+#include <stdlib.h>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -20,11 +22,20 @@
 
 #include "turning.h"
 
+#define STEP (M_PI / 180)
+#define MOST_STEPS 100000
+#define POINTS 12    /* of the Gauss-Legendre rule */
+#define INSIDE 1e-10 /* rad, from a corner into the piece beside it */
+
 typedef struct moment {
     analysis *a;
     fourlink_branch branch;
     fourlink_crank crank;
     double mean;
+    double *cuts; /* rad, rising: the ends of the pieces */
+    size_t n_cuts;
+    gsl_integration_glfixed_table *rule;
+    gsl_root_fsolver *solver;
 } moment;
 
 /* T - Tm; NaN where the links do not reach. */
@@ -38,123 +49,178 @@ static double excess(double theta2, void *data)
     return r.status == FOURLINK_OK ? -r.forces.Ts - m->mean : GSL_NAN;
 }
 
-#define STEP (M_PI / 180)
-
-static double area(gsl_function *f, double from, double to, gsl_integration_cquad_workspace *w)
+static double area(moment *m, double from, double to)
 {
-    double sum = 0;
+    gsl_function f;
 
-    if (to > from)
-        gsl_integration_cquad(f, from, to, 0, 1e-11, w, &sum, NULL, NULL);
-    return sum;
+    f.function = excess;
+    f.params = m;
+    return gsl_integration_glfixed(&f, from, to, m->rule);
 }
 
-static double crossing(gsl_function *f, double low, double high, gsl_root_fsolver *solver)
+/* Where T - Tm changes its sign. */
+static double crossing(moment *m, double low, double high)
 {
+    gsl_function f;
     int i;
 
-    gsl_root_fsolver_set(solver, f, low, high);
+    f.function = excess;
+    f.params = m;
+    gsl_root_fsolver_set(m->solver, &f, low, high);
     for (i = 0; i < 100; i++)
-        if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS ||
-            gsl_root_test_interval(gsl_root_fsolver_x_lower(solver),
-                                   gsl_root_fsolver_x_upper(solver), 1e-14, 0) == GSL_SUCCESS)
+        if (gsl_root_fsolver_iterate(m->solver) != GSL_SUCCESS ||
+            gsl_root_test_interval(gsl_root_fsolver_x_lower(m->solver),
+                                   gsl_root_fsolver_x_upper(m->solver), 1e-14, 0) == GSL_SUCCESS)
             break;
-    return gsl_root_fsolver_root(solver);
+    return gsl_root_fsolver_root(m->solver);
 }
 
-/* The mean over the cycle, and the scale of the moment; NaN if it is not defined all round. */
-static double mean_of(gsl_function *f, long steps, double cycle, double *scale,
-                      gsl_integration_cquad_workspace *w)
+static int rising(const void *x, const void *y)
 {
-    double sum = 0, step = cycle / (double)steps;
-    long i;
+    double a = *(const double *)x, b = *(const double *)y;
+
+    return (a > b) - (a < b);
+}
+
+/* A corner, in the cycle that starts at 0. */
+static void cut_at(moment *m, double angle)
+{
+    double cycle = m->a->d->cycle;
+
+    m->cuts[m->n_cuts++] = angle - cycle * floor(angle / cycle);
+}
+
+static void cut_at_curve(moment *m, const curve *c)
+{
+    size_t i;
+
+    for (i = 0; i < c->n; i++)
+        cut_at(m, c->x[i]);
+}
+
+/* The pieces of the cycle.  0 when out of memory. */
+static int cut(moment *m, long steps)
+{
+    const deck *d = m->a->d;
+    size_t most = (size_t)steps + 1 + d->gas.indicator.n, i, n;
+
+    for (i = 0; i < d->n_loads; i++)
+        most += d->variations[i].torque.n + 2;
+    m->cuts = malloc(most * sizeof *m->cuts);
+    if (!m->cuts)
+        return 0;
+    for (i = 0; i <= (size_t)steps; i++)
+        m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
+    cut_at_curve(m, &d->gas.indicator);
+    for (i = 0; i < d->n_loads; i++) {
+        cut_at_curve(m, &d->variations[i].torque);
+        if (d->variations[i].is_windowed) {
+            cut_at(m, d->variations[i].from);
+            cut_at(m, d->variations[i].to);
+        }
+    }
+    qsort(m->cuts, m->n_cuts, sizeof *m->cuts, rising);
+    for (i = 1, n = 1; i < m->n_cuts; i++)
+        if (m->cuts[i] - m->cuts[n - 1] > 4 * INSIDE)
+            m->cuts[n++] = m->cuts[i];
+    m->cuts[n - 1] = d->cycle;
+    m->n_cuts = n;
+    return 1;
+}
+
+/* The mean over the cycle; NaN if the moment is not defined all round. */
+static double mean_of(moment *m, double *scale)
+{
+    double sum = 0;
+    size_t i;
 
     *scale = 0;
-    for (i = 0; i < steps; i++) {
-        double T = GSL_FN_EVAL(f, (double)i * step);
+    for (i = 0; i + 1 < m->n_cuts; i++) {
+        double T = excess(m->cuts[i] + INSIDE, m);
 
-        if (gsl_isnan(T))
-            return GSL_NAN;
         if (fabs(T) > *scale)
             *scale = fabs(T);
+        sum += area(m, m->cuts[i], m->cuts[i + 1]);
+        if (gsl_isnan(T) || gsl_isnan(sum))
+            return GSL_NAN;
     }
-    for (i = 0; i < steps; i += 30)
-        sum += area(f, (double)i * step, (double)(i + 30 < steps ? i + 30 : steps) * step, w);
-    return sum / cycle;
+    return sum / m->a->d->cycle;
 }
 
-static void find_fluctuation(gsl_function *f, long steps, double cycle, gsl_root_fsolver *solver,
-                             gsl_integration_cquad_workspace *w, turning *t)
+static double fluctuation_of_energy(moment *m)
 {
-    double step = cycle / (double)steps, from = 0, E = 0, least = 0, greatest = 0;
-    double before = GSL_FN_EVAL(f, 0);
-    long i;
+    double E = 0, least = 0, greatest = 0;
+    size_t i;
 
-    t->from = t->to = 0;
-    for (i = 1; i <= steps; i++) {
-        double x = (double)i * step, now = GSL_FN_EVAL(f, x);
+    for (i = 0; i + 1 < m->n_cuts; i++) {
+        double from = m->cuts[i], to = m->cuts[i + 1];
+        double low = from + INSIDE, high = to - INSIDE;
 
-        if ((before < 0) != (now < 0) || i == steps) {
-            double at = (before < 0) != (now < 0) ? crossing(f, x - step, x, solver) : x;
+        if ((excess(low, m) < 0) != (excess(high, m) < 0)) {
+            double at = crossing(m, low, high);
 
-            E += area(f, from, at, w);
+            E += area(m, from, at);
+            least = E < least ? E : least;
+            greatest = E > greatest ? E : greatest;
             from = at;
-            if (E < least) {
-                least = E;
-                t->from = at;
-            }
-            if (E > greatest) {
-                greatest = E;
-                t->to = at;
-            }
         }
-        before = now;
+        E += area(m, from, to);
+        least = E < least ? E : least;
+        greatest = E > greatest ? E : greatest;
     }
-    t->energy_fluctuation = greatest - least;
+    return greatest - least;
+}
+
+static void find(moment *m, double scale, turning *t)
+{
+    const deck *d = m->a->d;
+    double omega = d->motion.speed;
+
+    if (fabs(m->mean) <= 1e-12 * scale)
+        m->mean = 0;
+    t->mean_torque = m->mean;
+    t->mean_power = m->mean * omega;
+    t->energy_fluctuation = fluctuation_of_energy(m);
+    t->has_coefficient = m->mean != 0;
+    t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
+    t->inertia = d->flywheel_inertia;
+    t->fluctuation = d->flywheel_fluctuation;
+    if (t->inertia > 0)
+        t->fluctuation = t->energy_fluctuation / (t->inertia * omega * omega);
+    else if (t->fluctuation > 0)
+        t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }
 
 int turning_find(analysis *a, fourlink_branch branch, turning *t)
 {
     const deck *d = a->d;
-    gsl_integration_cquad_workspace *w = gsl_integration_cquad_workspace_alloc(100);
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    double omega = d->motion.speed, scale = 0;
-    long steps = (long)floor(d->cycle / STEP + 0.5);
-    moment m;
-    gsl_function f;
+    double degrees = floor(d->cycle / STEP + 0.5), scale;
     int found = 0;
+    moment m;
 
+    if (!d->has_forces || d->motion.speed == 0 || d->motion.acceleration != 0 || degrees < 1 ||
+        degrees > MOST_STEPS)
+        return 0;
     m.a = a;
     m.branch = branch;
     m.crank.theta2 = 0;
-    m.crank.omega2 = omega;
+    m.crank.omega2 = d->motion.speed;
     m.crank.alpha2 = 0;
     m.mean = 0;
-    f.function = excess;
-    f.params = &m;
-    if (w && solver && d->has_forces && omega != 0 && d->motion.acceleration == 0 && steps > 0 &&
-        steps < 100000) {
-        m.mean = mean_of(&f, steps, d->cycle, &scale, w);
+    m.cuts = NULL;
+    m.n_cuts = 0;
+    m.rule = gsl_integration_glfixed_table_alloc(POINTS);
+    m.solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (m.rule && m.solver && cut(&m, (long)degrees)) {
+        m.mean = mean_of(&m, &scale);
         found = !gsl_isnan(m.mean);
+        if (found)
+            find(&m, scale, t);
     }
-    if (found) {
-        if (fabs(m.mean) <= 1e-12 * scale)
-            m.mean = 0;
-        t->mean_torque = m.mean;
-        t->mean_power = m.mean * omega;
-        find_fluctuation(&f, steps, d->cycle, solver, w, t);
-        t->has_coefficient = m.mean != 0;
-        t->energy_coefficient = m.mean != 0 ? t->energy_fluctuation / fabs(m.mean * d->cycle) : 0;
-        t->inertia = d->flywheel_inertia;
-        t->fluctuation = d->flywheel_fluctuation;
-        if (t->inertia > 0)
-            t->fluctuation = t->energy_fluctuation / (t->inertia * omega * omega);
-        else if (t->fluctuation > 0)
-            t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
-    }
-    if (w)
-        gsl_integration_cquad_workspace_free(w);
-    if (solver)
-        gsl_root_fsolver_free(solver);
+    free(m.cuts);
+    if (m.rule)
+        gsl_integration_glfixed_table_free(m.rule);
+    if (m.solver)
+        gsl_root_fsolver_free(m.solver);
     return found;
 }

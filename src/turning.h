@@ -11,7 +11,6 @@ typedef struct turning {
     double mean_torque;        /* N m, of the turning moment -Ts, which is delivered */
     double mean_power;         /* W */
     double energy_fluctuation; /* J, greatest less least energy of the flywheel in a cycle */
-    double from, to;           /* rad, crank angles of the two */
     int has_coefficient;       /* 0: the mean is 0 */
     double energy_coefficient; /* 1, of the fluctuation of energy: over the work of a cycle */
     double inertia;     /* kg m2, of the flywheel; 0: neither it nor the fluctuation is given */

@@ -146,7 +146,7 @@ static const mistaken all_mistaken[] = {
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 300 mm\n[rocker]\nlength = 56 mm\n",
      7,
-     "the coupler, 300 mm, is longer than the other three together, 0.156 m: they cannot be "
+     "the coupler, 300 mm, is longer than the other three together, 156 mm: they cannot be "
      "assembled"},
     {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
      "the offset, -2 m, is more than crank and rod together, 1.5 m: the rod never reaches"},
@@ -416,7 +416,7 @@ static void test_four_bar(void **unused)
                                    "[load F1]\nlink = coupler\nforce = 50 N at 30 deg\n"
                                    "at = 20 mm at 90 deg\n"
                                    "[load]\nlink = rocker\ntorque = 2 lbf.in\n"
-                                   "force = (3, -4) kN\n"
+                                   "force = (3, -4) kN\nat = 0 mm\n"
                                    "[table]\nbranch = crossed\ncolumns = theta2, mu\n"
                                    "digits = 9\n";
     deck d;
@@ -789,7 +789,7 @@ static void check_vector(const char *assignment, double x, double y, double tole
     deck d;
     fourlink_vector v;
 
-    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\n", assignment, &d);
+    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\nat = 0 mm\n", assignment, &d);
     v = strncmp(assignment, "load.force", 10) == 0 ? d.loads[0].force : d.design.link[2].cg;
     assert_near(v.x, x, tolerance);
     assert_near(v.y, y, tolerance);
@@ -846,7 +846,8 @@ static void test_gravity(void **unused)
     deck_free(&d);
 
     /* The inclination of the line A-D turns gravity against itself, and nothing else. */
-    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 2 N at 90 deg\n", "ground.angle=30 deg", &d);
+    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 2 N at 90 deg\nat = 0 mm\n",
+              "ground.angle=30 deg", &d);
     assert_near(d.design.gravity.x, -9.81 / 2, 1e-14);
     assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
     assert_true(d.loads[0].force.x == 0 && d.loads[0].force.y == 2);
@@ -862,9 +863,9 @@ static void test_gravity(void **unused)
 
 /* ---------------------------------------------------------------------- changes from the outside */
 
-#define LOADS                                                \
-    "[load F1]\nlink = coupler\nforce = (1, 0) N\n" /* 10 */ \
-    "[load F2]\nlink = coupler\nforce = (2, 0) N\n"
+#define LOADS                                                           \
+    "[load F1]\nlink = coupler\nforce = (1, 0) N\nat = 0 mm\n" /* 10 */ \
+    "[load F2]\nlink = coupler\nforce = (2, 0) N\nat = 0 mm\n"
 
 static void test_changes(void **unused)
 {
