@@ -557,13 +557,18 @@ int column_of_rounding(const column *c)
     return !c->point && (c->info->x == FORCE(residual) || c->info->x == OF_EXTRAS(superposition));
 }
 
+int column_need(const column *c)
+{
+    return c->info->need;
+}
+
 int columns_need(const column_list *columns)
 {
     size_t i;
     int needs = 0;
 
     for (i = 0; i < columns->count; i++)
-        needs |= columns->list[i].info->need;
+        needs |= column_need(&columns->list[i]);
     return needs;
 }
 

@@ -58,7 +58,8 @@ int column_of_crank(const column *c);
 /* 1: a measure of rounding, printed as a power of ten. */
 int column_of_rounding(const column *c);
 
-/* What has to be computed for a list of columns: NEED_FORCES ... */
+/* What has to be computed for a column, or for a list of them: NEED_FORCES ... */
+int column_need(const column *c);
 int columns_need(const column_list *columns);
 
 /* Beyond this magnitude, in its unit, a column is infinite: a centre or an advantage at a position where

@@ -235,13 +235,13 @@ static int compare(analysis *a, deck *d, const deck_expectation *e, check *c)
             !read_tolerance(d, e, f.q, si, digit, &tolerance) ||
             ((f.is_column || f.sign) && !value_there(a, d, e, &f)))
             return 0;
-        turn = 2 * M_PI * u->unit.down / u->unit.up;
-        c->printed = si * u->unit.down / u->unit.up;
+        turn = unit_from_si(2 * M_PI, u->unit);
+        c->printed = unit_from_si(si, u->unit);
         for (i = 1; i < f.n_values; i++)
             if (fabs(difference(f.values[i], c->printed, f.q, turn)) <
                 fabs(difference(f.value, c->printed, f.q, turn)))
                 f.value = f.values[i];
-        c->tolerance = tolerance * u->unit.down / u->unit.up;
+        c->tolerance = unit_from_si(tolerance, u->unit);
         c->computed = f.value;
         /* a value in the middle between two digits may be printed either way */
         agrees = fabs(difference(c->computed, c->printed, f.q, turn)) <=

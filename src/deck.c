@@ -30,7 +30,7 @@ static double in_deck_angle(parser *p, const setting *s)
 
     if (s->unit.up == u->up && s->unit.down == u->down)
         return s->number;
-    return s->si[0] * u->down / u->up;
+    return unit_from_si(s->si[0], *u);
 }
 
 static double angle_or(parser *p, key_code key, double otherwise)
@@ -224,7 +224,7 @@ static const char *in_unit_of(parser *p, const setting *s, double length, char o
     double number;
     char name[WORD_SIZE];
 
-    number_general(length * s->unit.down / s->unit.up, 6, out);
+    number_general(unit_from_si(length, s->unit), 6, out);
     number_read(&t, &number);
     t = text_trim(t);
     strcat(out, " ");
@@ -600,7 +600,7 @@ static void build_motion(parser *p)
     motion->acceleration = value_or(p, KEY_MOTION_ACCELERATION, 0);
     s = find(p, KEY_MOTION_HOLD);
     motion->hold = s ? s->word : 0;
-    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(M_PI / 18 * u->down / u->up));
+    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(unit_from_si(M_PI / 18, *u)));
     if ((s = find(p, KEY_MOTION_AT)) != NULL) {
         check_alone(p, s);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
@@ -609,7 +609,7 @@ static void build_motion(parser *p)
         p->d->one_instant = 1;
         return;
     }
-    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(2 * M_PI * u->down / u->up));
+    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(unit_from_si(2 * M_PI, *u)));
     turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));

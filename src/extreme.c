@@ -3,8 +3,8 @@
 ** extreme.c - the largest and smallest value of a column over a deck's motion.
 **
 ** The motion is scanned in steps of a degree at most; every peak of the samples that comes near the
-** highest is refined by GSL's minimisers.  Where the links stop reaching, and on both sides of a jump of a
-** load, the column's limit counts too.
+** highest is refined by GSL's minimisers.  Where the links stop reaching, and at the corners of the loads,
+** the column's limit counts too.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -165,31 +165,43 @@ static void keep_lowest(extreme *list, int *n, double value, double angle)
     list[i].angle = angle;
 }
 
-/* Both sides of every jump of the loads, in all cycles of the motion. */
-static void look_at_jumps(search *s, extreme *best)
+/* Both sides of an angle of the cycle, wherever the motion comes by. */
+static void look_at(search *s, double theta2, extreme *best)
+{
+    double rad = s->a->d->motion.angle_unit, cycle = s->a->d->cycle / rad, side = 1e-9 / rad;
+    double x = theta2 / rad;
+
+    for (x += cycle * ceil((s->first - x) / cycle); x <= s->last; x += cycle) {
+        double before = value_at(x - side, s), after = value_at(x + side, s);
+
+        if (x - side >= s->first && !gsl_isnan(before))
+            keep_best(best, before, x);
+        if (x + side <= s->last && !gsl_isnan(after))
+            keep_best(best, after, x);
+    }
+}
+
+static void look_at_curve(search *s, const curve *c, extreme *best)
+{
+    size_t i;
+
+    for (i = 0; i < c->n; i++)
+        look_at(s, c->x[i], best);
+}
+
+/* The corners of the loads, which a scan may step over: the ends of their windows, the points of their
+** curves. */
+static void look_at_corners(search *s, extreme *best)
 {
     const deck *d = s->a->d;
-    double cycle = d->cycle / d->motion.angle_unit, side = 1e-9 / d->motion.angle_unit;
-    double jumps[2];
     unsigned long i;
-    int j;
 
+    look_at_curve(s, &d->gas.indicator, best);
     for (i = 0; i < d->n_loads; i++) {
-        if (!d->variations[i].is_windowed)
-            continue;
-        jumps[0] = d->variations[i].from / d->motion.angle_unit;
-        jumps[1] = d->variations[i].to / d->motion.angle_unit;
-        for (j = 0; j < 2; j++) {
-            double x = jumps[j] + cycle * ceil((s->first - jumps[j]) / cycle);
-
-            for (; x <= s->last; x += cycle) {
-                double before = value_at(x - side, s), after = value_at(x + side, s);
-
-                if (x - side >= s->first && !gsl_isnan(before))
-                    keep_best(best, before, x);
-                if (x + side <= s->last && !gsl_isnan(after))
-                    keep_best(best, after, x);
-            }
+        look_at_curve(s, &d->variations[i].torque, best);
+        if (d->variations[i].is_windowed) {
+            look_at(s, d->variations[i].from, best);
+            look_at(s, d->variations[i].to, best);
         }
     }
 }
@@ -228,7 +240,7 @@ static void follow(search *s, double value)
     const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
 
     if (column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
-        s->turn = 2 * M_PI * u->down / u->up;
+        s->turn = unit_from_si(2 * M_PI, *u);
         s->last_value = value;
     }
 }
@@ -298,7 +310,8 @@ extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch
             value_at(x, &s) < value_at(high, &s))
             refine(&s, low, x, high, &best);
     }
-    look_at_jumps(&s, &best);
+    if (s.last > s.first && (column_need(c) & (NEED_FORCES | NEED_ENGINE)))
+        look_at_corners(&s, &best);
     found->value = -sign * best.value;
     found->angle = best.angle;
     if (s.periodic && best.angle < s.first)

@@ -30,9 +30,7 @@ static void begin(const teller *t, fact *f, const char *name, const char *meanin
 
 static double in_unit(const teller *t, double si, quantity q)
 {
-    const unit *u = &t->d->units[q].unit;
-
-    return si * u->down / u->up;
+    return unit_from_si(si, t->d->units[q].unit);
 }
 
 static void tell(const teller *t, const char *name, double si, quantity q, const char *meaning)

@@ -212,6 +212,8 @@ static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
 static int print_analysis(FILE *out, const options *o, analysis *a, const job *j,
                           const column_list *header, const char *deck_name, unsigned long *failed)
 {
+    if (o->list)
+        return table_print_list(out, a);
     if (o->summary && o->format == FORMAT_CSV)
         summary_print_csv(out, a, &j->columns, deck_name);
     else if (o->summary)
@@ -237,15 +239,11 @@ static int print_job(FILE *out, const options *o, job *j, const column_list *hea
 
     if (o->check)
         return check_job(out, o, j, deck_name);
-    if (o->matrix || (o->summary && j->deck.has_forces))
+    if (o->matrix || ((o->summary || o->list) && j->deck.has_forces))
         needs |= NEED_FORCES;
-    if (o->list) {
-        enough = table_print_list(out, &j->deck);
-    } else {
-        enough = analysis_open(&a, &j->deck, needs) &&
-                 print_analysis(out, o, &a, j, header, deck_name, &failed);
-        analysis_close(&a);
-    }
+    enough = analysis_open(&a, &j->deck, needs) &&
+             print_analysis(out, o, &a, j, header, deck_name, &failed);
+    analysis_close(&a);
     if (!enough)
         return complain("cannot analyse", j->name, "not enough memory");
     return failed ? EXIT_ROWS : 0;

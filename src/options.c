@@ -24,7 +24,7 @@ const char *const options_help[] = {
     "  -C, --check[=FILE]                compare with the values that the deck, or FILE, expects",
     "  -m, --matrix                      the nine equations, A x = b, at each row",
     "  -S, --summary                     facts of the mechanism, extremes, turning moment",
-    "  -l, --list                        the columns that the deck has, and what they mean",
+    "  -l, --list                        the columns and facts of the deck, and what they mean",
     "  -h, --help                        this text",
     "  -V, --version                     the version",
     "",

@@ -63,7 +63,7 @@ static void put_length(FILE *out, const deck *d, const char *name, double length
     const deck_unit *u = &d->units[QUANTITY_LENGTH];
     char number[NUMBER_SIZE];
 
-    fprintf(out, "%s %s %s", name, number_general(length * u->unit.down / u->unit.up, 12, number),
+    fprintf(out, "%s %s %s", name, number_general(unit_from_si(length, u->unit), 12, number),
             u->name);
 }
 

@@ -69,11 +69,35 @@ void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const
     facts_tell(a, 0, 1, columns, put_summary_csv, &s);
 }
 
-int table_print_list(FILE *out, const deck *d)
+#define LISTED_SIZE 2000
+
+typedef struct lister {
+    FILE *out;
+    char *listed; /* the names told so far: a fact is listed once for both branches */
+} lister;
+
+static void put_listed(const fact *f, void *data)
 {
+    lister *l = data;
+    char name[DECK_NAME_SIZE + 2];
+
+    sprintf(name, " %s ", f->name);
+    if (strstr(l->listed, name) || strlen(l->listed) + strlen(name) >= LISTED_SIZE)
+        return;
+    strcat(l->listed, name);
+    fprintf(l->out, "%-18s %-8s %s\n", f->name, f->unit, f->meaning);
+}
+
+int table_print_list(FILE *out, analysis *a)
+{
+    char listed[LISTED_SIZE];
+    const deck *d = a->d;
     column_list all;
+    lister l;
     size_t j;
 
+    l.out = out;
+    l.listed = listed;
     memset(&all, 0, sizeof all);
     if (!columns_all(d, &all)) {
         columns_free(&all);
@@ -88,5 +112,10 @@ int table_print_list(FILE *out, const deck *d)
                 *source ? " " : "", source);
     }
     columns_free(&all);
+    fprintf(out, "\n%-18s %-8s %s\n", "fact", "unit", "meaning");
+    listed[0] = '\0';
+    facts_tell(a, 1, 1, NULL, put_listed, &l);
+    fprintf(out, "%-18s %-8s %s\n%-18s %-8s %s\n", "max(COLUMN)", "",
+            "greatest value of any column", "min(COLUMN)", "", "least value of any column");
     return 1;
 }

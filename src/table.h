@@ -39,7 +39,7 @@ void csv_print_header(FILE *out, const column_list *header, int with_deck);
 int csv_print(FILE *out, analysis *a, const column_list *columns, const column_list *header,
               const char *deck_name, unsigned long *failed);
 
-/* The columns and what they mean. */
-int table_print_list(FILE *out, const deck *d);
+/* The columns and facts, and what they mean. */
+int table_print_list(FILE *out, analysis *a);
 
 #endif

@@ -196,3 +196,8 @@ double unit_to_si(double number, unit u)
 {
     return number * u.up / u.down;
 }
+
+double unit_from_si(double si, unit u)
+{
+    return si * u.down / u.up;
+}

@@ -58,6 +58,7 @@ typedef struct unit {
 int unit_read(text t, unit *result, text *bad);
 
 double unit_to_si(double number, unit u);
+double unit_from_si(double si, unit u);
 
 int dimension_equal(dimension x, dimension y);
 

@@ -145,7 +145,7 @@ check '--list: a slider-crank has no rocker' none '^theta4 ' out
 run 0 -l "$alvi" -s 'units.angle=rad'
 check '--list: unit of the deck' grep -Eq '^theta3 +rad ' out
 # each name of the list is one that --columns takes
-sed 1d out | cut -d' ' -f1 >names
+sed '1d;/^$/,$d' out | cut -d' ' -f1 >names
 while read -r name; do
     run 0 -c "$name" "$alvi"
 done <names
@@ -204,7 +204,7 @@ run 0 -c 'theta2 mu' "$alvi" && same out expected
 run 0 -c all "$matrix"
 grep '^# *theta2 ' out | head -n 1 | tr -s '# ' '\n\n' | sed '/^$/d' >all
 run 0 -l "$matrix"
-sed 1d out | cut -d' ' -f1 >listed
+sed '1d;/^$/,$d' out | cut -d' ' -f1 >listed
 same all listed
 
 run 0 --matrix "$matrix"
