@@ -2,53 +2,7 @@
 #
 # test_check.sh FOURLINK DATA - --summary and --check from outside: what they print, exit status.
 # Prints each failed check, and in the end "N passed, M failed".
-set -u
-
-fourlink=$1
-data=$2
-case $fourlink in /*) ;; *) fourlink=$PWD/$fourlink ;; esac
-data=$(cd "$data" && pwd)
-alvi=$data/alvi-5.1.deck
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
-umask 022
-passed=0
-failed=0
-cr=$(printf '\r')
-
-# check WHAT COMMAND...: the command succeeds.
-check() {
-    what=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what" | cut -c1-300
-        echo "        $*" | cut -c1-300
-    fi
-}
-
-# run STATUS ARGUMENT...: the program ends with this status; its output is in the files out and err.
-run() {
-    expected=$1
-    shift
-    "$fourlink" "$@" >out 2>err </dev/null
-    status=$?
-    check "exit status $status, expected $expected: fourlink $*" test $status -eq "$expected"
-}
-
-# says TEXT: the messages have it.  prints TEXT: the results have it.
-says() { check "no message '$1' in: $(head -n 3 err)" grep -qF -e "$1" err; }
-prints() { check "no '$1' in the output of the last run" grep -qF -e "$1" out; }
-quiet() { check "messages: $(head -n 3 err)" test ! -s err; }
-nothing() { check "output where none was expected: $(head -n 3 out)" test ! -s out; }
-same() { check "$1 and $2 differ" cmp -s "$1" "$2"; }
-lines() { check "$1: $(wc -l <"$1") lines, expected $2" test "$(wc -l <"$1")" -eq "$2"; }
-holds() { check "$1" awk "$2" out; } # an awk program that exits 0
-none() { ! grep -q "$@"; }
+. "$(dirname "$0")/harness.sh"
 
 # csv OUT: the records of a csv file, its fields separated by |, which none of them has.  A record that
 # is not RFC 4180 (quotes within a bare field, text after a closing quote, no CR LF) becomes "bad".
@@ -470,5 +424,10 @@ for change in 'motion.speed=0' 'motion.speed=1e29 rad/s' 'crank.length=2 m' 'gro
     check "nan or inf: -S -s $change" none -Eiw -e '[-+]?(nan|inf|infinity)' out
 done
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+# The facts stand in --list, behind the columns.
+run 0 --list "$alvi"
+for fact in type K theta2_from mu_min theta4_max swing time_ratio; do
+    holds "$fact in the list" "/^fact/ {on = 1} on && \$1 == \"$fact\" {n++} END {exit n != 1}"
+done
+
+finish

@@ -2,58 +2,7 @@
 #
 # test_command.sh FOURLINK DATA - the command from outside: options, files, formats, exit status.
 # Prints each failed check, and in the end "N passed, M failed".
-set -u
-
-fourlink=$1
-data=$2
-case $fourlink in /*) ;; *) fourlink=$PWD/$fourlink ;; esac
-data=$(cd "$data" && pwd)
-alvi=$data/alvi-5.1.deck
-matrix=$data/me3491-matrix.deck
-work=$(mktemp -d) || exit 1
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
-umask 022
-passed=0
-failed=0
-cr=$(printf '\r')
-tab=$(printf '\t')
-
-# check WHAT COMMAND...: the command succeeds.
-check() {
-    what=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what" | cut -c1-300
-        echo "        $*" | cut -c1-300
-    fi
-}
-
-# run STATUS ARGUMENT...: the program ends with this status; its output is in the files out and err.
-run() {
-    expected=$1
-    shift
-    "$fourlink" "$@" >out 2>err </dev/null
-    status=$?
-    check "exit status $status, expected $expected: fourlink $*" test $status -eq "$expected"
-}
-
-# says TEXT: the messages have it.  prints TEXT: the results have it.
-says() { check "no message '$1' in: $(head -n 3 err)" grep -qF -e "$1" err; }
-prints() { check "no '$1' in the output of the last run" grep -qF -e "$1" out; }
-quiet() { check "messages: $(head -n 3 err)" test ! -s err; }
-nothing() { check "output where none was expected: $(head -n 3 out)" test ! -s out; }
-same() { check "$1 and $2 differ" cmp -s "$1" "$2"; }
-differ() { check "$1 and $2 are the same" different "$1" "$2"; }
-different() { ! cmp -s "$1" "$2"; }
-lines() { check "$1: $(wc -l <"$1") lines, expected $2" test "$(wc -l <"$1")" -eq "$2"; }
-holds() { check "$1" awk "$2" out; } # an awk program that exits 0
-none() { ! grep -q "$@"; }
-only_file() { check "files left: $(ls -A "$1")" test "$(ls -A "$1")" = "$2"; }
+. "$(dirname "$0")/harness.sh"
 
 cat >reach.deck <<'EOF'
 title = A crank that cannot turn fully
@@ -806,5 +755,4 @@ if (ulimit -v 65536 && "$fourlink" "$matrix" >out) 2>err; then
     check 'a million rows in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -b open -i 0.00036 "$1" | wc -l | grep -q "^ *10000[0-9][0-9]"' "$fourlink" "$matrix"
 fi
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+finish

@@ -3,26 +3,7 @@
 #
 # test_loads.sh FOURLINK DATA - loads in the link's frame and between two crank angles, curves of torque,
 # indicator cards in files, tracer points: one deck against another that must give the same numbers.
-set -u
-fourlink=$1
-data=$2
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-passed=0
-failed=0
-
-check() {
-    what=$1
-    shift
-    if "$@" >log 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        head -n 5 log
-    fi
-}
+. "$(dirname "$0")/harness.sh"
 
 # close FILE FILE: the same numbers to 1e-9, field by field
 close() {
@@ -34,7 +15,7 @@ close() {
             else if (x != y) bad++}}
         END {if (bad || n < 10) print bad " of " n " differ"; exit bad || n < 10}'
 }
-differs() { ! close "$1" "$2"; }
+differs() { ! close "$1" "$2" >/dev/null; }
 
 # forces: the torques and pin forces of a deck, from standard input
 forces() { "$fourlink" -f csv -c theta2,F12x,F12y,F34x,F34y,Ts "$@" 2>err | tr -d '\r'; }
@@ -193,5 +174,4 @@ check 'loads and inertia separately make the whole' close whole sum
 check 'near a dead position' grep -q '^# theta2 = 110.48 deg: near a dead position' near
 check 'beyond it' grep -q '^# theta2 = 110.58 deg: the links do not reach' near
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish
