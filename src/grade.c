@@ -32,7 +32,8 @@ static void put_check(const check *c, void *data)
     if (c->words[0])
         fprintf(p->out, ", computed %s", c->words);
     else if (c->result != CHECK_NO_VALUE)
-        fprintf(p->out, ", computed %s %s", number_general(c->computed, 9, number), c->unit);
+        fprintf(p->out, ", computed %s%s%s", number_general(c->computed, 12, number),
+                strcmp(c->unit, "1") == 0 ? "" : " ", strcmp(c->unit, "1") == 0 ? "" : c->unit);
     if (c->at_angle)
         fprintf(p->out, " at %s %s", number_general(c->e->at, 9, number),
                 p->d->units[QUANTITY_ANGLE].name);

@@ -182,11 +182,11 @@ for form in -C --check; do
     quiet
 done
 lines out 6
-check 'a line for each' grep -Eq '^ok +good.deck:9: n = 3\.0, computed 3 1, open$' out
+check 'a line for each' grep -Eq '^ok +good.deck:9: n = 3\.0, computed 3, open$' out
 check 'with its unit' grep -Eq '^ok +good.deck:10: stroke = 200 mm, computed 0\.2 m, open$' out
 check 'in words' grep -Eq '^ok +good.deck:11: type = .*, computed slider-crank, the crank turns fully, open$' out
-check 'with its angle' grep -Eq '^ok +good.deck:14: phi = 19\.47 deg, computed 19\.4712206 deg at 90 deg, open$' out
-check 'a misprint' grep -Eq '^misprint confirmed +good.deck:16: n = 4, computed 3 1, open$' out
+check 'with its angle' grep -Eq '^ok +good.deck:14: phi = 19\.47 deg, computed 19\.4712206345 deg at 90 deg, open$' out
+check 'a misprint' grep -Eq '^misprint confirmed +good.deck:16: n = 4, computed 3, open$' out
 check 'the sum' test "$(tail -n 1 out)" = '# ok: 4, misprint confirmed: 1, differs: 0, not a misprint: 0, no value: 0'
 
 sed 's/^stroke = 200/stroke = 210/; s/^n = 4/n = 3/' good.deck >wrong.deck
@@ -242,7 +242,7 @@ for form in --check=answers "--check=$work/answers"; do
     quiet
 done
 lines out 3
-prints "answers:3: n = 3.0, computed 3 1"
+prints "answers:3: n = 3.0, computed 3, open"
 prints "misprint confirmed"
 check 'in place of those of the deck' none good.deck out
 run 0 --check=answers wrong.deck # which has other expectations of its own
