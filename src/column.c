@@ -427,9 +427,8 @@ static void note_missing(deck *d, text name)
                          why_missing(d, &table[i]), (char *)NULL);
             return;
         }
-    mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'",
-                 nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "",
-                 (char *)NULL);
+    mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'", hint(nearest),
+                 hint_word(nearest), hint_end(nearest), (char *)NULL);
 }
 
 /* The next name of a list separated by commas or blanks; 0 at its end. */

@@ -75,8 +75,8 @@ static void note_unknown(deck *d, const deck_expectation *e, text name, const ch
     if (nearest && (!*nearest || text_same(name, nearest)))
         nearest = NULL;
     mistake_note(&d->mistakes, e->place, "'", text_copy(name, word, sizeof word),
-                 "' is no column and no fact of this deck", nearest ? "; did you mean '" : "",
-                 nearest ? nearest : "", nearest ? "'?" : "", (char *)NULL);
+                 "' is no column and no fact of this deck", hint(nearest), hint_word(nearest),
+                 hint_end(nearest), (char *)NULL);
 }
 
 /* A column, an extreme of one, or a fact. */

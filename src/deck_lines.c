@@ -81,16 +81,6 @@ char *word_of(text t, char out[WORD_SIZE])
     return text_copy(t, out, WORD_SIZE);
 }
 
-const char *hint(const char *nearest)
-{
-    return nearest ? "; did you mean '" : "";
-}
-
-const char *hint_end(const char *nearest)
-{
-    return nearest ? "'?" : "";
-}
-
 /* What people write, and what they mean. */
 static const struct {
     const char *written, *meant;
@@ -121,7 +111,7 @@ static void note_unknown(parser *p, text_place place, const char *what, text wor
     const char *nearest = nearest_word(word, known);
 
     mistake_note(&p->d->mistakes, place, "unknown ", what, " '", word_of(word, copy), "'", where,
-                 hint(nearest), nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+                 hint(nearest), hint_word(nearest), hint_end(nearest), (char *)NULL);
 }
 
 static void note_unknown_section(parser *p, text_place place, text name)

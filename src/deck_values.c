@@ -99,7 +99,7 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
         }
         mistake_note(&p->d->mistakes, s->place, "unknown unit '",
                      word_of(bad.length ? bad : t, word), "' in '", value, "'", hint(nearest),
-                     nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+                     hint_word(nearest), hint_end(nearest), (char *)NULL);
         return 0;
     }
     if (!dimension_equal(u->dim, quantities[q].dim)) {
@@ -416,7 +416,7 @@ static void read_word(parser *p, key_code key, setting *s)
     }
     nearest = text_nearest(s->value, known);
     mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '", word_of(s->value, word),
-                 "'", hint(nearest), nearest ? nearest : "", hint_end(nearest), (char *)NULL);
+                 "'", hint(nearest), hint_word(nearest), hint_end(nearest), (char *)NULL);
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)

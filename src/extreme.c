@@ -245,13 +245,73 @@ static void follow(search *s, double value)
     }
 }
 
+/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
+** reach.  `unbounded` is set if the column has no limit at one of these. */
+static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extreme *best,
+                int *unbounded)
+{
+    double before, now, after;
+    extreme limit;
+    int n = 0;
+    long i;
+
+    now = value_at(s->first, s);
+    follow(s, now);
+    before = s->periodic ? value_at(s->first - step, s) : GSL_NAN;
+    for (i = 0; i <= steps; i++) {
+        double x = s->first + (double)i * step;
+        int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
+
+        if (gsl_isnan(now))
+            s->turn = 0; /* a gap: the angle starts anew */
+        after = goes_on ? value_at(x + step, s) : GSL_NAN;
+        /* a NaN on one side is an end */
+        if (!gsl_isnan(now) && !(before < now) && !(after < now))
+            keep_lowest(peaks, &n, now, x);
+        if (!gsl_isnan(now) && gsl_isnan(after) && goes_on) {
+            *unbounded |= !limit_at_edge(s, x, x + step, &limit) && limit.value < now;
+            keep_best(best, limit.value, limit.angle);
+        }
+        if (!gsl_isnan(now) && gsl_isnan(before) && came) {
+            *unbounded |= !limit_at_edge(s, x, x - step, &limit) && limit.value < now;
+            keep_best(best, limit.value, limit.angle);
+        }
+        before = now;
+        now = after;
+        if (s->turn == 0)
+            follow(s, now);
+        else if (!gsl_isnan(now))
+            s->last_value = now;
+    }
+    return n;
+}
+
+static void refine_peak(search *s, double step, const extreme *peak, extreme *best)
+{
+    double x = peak->angle, low = x - step, high = x + step;
+
+    s->last_value = peak->value;
+    keep_best(best, peak->value, x);
+    if (low < s->first && !s->periodic) { /* at an end: is there a minimum just inside it? */
+        low = s->first;
+        x = s->first + 1e-3 * step;
+    }
+    if (high > s->last && !s->periodic) {
+        high = s->last;
+        x = s->last - 1e-3 * step;
+    }
+    if (!column_of_rounding(s->c) && value_at(x, s) < value_at(low, s) &&
+        value_at(x, s) < value_at(high, s))
+        refine(s, low, x, high, best);
+}
+
 extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
                             extreme *found)
 {
-    extreme peaks[PEAKS], best, limit;
-    double step, before, now, after;
-    int n = 0, k, unbounded = 0;
-    long steps, i;
+    extreme peaks[PEAKS], best;
+    int n, k, unbounded = 0;
+    double step;
+    long steps;
     search s;
 
     s.a = a;
@@ -261,55 +321,13 @@ extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch
     set_range(&s);
     steps = steps_of((s.last - s.first) / s.degree);
     step = steps ? (s.last - s.first) / (double)steps : 0;
-
     best.value = GSL_POSINF;
     best.angle = s.first;
-    now = value_at(s.first, &s);
-    follow(&s, now);
-    before = s.periodic ? value_at(s.first - step, &s) : GSL_NAN;
-    for (i = 0; i <= steps; i++) {
-        double x = s.first + (double)i * step;
-
-        if (gsl_isnan(now))
-            s.turn = 0; /* a gap: the angle starts anew */
-        after = i < steps || s.periodic ? value_at(x + step, &s) : GSL_NAN;
-        /* a NaN on one side is an end */
-        if (!gsl_isnan(now) && !(before < now) && !(after < now))
-            keep_lowest(peaks, &n, now, x);
-        if (!gsl_isnan(now) && gsl_isnan(after) && (i < steps || s.periodic)) {
-            unbounded |= !limit_at_edge(&s, x, x + step, &limit) && limit.value < now;
-            keep_best(&best, limit.value, limit.angle);
-        }
-        if (!gsl_isnan(now) && gsl_isnan(before) && (i > 0 || s.periodic)) {
-            unbounded |= !limit_at_edge(&s, x, x - step, &limit) && limit.value < now;
-            keep_best(&best, limit.value, limit.angle);
-        }
-        before = now;
-        now = after;
-        if (s.turn == 0)
-            follow(&s, now);
-        else if (!gsl_isnan(now))
-            s.last_value = now;
-    }
+    n = scan(&s, step, steps, peaks, &best, &unbounded);
     if (!n) /* no value at all, or an angle that goes on and on */
         return s.turn > 0 ? EXTREME_UNBOUNDED : EXTREME_NONE;
-    for (k = 0; k < n; k++) {
-        double x = peaks[k].angle, low = x - step, high = x + step;
-
-        s.last_value = peaks[k].value;
-        keep_best(&best, peaks[k].value, x);
-        if (low < s.first && !s.periodic) { /* at an end: is there a minimum just inside it? */
-            low = s.first;
-            x = s.first + 1e-3 * step;
-        }
-        if (high > s.last && !s.periodic) {
-            high = s.last;
-            x = s.last - 1e-3 * step;
-        }
-        if (!column_of_rounding(c) && value_at(x, &s) < value_at(low, &s) &&
-            value_at(x, &s) < value_at(high, &s))
-            refine(&s, low, x, high, &best);
-    }
+    for (k = 0; k < n; k++)
+        refine_peak(&s, step, &peaks[k], &best);
     if (s.last > s.first && (column_need(c) & (NEED_FORCES | NEED_ENGINE)))
         look_at_corners(&s, &best);
     found->value = -sign * best.value;

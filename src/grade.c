@@ -13,16 +13,16 @@
 static const char *const check_words[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                           "no value"};
 
-typedef struct check_printer {
+typedef struct grader {
     FILE *out;
     const deck *d;
     const char *deck_name; /* csv: null, no column of that name */
     unsigned long n[5];
-} check_printer;
+} grader;
 
 static void put_check(const check *c, void *data)
 {
-    check_printer *p = data;
+    grader *p = data;
     char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
 
     p->n[c->result]++;
@@ -40,7 +40,7 @@ static void put_check(const check *c, void *data)
     fprintf(p->out, ", %s\n", branch_name(c->e->branch));
 }
 
-void check_print_csv_header(FILE *out, int with_deck)
+void grade_print_csv_header(FILE *out, int with_deck)
 {
     fprintf(out, "%sfile,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n",
             with_deck ? "deck," : "");
@@ -48,7 +48,7 @@ void check_print_csv_header(FILE *out, int with_deck)
 
 static void put_check_csv(const check *c, void *data)
 {
-    check_printer *p = data;
+    grader *p = data;
     char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
 
     p->n[c->result]++;
@@ -73,9 +73,9 @@ static void put_check_csv(const check *c, void *data)
     fputs("\r\n", p->out);
 }
 
-int check_print(FILE *out, deck *d, int csv, const char *deck_name)
+int grade_print(FILE *out, deck *d, int csv, const char *deck_name)
 {
-    check_printer p;
+    grader p;
     int status;
 
     memset(&p, 0, sizeof p);
@@ -84,7 +84,7 @@ int check_print(FILE *out, deck *d, int csv, const char *deck_name)
     p.deck_name = deck_name;
     status = checks_run(d, csv ? put_check_csv : put_check, &p);
     if (status < 0)
-        return CHECK_PRINT_MEMORY;
+        return GRADE_MEMORY;
     if (!csv)
         fprintf(out,
                 "# ok: %lu, misprint confirmed: %lu, differs: %lu, not a misprint: %lu, no value: "
@@ -92,11 +92,11 @@ int check_print(FILE *out, deck *d, int csv, const char *deck_name)
                 p.n[CHECK_OK], p.n[CHECK_MISPRINT], p.n[CHECK_DIFFERS], p.n[CHECK_NO_MISPRINT],
                 p.n[CHECK_NO_VALUE]);
     if (status == 0)
-        return CHECK_PRINT_MISTAKES;
-    return p.n[CHECK_DIFFERS] + p.n[CHECK_NO_MISPRINT] ? CHECK_PRINT_DIFFERENCES : CHECK_PRINT_OK;
+        return GRADE_MISTAKES;
+    return p.n[CHECK_DIFFERS] + p.n[CHECK_NO_MISPRINT] ? GRADE_DIFFERENCES : GRADE_OK;
 }
 
-void check_print_csv_bad_deck(FILE *out, const char *deck_name)
+void grade_print_csv_bad_deck(FILE *out, const char *deck_name)
 {
     print_field(out, deck_name);
     fputs(",,,bad deck,,,,,,,\r\n", out);

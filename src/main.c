@@ -195,12 +195,12 @@ static int read_job(const char *path, const options *o, text answers, job *j)
 
 static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
 {
-    switch (check_print(out, &j->deck, o->format == FORMAT_CSV, deck_name)) {
-    case CHECK_PRINT_OK:
+    switch (grade_print(out, &j->deck, o->format == FORMAT_CSV, deck_name)) {
+    case GRADE_OK:
         return 0;
-    case CHECK_PRINT_DIFFERENCES:
+    case GRADE_DIFFERENCES:
         return EXIT_ROWS;
-    case CHECK_PRINT_MISTAKES:
+    case GRADE_MISTAKES:
         print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
         return EXIT_USAGE;
     default:
@@ -213,15 +213,15 @@ static int print_analysis(FILE *out, const options *o, analysis *a, const job *j
                           const column_list *header, const char *deck_name, unsigned long *failed)
 {
     if (o->list)
-        return table_print_list(out, a);
+        return list_print(out, a);
     if (o->summary && o->format == FORMAT_CSV)
         summary_print_csv(out, a, &j->columns, deck_name);
     else if (o->summary)
         summary_print(out, a, &j->columns);
     else if (o->matrix)
-        *failed = table_print_matrix(out, a);
+        *failed = matrix_print(out, a);
     else if (o->format == FORMAT_PAPER)
-        *failed = table_print_paper(out, a);
+        *failed = paper_print(out, a);
     else if (o->format == FORMAT_CSV)
         return csv_print(out, a, &j->columns, header, deck_name, failed);
     else
@@ -264,14 +264,14 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
                 return complain("cannot start", "", "not enough memory");
             }
     if (csv && o->check)
-        check_print_csv_header(out, o->n_decks > 1);
+        grade_print_csv_header(out, o->n_decks > 1);
     else if (csv && o->summary)
         summary_print_csv_header(out, o->n_decks > 1);
     else if (csv)
         csv_print_header(out, &header, o->n_decks > 1);
     for (i = 0; i < o->n_decks; i++) {
         if (!jobs[i].usable && csv && o->check && o->n_decks > 1)
-            check_print_csv_bad_deck(out,
+            grade_print_csv_bad_deck(out,
                                      jobs[i].name); /* a grade is missed where it is not given */
         if (!jobs[i].usable)
             continue;

@@ -45,7 +45,7 @@ static void put_system(FILE *out, const analysis *a, const result *r)
         put_equation(out, A[i], x[i], b[i]);
 }
 
-unsigned long table_print_matrix(FILE *out, analysis *a)
+unsigned long matrix_print(FILE *out, analysis *a)
 {
     const deck *d = a->d;
     fourlink_branch branches[2];

@@ -35,7 +35,7 @@ static void put_paper_row(FILE *out, const result *r)
             no_minus_zero(s->link[3].alpha));
 }
 
-unsigned long table_print_paper(FILE *out, analysis *a)
+unsigned long paper_print(FILE *out, analysis *a)
 {
     const deck *d = a->d;
     unsigned long k, n_rows = a->range.n_rows, failed = 0;

@@ -66,10 +66,6 @@ typedef struct parser {
 /* A copy for a message. */
 char *word_of(text t, char out[WORD_SIZE]);
 
-/* "; did you mean '" and "'?" around the nearest word, empty if there is none. */
-const char *hint(const char *nearest);
-const char *hint_end(const char *nearest);
-
 /* A section of the deck, null if it has none of that kind. */
 section_use *find_use(parser *p, section_code section);
 

@@ -88,7 +88,7 @@ static void put_listed(const fact *f, void *data)
     fprintf(l->out, "%-18s %-8s %s\n", f->name, f->unit, f->meaning);
 }
 
-int table_print_list(FILE *out, analysis *a)
+int list_print(FILE *out, analysis *a)
 {
     char listed[LISTED_SIZE];
     const deck *d = a->d;

@@ -17,8 +17,8 @@ typedef enum table_format { FORMAT_TABLE, FORMAT_CSV, FORMAT_PAPER } table_forma
 int table_print(FILE *out, analysis *a, const column_list *columns, unsigned long *failed);
 
 /* The same; these need no memory, and return how many rows. */
-unsigned long table_print_paper(FILE *out, analysis *a);
-unsigned long table_print_matrix(FILE *out, analysis *a);
+unsigned long paper_print(FILE *out, analysis *a);
+unsigned long matrix_print(FILE *out, analysis *a);
 
 /* The facts, in place of the table. */
 void summary_print(FILE *out, analysis *a, const column_list *columns);
@@ -28,10 +28,10 @@ void summary_print_csv_header(FILE *out, int with_deck);
 void summary_print_csv(FILE *out, analysis *a, const column_list *columns, const char *deck_name);
 
 /* The printed values against the computed ones, a line each. */
-enum { CHECK_PRINT_OK, CHECK_PRINT_DIFFERENCES, CHECK_PRINT_MISTAKES, CHECK_PRINT_MEMORY };
-int check_print(FILE *out, deck *d, int csv, const char *deck_name);
-void check_print_csv_header(FILE *out, int with_deck);
-void check_print_csv_bad_deck(FILE *out, const char *deck_name);
+enum { GRADE_OK, GRADE_DIFFERENCES, GRADE_MISTAKES, GRADE_MEMORY };
+int grade_print(FILE *out, deck *d, int csv, const char *deck_name);
+void grade_print_csv_header(FILE *out, int with_deck);
+void grade_print_csv_bad_deck(FILE *out, const char *deck_name);
 
 /* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of that
 ** name. */
@@ -40,6 +40,6 @@ int csv_print(FILE *out, analysis *a, const column_list *columns, const column_l
               const char *deck_name, unsigned long *failed);
 
 /* The columns and facts, and what they mean. */
-int table_print_list(FILE *out, analysis *a);
+int list_print(FILE *out, analysis *a);
 
 #endif

@@ -153,6 +153,21 @@ const char *text_nearest(text t, const char *const *words)
     return nearest;
 }
 
+const char *hint(const char *nearest)
+{
+    return nearest ? "; did you mean '" : "";
+}
+
+const char *hint_word(const char *nearest)
+{
+    return nearest ? nearest : "";
+}
+
+const char *hint_end(const char *nearest)
+{
+    return nearest ? "'?" : "";
+}
+
 #define MOST_MISTAKES 100
 
 void mistake_note(mistakes *m, text_place place, ...)

@@ -39,6 +39,11 @@ char *text_copy(text t, char *out, size_t size);
 ** Null if none is. */
 const char *text_nearest(text t, const char *const *words);
 
+/* "; did you mean '", the word, and "'?" to put around a nearest word; all empty if there is none. */
+const char *hint(const char *nearest);
+const char *hint_word(const char *nearest);
+const char *hint_end(const char *nearest);
+
 /* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
 typedef struct text_place {
     const char *source;
