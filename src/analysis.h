@@ -37,6 +37,7 @@ typedef struct analysis {
     fourlink_range range;
     fourlink_load *loads; /* as they are at the present crank angle, the gas last */
     unsigned long n_loads;
+    int out_of_memory; /* 1: a search for an extreme or the turning moment had no memory */
 } analysis;
 
 const char *branch_name(fourlink_branch branch);

@@ -256,6 +256,7 @@ int checks_run(deck *d, check_taker *take, void *data)
 {
     analysis a;
     check *list = malloc((d->n_expectations + 1) * sizeof *list);
+    int out_of_memory;
     size_t i;
 
     if (!list)
@@ -270,9 +271,10 @@ int checks_run(deck *d, check_taker *take, void *data)
     for (i = 0; i < d->n_expectations; i++)
         take(&list[i], data);
     mistakes_sort(&d->mistakes);
+    out_of_memory = a.out_of_memory || d->mistakes.out_of_memory;
     analysis_close(&a);
     free(list);
-    if (d->mistakes.out_of_memory)
+    if (out_of_memory)
         return -1;
     return d->mistakes.count == 0;
 }

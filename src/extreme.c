@@ -60,15 +60,20 @@ static void keep_best(extreme *best, double value, double angle)
 }
 
 /* One of GSL's minimisers, from a bracket on; the lowest point goes to `best`, the bracket shrinks. */
-static void minimise(const gsl_min_fminimizer_type *type, gsl_function *f, double *low,
-                     double middle, double *high, extreme *best)
+static void minimise(search *s, const gsl_min_fminimizer_type *type, double *low, double middle,
+                     double *high, extreme *best)
 {
     gsl_min_fminimizer *m = gsl_min_fminimizer_alloc(type);
+    gsl_function f;
     int i;
 
-    if (!m)
+    if (!m) {
+        s->a->out_of_memory = 1;
         return;
-    if (gsl_min_fminimizer_set(m, f, middle, *low, *high) == GSL_SUCCESS) {
+    }
+    f.function = value_at;
+    f.params = s;
+    if (gsl_min_fminimizer_set(m, &f, middle, *low, *high) == GSL_SUCCESS) {
         for (i = 0; i < 100; i++)
             if (gsl_min_fminimizer_iterate(m) != GSL_SUCCESS ||
                 gsl_min_test_interval(gsl_min_fminimizer_x_lower(m), gsl_min_fminimizer_x_upper(m),
@@ -108,15 +113,12 @@ static void sharpen(search *s, extreme *best)
 ** angle folded at 90 deg. */
 static void refine(search *s, double low, double middle, double high, extreme *best)
 {
-    gsl_function f;
     extreme here;
 
-    f.function = value_at;
-    f.params = s;
     here.value = value_at(middle, s);
     here.angle = middle;
-    minimise(gsl_min_fminimizer_brent, &f, &low, middle, &high, &here);
-    minimise(gsl_min_fminimizer_goldensection, &f, &low, here.angle, &high, &here);
+    minimise(s, gsl_min_fminimizer_brent, &low, middle, &high, &here);
+    minimise(s, gsl_min_fminimizer_goldensection, &low, here.angle, &high, &here);
     sharpen(s, &here);
     keep_best(best, here.value, here.angle);
 }

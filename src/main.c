@@ -242,7 +242,7 @@ static int print_job(FILE *out, const options *o, job *j, const column_list *hea
     if (o->matrix || ((o->summary || o->list) && j->deck.has_forces))
         needs |= NEED_FORCES;
     enough = analysis_open(&a, &j->deck, needs) &&
-             print_analysis(out, o, &a, j, header, deck_name, &failed);
+             print_analysis(out, o, &a, j, header, deck_name, &failed) && !a.out_of_memory;
     analysis_close(&a);
     if (!enough)
         return complain("cannot analyse", j->name, "not enough memory");

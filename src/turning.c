@@ -216,6 +216,8 @@ int turning_find(analysis *a, fourlink_branch branch, turning *t)
         found = !gsl_isnan(m.mean);
         if (found)
             find(&m, scale, t);
+    } else {
+        a->out_of_memory = 1;
     }
     free(m.cuts);
     if (m.rule)
