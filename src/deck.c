@@ -586,6 +586,26 @@ static double whole(double x)
     return fabs(x - nearest) < 1e-12 * x ? nearest : x;
 }
 
+/* From rest through an angle, then one revolution (Alvi's program, vela = 0). */
+static void build_run_up(parser *p, const setting *run_up)
+{
+    const setting *s;
+
+    p->d->motion.run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
+    p->d->one_revolution = 1;
+    if ((s = find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
+        mistake_note(&p->d->mistakes, s->place,
+                     "a run-up starts from rest: it takes an acceleration and no speed",
+                     (char *)NULL);
+    if ((s = find(p, KEY_MOTION_TO)) != NULL)
+        mistake_note(&p->d->mistakes, s->place,
+                     "a run-up ends one revolution after its angle: it takes no 'to'",
+                     (char *)NULL);
+    if (p->d->motion.hold)
+        mistake_note(&p->d->mistakes, run_up->place, "a run-up cannot hold its speed",
+                     (char *)NULL);
+}
+
 static void build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -615,21 +635,8 @@ static void build_motion(parser *p)
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
     p->d->one_revolution =
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
-    if (run_up) {
-        motion->run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
-        p->d->one_revolution = 1;
-        if ((s = find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
-            mistake_note(&p->d->mistakes, s->place,
-                         "a run-up starts from rest: it takes an acceleration and no speed",
-                         (char *)NULL);
-        if ((s = find(p, KEY_MOTION_TO)) != NULL)
-            mistake_note(&p->d->mistakes, s->place,
-                         "a run-up ends one revolution after its angle: it takes no 'to'",
-                         (char *)NULL);
-        if (motion->hold)
-            mistake_note(&p->d->mistakes, run_up->place, "a run-up cannot hold its speed",
-                         (char *)NULL);
-    }
+    if (run_up)
+        build_run_up(p, run_up);
     if (p->d->mistakes.count)
         return;
     status = fourlink_motion_range(motion, &range);
