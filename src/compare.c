@@ -14,13 +14,16 @@
 #include "fact.h"
 #include "number.h"
 
+#define MOST_ALIKE 4 /* facts of one name: the ends of several ranges */
+
 /* What is found under a name. */
 typedef struct found {
     int is_column; /* 1: it has a value at a crank angle only */
     quantity q;
     double value;      /* in the deck's unit; of a column only at the end */
     const char *words; /* a fact in words; null: a number */
-    double values[4];  /* of several facts of one name: that nearest to the printed one is meant */
+    double values
+        [MOST_ALIKE]; /* of several facts of one name: that nearest to the printed one is meant */
     int n_values;
     column c;
     int sign; /* of an extreme, else 0 */
@@ -39,8 +42,6 @@ static int extreme_of(text name, text *of)
     *of = text_trim(*of);
     return sign;
 }
-
-#define MOST_ALIKE 4 /* facts of one name: the ends of several ranges */
 
 typedef struct fact_search {
     text name;

@@ -5,8 +5,6 @@
 #ifndef FOURLINK_COMPARE_H
 #define FOURLINK_COMPARE_H
 
-#include <stdio.h>
-
 #include "analysis.h"
 
 typedef enum check_result {

@@ -75,9 +75,7 @@ int csv_print(FILE *out, analysis *a, const column_list *columns, const column_l
     for (i = 0; map && i < n; i++) {
         for (k = 0; k < a->range.n_rows; k++) {
             analysis_row(a, branches[i], k, &r);
-            put_csv_row(out, map, header->count, deck_name, branches[i], &r,
-                        print_is_near_dead(&r) ? print_near_dead_text
-                                               : fourlink_status_text(r.status));
+            put_csv_row(out, map, header->count, deck_name, branches[i], &r, print_status(&r));
             *failed += r.status != FOURLINK_OK;
         }
         if (a->range.stops) {

@@ -5,8 +5,6 @@
 #ifndef FOURLINK_FACT_H
 #define FOURLINK_FACT_H
 
-#include <stdio.h>
-
 #include "column.h"
 
 typedef struct fact {

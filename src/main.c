@@ -271,8 +271,7 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
         csv_print_header(out, &header, o->n_decks > 1);
     for (i = 0; i < o->n_decks; i++) {
         if (!jobs[i].usable && csv && o->check && o->n_decks > 1)
-            grade_print_csv_bad_deck(out,
-                                     jobs[i].name); /* a grade is missed where it is not given */
+            grade_print_csv_bad_deck(out, jobs[i].name);
         if (!jobs[i].usable)
             continue;
         if (printed++ && !csv)
@@ -285,24 +284,28 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
     return status;
 }
 
-/* 1 if the output file is one of the decks, or the file of answers, which it would replace. */
-static int is_a_deck(const char *path, const options *o)
+/* 1 if an input, "-" for standard input, is the file of this status. */
+static int is_file(const char *input, const struct stat *file)
 {
-    struct stat out, in;
+    struct stat in;
+    int status = strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(input, &in);
+
+    return status == 0 && in.st_dev == file->st_dev && in.st_ino == file->st_ino;
+}
+
+/* 1 if the output file is one of the decks, or the file of answers, which it would replace. */
+static int is_input(const char *path, const options *o)
+{
+    struct stat out;
     size_t i;
 
     if (stat(path, &out) != 0 || !S_ISREG(out.st_mode))
         return 0;
-    if (o->check_file && stat(o->check_file, &in) == 0 && in.st_dev == out.st_dev &&
-        in.st_ino == out.st_ino)
+    if (o->check_file && is_file(o->check_file, &out))
         return 1;
-    for (i = 0; i < o->n_decks; i++) {
-        int status =
-            strcmp(o->decks[i], "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(o->decks[i], &in);
-
-        if (status == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+    for (i = 0; i < o->n_decks; i++)
+        if (is_file(o->decks[i], &out))
             return 1;
-    }
     return 0;
 }
 
@@ -387,7 +390,7 @@ int main(int argc, char **argv)
         printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
                fourlink_version());
         status = finish_text();
-    } else if (o.output && is_a_deck(o.output, &o)) {
+    } else if (o.output && is_input(o.output, &o)) {
         status = complain("cannot write", o.output, "it is an input");
     } else {
         status = run(&o);

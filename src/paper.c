@@ -16,7 +16,8 @@ static double no_minus_zero(double x)
 }
 
 /* The printout of Alvi, section 5.1: the crossed branch first at every angle, without the closing
-** 360 deg.  Its numbers have two decimals; the crank's angle and speed no more than they need. */
+** 360 deg.  Its numbers have two decimals; the crank's angle and speed no more than they need (and
+** -0 + 0 is 0). */
 static void put_paper_row(FILE *out, const result *r)
 {
     const fourlink_state *s = &r->state;
@@ -26,9 +27,7 @@ static void put_paper_row(FILE *out, const result *r)
         fprintf(out, "%02.0f", whole);
     else
         fprintf(out, "%.2f", degrees);
-    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n",
-            r->row.crank.omega2 + 0.0, /* no -0 */
-
+    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n", r->row.crank.omega2 + 0.0,
             no_minus_zero(r->row.crank.alpha2), no_minus_zero(s->link[4].theta * 180 / M_PI),
             no_minus_zero(s->link[3].theta * 180 / M_PI), no_minus_zero(s->link[4].omega),
             no_minus_zero(s->link[3].omega), no_minus_zero(s->link[4].alpha),

@@ -39,12 +39,11 @@ const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80])
     return out;
 }
 
-const char print_near_dead_text[] =
-    "near a dead position: the transmission angle is less than 1 deg";
-
-int print_is_near_dead(const result *r)
+const char *print_status(const result *r)
 {
-    return r->status == FOURLINK_OK && r->state.mu < M_PI / 180;
+    if (r->status == FOURLINK_OK && r->state.mu < M_PI / 180)
+        return "near a dead position: the transmission angle is less than 1 deg";
+    return fourlink_status_text(r->status);
 }
 
 void print_right(FILE *out, const char *s, size_t width)

@@ -19,10 +19,9 @@ const char *print_angle(double angle, char out[NUMBER_SIZE]);
 /* The reason for which a crank stops, "" if it does not. */
 const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80]);
 
-/* A dead position is flagged before it is reached: within a degree of it, errors of the data grow more
-** than 57 times. */
-int print_is_near_dead(const result *r);
-extern const char print_near_dead_text[];
+/* The status of a row in words: "ok", or the reason why it has no numbers.  A dead position is flagged
+** before it is reached: within a degree of it, errors of the data grow more than 57 times. */
+const char *print_status(const result *r);
 
 /* A field, with blanks before it. */
 void print_right(FILE *out, const char *s, size_t width);

@@ -179,21 +179,19 @@ static void put_extremes(FILE *out, analysis *a, const column_list *columns, sty
 static void put_row(FILE *out, const deck *d, const column_list *columns, const style *styles,
                     const result *r)
 {
+    const char *status = print_status(r);
     char number[NUMBER_SIZE];
     size_t j;
 
-    if (r->status != FOURLINK_OK) {
-        fprintf(out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
-                d->units[QUANTITY_ANGLE].name, fourlink_status_text(r->status));
-        return;
+    if (r->status == FOURLINK_OK) {
+        for (j = 0; j < columns->count; j++)
+            print_right(out, cell_text(column_value(&columns->list[j], r), &styles[j], number),
+                        styles[j].width);
+        putc('\n', out);
     }
-    for (j = 0; j < columns->count; j++)
-        print_right(out, cell_text(column_value(&columns->list[j], r), &styles[j], number),
-                    styles[j].width);
-    putc('\n', out);
-    if (print_is_near_dead(r))
+    if (strcmp(status, fourlink_status_text(FOURLINK_OK)) != 0)
         fprintf(out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
-                d->units[QUANTITY_ANGLE].name, print_near_dead_text);
+                d->units[QUANTITY_ANGLE].name, status);
 }
 
 static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns, style *styles,

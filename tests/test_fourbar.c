@@ -4,8 +4,7 @@
 ** printed table, Freudenstein's equation, the loop's closure, central differences, closed forms of
 ** special linkages; change points; statuses.
 */
-#include "check.h"
-#include "fourlink.h"
+#include "mechanisms.h"
 
 #define PI 3.14159265358979323846
 #define EPS 2.220446049250313e-16
@@ -32,17 +31,6 @@ static fourlink_mechanism four_bar(double a, double b, double c, double d)
 
     assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
     return mechanism;
-}
-
-static int analyse(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                   double omega2, double alpha2, fourlink_state *state)
-{
-    fourlink_crank crank;
-
-    crank.theta2 = theta2;
-    crank.omega2 = omega2;
-    crank.alpha2 = alpha2;
-    return fourlink_analyse(mechanism, branch, &crank, NULL, 0, state, NULL);
 }
 
 static fourlink_state at(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,

@@ -6,8 +6,7 @@
 */
 #include <stdlib.h>
 
-#include "check.h"
-#include "fourlink.h"
+#include "mechanisms.h"
 
 #define PI 3.14159265358979323846
 #define PIL 3.14159265358979323846264338327950288L
@@ -25,20 +24,6 @@ static fourlink_mechanism four_bar(double a, double b, double c, double d)
     design.link[2].length = a;
     design.link[3].length = b;
     design.link[4].length = c;
-    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
-    return mechanism;
-}
-
-static fourlink_mechanism slider_crank(double r, double l, double e)
-{
-    fourlink_design design;
-    fourlink_mechanism mechanism;
-
-    memset(&design, 0, sizeof design);
-    design.kind = FOURLINK_SLIDER_CRANK;
-    design.link[2].length = r;
-    design.link[3].length = l;
-    design.offset = e;
     assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
     return mechanism;
 }

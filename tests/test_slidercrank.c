@@ -4,35 +4,9 @@
 ** crank pin and the line of stroke and their differences in time, and at the angles that a short
 ** rod or a large offset leaves out.
 */
-#include "check.h"
-#include "fourlink.h"
+#include "mechanisms.h"
 
 #define PI 3.14159265358979323846
-
-static fourlink_mechanism mechanism_of(double r, double l, double e)
-{
-    fourlink_mechanism mechanism;
-    fourlink_design design;
-
-    memset(&design, 0, sizeof design);
-    design.kind = FOURLINK_SLIDER_CRANK;
-    design.link[2].length = r;
-    design.link[3].length = l;
-    design.offset = e;
-    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
-    return mechanism;
-}
-
-static int analyse(const fourlink_mechanism *m, fourlink_branch branch, double theta2,
-                   double omega2, double alpha2, fourlink_state *state)
-{
-    fourlink_crank crank;
-
-    crank.theta2 = theta2;
-    crank.omega2 = omega2;
-    crank.alpha2 = alpha2;
-    return fourlink_analyse(m, branch, &crank, NULL, 0, state, NULL);
-}
 
 static fourlink_state at(const fourlink_mechanism *m, fourlink_branch branch, double theta2)
 {
@@ -74,7 +48,7 @@ static void test_closed_forms(void **unused)
         double slope = s + s * c / root;
         double curvature = c + (n * n * (c - s) * (c + s) + s * s * s * s) / root3;
         double condition = n * n / root2;
-        fourlink_mechanism m = mechanism_of(r, l, 0);
+        fourlink_mechanism m = slider_crank(r, l, 0);
         fourlink_state state;
 
         assert_int_equal(analyse(&m, branch_of(i), theta2, w, al, &state), FOURLINK_OK);
@@ -104,7 +78,7 @@ static void test_coordinates(void **unused)
         double e = i % 5 ? uniform(&seed, -1.5, 1.5) : 0, theta2 = uniform(&seed, -20, 20);
         double sine2 = extent2(r, l, e, theta2), side = i % 2 ? -1 : 1, tolerance;
         const fourlink_link_state *crank, *rod, *piston;
-        fourlink_mechanism m = mechanism_of(r, l, e);
+        fourlink_mechanism m = slider_crank(r, l, e);
         fourlink_state state;
         double X;
 
@@ -164,7 +138,7 @@ static void test_differences(void **unused)
         double w = uniform(&seed, -20, 20), al = uniform(&seed, -300, 300);
         double sine2 = extent2(r, l, e, theta2), side = i % 2 ? -1 : 1;
         double X[7], theta3[7], time, h, at_rest, dX, ddX;
-        fourlink_mechanism m = mechanism_of(r, l, e);
+        fourlink_mechanism m = slider_crank(r, l, e);
         fourlink_state state;
 
         if (sine2 < 0.01)
@@ -232,7 +206,7 @@ static void test_dead_centres(void **unused)
         double l = (r + fabs(e)) * uniform(&seed, 1.02, 4), size = l + r, in, out;
         double stroke = sqrt((l + r) * (l + r) - e * e) - sqrt((l - r) * (l - r) - e * e);
         double smallest = HUGE_VAL, largest = -HUGE_VAL, low = 0, high = 0, angle;
-        fourlink_mechanism m = mechanism_of(r, l, e);
+        fourlink_mechanism m = slider_crank(r, l, e);
         fourlink_branch branch = branch_of(i);
         fourlink_state state;
 
@@ -284,7 +258,7 @@ static void test_displacement_of_any(void **unused)
     for (i = 0; i < 3000; i++) {
         double r = uniform(&seed, 0.05, 1), l = uniform(&seed, 0.05, 1);
         double e = uniform(&seed, -0.95, 0.95) * (r + l), in = asin(e / (r + l));
-        fourlink_mechanism m = mechanism_of(r, l, e);
+        fourlink_mechanism m = slider_crank(r, l, e);
         fourlink_branch branch = branch_of(i);
         fourlink_state state;
 
@@ -310,7 +284,7 @@ static void test_equal_lengths(void **unused)
     for (i = 0; i < 6000; i++) {
         double r = uniform(&seed, 0.01, 2), w = uniform(&seed, -50, 50);
         double al = uniform(&seed, -500, 500), theta2 = uniform(&seed, -15, 15), c, s, tolerance;
-        fourlink_mechanism m = mechanism_of(r, r, 0);
+        fourlink_mechanism m = slider_crank(r, r, 0);
         fourlink_state state;
 
         if (i % 3 == 0)
@@ -337,7 +311,7 @@ static void test_equal_lengths(void **unused)
     }
     for (i = -7; i <= 7; i += 2)
         for (k = 0; k < 4; k++) {
-            fourlink_mechanism m = mechanism_of(0.1 + 0.07 * k, 0.1 + 0.07 * k, 0);
+            fourlink_mechanism m = slider_crank(0.1 + 0.07 * k, 0.1 + 0.07 * k, 0);
             fourlink_state state;
 
             assert_int_equal(analyse(&m, branch_of(k), i * 90 * DEG, 1, 0, &state),
@@ -370,7 +344,7 @@ static void test_left_out(void **unused)
             e = (l + r) * uniform(&seed, 1.0001, 3);
         if (i % 8 < KINDS)
             e = -e;
-        m = mechanism_of(r, l, e);
+        m = slider_crank(r, l, e);
         for (k = 0; k < 24; k++) {
             double theta2 = uniform(&seed, -4 * PI, 4 * PI), sine2 = extent2(r, l, e, theta2);
             fourlink_branch branch = branch_of(k);
