@@ -3,8 +3,9 @@
 ** fourlink.h - kinematics and kinetostatics of four-link mechanisms.
 **
 ** The whole public interface of the library: this header alone is enough to write a program.
-** It is strict C90 and C++98-clean.  The library keeps no state, allocates nothing, prints nothing
-** and never ends the process; every function may be called from several threads at once.
+** It is strict C90 and C++98-clean.  The library keeps no state, prints nothing and never ends the
+** process; every function may be called from several threads at once.  It allocates nothing, but for
+** fourlink_deck_read, which keeps a deck in memory until fourlink_deck_free.
 **
 ** Conventions
 **
@@ -73,7 +74,11 @@ extern "C" {
     X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                            \
     X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is no slider-crank")                              \
     X(FOURLINK_NO_SERIES, 34, "the series are for a line of stroke through the crankshaft")        \
-    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")
+    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")               \
+    X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                              \
+    X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                 \
+    X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                    \
+    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -354,6 +359,49 @@ typedef struct fourlink_row {
 } fourlink_row;
 
 /* ---------------------------------------------------------------------------------------------
+** Decks
+** ------------------------------------------------------------------------------------------- */
+
+/* A deck that has been read, from fourlink_deck_read to fourlink_deck_free. */
+typedef struct fourlink_deck fourlink_deck;
+
+/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE". */
+typedef struct fourlink_mistake {
+    char file[128];    /* the file that the deck names and that has the mistake; "": the deck */
+    long line;         /* 1 for the first */
+    char message[400]; /* null-terminated */
+} fourlink_mistake;
+
+/* How a deck gets at a file that it names, such as an indicator card.
+**
+** Given:
+**    host       as given to fourlink_deck_read
+**    file_name  as it stands in the deck
+** Returned:
+**    length     bytes of the file
+** Returned (function value):
+**    the file's text, which has to last until the next call, or the end of fourlink_deck_read; null
+**    if there is no such file
+*/
+typedef const char *fourlink_loader(void *host, const char *file_name, unsigned long *length);
+
+/* The problem that a deck poses. */
+typedef struct fourlink_problem {
+    char title[256]; /* null-terminated */
+    fourlink_mechanism mechanism;
+    fourlink_motion motion; /* the rows of the deck; one row if it is of one instant */
+    double cycle;           /* rad, the period of curves and of the turning moment */
+    int open, crossed;      /* 1: this branch is asked for */
+    int has_forces;         /* 1: there are masses, loads or gas */
+    fourlink_approximation approximation; /* for fourlink_engine_method */
+    unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
+    int has_gas;                          /* 1: the last load is the gas */
+    unsigned long n_points;               /* for fourlink_deck_point */
+    double flywheel_fluctuation;          /* 1; 0 if the deck does not say */
+    double flywheel_inertia;              /* kg m2; 0 if the deck does not say */
+} fourlink_problem;
+
+/* ---------------------------------------------------------------------------------------------
 ** Functions
 ** ------------------------------------------------------------------------------------------- */
 
@@ -373,8 +421,7 @@ FOURLINK_API const char *fourlink_version(void);
 **    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
 **    FOURLINK_BAD_MASS
 ** Note:
-**    A design whose links do not reach at some angles, or at any, is in order: the positions say
-*so.
+**    A design whose links do not reach at some angles, or at any, is in order: the positions tell.
 */
 FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism);
 
@@ -461,8 +508,9 @@ FOURLINK_API int fourlink_velocity(const fourlink_mechanism *mechanism, double o
 **    mechanism  from fourlink_prepare
 **    alpha2     rad/s2, acceleration of the crank
 ** Given and returned:
-**    state      from fourlink_velocity; receives alpha and acceleration of each link; slider-crank:
-** a Returned (function value):
+**    state      from fourlink_velocity; receives alpha and acceleration of each link;
+**               slider-crank: a
+** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER
 ** Reference:
 **    Alvi, section 3.3.
@@ -509,6 +557,25 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
                                 const fourlink_load *loads, unsigned long n_loads,
                                 fourlink_forces *forces);
 
+/* The same forces in closed form: the nine equations eliminated by hand.
+**
+** Given:
+**    mechanism, state, loads, n_loads  as for fourlink_solve
+** Returned:
+**    forces     as from fourlink_solve, to rounding
+** Returned (function value):
+**    as from fourlink_solve
+** Notes:
+** 1) Links 3 and 4 are a dyad: their forces follow from two equations, and the crank's from those.  In
+**    time this is a small part of the general solution of fourlink_solve, each a check on the other.
+** 2) FOURLINK_SINGULAR is judged by the state's `sine`.
+** Reference:
+**    The equations are those of fourlink_solve; see dyad.c.
+*/
+FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
+                                     const fourlink_state *state, const fourlink_load *loads,
+                                     unsigned long n_loads, fourlink_forces *forces);
+
 /* The nine equations themselves, A x = b.
 **
 ** Given:
@@ -546,6 +613,33 @@ FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_
                                   const fourlink_crank *crank, const fourlink_load *loads,
                                   unsigned long n_loads, fourlink_state *state,
                                   fourlink_forces *forces);
+
+/* The same with the forces from fourlink_solve_dyad: for many crank positions, as in a search.
+**
+** Given and returned:
+**    all             as for fourlink_analyse
+** Returned (function value):
+**    as for fourlink_analyse, but for FOURLINK_SINGULAR: a position that is found has forces
+*/
+FOURLINK_API int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                                       const fourlink_crank *crank, const fourlink_load *loads,
+                                       unsigned long n_loads, fourlink_state *state,
+                                       fourlink_forces *forces);
+
+/* fourlink_analyse in one call from the design: for one crank position, or few.
+**
+** Given:
+**    design          as for fourlink_prepare
+**    others          as for fourlink_analyse
+** Returned:
+**    state, forces   as from fourlink_analyse
+** Returned (function value):
+**    as for fourlink_prepare and fourlink_analyse
+*/
+FOURLINK_API int fourlink_analyse_design(const fourlink_design *design, fourlink_branch branch,
+                                         const fourlink_crank *crank, const fourlink_load *loads,
+                                         unsigned long n_loads, fourlink_state *state,
+                                         fourlink_forces *forces);
 
 /* The textbook's series for a slider-crank.
 **
@@ -664,6 +758,135 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 **    FOURLINK_OK; FOURLINK_NULL
 */
 FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row);
+
+/* Read a deck from memory.
+**
+** Given:
+**    text          the deck's text, as in a file; it is not needed after the call
+**    length        bytes of it
+**    load          for the files that the deck names; null: it may name none
+**    host          for `load`; may be null
+**    max_mistakes  size of `mistakes`
+** Returned:
+**    deck          the deck, to be given to fourlink_deck_free
+**    mistakes      only with FOURLINK_BAD_DECK: the first of them, in the order of the lines; may be
+**                  null if max_mistakes is 0
+**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, more than max_mistakes included;
+**                  may be null
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+** Notes:
+** 1) Nothing is left to be freed unless the status is FOURLINK_OK.
+** 2) The locale of the host has no say in how numbers are read.
+** 3) A deck does not change once it is read: several threads may use it.
+** 4) Of a deck with a [sweep] it is the first design.  Columns, expected values and the like are
+**    checked, and left to the command.
+** Reference:
+**    the manual page fourlink-deck(5)
+*/
+FOURLINK_API int fourlink_deck_read(const char *text, unsigned long length, fourlink_loader *load,
+                                    void *host, unsigned long max_mistakes, fourlink_deck **deck,
+                                    fourlink_mistake *mistakes, unsigned long *n_mistakes);
+
+/* Give back the memory of a deck; null is passed over. */
+FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
+
+/* The problem that a deck poses.
+**
+** Given:
+**    deck       from fourlink_deck_read
+** Returned:
+**    problem    in SI units and radians, but for the angles of its motion; it may be changed, and
+**               outlasts the deck
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+** Note:
+**    For row i of the deck: fourlink_motion_range, fourlink_motion_row, fourlink_deck_loads,
+**    fourlink_analyse.
+*/
+FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_problem *problem);
+
+/* The loads of a deck at one crank angle: curves are followed, windows looked at, and the gas pushes
+** the piston.
+**
+** Given:
+**    deck       from fourlink_deck_read
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: the side from which the gas pushes
+**    theta2     rad, crank angle
+** Returned:
+**    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last
+**    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
+**               (whose loads are those without the gas); 0 without gas; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
+** Reference:
+**    ME3491, "Forces on the reciprocating parts of an engine": p1 A1 - p2 A2.
+*/
+FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch branch,
+                                     double theta2, fourlink_load *loads, double *gas_force);
+
+/* A tracer point of a deck.
+**
+** Given:
+**    deck       from fourlink_deck_read
+**    i          0 ... problem.n_points - 1
+** Returned:
+**    name       its name, null-terminated; lasts as long as the deck; may be null
+**    link       2, 3 or 4
+**    at         m, in the link's own axes, for fourlink_point
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_POINT
+*/
+FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
+                                     int *link, fourlink_vector *at);
+
+/* ---------------------------------------------------------------------------------------------
+** FORTRAN 77
+** ------------------------------------------------------------------------------------------- */
+
+/* Calls for programs in FORTRAN 77, named and called as their compilers do on Unix: lower case with
+** an underscore behind, everything by reference, the length of a text behind all arguments.  For
+** Fortran 2003 there is a module, fourlink.f90.
+**
+**       DOUBLE PRECISION LINKS(5,4), OFFSET, GRAV(2), CRANK(3), LOADS(7,*)
+**       DOUBLE PRECISION STATE(9,4), FORCES(10)
+**       INTEGER IBRNCH, NLOADS, ISTAT
+**       CALL FLFBAR(LINKS, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
+**       CALL FLSLCR(LINKS, OFFSET, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
+**       CALL FLTEXT(ISTAT, TEXT)
+**
+** A whole crank position of a four-bar linkage, or of a slider-crank.
+**
+** Given:
+**    LINKS      by link number: length (m; of a piston unused), mass (kg), moment of inertia about
+**               the centre of mass (kg m2), x and y of the centre of mass in the link's own axes (m)
+**    OFFSET     m, of a slider-crank: the line of stroke is y = OFFSET
+**    GRAV       m/s2, in the frame of link 1
+**    IBRNCH     1 open, -1 crossed
+**    CRANK      theta2 (rad), omega2 (rad/s), alpha2 (rad/s2)
+**    NLOADS     how many loads, 0 to 100
+**    LOADS      of each: link (2, 3 or 4), frame (0 ground, 1 link), x and y of the force (N), x and y
+**               of the point where it acts, in the link's own axes (m), torque (N m)
+** Returned:
+**    STATE      by link number: theta (rad), omega (rad/s), alpha (rad/s2) and of the link's origin x, y
+**               (m), vx, vy (m/s), ax, ay (m/s2); link 1 is 0
+**    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces
+**    ISTAT      0, or a status; then STATE and FORCES are untouched
+**
+** FLTEXT gives the text of a status, filled up with blanks.  The length behind its arguments is that of
+** gfortran since version 8; older compilers, which pass an int, may need an interface of their own.
+**
+** Reference:
+**    as fourlink_analyse
+*/
+#define FOURLINK_F77_LOADS 100 /* as in the text of FOURLINK_TOO_MANY_LOADS */
+FOURLINK_API void flfbar_(const double links[20], const double grav[2], const int *ibrnch,
+                          const double crank[3], const int *nloads, const double *loads,
+                          double state[36], double forces[10], int *istat);
+FOURLINK_API void flslcr_(const double links[20], const double *offset, const double grav[2],
+                          const int *ibrnch, const double crank[3], const int *nloads,
+                          const double *loads, double state[36], double forces[10], int *istat);
+FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 
 #ifdef __cplusplus
 }

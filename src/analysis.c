@@ -6,7 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "analysis.h"
+#include "schema.h"
 
 const char *branch_name(fourlink_branch branch)
 {
@@ -35,8 +38,6 @@ int analysis_open(analysis *a, const deck *d, int needs)
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
     if (!a->loads)
         return 0;
-    if (d->n_loads)
-        memcpy(a->loads, d->loads, d->n_loads * sizeof *d->loads);
     return fourlink_motion_range(&d->motion, &a->range) == FOURLINK_OK; /* deck_read has tried it */
 }
 
@@ -46,62 +47,22 @@ void analysis_close(analysis *a)
     memset(a, 0, sizeof *a);
 }
 
-/* The force of the gas on the piston, towards the crank positive: p1 A1 - p2 A2 (ME3491). */
-static double gas_force(const deck_gas *gas, double theta2)
-{
-    double p1 = gas->indicator.n ? curve_value(&gas->indicator, theta2) : gas->pressure;
-
-    return p1 * gas->area - gas->back_pressure * gas->back_area;
-}
-
-/* A load at this crank angle: its curve is followed, and outside its window it is nothing. */
-static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
-                     double theta2, fourlink_load *now)
-{
-    if (variation->is_windowed) {
-        double after = theta2 - variation->from;
-
-        after -= cycle * floor(after / cycle + 1e-12);
-        if (after > variation->to - variation->from + 1e-12 * cycle) {
-            now->force.x = now->force.y = now->torque = 0;
-            return;
-        }
-        now->force = load->force;
-        now->torque = load->torque;
-    }
-    if (variation->torque.n)
-        now->torque = curve_value(&variation->torque, theta2);
-}
-
-/* The loads at this crank angle: curves are followed, and the gas pushes the piston from its side. */
-static double set_loads(analysis *a, fourlink_branch branch, double theta2)
-{
-    unsigned long i;
-    double gas = 0;
-
-    for (i = 0; i < a->d->n_loads; i++)
-        set_load(&a->d->loads[i], &a->d->variations[i], a->d->cycle, theta2, &a->loads[i]);
-    if (a->n_loads > a->d->n_loads) {
-        fourlink_load *load = &a->loads[a->d->n_loads];
-
-        gas = gas_force(&a->d->gas, theta2);
-        load->link = FOURLINK_FOLLOWER;
-        load->force.x = -(double)branch * gas;
-    }
-    return gas;
-}
-
 void analysis_at(analysis *a, fourlink_branch branch, const fourlink_crank *crank, result *r)
 {
     const fourlink_mechanism *mechanism = &a->d->mechanism;
+    int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
+                   const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
+        a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
     double gas = 0;
     int forces = (a->needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
 
-    if (forces || (a->needs & NEED_ENGINE))
-        gas = set_loads(a, branch, crank->theta2);
     r->branch = branch;
-    r->status = fourlink_analyse(mechanism, branch, crank, a->loads, a->n_loads, &r->state,
-                                 forces ? &r->forces : NULL);
+    r->status = FOURLINK_OK;
+    if (forces || (a->needs & NEED_ENGINE))
+        r->status = fourlink_deck_loads(a->d, branch, crank->theta2, a->loads, &gas);
+    if (r->status == FOURLINK_OK)
+        r->status = analyse(mechanism, branch, crank, a->loads, a->n_loads, &r->state,
+                            forces ? &r->forces : NULL);
     if (r->status == FOURLINK_OK && (a->needs & NEED_ENGINE))
         r->status = fourlink_engine_method(mechanism, &r->state, gas, a->loads, a->d->n_loads,
                                            a->d->approximation, &r->engine);
@@ -122,4 +83,32 @@ void analysis_row(analysis *a, fourlink_branch branch, unsigned long i, result *
 {
     fourlink_motion_row(&a->d->motion, &a->range, i, &r->row);
     analysis_at(a, branch, &r->row.crank, r);
+}
+
+double analysis_end(const analysis *a)
+{
+    fourlink_row last;
+
+    fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
+    return a->range.stops ? a->range.stop_angle : last.angle;
+}
+
+void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row)
+{
+    double from = a->d->motion.from;
+
+    fourlink_motion_at(&a->d->motion, from + (analysis_end(a) - from) * k / steps, row);
+}
+
+int analysis_find_angle(const analysis *a, double angle, double *at)
+{
+    const fourlink_motion *motion = &a->d->motion;
+    double turn = 2 * M_PI / motion->angle_unit, tiny = 1e-9 * turn, end = analysis_end(a);
+    double first = motion->from < end ? motion->from : end,
+           last = motion->from < end ? end : motion->from;
+
+    *at = angle;
+    if (angle < first - tiny || angle > last + tiny)
+        *at = angle + turn * ceil((first - tiny - angle) / turn);
+    return *at <= last + tiny;
 }

@@ -53,4 +53,14 @@ void analysis_close(analysis *a);
 void analysis_row(analysis *a, fourlink_branch branch, unsigned long i, result *r);
 void analysis_at(analysis *a, fourlink_branch branch, const fourlink_crank *crank, result *r);
 
+/* The last crank angle of the motion, in the deck's unit. */
+double analysis_end(const analysis *a);
+
+/* The row that is k of so many equal steps into the motion. */
+void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row);
+
+/* The angle of the motion that an angle is, but for whole turns, all in the deck's unit; 0 if the motion
+** does not reach it. */
+int analysis_find_angle(const analysis *a, double angle, double *at);
+
 #endif

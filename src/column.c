@@ -360,7 +360,7 @@ static int find(const deck *d, text name, int equal(text, const char *), column 
 
 int column_find(const deck *d, text name, column *c)
 {
-    return find(d, name, text_same, c);
+    return find(d, name, flk_text_same, c);
 }
 
 const char *column_nearest(const deck *d, text name)
@@ -372,7 +372,7 @@ const char *column_nearest(const deck *d, text name)
         if (d->mistakes.count || has(d, &table[i]))
             known[n++] = table[i].name;
     known[n] = NULL;
-    return text_nearest(name, known);
+    return flk_text_nearest(name, known);
 }
 
 static int add_all(const deck *d, int usual_only, column_list *columns)
@@ -420,19 +420,19 @@ static void note_missing(deck *d, text name)
     char word[DECK_NAME_SIZE];
     size_t i;
 
-    text_copy(name, word, sizeof word);
+    flk_text_copy(name, word, sizeof word);
     for (i = 0; i < TABLE_COUNT; i++)
-        if (text_same(name, table[i].name)) {
-            mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
-                         why_missing(d, &table[i]), (char *)NULL);
+        if (flk_text_same(name, table[i].name)) {
+            flk_mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
+                             why_missing(d, &table[i]), (char *)NULL);
             return;
         }
-    mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'", hint(nearest),
-                 hint_word(nearest), hint_end(nearest), (char *)NULL);
+    flk_mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'",
+                     flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
+                     (char *)NULL);
 }
 
-/* The next name of a list separated by commas or blanks; 0 at its end. */
-static int next_name(text *rest, text *name)
+int column_next_name(text *rest, text *name)
 {
     while (rest->length && strchr(", \t", rest->start[0])) {
         rest->start++;
@@ -447,21 +447,36 @@ static int next_name(text *rest, text *name)
     return name->length > 0;
 }
 
+int column_extreme_of(text name, text *of)
+{
+    int sign;
+
+    if (name.length < 6 || name.start[name.length - 1] != ')')
+        return 0;
+    sign = memcmp(name.start, "max(", 4) == 0 ? 1 : memcmp(name.start, "min(", 4) == 0 ? -1 : 0;
+    if (sign) {
+        of->start = name.start + 4;
+        of->length = name.length - 5;
+        *of = flk_text_trim(*of);
+    }
+    return sign;
+}
+
 static int is_known(text name)
 {
     size_t i;
 
     for (i = 0; i < TABLE_COUNT; i++)
-        if (text_equal(name, table[i].name))
+        if (flk_text_equal(name, table[i].name))
             return 1;
-    return text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL;
+    return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL;
 }
 
 void columns_check(deck *d)
 {
     text rest = d->columns.names, name;
 
-    while (rest.start && next_name(&rest, &name))
+    while (rest.start && column_next_name(&rest, &name))
         if (!is_known(name))
             note_missing(d, name);
 }
@@ -473,18 +488,18 @@ int columns_choose(deck *d, column_list *columns)
 
     if (!rest.start)
         return add_all(d, 1, columns) ? 1 : -1;
-    while (next_name(&rest, &name)) {
-        if (text_equal(name, "all")) {
+    while (column_next_name(&rest, &name)) {
+        if (flk_text_equal(name, "all")) {
             if (!columns_all(d, columns))
                 return -1;
-        } else if (!find(d, name, text_same, &c) && !find(d, name, text_equal, &c)) {
+        } else if (!find(d, name, flk_text_same, &c) && !find(d, name, flk_text_equal, &c)) {
             note_missing(d, name);
         } else if (!columns_add(columns, &c)) {
             return -1;
         }
     }
     if (!columns->count && !d->mistakes.count)
-        mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);
+        flk_mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);
     return d->mistakes.out_of_memory ? -1 : d->mistakes.count == 0;
 }
 
@@ -525,7 +540,8 @@ double column_value(const column *c, const result *r)
     if (c->point)
         return point_value(c, r);
     x = number_at(r, c->info->x);
-
+    if (c->info->form == VALUE)
+        return x * c->scale; /* nearly all of them */
     switch (c->info->form) {
     case SIZE:
         x = gsl_hypot(x, number_at(r, c->info->y));

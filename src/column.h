@@ -42,6 +42,12 @@ void columns_check(deck *d);
 /* The column of that name; 0 if the deck has none. */
 int column_find(const deck *d, text name, column *c);
 
+/* The next name of a list separated by commas or blanks; 0 at its end. */
+int column_next_name(text *rest, text *name);
+
+/* max(COLUMN) or min(COLUMN): its sign, and the column's name; 0 if it is neither. */
+int column_extreme_of(text name, text *of);
+
 /* The column's name most like this one, or null. */
 const char *column_nearest(const deck *d, text name);
 

@@ -29,20 +29,6 @@ typedef struct found {
     int sign; /* of an extreme, else 0 */
 } found;
 
-/* max(COLUMN) or min(COLUMN): its sign, and the column's name; 0 if it is neither. */
-static int extreme_of(text name, text *of)
-{
-    int sign;
-
-    if (name.length < 6 || name.start[name.length - 1] != ')')
-        return 0;
-    sign = memcmp(name.start, "max(", 4) == 0 ? 1 : memcmp(name.start, "min(", 4) == 0 ? -1 : 0;
-    of->start = name.start + 4;
-    of->length = name.length - 5;
-    *of = text_trim(*of);
-    return sign;
-}
-
 typedef struct fact_search {
     text name;
     fourlink_branch branch;
@@ -59,13 +45,13 @@ static void take_if_named(const fact *f, void *data)
 
     if (f->branch != 0 && f->branch != (int)s->branch)
         return;
-    if (text_same(s->name, f->name) && s->n < MOST_ALIKE) {
+    if (flk_text_same(s->name, f->name) && s->n < MOST_ALIKE) {
         s->f = *f;
         s->values[s->n++] = f->value;
     }
     known[0] = f->name;
     known[1] = NULL;
-    if (!s->nearest[0] && text_nearest(s->name, known))
+    if (!s->nearest[0] && flk_text_nearest(s->name, known))
         strcpy(s->nearest, f->name);
 }
 
@@ -73,11 +59,11 @@ static void note_unknown(deck *d, const deck_expectation *e, text name, const ch
 {
     char word[DECK_NAME_SIZE];
 
-    if (nearest && (!*nearest || text_same(name, nearest)))
+    if (nearest && (!*nearest || flk_text_same(name, nearest)))
         nearest = NULL;
-    mistake_note(&d->mistakes, e->place, "'", text_copy(name, word, sizeof word),
-                 "' is no column and no fact of this deck", hint(nearest), hint_word(nearest),
-                 hint_end(nearest), (char *)NULL);
+    flk_mistake_note(&d->mistakes, e->place, "'", flk_text_copy(name, word, sizeof word),
+                     "' is no column and no fact of this deck", flk_hint(nearest),
+                     flk_hint_word(nearest), flk_hint_end(nearest), (char *)NULL);
 }
 
 /* A column, an extreme of one, or a fact. */
@@ -88,7 +74,7 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
     text of;
 
     memset(f, 0, sizeof *f);
-    f->sign = extreme_of(e->name, &of);
+    f->sign = column_extreme_of(e->name, &of);
     if (f->sign && !column_find(d, of, &f->c)) {
         note_unknown(d, e, of, column_nearest(d, of));
         return 0;
@@ -115,24 +101,6 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
     return 1;
 }
 
-/* The angle of the motion that an angle is, but for whole turns; 0 if the motion does not reach it. */
-static int angle_in_motion(const analysis *a, double angle, double *at)
-{
-    const fourlink_motion *motion = &a->d->motion;
-    double turn = 2 * M_PI / motion->angle_unit, tiny = 1e-9 * turn, first, last;
-    fourlink_row end;
-
-    fourlink_motion_row(motion, &a->range, a->range.n_rows - 1, &end);
-    if (a->range.stops)
-        end.angle = a->range.stop_angle;
-    first = motion->from < end.angle ? motion->from : end.angle;
-    last = motion->from < end.angle ? end.angle : motion->from;
-    *at = angle;
-    if (angle < first - tiny || angle > last + tiny)
-        *at = angle + turn * ceil((first - tiny - angle) / turn);
-    return *at <= last + tiny;
-}
-
 /* The value of a column at the expectation's angle; 0 and a mistake if it has none. */
 static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f)
 {
@@ -148,31 +116,31 @@ static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f
             f->value = x.value;
             return 1;
         }
-        mistake_note(&d->mistakes, e->place,
-                     status == EXTREME_NONE ? "the links reach at no angle of the motion"
-                                            : "it grows beyond all bounds",
-                     (char *)NULL);
+        flk_mistake_note(&d->mistakes, e->place,
+                         status == EXTREME_NONE ? "the links reach at no angle of the motion"
+                                                : "it grows beyond all bounds",
+                         (char *)NULL);
         return 0;
     }
     if (!e->has_at) {
-        mistake_note(&d->mistakes, e->place,
-                     "a column is expected at a crank angle: give the section 'at = ...'",
-                     (char *)NULL);
+        flk_mistake_note(&d->mistakes, e->place,
+                         "a column is expected at a crank angle: give the section 'at = ...'",
+                         (char *)NULL);
         return 0;
     }
-    if (!angle_in_motion(a, e->at, &at)) {
-        mistake_note(&d->mistakes, e->place,
-                     "the motion does not reach theta2 = ", number_general(e->at, 9, number), " ",
-                     d->units[QUANTITY_ANGLE].name, (char *)NULL);
+    if (!analysis_find_angle(a, e->at, &at)) {
+        flk_mistake_note(&d->mistakes, e->place,
+                         "the motion does not reach theta2 = ", flk_number_write(e->at, 9, number),
+                         " ", d->units[QUANTITY_ANGLE].name, (char *)NULL);
         return 0;
     }
     fourlink_motion_at(&d->motion, at, &r.row);
     analysis_at(a, e->branch, &r.row.crank, &r);
     if (r.status != FOURLINK_OK && !column_of_crank(&f->c)) {
-        mistake_note(&d->mistakes, e->place,
-                     "no value at theta2 = ", number_general(e->at, 9, number), " ",
-                     d->units[QUANTITY_ANGLE].name, ", ", branch_name(e->branch), ": ",
-                     fourlink_status_text(r.status), (char *)NULL);
+        flk_mistake_note(&d->mistakes, e->place,
+                         "no value at theta2 = ", flk_number_write(e->at, 9, number), " ",
+                         d->units[QUANTITY_ANGLE].name, ", ", branch_name(e->branch), ": ",
+                         fourlink_status_text(r.status), (char *)NULL);
         return 0;
     }
     f->value = column_value(&f->c, &r);
@@ -193,15 +161,16 @@ static int read_tolerance(deck *d, const deck_expectation *e, quantity q, double
     }
     if (t.start[t.length - 1] == '%') {
         t.length--;
-        if (!deck_read_quantity(d, place, text_trim(t), QUANTITY_NUMBER, tolerance, &ignored))
+        if (!flk_deck_read_quantity(d, place, flk_text_trim(t), QUANTITY_NUMBER, tolerance,
+                                    &ignored))
             return 0;
         *tolerance *= fabs(si) / 100;
-    } else if (!deck_read_quantity(d, place, t, q, tolerance, &ignored)) {
+    } else if (!flk_deck_read_quantity(d, place, t, q, tolerance, &ignored)) {
         return 0;
     }
     if (*tolerance >= 0)
         return 1;
-    mistake_note(&d->mistakes, place, "a tolerance must not be negative", (char *)NULL);
+    flk_mistake_note(&d->mistakes, place, "a tolerance must not be negative", (char *)NULL);
     return 0;
 }
 
@@ -229,20 +198,20 @@ static int compare(analysis *a, deck *d, const deck_expectation *e, check *c)
     c->unit = f.words ? "" : u->name;
     c->at_angle = f.is_column;
     if (f.words) {
-        text_copy(text_of(f.words), c->words, sizeof c->words);
-        agrees = text_equal(e->value, f.words);
+        flk_text_copy(flk_text_of(f.words), c->words, sizeof c->words);
+        agrees = flk_text_equal(e->value, f.words);
     } else {
-        if (!deck_read_quantity(d, e->place, e->value, f.q, &si, &digit) ||
+        if (!flk_deck_read_quantity(d, e->place, e->value, f.q, &si, &digit) ||
             !read_tolerance(d, e, f.q, si, digit, &tolerance) ||
             ((f.is_column || f.sign) && !value_there(a, d, e, &f)))
             return 0;
-        turn = unit_from_si(2 * M_PI, u->unit);
-        c->printed = unit_from_si(si, u->unit);
+        turn = flk_unit_from_si(2 * M_PI, u->unit);
+        c->printed = flk_unit_from_si(si, u->unit);
         for (i = 1; i < f.n_values; i++)
             if (fabs(difference(f.values[i], c->printed, f.q, turn)) <
                 fabs(difference(f.value, c->printed, f.q, turn)))
                 f.value = f.values[i];
-        c->tolerance = unit_from_si(tolerance, u->unit);
+        c->tolerance = flk_unit_from_si(tolerance, u->unit);
         c->computed = f.value;
         /* a value in the middle between two digits may be printed either way */
         agrees = fabs(difference(c->computed, c->printed, f.q, turn)) <=
@@ -271,7 +240,7 @@ int checks_run(deck *d, check_taker *take, void *data)
             list[i].result = CHECK_NO_VALUE;
     for (i = 0; i < d->n_expectations; i++)
         take(&list[i], data);
-    mistakes_sort(&d->mistakes);
+    flk_mistakes_sort(&d->mistakes);
     out_of_memory = a.out_of_memory || d->mistakes.out_of_memory;
     analysis_close(&a);
     free(list);

@@ -8,18 +8,18 @@
 #include <stddef.h>
 
 typedef struct curve {
-    double *x, *y; /* the points, and two of the neighbouring periods on either side */
+    double *x, *y; /* the n points, and the first again one period on; one piece of memory */
+    double *slope; /* dy/dx at the n points */
     size_t n;      /* 0: no curve */
     double period;
-    void *interpolation; /* GSL's */
 } curve;
 
 /* Make a curve through n >= 2 points, x rising, x[n-1] - x[0] < period.  1, or 0 when out of memory. */
-int curve_make(const double *x, const double *y, size_t n, double period, curve *c);
+int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c);
 
 /* Its value at any x. */
-double curve_value(const curve *c, double x);
+double flk_curve_value(const curve *c, double x);
 
-void curve_free(curve *c);
+void flk_curve_free(curve *c);
 
 #endif

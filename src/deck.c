@@ -18,26 +18,25 @@
 /* A value in SI units, or what it is when the deck does not set it. */
 static double value_or(parser *p, key_code key, double otherwise)
 {
-    const setting *s = find(p, key);
+    const setting *s = flk_find(p, key);
 
     return s ? s->si[0] : otherwise;
 }
 
-/* An angle in the deck's unit of angle, without rounding if it is written in that. */
-static double in_deck_angle(parser *p, const setting *s)
+double flk_in_deck_unit(parser *p, const setting *s, quantity q)
 {
-    const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
+    const unit *u = &p->d->units[q].unit;
 
     if (s->unit.up == u->up && s->unit.down == u->down)
         return s->number;
-    return unit_from_si(s->si[0], *u);
+    return flk_unit_from_si(s->si[0], *u);
 }
 
 static double angle_or(parser *p, key_code key, double otherwise)
 {
-    const setting *s = find(p, key);
+    const setting *s = flk_find(p, key);
 
-    return s ? in_deck_angle(p, s) : otherwise;
+    return s ? flk_in_deck_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
 static text_place end_of_deck(parser *p)
@@ -52,21 +51,22 @@ static text_place end_of_deck(parser *p)
 /* The length a mechanism cannot do without. */
 static void require(parser *p, key_code key)
 {
-    const key_info *k = &key_table[key];
-    const section_use *use = find_use(p, k->section);
+    const key_info *k = &flk_key_table[key];
+    const section_use *use = flk_find_use(p, k->section);
 
-    if (find(p, key))
+    if (flk_find(p, key))
         return;
     if (use)
-        mistake_note(&p->d->mistakes, use->place, "[", section_table[k->section].name, "] has no ",
-                     k->name,
-                     key == KEY_CRANK_LENGTH && p->d->design.kind == FOURLINK_SLIDER_CRANK
-                         ? ", and no stroke"
-                         : "",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, use->place, "[", flk_section_table[k->section].name,
+                         "] has no ", k->name,
+                         key == KEY_CRANK_LENGTH && p->d->design.kind == FOURLINK_SLIDER_CRANK
+                             ? ", and no stroke"
+                             : "",
+                         (char *)NULL);
     else
-        mistake_note(&p->d->mistakes, end_of_deck(p), "there is no [",
-                     section_table[k->section].name, "] with a ", k->name, " in it", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, end_of_deck(p), "there is no [",
+                         flk_section_table[k->section].name, "] with a ", k->name, " in it",
+                         (char *)NULL);
 }
 
 /* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
@@ -81,9 +81,9 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
     char number[NUMBER_SIZE], word[WORD_SIZE];
 
     if (!pin) {
-        mistake_note(&p->d->mistakes, period->place,
-                     "a swing_period needs a swing_pin: origin, end or a point of the link",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, period->place,
+                         "a swing_period needs a swing_pin: origin, end or a point of the link",
+                         (char *)NULL);
         return;
     }
     if (pin->word == PIN_END)
@@ -97,13 +97,14 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
     h = gsl_hypot(x - link->cg.x, y - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
-        mistake_note(&p->d->mistakes, pin->place,
-                     "the swing_pin is at the centre of mass, where nothing swings", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, pin->place,
+                         "the swing_pin is at the centre of mass, where nothing swings",
+                         (char *)NULL);
     else if (L < h)
-        mistake_note(&p->d->mistakes, period->place, "a swing_period of ",
-                     word_of(period->value, word), " is too short: even all mass in one point, ",
-                     number_general(h, 4, number), " m from the pin, swings more slowly",
-                     (char *)NULL);
+        flk_mistake_note(
+            &p->d->mistakes, period->place, "a swing_period of ", flk_word_of(period->value, word),
+            " is too short: even all mass in one point, ", flk_number_write(h, 4, number),
+            " m from the pin, swings more slowly", (char *)NULL);
     else
         link->inertia = link->mass * h * (L - h);
 }
@@ -113,35 +114,37 @@ static void build_link(parser *p, key_code length, int number)
     fourlink_link *link = &p->d->design.link[number];
     key_code mass = length + 1, gyration = length + 2, inertia = length + 3, cg = length + 4,
              swing_period = length + 5, swing_pin = length + 6;
-    const setting *period = find(p, swing_period), *s;
+    const setting *period = flk_find(p, swing_period), *s;
 
-    if (length != KEY_CRANK_LENGTH || !find(p, KEY_CRANK_STROKE)) {
+    if (length != KEY_CRANK_LENGTH || !flk_find(p, KEY_CRANK_STROKE)) {
         require(p, length);
         link->length = value_or(p, length, 0);
     }
     link->mass = value_or(p, mass, 0);
     link->inertia = value_or(p, inertia, 0);
-    if ((s = find(p, cg)) != NULL) {
+    if ((s = flk_find(p, cg)) != NULL) {
         link->cg.x = s->si[0];
         link->cg.y = s->si[1];
     }
-    s = find(p, gyration);
-    if ((s != NULL) + (find(p, inertia) != NULL) + (period != NULL) > 1)
-        mistake_note(&p->d->mistakes, s ? s->place : period->place,
-                     "give one of gyration, inertia and swing_period, not several", (char *)NULL);
-    if ((s || period) && !find(p, mass))
-        mistake_note(&p->d->mistakes, s ? s->place : period->place, "the ",
-                     s ? "radius of gyration" : "swing_period", " needs a mass", (char *)NULL);
+    s = flk_find(p, gyration);
+    if ((s != NULL) + (flk_find(p, inertia) != NULL) + (period != NULL) > 1)
+        flk_mistake_note(&p->d->mistakes, s ? s->place : period->place,
+                         "give one of gyration, inertia and swing_period, not several",
+                         (char *)NULL);
+    if ((s || period) && !flk_find(p, mass))
+        flk_mistake_note(&p->d->mistakes, s ? s->place : period->place, "the ",
+                         s ? "radius of gyration" : "swing_period", " needs a mass", (char *)NULL);
     if (s) {
         link->inertia = link->mass * s->si[0] * s->si[0]; /* I = m k^2 */
         if (link->inertia > FOURLINK_NUMBER_MAX)
-            mistake_note(&p->d->mistakes, s->place, "the moment of inertia of this radius of ",
-                         "gyration is beyond what the program computes with", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "the moment of inertia of this radius of ",
+                             "gyration is beyond what the program computes with", (char *)NULL);
     }
     if (period && period->si[0] > 0)
-        build_swing(p, period, find(p, swing_pin), link);
-    else if (!period && (s = find(p, swing_pin)) != NULL)
-        mistake_note(&p->d->mistakes, s->place, "a swing_pin needs a swing_period", (char *)NULL);
+        build_swing(p, period, flk_find(p, swing_pin), link);
+    else if (!period && (s = flk_find(p, swing_pin)) != NULL)
+        flk_mistake_note(&p->d->mistakes, s->place, "a swing_pin needs a swing_period",
+                         (char *)NULL);
 }
 
 /* The crank of an engine from its stroke S, the distance between the dead centres:
@@ -152,14 +155,14 @@ static void build_link(parser *p, key_code length, int number)
 static void build_stroke(parser *p)
 {
     fourlink_link *link = p->d->design.link;
-    const setting *s = find(p, KEY_CRANK_STROKE);
+    const setting *s = flk_find(p, KEY_CRANK_STROKE);
     double S, l2 = 4 * link[3].length * link[3].length, e = p->d->design.offset, square;
 
     if (!s || link[3].length <= 0)
         return;
-    if (find(p, KEY_CRANK_LENGTH))
-        mistake_note(&p->d->mistakes, s->place, "give either the length or the stroke, not both",
-                     (char *)NULL);
+    if (flk_find(p, KEY_CRANK_LENGTH))
+        flk_mistake_note(&p->d->mistakes, s->place,
+                         "give either the length or the stroke, not both", (char *)NULL);
     S = s->si[0];
     link[2].length = S / 2;
     if (e == 0)
@@ -168,14 +171,14 @@ static void build_stroke(parser *p)
     if (square > 0 && l2 > S * S)
         link[2].length = S / 2 * sqrt(square);
     else
-        mistake_note(&p->d->mistakes, s->place, "this rod and offset have no such stroke",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "this rod and offset have no such stroke",
+                         (char *)NULL);
 }
 
 /* The mechanism's kind, and that each section and key is one that it has. */
 static int build_kind(parser *p)
 {
-    const setting *s = find(p, KEY_TOP_MECHANISM);
+    const setting *s = flk_find(p, KEY_TOP_MECHANISM);
     size_t i;
     fourlink_kind kind;
     int k;
@@ -184,8 +187,8 @@ static int build_kind(parser *p)
         text_place place = end_of_deck(p);
 
         place.line = 1;
-        mistake_note(&p->d->mistakes, place, "expected 'mechanism = four-bar' or 'mechanism = ",
-                     "slider-crank' before the first section", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "expected 'mechanism = four-bar' or 'mechanism = ",
+                         "slider-crank' before the first section", (char *)NULL);
         return 0;
     }
     if (!s->word)
@@ -194,24 +197,25 @@ static int build_kind(parser *p)
     p->d->design.kind = kind;
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];
-        int first = first_key(use->section), n = key_count(use->section);
+        int first = flk_first_key(use->section), n = flk_key_count(use->section);
 
-        if (!(section_table[use->section].kinds & (int)kind)) {
-            mistake_note(&p->d->mistakes, use->place, "a ", kind_words(kind), " has no [",
-                         section_table[use->section].name, "]",
-                         use->section == SECTION_COUPLER ? "; its link 3 is the [rod]"
-                         : use->section == SECTION_ROD   ? "; its link 3 is the [coupler]"
-                                                         : "",
-                         (char *)NULL);
+        if (!(flk_section_table[use->section].kinds & (int)kind)) {
+            flk_mistake_note(&p->d->mistakes, use->place, "a ", flk_kind_words(kind), " has no [",
+                             flk_section_table[use->section].name, "]",
+                             use->section == SECTION_COUPLER ? "; its link 3 is the [rod]"
+                             : use->section == SECTION_ROD   ? "; its link 3 is the [coupler]"
+                                                             : "",
+                             (char *)NULL);
             continue;
         }
         for (k = first; k < first + n; k++) {
-            s = setting_of(p, use, (key_code)k);
-            if (s->place.source && !(key_table[k].kinds & (int)kind))
-                mistake_note(&p->d->mistakes, s->place, use->section == SECTION_TOP ? "" : "the ",
-                             section_table[use->section].name,
-                             use->section == SECTION_TOP ? "a " : " of a ", kind_words(kind),
-                             " has no ", key_table[k].name, (char *)NULL);
+            s = flk_setting_of(p, use, (key_code)k);
+            if (s->place.source && !(flk_key_table[k].kinds & (int)kind))
+                flk_mistake_note(
+                    &p->d->mistakes, s->place, use->section == SECTION_TOP ? "" : "the ",
+                    flk_section_table[use->section].name,
+                    use->section == SECTION_TOP ? "a " : " of a ", flk_kind_words(kind), " has no ",
+                    flk_key_table[k].name, (char *)NULL);
         }
     }
     return 1;
@@ -224,11 +228,11 @@ static const char *in_unit_of(parser *p, const setting *s, double length, char o
     double number;
     char name[WORD_SIZE];
 
-    number_general(unit_from_si(length, s->unit), 6, out);
-    number_read(&t, &number);
-    t = text_trim(t);
+    flk_number_write(flk_unit_from_si(length, s->unit), 6, out);
+    flk_number_read(&t, &number);
+    t = flk_text_trim(t);
     strcat(out, " ");
-    strcat(out, t.length ? word_of(t, name) : p->d->units[QUANTITY_LENGTH].name);
+    strcat(out, t.length ? flk_word_of(t, name) : p->d->units[QUANTITY_LENGTH].name);
     return out;
 }
 
@@ -244,13 +248,13 @@ static void check_reach(parser *p)
     double sum = 0;
 
     if (design->kind == FOURLINK_SLIDER_CRANK) {
-        const setting *s = find(p, KEY_GROUND_OFFSET);
+        const setting *s = flk_find(p, KEY_GROUND_OFFSET);
 
         sum = design->link[2].length + design->link[3].length;
         if (s && fabs(design->offset) > sum)
-            mistake_note(&p->d->mistakes, s->place, "the offset, ", word_of(s->value, word),
-                         ", is more than crank and rod together, ", in_unit_of(p, s, sum, rest),
-                         ": the rod never reaches", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "the offset, ", flk_value_of(s, word),
+                             ", is more than crank and rod together, ", in_unit_of(p, s, sum, rest),
+                             ": the rod never reaches", (char *)NULL);
         return;
     }
     for (i = 0; i < 4; i++) {
@@ -260,12 +264,12 @@ static void check_reach(parser *p)
     }
     sum -= design->link[longest + 1].length;
     if (design->link[longest + 1].length > sum * (1 + 1e-14)) {
-        const setting *s = find(p, keys[longest]);
+        const setting *s = flk_find(p, keys[longest]);
 
-        mistake_note(&p->d->mistakes, s->place, "the ",
-                     section_table[key_table[keys[longest]].section].name, ", ",
-                     word_of(s->value, word), ", is longer than the other three together, ",
-                     in_unit_of(p, s, sum, rest), ": they cannot be assembled", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "the ",
+                         flk_section_table[flk_key_table[keys[longest]].section].name, ", ",
+                         flk_value_of(s, word), ", is longer than the other three together, ",
+                         in_unit_of(p, s, sum, rest), ": they cannot be assembled", (char *)NULL);
     }
 }
 
@@ -290,7 +294,7 @@ static void build_mechanism(parser *p)
     }
     g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81);
     direction = value_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - value_or(p, KEY_GROUND_ANGLE, 0);
-    direction_of(direction, &design->gravity.x, &design->gravity.y);
+    flk_direction_of(direction, &design->gravity.x, &design->gravity.y);
     design->gravity.x *= g;
     design->gravity.y *= g;
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
@@ -301,8 +305,8 @@ static void build_mechanism(parser *p)
     check_reach(p);
     i = fourlink_prepare(design, &p->d->mechanism);
     if (i != FOURLINK_OK)
-        mistake_note(&p->d->mistakes, find_use(p, SECTION_CRANK)->place, fourlink_status_text(i),
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, flk_find_use(p, SECTION_CRANK)->place,
+                         fourlink_status_text(i), (char *)NULL);
 }
 
 /* Angles that are closer, in rad, are the same. */
@@ -320,32 +324,33 @@ static void build_curve(parser *p, const setting *s, curve *result)
         return;
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < LEAST_STEP) {
-            mistake_note(&p->d->mistakes, c[i].place, "the angles of a curve must rise",
-                         (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, c[i].place, "the angles of a curve must rise",
+                             (char *)NULL);
             return;
         }
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
-            mistake_note(&p->d->mistakes, c[n].place,
-                         "the curve does not close: its last point is the first, one cycle on",
-                         (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, c[n].place,
+                             "the curve does not close: its last point is the first, one cycle on",
+                             (char *)NULL);
             return;
         }
     }
     if (n < 2) {
-        mistake_note(&p->d->mistakes, s->place, "a curve needs at least two points", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "a curve needs at least two points",
+                         (char *)NULL);
         return;
     }
     if (c[n - 1].x - c[0].x > period - LEAST_STEP) {
-        mistake_note(
+        flk_mistake_note(
             &p->d->mistakes, c[n - 1].place,
             "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
             "one of four strokes",
             (char *)NULL);
         return;
     }
-    x = keep(p, 2 * n * sizeof *x);
+    x = flk_keep(p, 2 * n * sizeof *x);
     if (!x)
         return;
     y = x + n;
@@ -353,15 +358,15 @@ static void build_curve(parser *p, const setting *s, curve *result)
         x[i] = c[i].x;
         y[i] = c[i].y;
     }
-    if (!curve_make(x, y, n, period, result))
+    if (!flk_curve_make(x, y, n, period, result))
         p->out_of_memory = 1;
 }
 
 static void build_gas(parser *p)
 {
-    const section_use *use = find_use(p, SECTION_GAS);
-    const setting *bore = find(p, KEY_GAS_BORE), *rod = find(p, KEY_GAS_PISTON_ROD);
-    const setting *pressure = find(p, KEY_GAS_PRESSURE), *card = find(p, KEY_GAS_INDICATOR);
+    const section_use *use = flk_find_use(p, SECTION_GAS);
+    const setting *bore = flk_find(p, KEY_GAS_BORE), *rod = flk_find(p, KEY_GAS_PISTON_ROD);
+    const setting *pressure = flk_find(p, KEY_GAS_PRESSURE), *card = flk_find(p, KEY_GAS_INDICATOR);
     deck_gas *gas = &p->d->gas;
     double d_rod = rod ? rod->si[0] : 0;
     char word[WORD_SIZE];
@@ -370,18 +375,19 @@ static void build_gas(parser *p)
         return;
     p->d->has_forces = 1;
     if (!bore) {
-        mistake_note(&p->d->mistakes, use->place, "[gas] has no bore", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, use->place, "[gas] has no bore", (char *)NULL);
         return;
     }
-    if (!pressure && !card && !find(p, KEY_GAS_BACK_PRESSURE))
-        mistake_note(&p->d->mistakes, use->place, "[gas] has neither a pressure nor an indicator",
-                     (char *)NULL);
+    if (!pressure && !card && !flk_find(p, KEY_GAS_BACK_PRESSURE))
+        flk_mistake_note(&p->d->mistakes, use->place,
+                         "[gas] has neither a pressure nor an indicator", (char *)NULL);
     if (pressure && card)
-        mistake_note(&p->d->mistakes, pressure->place,
-                     "give either the pressure or the indicator, not both", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, pressure->place,
+                         "give either the pressure or the indicator, not both", (char *)NULL);
     if (d_rod >= bore->si[0] && bore->si[0] > 0)
-        mistake_note(&p->d->mistakes, rod->place, "the piston_rod, ", word_of(rod->value, word),
-                     ", is not thinner than the bore", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, rod->place, "the piston_rod, ",
+                         flk_word_of(rod->value, word), ", is not thinner than the bore",
+                         (char *)NULL);
     gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = value_or(p, KEY_GAS_PRESSURE, 0);
@@ -393,25 +399,26 @@ static void build_gas(parser *p)
 /* The engine method's approximations, which the sources have for engines of their kind alone. */
 static void build_series(parser *p)
 {
-    const setting *s = find(p, KEY_TOP_SERIES);
+    const setting *s = flk_find(p, KEY_TOP_SERIES);
 
     if (!s || p->d->mistakes.count)
         return;
     p->d->approximation = (fourlink_approximation)s->word;
     if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
-        mistake_note(&p->d->mistakes, s->place, fourlink_status_text(FOURLINK_NO_SERIES),
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, fourlink_status_text(FOURLINK_NO_SERIES),
+                         (char *)NULL);
 }
 
 static void build_flywheel(parser *p)
 {
-    const setting *s = find(p, KEY_FLYWHEEL_INERTIA);
+    const setting *s = flk_find(p, KEY_FLYWHEEL_INERTIA);
 
     p->d->flywheel_fluctuation = value_or(p, KEY_FLYWHEEL_FLUCTUATION, 0);
     p->d->flywheel_inertia = value_or(p, KEY_FLYWHEEL_INERTIA, 0);
-    if (s && find(p, KEY_FLYWHEEL_FLUCTUATION))
-        mistake_note(&p->d->mistakes, s->place,
-                     "give either the fluctuation or the inertia: the other follows", (char *)NULL);
+    if (s && flk_find(p, KEY_FLYWHEEL_FLUCTUATION))
+        flk_mistake_note(&p->d->mistakes, s->place,
+                         "give either the fluctuation or the inertia: the other follows",
+                         (char *)NULL);
 }
 
 /* The link that a load or a point is on. */
@@ -421,21 +428,35 @@ static void check_link(parser *p, const section_use *use, const setting *link)
     char word[WORD_SIZE];
 
     if (!link->place.source)
-        mistake_note(&p->d->mistakes, use->place, "[", section_table[use->section].name,
-                     "] has no link: ",
-                     four_bar ? "crank, coupler or rocker" : "crank, rod or piston", (char *)NULL);
-    else if (four_bar ? text_equal(link->value, "rod") || text_equal(link->value, "piston")
-                      : text_equal(link->value, "coupler") || text_equal(link->value, "rocker"))
-        mistake_note(&p->d->mistakes, link->place, "a ", kind_words(p->d->design.kind), " has no ",
-                     word_of(link->value, word), ": its links are ",
-                     four_bar ? "crank, coupler and rocker" : "crank, rod and piston",
-                     (char *)NULL);
+        flk_mistake_note(
+            &p->d->mistakes, use->place, "[", flk_section_table[use->section].name,
+            "] has no link: ", four_bar ? "crank, coupler or rocker" : "crank, rod or piston",
+            (char *)NULL);
+    else if (four_bar
+                 ? flk_text_equal(link->value, "rod") || flk_text_equal(link->value, "piston")
+                 : flk_text_equal(link->value, "coupler") || flk_text_equal(link->value, "rocker"))
+        flk_mistake_note(&p->d->mistakes, link->place, "a ", flk_kind_words(p->d->design.kind),
+                         " has no ", flk_word_of(link->value, word), ": its links are ",
+                         four_bar ? "crank, coupler and rocker" : "crank, rod and piston",
+                         (char *)NULL);
+}
+
+static char *joined(parser *p, text name, const char *ending)
+{
+    char *result = flk_keep(p, name.length + strlen(ending) + 1);
+
+    if (result) {
+        memcpy(result, name.start, name.length);
+        strcpy(result + name.length, ending);
+    }
+    return result;
 }
 
 /* The crank angles between which a load acts. */
 static void build_window(parser *p, const section_use *use, deck_load *variation)
 {
-    const setting *from = setting_of(p, use, KEY_LOAD_FROM), *to = setting_of(p, use, KEY_LOAD_TO);
+    const setting *from = flk_setting_of(p, use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(p, use, KEY_LOAD_TO);
     char a[WORD_SIZE], b[WORD_SIZE];
 
     if (!from->place.source && !to->place.source)
@@ -444,14 +465,14 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     variation->from = from->si[0]; /* 0 if it is not given */
     variation->to = to->place.source ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
-        mistake_note(&p->d->mistakes, (from->place.source ? from : to)->place,
-                     "the load's 'from' must be before its 'to', not ",
-                     from->place.source ? word_of(from->value, a) : "0", " and ",
-                     to->place.source ? word_of(to->value, b) : "the end of the cycle",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, (from->place.source ? from : to)->place,
+                         "the load's 'from' must be before its 'to', not ",
+                         from->place.source ? flk_word_of(from->value, a) : "0", " and ",
+                         to->place.source ? flk_word_of(to->value, b) : "the end of the cycle",
+                         (char *)NULL);
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
-        mistake_note(&p->d->mistakes, (to->place.source ? to : from)->place,
-                     "the load acts for longer than a cycle", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, (to->place.source ? to : from)->place,
+                         "the load acts for longer than a cycle", (char *)NULL);
 }
 
 /* So that max(NAME.vx) fits wherever names are kept. */
@@ -462,35 +483,30 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
 {
     static const char *const endings[DECK_POINT_COLUMNS] = {".x",  ".y",  ".vx", ".vy",
                                                             ".ax", ".ay", ".v",  ".a"};
-    const setting *link = setting_of(p, use, KEY_POINT_LINK),
-                  *at = setting_of(p, use, KEY_POINT_AT);
+    const setting *link = flk_setting_of(p, use, KEY_POINT_LINK),
+                  *at = flk_setting_of(p, use, KEY_POINT_AT);
     size_t i;
 
     check_link(p, use, link);
     if (!use->name.length)
-        mistake_note(&p->d->mistakes, use->place, "a point needs a name: [point P]", (char *)NULL);
-    if (use->name.length > LONGEST_NAME)
-        mistake_note(&p->d->mistakes, use->place, "the name of a point is too long", (char *)NULL);
-    for (i = 0; i < use->name.length; i++)
-        if (!text_is_word(use->name.start[i])) {
-            mistake_note(&p->d->mistakes, use->place,
-                         "the name of a point is one word: its columns are NAME.x, NAME.y ...",
+        flk_mistake_note(&p->d->mistakes, use->place, "a point needs a name: [point P]",
                          (char *)NULL);
+    if (use->name.length > LONGEST_NAME)
+        flk_mistake_note(&p->d->mistakes, use->place, "the name of a point is too long",
+                         (char *)NULL);
+    for (i = 0; i < use->name.length; i++)
+        if (!flk_text_is_word(use->name.start[i])) {
+            flk_mistake_note(&p->d->mistakes, use->place,
+                             "the name of a point is one word: its columns are NAME.x, NAME.y ...",
+                             (char *)NULL);
             break;
         }
-    new->name = use->name;
     new->link = link->word;
     new->at.x = at->si[0];
     new->at.y = at->si[1];
-    for (i = 0; i < DECK_POINT_COLUMNS; i++) {
-        char *name = keep(p, use->name.length + 4);
-
-        if (!name)
-            return;
-        memcpy(name, use->name.start, use->name.length);
-        strcpy(name + use->name.length, endings[i]);
-        new->column_names[i] = name;
-    }
+    new->name = joined(p, use->name, "");
+    for (i = 0; i < DECK_POINT_COLUMNS; i++)
+        new->column_names[i] = joined(p, use->name, endings[i]);
 }
 
 static void build_points(parser *p)
@@ -513,22 +529,22 @@ static void build_points(parser *p)
 
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
 {
-    const setting *link = setting_of(p, use, KEY_LOAD_LINK);
-    const setting *force = setting_of(p, use, KEY_LOAD_FORCE),
-                  *at = setting_of(p, use, KEY_LOAD_AT);
-    const setting *torque = setting_of(p, use, KEY_LOAD_TORQUE);
-    const setting *frame = setting_of(p, use, KEY_LOAD_FRAME);
+    const setting *link = flk_setting_of(p, use, KEY_LOAD_LINK);
+    const setting *force = flk_setting_of(p, use, KEY_LOAD_FORCE),
+                  *at = flk_setting_of(p, use, KEY_LOAD_AT);
+    const setting *torque = flk_setting_of(p, use, KEY_LOAD_TORQUE);
+    const setting *frame = flk_setting_of(p, use, KEY_LOAD_FRAME);
 
     check_link(p, use, link);
     if (!force->place.source && !torque->place.source)
-        mistake_note(&p->d->mistakes, use->place, "[load] has neither a force nor a torque",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, use->place, "[load] has neither a force nor a torque",
+                         (char *)NULL);
     if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
         !(link->word == FOURLINK_FOLLOWER && p->d->design.kind == FOURLINK_SLIDER_CRANK))
-        mistake_note(&p->d->mistakes, use->place,
-                     "the force needs 'at', the point of the link where it acts", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, use->place,
+                         "the force needs 'at', the point of the link where it acts", (char *)NULL);
     if (at->place.source && !force->place.source)
-        mistake_note(&p->d->mistakes, at->place, "'at' is for a force", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, at->place, "'at' is for a force", (char *)NULL);
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];
@@ -536,6 +552,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     load->at.x = at->si[0];
     load->at.y = at->si[1];
     load->torque = torque->si[0];
+    variation->name = joined(p, use->name, "");
     build_curve(p, torque, &variation->torque);
     build_window(p, use, variation);
 }
@@ -570,11 +587,11 @@ static void check_alone(parser *p, const setting *at)
     size_t i;
 
     for (i = 0; i < sizeof others / sizeof others[0]; i++) {
-        const setting *s = find(p, others[i]);
+        const setting *s = flk_find(p, others[i]);
 
         if (s && (s->place.line == 0) == (at->place.line == 0))
-            mistake_note(&p->d->mistakes, s->place, "'", key_table[others[i]].name,
-                         "' has no place beside 'at', one instant", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "'", flk_key_table[others[i]].name,
+                             "' has no place beside 'at', one instant", (char *)NULL);
     }
 }
 
@@ -593,24 +610,24 @@ static void build_run_up(parser *p, const setting *run_up)
 
     p->d->motion.run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
     p->d->one_revolution = 1;
-    if ((s = find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
-        mistake_note(&p->d->mistakes, s->place,
-                     "a run-up starts from rest: it takes an acceleration and no speed",
-                     (char *)NULL);
-    if ((s = find(p, KEY_MOTION_TO)) != NULL)
-        mistake_note(&p->d->mistakes, s->place,
-                     "a run-up ends one revolution after its angle: it takes no 'to'",
-                     (char *)NULL);
+    if ((s = flk_find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
+        flk_mistake_note(&p->d->mistakes, s->place,
+                         "a run-up starts from rest: it takes an acceleration and no speed",
+                         (char *)NULL);
+    if ((s = flk_find(p, KEY_MOTION_TO)) != NULL)
+        flk_mistake_note(&p->d->mistakes, s->place,
+                         "a run-up ends one revolution after its angle: it takes no 'to'",
+                         (char *)NULL);
     if (p->d->motion.hold)
-        mistake_note(&p->d->mistakes, run_up->place, "a run-up cannot hold its speed",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, run_up->place, "a run-up cannot hold its speed",
+                         (char *)NULL);
 }
 
 static void build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
-    const setting *run_up = find(p, KEY_MOTION_RUN_UP), *s;
+    const setting *run_up = flk_find(p, KEY_MOTION_RUN_UP), *s;
     double cycle, turning;
     fourlink_range range;
     int status;
@@ -618,10 +635,10 @@ static void build_motion(parser *p)
     motion->angle_unit = u->up / u->down;
     motion->speed = value_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = value_or(p, KEY_MOTION_ACCELERATION, 0);
-    s = find(p, KEY_MOTION_HOLD);
+    s = flk_find(p, KEY_MOTION_HOLD);
     motion->hold = s ? s->word : 0;
-    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(unit_from_si(M_PI / 18, *u)));
-    if ((s = find(p, KEY_MOTION_AT)) != NULL) {
+    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(flk_unit_from_si(M_PI / 18, *u)));
+    if ((s = flk_find(p, KEY_MOTION_AT)) != NULL) {
         check_alone(p, s);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
         motion->to = motion->from;
@@ -629,7 +646,7 @@ static void build_motion(parser *p)
         p->d->one_instant = 1;
         return;
     }
-    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(unit_from_si(2 * M_PI, *u)));
+    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(flk_unit_from_si(2 * M_PI, *u)));
     turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
@@ -641,38 +658,41 @@ static void build_motion(parser *p)
         return;
     status = fourlink_motion_range(motion, &range);
     if (status == FOURLINK_BAD_RANGE) {
-        s = find(p, KEY_MOTION_TO);
-        mistake_note(&p->d->mistakes, s ? s->place : end_of_deck(p),
-                     "the range runs against the rotation of the accelerated crank; turn it round, "
-                     "or give 'hold = yes'",
-                     (char *)NULL);
+        s = flk_find(p, KEY_MOTION_TO);
+        flk_mistake_note(
+            &p->d->mistakes, s ? s->place : end_of_deck(p),
+            "the range runs against the rotation of the accelerated crank; turn it round, "
+            "or give 'hold = yes'",
+            (char *)NULL);
     } else if (status == FOURLINK_NO_RUN_UP) {
-        mistake_note(&p->d->mistakes, run_up->place, "a run-up from rest needs an acceleration",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, run_up->place, "a run-up from rest needs an acceleration",
+                         (char *)NULL);
     } else if (status != FOURLINK_OK) {
-        s = find(p, KEY_MOTION_INTERVAL);
-        mistake_note(&p->d->mistakes, s ? s->place : end_of_deck(p), fourlink_status_text(status),
-                     (char *)NULL);
+        s = flk_find(p, KEY_MOTION_INTERVAL);
+        flk_mistake_note(&p->d->mistakes, s ? s->place : end_of_deck(p),
+                         fourlink_status_text(status), (char *)NULL);
     }
 }
 
 static void build_table(parser *p)
 {
-    const setting *s = find(p, KEY_TABLE_BRANCH);
+    const setting *s = flk_find(p, KEY_TABLE_BRANCH);
     int branches = s ? s->word : BRANCH_BOTH;
     char word[WORD_SIZE];
 
     p->d->open = (branches & BRANCH_OPEN) != 0;
     p->d->crossed = (branches & BRANCH_CROSSED) != 0;
-    if ((s = find(p, KEY_TABLE_COLUMNS)) != NULL) {
+    if ((s = flk_find(p, KEY_TABLE_COLUMNS)) != NULL) {
         p->d->columns.names = s->value;
         p->d->columns.place = s->place;
     }
+    s = flk_find(p, KEY_TOP_SOLVER);
+    p->d->solver = s ? s->word : 0;
     p->d->digits = 6;
-    if ((s = find(p, KEY_TABLE_DIGITS)) != NULL) {
+    if ((s = flk_find(p, KEY_TABLE_DIGITS)) != NULL) {
         if (s->si[0] > 17)
-            mistake_note(&p->d->mistakes, s->place, "digits must be 1 to 17, not ",
-                         word_of(s->value, word), (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "digits must be 1 to 17, not ",
+                             flk_word_of(s->value, word), (char *)NULL);
         else
             p->d->digits = (int)s->si[0];
     }
@@ -697,13 +717,16 @@ static void build_expectations(parser *p)
         const named_value *named = &p->named[i];
         const section_use *use = &p->uses[named->use];
         int misprint = use->section == SECTION_MISPRINT;
-        const setting *at = setting_of(p, use, misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
-        const setting *branch =
-            setting_of(p, use, misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
-        const setting *tolerance =
-            setting_of(p, use, misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
-        deck_expectation *e = &list[d->n_expectations++];
+        const setting *at, *branch, *tolerance;
+        deck_expectation *e;
 
+        if (use->section == SECTION_SWEEP)
+            continue;
+        at = flk_setting_of(p, use, misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
+        branch = flk_setting_of(p, use, misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
+        tolerance =
+            flk_setting_of(p, use, misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
+        e = &list[d->n_expectations++];
         memset(e, 0, sizeof *e);
         e->place = named->s.place;
         e->name = named->name;
@@ -712,7 +735,7 @@ static void build_expectations(parser *p)
         e->tolerance_place = tolerance->place;
         e->misprint = misprint;
         e->has_at = at->place.source != NULL || d->one_instant;
-        e->at = at->place.source ? in_deck_angle(p, at) : d->motion.from;
+        e->at = at->place.source ? flk_in_deck_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
@@ -721,10 +744,10 @@ static void build_expectations(parser *p)
 
 static void build(parser *p)
 {
-    const setting *title = find(p, KEY_TOP_TITLE);
+    const setting *title = flk_find(p, KEY_TOP_TITLE);
 
     if (title)
-        text_copy(title->value, p->d->title, sizeof p->d->title);
+        flk_text_copy(title->value, p->d->title, sizeof p->d->title);
     if (!build_kind(p))
         return;
     p->d->cycle = value_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
@@ -737,6 +760,7 @@ static void build(parser *p)
     build_flywheel(p);
     build_table(p);
     build_expectations(p);
+    flk_build_sweep(p);
 }
 
 static void set_default_units(deck *d)
@@ -745,8 +769,8 @@ static void set_default_units(deck *d)
     int q;
 
     for (q = 0; q < QUANTITY_COUNT; q++) {
-        strcpy(d->units[q].name, quantities[q].unit);
-        unit_read(text_of(quantities[q].unit), &d->units[q].unit, &bad);
+        strcpy(d->units[q].name, flk_quantities[q].unit);
+        flk_unit_read(flk_text_of(flk_quantities[q].unit), &d->units[q].unit, &bad);
     }
 }
 
@@ -756,7 +780,7 @@ typedef struct kept {
     double contents[1]; /* aligned for all that is kept */
 } kept;
 
-void *keep(parser *p, size_t size)
+void *flk_keep(parser *p, size_t size)
 {
     kept *k = malloc(sizeof *k + size);
 
@@ -772,19 +796,19 @@ void *keep(parser *p, size_t size)
 /* A copy of the text that lasts as long as the deck, read as lines. */
 static void read_copy(parser *p, text contents)
 {
-    char *copy = keep(p, contents.length + 1);
+    char *copy = flk_keep(p, contents.length + 1);
 
     if (!copy)
         return;
     if (contents.length)
         memcpy(copy, contents.start, contents.length);
     contents.start = copy;
-    read_lines(p, contents, copy);
+    flk_read_lines(p, contents, copy);
 }
 
 static int finish(parser *p)
 {
-    mistakes_sort(&p->d->mistakes);
+    flk_mistakes_sort(&p->d->mistakes);
     free(p->uses);
     free(p->settings);
     free(p->named);
@@ -793,8 +817,8 @@ static int finish(parser *p)
     return p->d->mistakes.count == 0;
 }
 
-int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
-              size_t n_changes, deck *d)
+int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
+                  const deck_change *changes, size_t n_changes, unsigned long design, deck *d)
 {
     parser p;
     char *copy;
@@ -805,21 +829,27 @@ int deck_read(const char *name, text contents, deck_loader *load, const deck_cha
     p.d = d;
     p.name = name;
     p.load = load;
+    p.host = host;
     set_default_units(d);
     read_copy(&p, contents);
     for (i = 0; i < n_changes && !p.out_of_memory; i++) {
-        copy = keep(&p, strlen(changes[i].assignment) + 1);
+        copy = flk_keep(&p, strlen(changes[i].assignment) + 1);
         if (copy)
-            apply_change(&p, changes[i].option, text_of(strcpy(copy, changes[i].assignment)));
+            flk_apply_change(&p, changes[i].option,
+                             flk_text_of(strcpy(copy, changes[i].assignment)));
     }
     if (!p.out_of_memory)
-        read_values(&p);
+        flk_read_units(&p);
+    if (!p.out_of_memory && !p.not_text)
+        flk_read_sweep(&p, design);
+    if (!p.out_of_memory)
+        flk_read_values(&p);
     if (!p.out_of_memory && !p.not_text)
         build(&p);
     return finish(&p);
 }
 
-int deck_add_expectations(const char *name, text contents, deck *d)
+int flk_deck_add_expectations(const char *name, text contents, deck *d)
 {
     parser p;
 
@@ -829,7 +859,7 @@ int deck_add_expectations(const char *name, text contents, deck *d)
     p.expectations_only = 1;
     read_copy(&p, contents);
     if (!p.out_of_memory)
-        read_values(&p);
+        flk_read_values(&p);
     if (!p.out_of_memory)
         build_expectations(&p);
     return finish(&p);
@@ -854,7 +884,7 @@ static double last_digit(text t)
 
             rest.start += i + 1;
             rest.length -= i + 1;
-            if (number_read(&rest, &value) == NUMBER_OK)
+            if (flk_number_read(&rest, &value) == NUMBER_OK)
                 exponent = value < -400 ? -400 : value > 400 ? 400 : (int)value;
             break;
         } else if (i > 0 || (c != '+' && c != '-')) {
@@ -868,7 +898,8 @@ static double last_digit(text t)
     return digit;
 }
 
-int deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si, double *digit)
+int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
+                           double *digit)
 {
     parser p;
     setting s;
@@ -878,25 +909,26 @@ int deck_read_quantity(deck *d, text_place place, text value, quantity q, double
     p.d = d;
     s.place = place;
     s.value = value;
-    if (!read_quantity(&p, &s, value, q, si))
+    if (!flk_read_quantity(&p, &s, value, q, si))
         return 0;
-    *digit = unit_to_si(last_digit(value), s.unit);
+    *digit = flk_unit_to_si(last_digit(value), s.unit);
     return 1;
 }
 
-void deck_free(deck *d)
+void flk_deck_free(deck *d)
 {
     kept *k, *next;
     unsigned long i;
 
-    mistakes_free(&d->mistakes);
+    flk_mistakes_free(&d->mistakes);
     for (i = 0; d->variations && i < d->n_loads; i++)
-        curve_free(&d->variations[i].torque);
-    curve_free(&d->gas.indicator);
+        flk_curve_free(&d->variations[i].torque);
+    flk_curve_free(&d->gas.indicator);
     free(d->variations);
     free(d->points);
     free(d->loads);
     free(d->expectations);
+    free(d->sweep.variables);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);

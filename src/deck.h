@@ -31,18 +31,19 @@ typedef struct deck_gas {
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
-/* Beside a load: what changes with the crank angle. */
+/* Beside a load: its name, and what changes with the crank angle. */
 typedef struct deck_load {
-    curve torque;    /* over the crank angle, if it has such a curve */
-    int is_windowed; /* 1: it acts between two crank angles only, in every cycle */
-    double from, to; /* rad */
+    const char *name; /* of [load NAME]; "": it has none */
+    curve torque;     /* over the crank angle, if it has such a curve */
+    int is_windowed;  /* 1: it acts between two crank angles only, in every cycle */
+    double from, to;  /* rad */
 } deck_load;
 
 #define DECK_POINT_COLUMNS 8
 
 /* A tracer point. */
 typedef struct deck_point {
-    text name;
+    const char *name;
     int link;
     fourlink_vector at;                     /* m, in the link's own axes */
     char *column_names[DECK_POINT_COLUMNS]; /* NAME.x ... */
@@ -60,7 +61,26 @@ typedef struct deck_expectation {
     fourlink_branch branch;
 } deck_expectation;
 
-typedef struct deck {
+/* A quantity of the deck that a sweep varies. */
+typedef struct deck_variable {
+    text name; /* crank.length */
+    quantity q;
+    double value;   /* of this design, in the deck's unit of the quantity */
+    size_t setting; /* for the reader: where it is set */
+} deck_variable;
+
+/* [sweep]; without variables there is none. */
+typedef struct deck_sweep {
+    deck_variable *variables;
+    size_t n_variables;
+    unsigned long n_designs;
+    deck_names output; /* empty: rows of each design */
+} deck_sweep;
+
+/* A deck; hosts of the library have it as fourlink_deck, without its members. */
+typedef struct fourlink_deck deck;
+
+struct fourlink_deck {
     char title[256];
     fourlink_design design;
     fourlink_mechanism mechanism; /* the design, prepared */
@@ -79,6 +99,8 @@ typedef struct deck {
     deck_expectation *expectations;
     size_t n_expectations;
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
+    deck_sweep sweep;
+    int solver; /* SOLVER_MATRIX, SOLVER_DYAD (schema.h); 0 if the deck does not say */
     int open, crossed;
     deck_names columns;
     int digits;
@@ -86,7 +108,7 @@ typedef struct deck {
 
     mistakes mistakes;    /* none: the deck is in order */
     struct kept *storage; /* the texts that names and places point to */
-} deck;
+};
 
 /* A change to a deck from outside it: [SECTION[ NAME].]KEY=VALUE. */
 typedef struct deck_change {
@@ -94,33 +116,30 @@ typedef struct deck_change {
     const char *assignment;
 } deck_change;
 
-/* How a deck gets at the files that it names: all of the file in memory from malloc, null if it
-** cannot be read.  `deck_name` is the name given to deck_read. */
-typedef char *deck_loader(const char *deck_name, const char *file_name, size_t *length);
-
 /* Read a deck.
 **
 ** Given:
 **    name        for messages: the file's name
 **    contents    the deck's text
-**    load        for files that the deck names; null: it may name none
+**    load, host  for files that the deck names, see fourlink.h; null: it may name none
 **    changes     assignments that replace or add to those of the deck
+**    design      which design of its [sweep], from 0: the deck is read with the values of that one
 ** Returned:
 **    d           the deck; to be given to deck_free also where it is full of mistakes
 ** Returned (function value):
 **    1 the deck is in order, 0 see d->mistakes, -1 out of memory
 */
-int deck_read(const char *name, text contents, deck_loader *load, const deck_change *changes,
-              size_t n_changes, deck *d);
+int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
+                  const deck_change *changes, size_t n_changes, unsigned long design, deck *d);
 
 /* Add the [expect] and [misprint] sections of another text to a deck.  As deck_read. */
-int deck_add_expectations(const char *name, text contents, deck *d);
+int flk_deck_add_expectations(const char *name, text contents, deck *d);
 
 /* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
 ** deck if it is none of that quantity. */
-int deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
-                       double *digit);
+int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
+                           double *digit);
 
-void deck_free(deck *d);
+void flk_deck_free(deck *d);
 
 #endif

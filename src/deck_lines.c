@@ -31,7 +31,7 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t
 /* Open a section; its settings are all unset.  Null when there is no memory for it. */
 static section_use *open_section(parser *p, section_code section, text name, text_place place)
 {
-    size_t n = (size_t)key_count(section);
+    size_t n = (size_t)flk_key_count(section);
     section_use *uses, *use;
     setting *settings;
 
@@ -53,7 +53,7 @@ static section_use *open_section(parser *p, section_code section, text name, tex
     return use;
 }
 
-section_use *find_use(parser *p, section_code section)
+section_use *flk_find_use(parser *p, section_code section)
 {
     size_t i;
 
@@ -63,22 +63,32 @@ section_use *find_use(parser *p, section_code section)
     return NULL;
 }
 
-setting *setting_of(parser *p, const section_use *use, key_code key)
+setting *flk_setting_of(parser *p, const section_use *use, key_code key)
 {
-    return &p->settings[use->first + (size_t)((int)key - first_key(key_table[key].section))];
+    return &p->settings[use->first +
+                        (size_t)((int)key - flk_first_key(flk_key_table[key].section))];
 }
 
-setting *find(parser *p, key_code key)
+key_code flk_key_of(parser *p, const setting *s)
 {
-    section_use *use = find_use(p, key_table[key].section);
-    setting *s = use ? setting_of(p, use, key) : NULL;
+    size_t place = (size_t)(s - p->settings), i;
+
+    for (i = 1; i < p->n_uses && p->uses[i].first <= place; i++)
+        ;
+    return (key_code)(flk_first_key(p->uses[i - 1].section) + (int)(place - p->uses[i - 1].first));
+}
+
+setting *flk_find(parser *p, key_code key)
+{
+    section_use *use = flk_find_use(p, flk_key_table[key].section);
+    setting *s = use ? flk_setting_of(p, use, key) : NULL;
 
     return s && s->place.source ? s : NULL;
 }
 
-char *word_of(text t, char out[WORD_SIZE])
+char *flk_word_of(text t, char out[WORD_SIZE])
 {
-    return text_copy(t, out, WORD_SIZE);
+    return flk_text_copy(t, out, WORD_SIZE);
 }
 
 /* What people write, and what they mean. */
@@ -98,10 +108,10 @@ static const char *nearest_word(text word, const char *const *known)
     size_t i, j;
 
     for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
-        for (j = 0; text_equal(word, synonyms[i].written) && known[j]; j++)
+        for (j = 0; flk_text_equal(word, synonyms[i].written) && known[j]; j++)
             if (strcmp(known[j], synonyms[i].meant) == 0)
                 return known[j];
-    return text_nearest(word, known);
+    return flk_text_nearest(word, known);
 }
 
 static void note_unknown(parser *p, text_place place, const char *what, text word,
@@ -110,8 +120,9 @@ static void note_unknown(parser *p, text_place place, const char *what, text wor
     char copy[WORD_SIZE];
     const char *nearest = nearest_word(word, known);
 
-    mistake_note(&p->d->mistakes, place, "unknown ", what, " '", word_of(word, copy), "'", where,
-                 hint(nearest), hint_word(nearest), hint_end(nearest), (char *)NULL);
+    flk_mistake_note(&p->d->mistakes, place, "unknown ", what, " '", flk_word_of(word, copy), "'",
+                     where, flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
+                     (char *)NULL);
 }
 
 static void note_unknown_section(parser *p, text_place place, text name)
@@ -120,7 +131,7 @@ static void note_unknown_section(parser *p, text_place place, text name)
     int i;
 
     for (i = 1; i < SECTION_COUNT; i++)
-        known[i - 1] = section_table[i].name;
+        known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
     note_unknown(p, place, "section", name, known, "");
 }
@@ -129,31 +140,34 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
 {
     const char *known[KEY_COUNT + 1];
     char where[WORD_SIZE], word[WORD_SIZE];
-    int first = first_key(section), n = key_count(section), i;
+    int first = flk_first_key(section), n = flk_key_count(section), i;
 
     for (i = 0; i < n; i++)
-        known[i] = key_table[first + i].name;
+        known[i] = flk_key_table[first + i].name;
     known[n] = NULL;
     if (section != SECTION_TOP) {
         strcpy(where, " in [");
-        strcat(where, section_table[section].name);
+        strcat(where, flk_section_table[section].name);
         strcat(where, "]");
     } else {
         strcpy(where, " before the first section");
     }
-    for (i = first_key(SECTION_TOP); i < first_key(SECTION_TOP) + key_count(SECTION_TOP); i++)
-        if (text_equal(name, key_table[i].name)) {
-            mistake_note(&p->d->mistakes, place, "unknown key '", word_of(name, word), "'", where,
-                         "; it belongs before the first section", (char *)NULL);
+    for (i = flk_first_key(SECTION_TOP);
+         i < flk_first_key(SECTION_TOP) + flk_key_count(SECTION_TOP); i++)
+        if (flk_text_equal(name, flk_key_table[i].name)) {
+            flk_mistake_note(&p->d->mistakes, place, "unknown key '", flk_word_of(name, word), "'",
+                             where, "; it belongs before the first section", (char *)NULL);
             return;
         }
     if (!nearest_word(name, known))
         for (i = 0; i < KEY_COUNT; i++)
-            if (text_equal(name, key_table[i].name) && key_table[i].section != SECTION_UNITS &&
-                key_table[i].section != SECTION_TOP) {
-                mistake_note(&p->d->mistakes, place, "unknown key '", word_of(name, word), "'",
-                             where, "; it belongs to a section such as [",
-                             section_table[key_table[i].section].name, "]", (char *)NULL);
+            if (flk_text_equal(name, flk_key_table[i].name) &&
+                flk_key_table[i].section != SECTION_UNITS &&
+                flk_key_table[i].section != SECTION_TOP) {
+                flk_mistake_note(&p->d->mistakes, place, "unknown key '", flk_word_of(name, word),
+                                 "'", where, "; it belongs to a section such as [",
+                                 flk_section_table[flk_key_table[i].section].name, "]",
+                                 (char *)NULL);
                 return;
             }
     note_unknown(p, place, "key", name, known, where);
@@ -179,51 +193,52 @@ static section_use *read_section(parser *p, text line, text_place place)
     char copy[WORD_SIZE];
 
     if (line.start[line.length - 1] != ']') {
-        mistake_note(&p->d->mistakes, place, "expected ']' at the end of the section's name",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "expected ']' at the end of the section's name",
+                         (char *)NULL);
         return NULL;
     }
     word.start++;
     word.length -= 2;
-    word = text_trim(word);
+    word = flk_text_trim(word);
     name = word;
-    while (name.length && text_is_word(name.start[0])) {
+    while (name.length && flk_text_is_word(name.start[0])) {
         name.start++;
         name.length--;
     }
     word.length -= name.length;
-    name = text_trim(name);
-    section = find_section(word);
+    name = flk_text_trim(name);
+    section = flk_find_section(word);
     if (section == SECTION_COUNT) {
         note_unknown_section(p, place, word);
         return NULL;
     }
     if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT) {
-        mistake_note(&p->d->mistakes, place, "expected [expect] or [misprint] in this file, not [",
-                     section_table[section].name, "]", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place,
+                         "expected [expect] or [misprint] in this file, not [",
+                         flk_section_table[section].name, "]", (char *)NULL);
         return NULL;
     }
-    if (name.length && !section_table[section].repeats) {
-        mistake_note(&p->d->mistakes, place, "[", section_table[section].name,
-                     "] takes no name, but has '", word_of(name, copy), "'", (char *)NULL);
+    if (name.length && !flk_section_table[section].repeats) {
+        flk_mistake_note(&p->d->mistakes, place, "[", flk_section_table[section].name,
+                         "] takes no name, but has '", flk_word_of(name, copy), "'", (char *)NULL);
         return NULL;
     }
-    use = find_use(p, section);
-    if (use && !section_table[section].repeats) {
+    use = flk_find_use(p, section);
+    if (use && !flk_section_table[section].repeats) {
         char number[NUMBER_SIZE];
 
-        mistake_note(&p->d->mistakes, place, "a second [", section_table[section].name,
-                     "]; the first is at line ", number_fixed((double)use->place.line, 0, number),
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "a second [", flk_section_table[section].name,
+                         "]; the first is at line ",
+                         flk_number_write((double)use->place.line, 9, number), (char *)NULL);
         return NULL;
     }
     if (name.length && find_named(p, section, name)) {
-        mistake_note(&p->d->mistakes, place, "a second [", section_table[section].name, " ",
-                     word_of(name, copy), "]", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "a second [", flk_section_table[section].name, " ",
+                         flk_word_of(name, copy), "]", (char *)NULL);
         return NULL;
     }
     if (p->n_uses >= MOST_SECTIONS) {
-        mistake_note(&p->d->mistakes, place, "too many sections", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "too many sections", (char *)NULL);
         return NULL;
     }
     return open_section(p, section, name, place);
@@ -238,8 +253,8 @@ static void assign_named(parser *p, const section_use *use, text key, text value
     char word[WORD_SIZE];
 
     if (!key.length || !value.length) {
-        mistake_note(&p->d->mistakes, place, "expected NAME = VALUE, not '", word_of(key, word),
-                     "'", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "expected NAME = VALUE, not '",
+                         flk_word_of(key, word), "'", (char *)NULL);
         return;
     }
     for (i = 0; i < p->n_named; i++)
@@ -249,8 +264,8 @@ static void assign_named(parser *p, const section_use *use, text key, text value
                 p->named[i].s.place = place;
                 p->named[i].s.value = value;
             } else {
-                mistake_note(&p->d->mistakes, place, "'", word_of(key, word), "' a second time",
-                             (char *)NULL);
+                flk_mistake_note(&p->d->mistakes, place, "'", flk_word_of(key, word),
+                                 "' a second time", (char *)NULL);
             }
             return;
         }
@@ -266,43 +281,44 @@ static void assign_named(parser *p, const section_use *use, text key, text value
     new->s.value = value;
 }
 
-/* key = value, in a section */
-static void assign(parser *p, const section_use *use, text key, text value, text_place place,
-                   int replace)
+/* key = value, in a section; the setting, null if the schema has none for it */
+static setting *assign(parser *p, const section_use *use, text key, text value, text_place place,
+                       int replace)
 {
-    int first = first_key(use->section), n = key_count(use->section), i;
+    int first = flk_first_key(use->section), n = flk_key_count(use->section), i;
     char word[WORD_SIZE], number[NUMBER_SIZE];
     setting *s;
 
     for (i = 0; i < n; i++)
-        if (text_equal(key, key_table[first + i].name))
+        if (flk_text_equal(key, flk_key_table[first + i].name))
             break;
-    if (i == n && (use->section == SECTION_EXPECT || use->section == SECTION_MISPRINT)) {
+    if (i == n && TAKES_NAMES(use->section)) {
         assign_named(p, use, key, value, place, replace);
-        return;
+        return NULL;
     }
     if (i == n) {
         note_unknown_key(p, place, use->section, key);
-        return;
+        return NULL;
     }
-    s = setting_of(p, use, (key_code)(first + i));
+    s = flk_setting_of(p, use, (key_code)(first + i));
     if (s->place.source && !replace) {
-        mistake_note(&p->d->mistakes, place, "'", word_of(key, word),
-                     "' a second time; the first is at line ",
-                     number_fixed((double)s->place.line, 0, number), (char *)NULL);
-        return;
+        flk_mistake_note(&p->d->mistakes, place, "'", flk_word_of(key, word),
+                         "' a second time; the first is at line ",
+                         flk_number_write((double)s->place.line, 9, number), (char *)NULL);
+        return NULL;
     }
     if (!value.length) {
-        mistake_note(&p->d->mistakes, place, "expected a value after '", word_of(key, word), " ='",
-                     (char *)NULL);
-        return;
+        flk_mistake_note(&p->d->mistakes, place, "expected a value after '", flk_word_of(key, word),
+                         " ='", (char *)NULL);
+        return NULL;
     }
     memset(s, 0, sizeof *s);
     s->place = place;
     s->value = value;
+    return s;
 }
 
-text without_comment(text line)
+text flk_without_comment(text line)
 {
     size_t i;
     int quoted = 0;
@@ -317,7 +333,7 @@ text without_comment(text line)
             break;
     }
     line.length = i;
-    return text_trim(line);
+    return flk_text_trim(line);
 }
 
 static int is_text(parser *p, text line, text_place place)
@@ -328,8 +344,8 @@ static int is_text(parser *p, text line, text_place place)
 
     if (line.length > LINE_MAX_LENGTH) {
         p->not_text = 1;
-        mistake_note(&p->d->mistakes, place, "a line of more than 65536 characters: not a deck",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, place, "a line of more than 65536 characters: not a deck",
+                         (char *)NULL);
         return 0;
     }
     for (i = 0; i < line.length; i++) {
@@ -339,8 +355,8 @@ static int is_text(parser *p, text line, text_place place)
             p->not_text = 1;
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
-            mistake_note(&p->d->mistakes, place, "a control character (0x", code,
-                         "): decks are plain text", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, place, "a control character (0x", code,
+                             "): decks are plain text", (char *)NULL);
             return 0;
         }
     }
@@ -354,7 +370,7 @@ static int next_line(parser *p, text *rest, text *line)
 
     if (p->last_line > 0 && !rest->length)
         return 0; /* nothing after the last end of line */
-    if (!text_split(rest, '\n', line))
+    if (!flk_text_split(rest, '\n', line))
         return 0;
     p->last_line++;
     place.source = p->name;
@@ -363,7 +379,7 @@ static int next_line(parser *p, text *rest, text *line)
         rest->start = NULL;
         return 0;
     }
-    *line = without_comment(*line);
+    *line = flk_without_comment(*line);
     return 1;
 }
 
@@ -375,9 +391,9 @@ static void join_lines(parser *p, char *copy, text *rest, text *line)
         text ahead = *rest, next;
         char *gap;
 
-        if (!text_split(&ahead, '\n', &next))
+        if (!flk_text_split(&ahead, '\n', &next))
             return;
-        next = without_comment(next);
+        next = flk_without_comment(next);
         if (next.length && (next.start[0] == '[' || memchr(next.start, '=', next.length)))
             return;
         if (!next_line(p, rest, &next))
@@ -390,7 +406,7 @@ static void join_lines(parser *p, char *copy, text *rest, text *line)
     }
 }
 
-void read_lines(parser *p, text rest, char *copy)
+void flk_read_lines(parser *p, text rest, char *copy)
 {
     section_use *use;
     text line;
@@ -398,8 +414,8 @@ void read_lines(parser *p, text rest, char *copy)
 
     place.source = p->name;
     place.line = 1;
-    use = open_section(p, SECTION_TOP, text_of(""), place);
-    rest = text_without_mark(rest);
+    use = open_section(p, SECTION_TOP, flk_text_of(""), place);
+    rest = flk_text_without_mark(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;
 
@@ -412,75 +428,87 @@ void read_lines(parser *p, text rest, char *copy)
         }
         join_lines(p, copy, &rest, &line);
         value = line;
-        text_split(&value, '=', &key);
+        flk_text_split(&value, '=', &key);
         if (!value.start) {
             char word[WORD_SIZE];
 
-            mistake_note(&p->d->mistakes, place, "expected 'key = value' or '[section]', not '",
-                         word_of(line, word), "'", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, place, "expected 'key = value' or '[section]', not '",
+                             flk_word_of(line, word), "'", (char *)NULL);
         } else if (use) { /* the keys of an unknown section are not judged */
-            assign(p, use, text_trim(key), text_trim(value), place, 0);
+            assign(p, use, flk_text_trim(key), flk_text_trim(value), place, 0);
         }
     }
 }
 
-/* [SECTION[ NAME].]KEY=VALUE from the command line */
-void apply_change(parser *p, const char *option, text assignment)
+setting *flk_set_key(parser *p, text_place place, text key, text value)
 {
-    text key, section, value = assignment, name;
-    text_place place;
+    text section = key, name;
     section_use *use = NULL;
     section_code code = SECTION_TOP;
     size_t i, found = 0;
     char word[WORD_SIZE];
 
-    place.source = option;
-    place.line = 0;
-    text_split(&value, '=', &key);
-    if (!value.start) {
-        mistake_note(&p->d->mistakes, place, "expected [SECTION.]KEY=VALUE, not '",
-                     word_of(assignment, word), "'", (char *)NULL);
-        return;
-    }
-    key = text_trim(key);
-    section = key;
     for (i = key.length; i > 0 && key.start[i - 1] != '.'; i--)
         ;
     section.length = i ? i - 1 : 0;
     key.start += i;
     key.length -= i;
     name = section;
+    if (section.length > 6 && memcmp(section.start, "sweep.", 6) == 0) { /* sweep.crank.length */
+        key.length += (size_t)(key.start - (section.start + 6));
+        key.start = section.start + 6;
+        section.length = 5;
+        name = section;
+    }
     if (i) {
-        while (name.length && text_is_word(name.start[0])) {
+        while (name.length && flk_text_is_word(name.start[0])) {
             name.start++;
             name.length--;
         }
         section.length -= name.length;
-        name = text_trim(name);
-        code = find_section(section);
+        name = flk_text_trim(name);
+        code = flk_find_section(section);
         if (code == SECTION_COUNT) {
             note_unknown_section(p, place, section);
-            return;
+            return NULL;
         }
     }
     for (i = 0; i < p->n_uses; i++)
         if (p->uses[i].section == code &&
-            (!name.length || text_equal(name, text_copy(p->uses[i].name, word, sizeof word)))) {
+            (!name.length ||
+             flk_text_equal(name, flk_text_copy(p->uses[i].name, word, sizeof word)))) {
             use = &p->uses[i];
             found++;
         }
     if (found > 1) {
-        mistake_note(&p->d->mistakes, place, "there are several [", section_table[code].name,
-                     "] sections: name one of them", (char *)NULL);
-        return;
+        flk_mistake_note(&p->d->mistakes, place, "there are several [",
+                         flk_section_table[code].name, "] sections: name one of them",
+                         (char *)NULL);
+        return NULL;
     }
     if (!use && name.length) {
-        mistake_note(&p->d->mistakes, place, "there is no [", section_table[code].name, " ",
-                     word_of(name, word), "] in the deck", (char *)NULL);
-        return;
+        flk_mistake_note(&p->d->mistakes, place, "there is no [", flk_section_table[code].name, " ",
+                         flk_word_of(name, word), "] in the deck", (char *)NULL);
+        return NULL;
     }
     if (!use)
         use = open_section(p, code, name, place);
-    if (use)
-        assign(p, use, text_trim(key), text_trim(value), place, 1);
+    return use ? assign(p, use, flk_text_trim(key), flk_text_trim(value), place, 1) : NULL;
+}
+
+/* [SECTION[ NAME].]KEY=VALUE from the command line */
+void flk_apply_change(parser *p, const char *option, text assignment)
+{
+    text key, value = assignment;
+    text_place place;
+    char word[WORD_SIZE];
+
+    place.source = option;
+    place.line = 0;
+    flk_text_split(&value, '=', &key);
+    if (!value.start)
+        flk_mistake_note(&p->d->mistakes, place, "expected [SECTION.]KEY=VALUE, not '",
+                         flk_word_of(assignment, word), "'", (char *)NULL);
+    else
+        flk_set_key(p, place, flk_text_trim(key), value);
 }

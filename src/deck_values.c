@@ -16,12 +16,27 @@ static int is_blank(int c)
     return c == ' ' || c == '\t';
 }
 
+char *flk_value_of(const setting *s, char out[WORD_SIZE])
+{
+    text rest = s->value;
+    char number[NUMBER_SIZE];
+    double written;
+    size_t used;
+
+    if (!s->is_given || flk_number_read(&rest, &written) != NUMBER_OK)
+        return flk_word_of(s->value, out);
+    used = strlen(strcpy(out, flk_number_write(s->number, 9, number)));
+    flk_text_copy(rest, out + used, WORD_SIZE - used); /* with its unit */
+    return out;
+}
+
 static void note_expected(parser *p, const setting *s, const char *expected, const char *example)
 {
     char word[WORD_SIZE];
 
-    mistake_note(&p->d->mistakes, s->place, "expected ", expected, example ? ", such as " : "",
-                 example ? example : "", ", not '", word_of(s->value, word), "'", (char *)NULL);
+    flk_mistake_note(&p->d->mistakes, s->place, "expected ", expected, example ? ", such as " : "",
+                     example ? example : "", ", not '", flk_word_of(s->value, word), "'",
+                     (char *)NULL);
 }
 
 /* The name of a quantity of this dimension, or null. */
@@ -30,8 +45,8 @@ static const char *words_of(dimension dim)
     int q;
 
     for (q = 0; q < QUANTITY_COUNT; q++)
-        if (dimension_equal(dim, quantities[q].dim))
-            return quantities[q].words;
+        if (flk_dimension_equal(dim, flk_quantities[q].dim))
+            return flk_quantities[q].words;
     return NULL;
 }
 
@@ -40,29 +55,30 @@ static int read_number(parser *p, const setting *s, text *rest, quantity q, doub
 {
     char word[WORD_SIZE];
 
-    word_of(s->value, word);
-    *rest = text_trim(*rest);
-    switch (number_read(rest, number)) {
+    flk_word_of(s->value, word);
+    *rest = flk_text_trim(*rest);
+    switch (flk_number_read(rest, number)) {
     case NUMBER_OK:
         return 1;
     case NUMBER_NOT_FINITE:
-        mistake_note(&p->d->mistakes, s->place, "'", word, "' is not a finite number",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "' is not a finite number",
+                         (char *)NULL);
         return 0;
     case NUMBER_HEX:
-        mistake_note(&p->d->mistakes, s->place, "'", word, "': numbers are decimal", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': numbers are decimal",
+                         (char *)NULL);
         return 0;
     case NUMBER_COMMA:
-        mistake_note(&p->d->mistakes, s->place, "'", word,
-                     "': the decimal mark is a point, not a comma", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word,
+                         "': the decimal mark is a point, not a comma", (char *)NULL);
         return 0;
     case NUMBER_TOO_LONG:
-        mistake_note(&p->d->mistakes, s->place, "'", word, "': a number of too many digits",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': a number of too many digits",
+                         (char *)NULL);
         return 0;
     case NUMBER_NONE:
     default:
-        note_expected(p, s, quantities[q].words, quantities[q].example);
+        note_expected(p, s, flk_quantities[q].words, flk_quantities[q].example);
         return 0;
     }
 }
@@ -74,42 +90,45 @@ static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
     const char *nearest, *words;
     text bad;
 
-    t = text_trim(t);
+    t = flk_text_trim(t);
     if (!t.length) {
         *u = p->d->units[q].unit;
         return 1;
     }
-    word_of(s->value, value);
-    if (text_same(t, "1") || !unit_read(t, u, &bad)) {
-        if (text_same(t, "1"))
+    flk_word_of(s->value, value);
+    if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
+        if (flk_text_same(t, "1"))
             bad = t;
-        nearest = unit_nearest(bad);
-        if (nearest && text_same(bad, nearest))
+        nearest = flk_unit_nearest(bad, bad.length == t.length ? &flk_quantities[q].dim : NULL);
+        if (nearest && flk_text_same(bad, nearest))
             nearest = NULL;
-        if (text_equal(bad, "clockwise") || text_equal(bad, "cw") ||
-            text_equal(bad, "counterclockwise") || text_equal(bad, "ccw")) {
-            mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
-                         "': counter-clockwise is positive, clockwise negative", (char *)NULL);
+        if (flk_text_equal(bad, "clockwise") || flk_text_equal(bad, "cw") ||
+            flk_text_equal(bad, "counterclockwise") || flk_text_equal(bad, "ccw")) {
+            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
+                             "': counter-clockwise is positive, clockwise negative", (char *)NULL);
             return 0;
         }
         if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
-            mistake_note(&p->d->mistakes, s->place, "unknown unit '", word_of(bad, word),
-                         "': a comment needs a blank before it", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
+                             "': a comment needs a blank before it", (char *)NULL);
             return 0;
         }
-        mistake_note(&p->d->mistakes, s->place, "unknown unit '",
-                     word_of(bad.length ? bad : t, word), "' in '", value, "'", hint(nearest),
-                     hint_word(nearest), hint_end(nearest), (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '",
+                         flk_word_of(bad.length ? bad : t, word), "' in '", value, "'",
+                         flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
+                         (char *)NULL);
         return 0;
     }
-    if (!dimension_equal(u->dim, quantities[q].dim)) {
+    if (!flk_dimension_equal(u->dim, flk_quantities[q].dim)) {
         words = words_of(u->dim);
         if (words)
-            mistake_note(&p->d->mistakes, s->place, "'", value, "' is ", words, "; expected ",
-                         quantities[q].words, ", such as ", quantities[q].example, (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is ", words, "; expected ",
+                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
+                             (char *)NULL);
         else
-            mistake_note(&p->d->mistakes, s->place, "'", value, "' is not ", quantities[q].words,
-                         ", such as ", quantities[q].example, (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is not ",
+                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
+                             (char *)NULL);
         return 0;
     }
     return 1;
@@ -127,12 +146,12 @@ static int check_size(parser *p, const setting *s, quantity q, double si)
 
     if (-max <= si && si <= max)
         return 1;
-    mistake_note(&p->d->mistakes, s->place, "'", word_of(s->value, word),
-                 "' is beyond what the program computes with", (char *)NULL);
+    flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
+                     "' is beyond what the program computes with", (char *)NULL);
     return 0;
 }
 
-int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si)
 {
     double number;
     unit u;
@@ -141,11 +160,11 @@ int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
         return 0;
     s->number = number;
     s->unit = u;
-    *si = unit_to_si(number, u);
+    *si = flk_unit_to_si(number, u);
     return check_size(p, s, q, *si);
 }
 
-void direction_of(double angle, double *x, double *y)
+void flk_direction_of(double angle, double *x, double *y)
 {
     double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
 
@@ -195,11 +214,11 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     if (!read_unit(p, s, angle, QUANTITY_ANGLE, &ux) || !read_number(p, s, &t, q, &y) ||
         !read_unit(p, s, t, q, &uy))
         return 0;
-    result->x = unit_to_si(x, ux);
-    result->y = unit_to_si(y, uy);
+    result->x = flk_unit_to_si(x, ux);
+    result->y = flk_unit_to_si(y, uy);
     result->place = s->place;
-    result->has_unit = text_trim(t).length > 0;
-    result->unit_to_si = unit_to_si(1, uy);
+    result->has_unit = flk_text_trim(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, uy);
     return check_size(p, s, QUANTITY_ANGLE, result->x) && check_size(p, s, q, result->y);
 }
 
@@ -207,7 +226,7 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
 static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
                               text contents)
 {
-    char *file = keep(p, name.length + 1);
+    char *file = flk_keep(p, name.length + 1);
     setting row = *s;
     text line;
     size_t n = 0;
@@ -218,17 +237,17 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
     file[name.length] = '\0';
     row.place.source = file;
     row.place.line = 0;
-    contents = text_without_mark(contents);
-    while (text_split(&contents, '\n', &line)) {
+    contents = flk_text_without_mark(contents);
+    while (flk_text_split(&contents, '\n', &line)) {
         const char *comma;
 
         row.place.line++;
-        row.value = without_comment(line);
+        row.value = flk_without_comment(line);
         if (!row.value.length)
             continue;
         comma = memchr(row.value.start, ',', row.value.length);
         if (comma) {
-            char *copy = keep(p, row.value.length + 1);
+            char *copy = flk_keep(p, row.value.length + 1);
 
             if (!copy)
                 return 0;
@@ -236,9 +255,7 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
             copy[comma - row.value.start] = ' ';
             row.value.start = copy;
         }
-        if (!read_point(p, &row, row.value, q, &points[n]))
-            return n;
-        n++;
+        n += read_point(p, &row, row.value, q, &points[n]) != 0;
     }
     return n;
 }
@@ -256,8 +273,9 @@ static size_t count(text t, int c)
 static void load_curve(parser *p, setting *s, quantity q, text name)
 {
     char word[WORD_SIZE], file[1024];
+    unsigned long length;
+    const char *data;
     text contents;
-    char *data;
 
     if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
         name.start++;
@@ -265,17 +283,17 @@ static void load_curve(parser *p, setting *s, quantity q, text name)
     }
     data = NULL;
     if (p->load && name.length && name.length < sizeof file)
-        data = p->load(p->name, text_copy(name, file, sizeof file), &contents.length);
+        data = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
     if (!data) {
-        mistake_note(&p->d->mistakes, s->place, "cannot read the file '", word_of(name, word), "'",
-                     (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "cannot read the file '",
+                         flk_word_of(name, word), "'", (char *)NULL);
         return;
     }
     contents.start = data;
-    s->curve = keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
+    contents.length = length;
+    s->curve = flk_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
     if (s->curve)
         s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
-    free(data);
 }
 
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
@@ -288,29 +306,29 @@ static void read_curve(parser *p, setting *s, quantity q)
         item = rest;
         item.start += 5;
         item.length -= 5;
-        load_curve(p, s, q, text_trim(item));
+        load_curve(p, s, q, flk_text_trim(item));
         return;
     }
-    if (number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
-        read_quantity(p, s, rest, q, &number);
+    if (flk_number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
+        flk_read_quantity(p, s, rest, q, &number);
         return;
     }
     if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
         q != QUANTITY_PRESSURE) {
-        read_quantity(p, s, rest, q, &s->si[0]);
+        flk_read_quantity(p, s, rest, q, &s->si[0]);
         return;
     }
-    s->curve = keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
-    while (s->curve && text_split(&rest, ',', &item)) {
-        item = text_trim(item);
+    s->curve = flk_keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
+    while (s->curve && flk_text_split(&rest, ',', &item)) {
+        item = flk_text_trim(item);
         if (!item.length && !rest.start)
             break; /* a comma at the very end */
         if (!read_point(p, s, item, q, &s->curve[s->n_points]))
             return;
         if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
             s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
-            mistake_note(&p->d->mistakes, s->place,
-                         "the values of a curve have either all a unit or none", (char *)NULL);
+            flk_mistake_note(&p->d->mistakes, s->place,
+                             "the values of a curve have either all a unit or none", (char *)NULL);
             return;
         }
         s->n_points++;
@@ -326,7 +344,7 @@ static void read_components(parser *p, setting *s, quantity q)
 
     rest.start++;
     rest.length--;
-    text_split(&rest, ')', &inside);
+    flk_text_split(&rest, ')', &inside);
     if (!rest.start || count(inside, ',') != 1) {
         note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
         return;
@@ -336,15 +354,15 @@ static void read_components(parser *p, setting *s, quantity q)
     for (i = 0; i < 2; i++) {
         double number;
 
-        text_split(&inside, ',', &x);
+        flk_text_split(&inside, ',', &x);
         if (!read_number(p, s, &x, q, &number))
             return;
-        if (text_trim(x).length) {
+        if (flk_text_trim(x).length) {
             note_expected(p, s, "two components",
                           q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
             return;
         }
-        s->si[i] = unit_to_si(number, u);
+        s->si[i] = flk_unit_to_si(number, u);
         if (!check_size(p, s, q, s->si[i]))
             return;
     }
@@ -381,15 +399,15 @@ static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
         part.length = i - 1;
         t.start += i + 3;
         t.length -= i + 3;
-        if (!read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
+        if (!flk_read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
             return;
     } else if (needs_angle) {
         note_expected(p, s, "a force with its direction", "50 N at 30 deg or (43, 25) N");
         return;
     }
-    if (!read_quantity(p, s, part, q, &size))
+    if (!flk_read_quantity(p, s, part, q, &size))
         return;
-    direction_of(angle, &x, &y);
+    flk_direction_of(angle, &x, &y);
     s->si[0] = size * x;
     s->si[1] = size * y;
 }
@@ -401,22 +419,23 @@ static void read_word(parser *p, key_code key, setting *s)
     size_t i, n = 0;
     const char *nearest;
 
-    for (i = 0; word_table[i].word; i++)
-        if (word_table[i].key == key) {
-            if (text_equal(s->value, word_table[i].word)) {
-                s->word = word_table[i].value;
+    for (i = 0; flk_word_table[i].word; i++)
+        if (flk_word_table[i].key == key) {
+            if (flk_text_equal(s->value, flk_word_table[i].word)) {
+                s->word = flk_word_table[i].value;
                 return;
             }
-            known[n++] = word_table[i].word;
+            known[n++] = flk_word_table[i].word;
         }
     known[n] = NULL;
     for (i = 0; i < n; i++) {
         strcat(list, i == 0 ? "" : i + 1 < n ? ", " : " or ");
         strcat(list, known[i]);
     }
-    nearest = text_nearest(s->value, known);
-    mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '", word_of(s->value, word),
-                 "'", hint(nearest), hint_word(nearest), hint_end(nearest), (char *)NULL);
+    nearest = flk_text_nearest(s->value, known);
+    flk_mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '",
+                     flk_word_of(s->value, word), "'", flk_hint(nearest), flk_hint_word(nearest),
+                     flk_hint_end(nearest), (char *)NULL);
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
@@ -424,15 +443,15 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
     char word[WORD_SIZE];
 
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
-        mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must be positive, not ",
-                     word_of(s->value, word), (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must be positive, not ",
+                         flk_value_of(s, word), (char *)NULL);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must not be negative, not ",
-                     word_of(s->value, word), (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name,
+                         " must not be negative, not ", flk_value_of(s, word), (char *)NULL);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
-        mistake_note(&p->d->mistakes, s->place, "'", word_of(s->value, word),
-                     "' is beyond what the program computes with", (char *)NULL);
+        flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
+                         "' is beyond what the program computes with", (char *)NULL);
 }
 
 /* The name of a unit for tables: in one word, kgf.m for "kgf m". */
@@ -440,11 +459,11 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
 {
     char *c, *end = name;
 
-    text_copy(t, name, DECK_NAME_SIZE);
+    flk_text_copy(t, name, DECK_NAME_SIZE);
     for (c = name; *c; c++)
         if (*c != ' ' && *c != '\t')
             *end++ = *c;
-        else if (end > name && text_is_word(end[-1]) && text_is_word(c[strspn(c, " \t")]))
+        else if (end > name && flk_text_is_word(end[-1]) && flk_text_is_word(c[strspn(c, " \t")]))
             *end++ = '.';
     *end = '\0';
 }
@@ -457,7 +476,7 @@ static void set_area(deck *d)
     size_t n = strlen(length->name), i;
 
     for (i = 0; i < n; i++)
-        if (!text_is_word(length->name[i]) || n > 8)
+        if (!flk_text_is_word(length->name[i]) || n > 8)
             return;
     strcpy(area->name, length->name);
     strcat(area->name, "2");
@@ -467,10 +486,18 @@ static void set_area(deck *d)
 
 static void read_value(parser *p, key_code code, setting *s)
 {
-    const key_info *key = &key_table[code];
+    const key_info *key = &flk_key_table[code];
     size_t before = p->d->mistakes.count;
     text t = s->value;
 
+    if (s->is_void)
+        return;
+    if (s->is_given) {
+        s->si[0] = flk_unit_to_si(s->number, s->unit);
+        if (check_size(p, s, key->q, s->si[0]))
+            check_sign(p, key, s);
+        return;
+    }
     switch (key->form) {
     case FORM_TEXT:
         if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
@@ -492,7 +519,7 @@ static void read_value(parser *p, key_code code, setting *s)
         }
         return;
     case FORM_QUANTITY:
-        read_quantity(p, s, t, key->q, &s->si[0]);
+        flk_read_quantity(p, s, t, key->q, &s->si[0]);
         break;
     case FORM_VECTOR:
         read_vector(p, s, key->q, 1);
@@ -501,7 +528,9 @@ static void read_value(parser *p, key_code code, setting *s)
         read_vector(p, s, key->q, 0);
         return;
     case FORM_PIN:
-        s->word = text_equal(t, "origin") ? PIN_ORIGIN : text_equal(t, "end") ? PIN_END : PIN_POINT;
+        s->word = flk_text_equal(t, "origin") ? PIN_ORIGIN
+                  : flk_text_equal(t, "end")  ? PIN_END
+                                              : PIN_POINT;
         if (s->word == PIN_POINT)
             read_vector(p, s, key->q, 0);
         return;
@@ -522,24 +551,32 @@ static void read_value(parser *p, key_code code, setting *s)
         check_sign(p, key, s);
 }
 
-/* Units first: they decide how bare numbers are read. */
-void read_values(parser *p)
+void flk_read_section(parser *p, const section_use *use)
 {
-    int pass, k;
+    int first = flk_first_key(use->section), n = flk_key_count(use->section), k;
+
+    for (k = first; k < first + n; k++) {
+        setting *s = flk_setting_of(p, use, (key_code)k);
+
+        if (s->place.source)
+            read_value(p, (key_code)k, s);
+    }
+}
+
+void flk_read_units(parser *p)
+{
     size_t i;
 
-    for (pass = 0; pass < 2; pass++)
-        for (i = 0; i < p->n_uses; i++) {
-            const section_use *use = &p->uses[i];
-            int first = first_key(use->section), n = key_count(use->section);
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == SECTION_UNITS)
+            flk_read_section(p, &p->uses[i]);
+}
 
-            if ((use->section == SECTION_UNITS) != (pass == 0))
-                continue;
-            for (k = first; k < first + n; k++) {
-                setting *s = setting_of(p, use, (key_code)k);
+void flk_read_values(parser *p)
+{
+    size_t i;
 
-                if (s->place.source)
-                    read_value(p, (key_code)k, s);
-            }
-        }
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section != SECTION_UNITS && p->uses[i].section != SECTION_SWEEP)
+            flk_read_section(p, &p->uses[i]);
 }

@@ -28,6 +28,7 @@ typedef struct search {
     double degree;      /* a degree in that unit */
     double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
     double last_value;  /* from which such an angle goes on */
+    double size;        /* the largest magnitude of the samples */
 } search;
 
 /* The column at any angle, with its sign turned so that the extreme is a minimum; NaN where there is
@@ -222,18 +223,16 @@ static long steps_of(double degrees)
 static void set_range(search *s)
 {
     const deck *d = s->a->d;
-    fourlink_row end;
+    double end = analysis_end(s->a);
 
     s->periodic = d->one_revolution && d->motion.run_up <= 0 && !s->a->range.stops &&
                   (d->motion.acceleration == 0 || d->motion.hold);
-    fourlink_motion_row(&d->motion, &s->a->range, s->a->range.n_rows - 1, &end);
-    if (s->a->range.stops)
-        end.angle = s->a->range.stop_angle;
-    s->first = d->motion.from < end.angle ? d->motion.from : end.angle;
-    s->last = d->motion.from < end.angle ? end.angle : d->motion.from;
+    s->first = d->motion.from < end ? d->motion.from : end;
+    s->last = d->motion.from < end ? end : d->motion.from;
     s->degree = M_PI / 180 / d->motion.angle_unit;
     s->turn = 0;
     s->last_value = 0;
+    s->size = 0;
 }
 
 /* Start to follow an angle past 180 deg. */
@@ -242,30 +241,33 @@ static void follow(search *s, double value)
     const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
 
     if (column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
-        s->turn = unit_from_si(2 * M_PI, *u);
+        s->turn = flk_unit_from_si(2 * M_PI, *u);
         s->last_value = value;
     }
 }
 
-/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
-** reach.  `unbounded` is set if the column has no limit at one of these. */
+/* Scan the motion from its first row, whose angle the others follow: the lowest samples that stand below
+** their neighbours, and the limits at the edges of reach.  `unbounded` is set if the column has no limit at one of these. */
 static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extreme *best,
                 int *unbounded)
 {
     double before, now, after;
+    double from = s->a->d->motion.from;
     extreme limit;
     int n = 0;
     long i;
 
-    now = value_at(s->first, s);
+    now = value_at(from, s);
     follow(s, now);
-    before = s->periodic ? value_at(s->first - step, s) : GSL_NAN;
+    before = s->periodic ? value_at(from - step, s) : GSL_NAN;
     for (i = 0; i <= steps; i++) {
-        double x = s->first + (double)i * step;
+        double x = from + (double)i * step;
         int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
 
         if (gsl_isnan(now))
             s->turn = 0; /* a gap: the angle starts anew */
+        if (fabs(now) > s->size)
+            s->size = fabs(now);
         after = goes_on ? value_at(x + step, s) : GSL_NAN;
         /* a NaN on one side is an end */
         if (!gsl_isnan(now) && !(before < now) && !(after < now))
@@ -307,10 +309,35 @@ static void refine_peak(search *s, double step, const extreme *peak, extreme *be
         refine(s, low, x, high, best);
 }
 
+/* One revolution has its extremes between its first angle and its last, which are one position. */
+static double in_revolution(const search *s, double angle)
+{
+    double turn = s->last - s->first, close = 1e-6 * s->degree;
+
+    if (!s->periodic)
+        return angle;
+    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
+    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
+                                                                           : angle;
+}
+
+/* Of values that are equal but for rounding the one that the motion comes by first. */
+static void keep_first(const search *s, extreme *best, const extreme *found)
+{
+    double from = s->a->d->motion.from, close = 1e-12 * s->size;
+    double angle = in_revolution(s, found->angle);
+
+    if (found->value < best->value - close ||
+        (found->value <= best->value + close && fabs(angle - from) < fabs(best->angle - from)))
+        best->angle = angle;
+    if (found->value < best->value)
+        best->value = found->value;
+}
+
 extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
                             extreme *found)
 {
-    extreme peaks[PEAKS], best;
+    extreme peaks[PEAKS], best, found_here;
     int n, k, unbounded = 0;
     double step;
     long steps;
@@ -325,19 +352,24 @@ extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch
     step = steps ? (s.last - s.first) / (double)steps : 0;
     best.value = GSL_POSINF;
     best.angle = s.first;
-    n = scan(&s, step, steps, peaks, &best, &unbounded);
-    if (!n) /* no value at all, or an angle that goes on and on */
-        return s.turn > 0 ? EXTREME_UNBOUNDED : EXTREME_NONE;
-    for (k = 0; k < n; k++)
-        refine_peak(&s, step, &peaks[k], &best);
+    n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
+    if (!n && s.periodic && s.turn > 0) { /* an angle that goes on: its ends do not meet */
+        set_range(&s);
+        s.periodic = 0;
+        n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
+    }
+    if (!n)
+        return EXTREME_NONE;
+    for (k = 0; k < n; k++) {
+        found_here.value = GSL_POSINF;
+        found_here.angle = peaks[k].angle;
+        refine_peak(&s, step, &peaks[k], &found_here);
+        keep_first(&s, &best, &found_here);
+    }
     if (s.last > s.first && (column_need(c) & (NEED_FORCES | NEED_ENGINE)))
         look_at_corners(&s, &best);
     found->value = -sign * best.value;
     found->angle = best.angle;
-    if (s.periodic && best.angle < s.first)
-        found->angle += s.last - s.first;
-    if (s.periodic && best.angle > s.last)
-        found->angle -= s.last - s.first;
     if (unbounded || fabs(found->value) >= column_bound(c))
         return EXTREME_UNBOUNDED;
     return EXTREME_FOUND;

@@ -11,6 +11,78 @@
 #include "fact.h"
 #include "turning.h"
 
+/* name, quantity, 1 if it is one of the turning moment, meaning */
+#define FACT_LIST(X)                                                                               \
+    X(TYPE, "type", NUMBER, 0, "by the Grashof condition")                                         \
+    X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2 of Freudenstein's equation")        \
+    X(THETA2_FROM, "theta2_from", ANGLE, 0, "the links reach from this crank angle")               \
+    X(THETA2_TO, "theta2_to", ANGLE, 0, "the links reach to this crank angle")                     \
+    X(THETA4_FROM, "theta4_from", ANGLE, 0, "link 4 can be at this angle")                         \
+    X(THETA4_TO, "theta4_to", ANGLE, 0, "to this one")                                             \
+    X(THETA4_SWING, "theta4_swing", ANGLE, 0, "between them")                                      \
+    X(ROD_RATIO, "n", NUMBER, 0, "length of the rod / length of the crank")                        \
+    X(ROD_GYRATION, "k", LENGTH, 0, "radius of gyration of the rod")                               \
+    X(M_A, "m_a", MASS, 0, "part of the rod's mass at the crank pin")                              \
+    X(M_B, "m_b", MASS, 0, "part of the rod's mass at the gudgeon pin")                            \
+    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, equivalent pendulum about the gudgeon pin")        \
+    X(ROD_DISTANCE, "d", LENGTH, 0, "k^2/b, from the centre of mass to m_d")                       \
+    X(M_D, "m_d", MASS, 0, "of the dynamically true pair, at distance d")                          \
+    X(M_G, "m_g", MASS, 0, "of the dynamically true pair, at the gudgeon pin")                     \
+    X(MU_MIN, "mu_min", ANGLE, 0, "least transmission angle")                                      \
+    X(MU_MAX, "mu_max", ANGLE, 0, "greatest transmission angle")                                   \
+    X(THETA4_MIN, "theta4_min", ANGLE, 0, "limit of the rocker")                                   \
+    X(THETA4_MAX, "theta4_max", ANGLE, 0, "limit of the rocker")                                   \
+    X(SWING, "swing", ANGLE, 0, "between the limits of the rocker")                                \
+    X(TIME_RATIO, "time_ratio", NUMBER, 0, "of the slow to the quick swing")                       \
+    X(STROKE, "stroke", LENGTH, 0, "between the dead centres")                                     \
+    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0,                                            \
+      "crank angle with the piston farthest from the crankshaft")                                  \
+    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0,                                            \
+      "crank angle with the piston nearest to the crankshaft")                                     \
+    X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
+    X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times speed")                               \
+    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \
+      "greatest less least energy of the flywheel in a cycle")                                     \
+    X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, 1, "coefficient of fluctuation of energy") \
+    X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, 1, "moment of inertia of the flywheel")       \
+    X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, 1,                                     \
+      "coefficient of fluctuation of speed")
+
+#define FACT_CODE(code, name, q, turning, meaning) FACT_##code,
+typedef enum fact_code { FACT_LIST(FACT_CODE) FACT_COUNT } fact_code;
+
+#define FACT_INFO(code, name, q, turning, meaning) {name, QUANTITY_##q, turning, meaning},
+static const struct {
+    const char *name;
+    quantity q;
+    int turning;
+    const char *meaning;
+} fact_table[] = {FACT_LIST(FACT_INFO)};
+
+int fact_known(text name, quantity *q, int *of_turning)
+{
+    int i;
+
+    for (i = 0; i < FACT_COUNT; i++)
+        if (flk_text_same(name, fact_table[i].name)) {
+            *q = fact_table[i].q;
+            *of_turning = fact_table[i].turning;
+            return 1;
+        }
+    return 0;
+}
+
+const char *fact_nearest(text name)
+{
+    const char *known[FACT_COUNT + 1];
+    int i;
+
+    for (i = 0; i < FACT_COUNT; i++)
+        known[i] = fact_table[i].name;
+    known[FACT_COUNT] = NULL;
+    return flk_text_nearest(name, known);
+}
+
 typedef struct teller {
     const deck *d;
     fact_taker *take;
@@ -21,7 +93,7 @@ typedef struct teller {
 static void begin(const teller *t, fact *f, const char *name, const char *meaning)
 {
     memset(f, 0, sizeof *f);
-    text_copy(text_of(name), f->name, sizeof f->name);
+    flk_text_copy(flk_text_of(name), f->name, sizeof f->name);
     f->meaning = meaning;
     f->unit = "";
     f->q = QUANTITY_NUMBER;
@@ -30,30 +102,29 @@ static void begin(const teller *t, fact *f, const char *name, const char *meanin
 
 static double in_unit(const teller *t, double si, quantity q)
 {
-    return unit_from_si(si, t->d->units[q].unit);
+    return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
-static void tell(const teller *t, const char *name, double si, quantity q, const char *meaning)
+static void tell(const teller *t, fact_code code, double si)
 {
     fact f;
 
-    begin(t, &f, name, meaning);
-    f.value = in_unit(t, si, q);
-    f.q = q;
-    f.unit = t->d->units[q].name;
+    begin(t, &f, fact_table[code].name, fact_table[code].meaning);
+    f.q = fact_table[code].q;
+    f.value = in_unit(t, si, f.q);
+    f.unit = t->d->units[f.q].name;
     t->take(&f, t->data);
 }
 
 /* A fact with the crank angle at which it occurs. */
-static void tell_at(const teller *t, const char *name, double si, quantity q, double theta2,
-                    const char *meaning)
+static void tell_at(const teller *t, fact_code code, double si, double theta2)
 {
     fact f;
 
-    begin(t, &f, name, meaning);
-    f.value = in_unit(t, si, q);
-    f.q = q;
-    f.unit = t->d->units[q].name;
+    begin(t, &f, fact_table[code].name, fact_table[code].meaning);
+    f.q = fact_table[code].q;
+    f.value = in_unit(t, si, f.q);
+    f.unit = t->d->units[f.q].name;
     f.has_angle = 1;
     f.theta2 = in_unit(t, theta2, QUANTITY_ANGLE);
     t->take(&f, t->data);
@@ -65,7 +136,7 @@ static void tell_type(const teller *t)
     fact f;
 
     fourlink_type_of(&t->d->mechanism, &type);
-    begin(t, &f, "type", "by the Grashof condition");
+    begin(t, &f, fact_table[FACT_TYPE].name, fact_table[FACT_TYPE].meaning);
     f.words = fourlink_type_text((int)type);
     t->take(&f, t->data);
 }
@@ -76,8 +147,7 @@ static void tell_freudenstein(const teller *t)
     const fourlink_link *link = t->d->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
 
-    tell(t, "K", (a * a - b * b + c * c + d * d) / 2, QUANTITY_AREA,
-         "(a^2 - b^2 + c^2 + d^2) / 2 of Freudenstein's equation");
+    tell(t, FACT_FREUDENSTEIN, (a * a - b * b + c * c + d * d) / 2);
 }
 
 static void tell_reach(const teller *t)
@@ -87,9 +157,8 @@ static void tell_reach(const teller *t)
 
     fourlink_reach_of(&t->d->mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
-        tell(t, "theta2_from", reach.from[i], QUANTITY_ANGLE,
-             "the links reach from this crank angle");
-        tell(t, "theta2_to", reach.to[i], QUANTITY_ANGLE, "the links reach to this crank angle");
+        tell(t, FACT_THETA2_FROM, reach.from[i]);
+        tell(t, FACT_THETA2_TO, reach.to[i]);
     }
 }
 
@@ -108,9 +177,9 @@ static void tell_reach_of_rocker(const teller *t)
         return;
     fourlink_reach_of(&mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
-        tell(t, "theta4_from", M_PI - reach.to[i], QUANTITY_ANGLE, "link 4 can be at this angle");
-        tell(t, "theta4_to", M_PI - reach.from[i], QUANTITY_ANGLE, "to this one");
-        tell(t, "theta4_swing", reach.to[i] - reach.from[i], QUANTITY_ANGLE, "between them");
+        tell(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
+        tell(t, FACT_THETA4_TO, M_PI - reach.from[i]);
+        tell(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
     }
 }
 
@@ -121,18 +190,18 @@ static void tell_rod(const teller *t)
     if (t->d->design.kind != FOURLINK_SLIDER_CRANK ||
         fourlink_rod_masses(&t->d->mechanism, &rod) != FOURLINK_OK)
         return;
-    tell(t, "n", rod.n, QUANTITY_NUMBER, "length of the rod / length of the crank");
+    tell(t, FACT_ROD_RATIO, rod.n);
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
         return;
-    tell(t, "k", rod.k, QUANTITY_LENGTH, "radius of gyration of the rod");
-    tell(t, "m_a", rod.m_a, QUANTITY_MASS, "part of the rod's mass at the crank pin");
-    tell(t, "m_b", rod.m_b, QUANTITY_MASS, "part of the rod's mass at the gudgeon pin");
+    tell(t, FACT_ROD_GYRATION, rod.k);
+    tell(t, FACT_M_A, rod.m_a);
+    tell(t, FACT_M_B, rod.m_b);
     if (rod.L == 0)
         return;
-    tell(t, "L", rod.L, QUANTITY_LENGTH, "b + k^2/b, equivalent pendulum about the gudgeon pin");
-    tell(t, "d", rod.d, QUANTITY_LENGTH, "k^2/b, from the centre of mass to m_d");
-    tell(t, "m_d", rod.m_d, QUANTITY_MASS, "of the dynamically true pair, at distance d");
-    tell(t, "m_g", rod.m_g, QUANTITY_MASS, "of the dynamically true pair, at the gudgeon pin");
+    tell(t, FACT_ROD_PENDULUM, rod.L);
+    tell(t, FACT_ROD_DISTANCE, rod.d);
+    tell(t, FACT_M_D, rod.m_d);
+    tell(t, FACT_M_G, rod.m_g);
 }
 
 static void tell_limits(const teller *t)
@@ -140,23 +209,18 @@ static void tell_limits(const teller *t)
     fourlink_limits limits;
 
     fourlink_limits_of(&t->d->mechanism, (fourlink_branch)t->branch, &limits);
-    tell(t, "mu_min", limits.mu_min, QUANTITY_ANGLE, "least transmission angle");
-    tell(t, "mu_max", limits.mu_max, QUANTITY_ANGLE, "greatest transmission angle");
+    tell(t, FACT_MU_MIN, limits.mu_min);
+    tell(t, FACT_MU_MAX, limits.mu_max);
     if (limits.has_swing) {
-        tell_at(t, "theta4_min", limits.theta4_min, QUANTITY_ANGLE, limits.theta2_min,
-                "limit of the rocker");
-        tell_at(t, "theta4_max", limits.theta4_max, QUANTITY_ANGLE, limits.theta2_max,
-                "limit of the rocker");
-        tell(t, "swing", limits.theta4_max - limits.theta4_min, QUANTITY_ANGLE,
-             "between the limits of the rocker");
-        tell(t, "time_ratio", limits.time_ratio, QUANTITY_NUMBER, "of the slow to the quick swing");
+        tell_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
+        tell_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
+        tell(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
+        tell(t, FACT_TIME_RATIO, limits.time_ratio);
     }
     if (limits.has_stroke) {
-        tell(t, "stroke", limits.stroke, QUANTITY_LENGTH, "between the dead centres");
-        tell(t, "inner_dead_centre", limits.inner, QUANTITY_ANGLE,
-             "crank angle with the piston farthest from the crankshaft");
-        tell(t, "outer_dead_centre", limits.outer, QUANTITY_ANGLE,
-             "crank angle with the piston nearest to the crankshaft");
+        tell(t, FACT_STROKE, limits.stroke);
+        tell(t, FACT_INNER_DEAD_CENTRE, limits.inner);
+        tell(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
     }
 }
 
@@ -187,18 +251,14 @@ static void tell_turning(const teller *t, analysis *a)
 
     if (!(a->needs & NEED_FORCES) || !turning_find(a, (fourlink_branch)t->branch, &m))
         return;
-    tell(t, "mean_torque", m.mean_torque, QUANTITY_TORQUE, "mean of the turning moment -Ts");
-    tell(t, "mean_power", m.mean_power, QUANTITY_POWER, "mean torque times speed");
-    tell(t, "energy_fluctuation", m.energy_fluctuation, QUANTITY_ENERGY,
-         "greatest less least energy of the flywheel in a cycle");
+    tell(t, FACT_MEAN_TORQUE, m.mean_torque);
+    tell(t, FACT_MEAN_POWER, m.mean_power);
+    tell(t, FACT_ENERGY_FLUCTUATION, m.energy_fluctuation);
     if (m.has_coefficient)
-        tell(t, "energy_coefficient", m.energy_coefficient, QUANTITY_NUMBER,
-             "coefficient of fluctuation of energy");
+        tell(t, FACT_ENERGY_COEFFICIENT, m.energy_coefficient);
     if (m.inertia > 0) {
-        tell(t, "flywheel_inertia", m.inertia, QUANTITY_INERTIA,
-             "moment of inertia of the flywheel");
-        tell(t, "flywheel_fluctuation", m.fluctuation, QUANTITY_NUMBER,
-             "coefficient of fluctuation of speed");
+        tell(t, FACT_FLYWHEEL_INERTIA, m.inertia);
+        tell(t, FACT_FLYWHEEL_FLUCTUATION, m.fluctuation);
     }
 }
 

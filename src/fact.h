@@ -19,6 +19,13 @@ typedef struct fact {
     const char *meaning;
 } fact;
 
+/* 1 if a fact has this name, in some deck or other; its quantity, and whether it is one of the turning
+** moment. */
+int fact_known(text name, quantity *q, int *of_turning);
+
+/* The name of a fact most like this one, or null. */
+const char *fact_nearest(text name);
+
 typedef void fact_taker(const fact *f, void *data);
 
 /* Tell the facts of a deck one by one: those of the mechanism; if `with_turning`, of its turning

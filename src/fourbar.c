@@ -50,7 +50,7 @@ int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, dou
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
     double u1 = mechanism->stretched + 4 * a * d * half_cosine * half_cosine;
     double u2 = mechanism->folded + 4 * a * d * half_sine * half_sine;
-    double sine2 = (u1 / (2 * b * c)) * (u2 / (2 * b * c));
+    double scale = 0.5 / (b * c), sine2 = (scale * u1) * (scale * u2);
 
     if (sine2 < -FLK_DEAD)
         return u1 < 0 ? FOURLINK_TOO_FAR : FOURLINK_TOO_NEAR;
@@ -70,41 +70,48 @@ int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, dou
 /* Position.  The sources solve Freudenstein's equation by a half-angle tangent (Alvi eq. 2), which
 ** divides by zero for ordinary linkages, and take theta3 from an arcsine (Alvi eq. 3), which loses
 ** the quadrant.  Instead C is where the circles about B and D meet.  With n the vector BD turned
-** left by 90 deg and w = 2 b c sin(theta4 - theta3), positive where C lies left of B->D:
+** left by 90 deg and s = sin(theta4 - theta3), positive where C lies left of B->D:
 **
-**    C - B = [ (f^2 + b^2 - c^2) BD + w n ] / (2 f^2)  =  b (cos(theta3), sin(theta3))
-**    C - D = [ (b^2 - c^2 - f^2) BD + w n ] / (2 f^2)  =  c (cos(theta4), sin(theta4))
+**    (C - B) / b = (f^2 + b^2 - c^2) / (2 b f^2) BD + (c / f^2) s n = (cos(theta3), sin(theta3))
+**    (C - D) / c = (b^2 - c^2 - f^2) / (2 c f^2) BD + (b / f^2) s n = (cos(theta4), sin(theta4))
 */
 void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     const fourlink_link *link = mechanism->design.link;
     double b = link[3].length, c = link[4].length, d = link[1].length;
     fourlink_link_state *coupler = &state->link[3], *rocker = &state->link[4];
-    double w = 2 * b * c * state->sine, b2_c2 = (b - c) * (b + c), f2, p;
-    fourlink_vector BD, n;
+    double b2_c2 = (b - c) * (b + c), f2, p, along, across;
+    fourlink_vector BD;
 
     BD.x = d - coupler->origin.x;
     BD.y = -coupler->origin.y;
-    n.x = -BD.y;
-    n.y = BD.x;
     f2 = FLK_DOT(BD, BD);
-    p = 0.5 / (f2 * b);
-    coupler->axis.x = p * ((f2 + b2_c2) * BD.x + w * n.x);
-    coupler->axis.y = p * ((f2 + b2_c2) * BD.y + w * n.y);
-    coupler->theta = FLK_ANGLE(coupler->axis);
+    p = 0.5 / (f2 * (b * c));
+    along = c * p * (f2 + b2_c2);
+    across = 2 * (b * c) * (c * p);
+    coupler->axis.x = along * BD.x - across * BD.y * state->sine;
+    coupler->axis.y = along * BD.y + across * BD.x * state->sine;
+    along = b * p * (b2_c2 - f2);
+    across = 2 * (b * c) * (b * p);
+    rocker->axis.x = along * BD.x - across * BD.y * state->sine;
+    rocker->axis.y = along * BD.y + across * BD.x * state->sine;
     rocker->origin.x = d;
     rocker->origin.y = 0;
-    p = 0.5 / (f2 * c);
-    rocker->axis.x = p * ((b2_c2 - f2) * BD.x + w * n.x);
-    rocker->axis.y = p * ((b2_c2 - f2) * BD.y + w * n.y);
-    rocker->theta = FLK_ANGLE(rocker->axis);
+    state->phi = 0;
+    state->x = 0;
+}
+
+void flk_fourbar_angles(fourlink_state *state)
+{
+    fourlink_link_state *coupler = &state->link[3], *rocker = &state->link[4];
+
+    coupler->theta = flk_angle(&coupler->axis);
+    rocker->theta = flk_angle(&rocker->axis);
     state->mu = fabs(rocker->theta - coupler->theta);
     if (state->mu > M_PI)
         state->mu = 2 * M_PI - state->mu;
     if (state->mu > M_PI_2)
         state->mu = M_PI - state->mu;
-    state->phi = 0;
-    state->x = 0;
 }
 
 /* Velocity (Alvi eqs. 4.1, its sign mended, and 4.2), here for a unit crank speed:
@@ -117,11 +124,12 @@ void flk_fourbar_velocity(const fourlink_mechanism *mechanism, fourlink_state *s
     static const fourlink_vector zero = {0, 0};
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length;
+    double p = -1 / (b * c * state->sine); /* apart, so that it is found beside the axes */
     fourlink_link_state *crank = &state->link[2], *coupler = &state->link[3],
                         *rocker = &state->link[4];
 
-    coupler->k = -a * FLK_CROSS(crank->axis, rocker->axis) / (b * state->sine);
-    rocker->k = -a * FLK_CROSS(crank->axis, coupler->axis) / (c * state->sine);
+    coupler->k = c * p * a * FLK_CROSS(crank->axis, rocker->axis);
+    rocker->k = b * p * a * FLK_CROSS(crank->axis, coupler->axis);
     coupler->omega = coupler->k * crank->omega;
     rocker->omega = rocker->k * crank->omega;
     rocker->k_origin = zero;
@@ -145,13 +153,13 @@ void flk_fourbar_acceleration(const fourlink_mechanism *mechanism, fourlink_stat
                         *rocker = &state->link[4];
     double s42 = FLK_CROSS(crank->axis, rocker->axis), c42 = FLK_DOT(crank->axis, rocker->axis);
     double s32 = FLK_CROSS(crank->axis, coupler->axis), c32 = FLK_DOT(crank->axis, coupler->axis);
-    double c43 = FLK_DOT(coupler->axis, rocker->axis), s34 = -state->sine;
+    double c43 = FLK_DOT(coupler->axis, rocker->axis), p = -1 / (b * c * state->sine);
     double a_t = a * crank->alpha, a_n = a * crank->omega * crank->omega;
     double b_n = b * coupler->omega * coupler->omega;
     double c_n = c * rocker->omega * rocker->omega;
 
-    coupler->alpha = (a_t * s42 - a_n * c42 - b_n * c43 + c_n) / (b * s34);
-    rocker->alpha = (a_t * s32 - a_n * c32 - b_n + c_n * c43) / (c * s34);
+    coupler->alpha = c * p * (a_t * s42 - a_n * c42 + (c_n - b_n * c43));
+    rocker->alpha = b * p * (a_t * s32 - a_n * c32 + (c_n * c43 - b_n));
     rocker->acceleration = zero;
     state->a = 0;
 }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare.h"
-#include "number.h"
+#include "format.h"
 #include "print.h"
 #include "table.h"
 
@@ -23,19 +23,19 @@ typedef struct grader {
 static void put_check(const check *c, void *data)
 {
     grader *p = data;
-    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+    char name[DECK_NAME_SIZE], number[FORMAT_SIZE], value[DECK_NAME_SIZE];
 
     p->n[c->result]++;
     fprintf(p->out, "%-18s %s:%ld: %s = %s", check_words[c->result], c->e->place.source,
-            c->e->place.line, text_copy(c->e->name, name, sizeof name),
-            text_copy(c->e->value, value, sizeof value));
+            c->e->place.line, flk_text_copy(c->e->name, name, sizeof name),
+            flk_text_copy(c->e->value, value, sizeof value));
     if (c->words[0])
         fprintf(p->out, ", computed %s", c->words);
     else if (c->result != CHECK_NO_VALUE)
-        fprintf(p->out, ", computed %s%s%s", number_general(c->computed, 12, number),
+        fprintf(p->out, ", computed %s%s%s", format_general(c->computed, 12, number),
                 strcmp(c->unit, "1") == 0 ? "" : " ", strcmp(c->unit, "1") == 0 ? "" : c->unit);
     if (c->at_angle)
-        fprintf(p->out, " at %s %s", number_general(c->e->at, 9, number),
+        fprintf(p->out, " at %s %s", format_general(c->e->at, 9, number),
                 p->d->units[QUANTITY_ANGLE].name);
     fprintf(p->out, ", %s\n", branch_name(c->e->branch));
 }
@@ -49,7 +49,7 @@ void grade_print_csv_header(FILE *out, int with_deck)
 static void put_check_csv(const check *c, void *data)
 {
     grader *p = data;
-    char name[DECK_NAME_SIZE], number[NUMBER_SIZE], value[DECK_NAME_SIZE];
+    char name[DECK_NAME_SIZE], number[FORMAT_SIZE], value[DECK_NAME_SIZE];
 
     p->n[c->result]++;
     if (p->deck_name) {
@@ -58,18 +58,18 @@ static void put_check_csv(const check *c, void *data)
     }
     print_field(p->out, c->e->place.source);
     fprintf(p->out, ",%ld,%s,", c->e->place.line, check_words[c->result]);
-    print_field(p->out, text_copy(c->e->name, name, sizeof name));
-    fprintf(p->out, ",%s,%s,%s,", c->at_angle ? number_general(c->e->at, DBL_DIG + 2, number) : "",
+    print_field(p->out, flk_text_copy(c->e->name, name, sizeof name));
+    fprintf(p->out, ",%s,%s,%s,", c->at_angle ? format_general(c->e->at, DBL_DIG + 2, number) : "",
             branch_name(c->e->branch), c->unit);
-    print_field(p->out, text_copy(c->e->value, value, sizeof value));
+    print_field(p->out, flk_text_copy(c->e->value, value, sizeof value));
     putc(',', p->out);
     if (c->words[0])
         print_field(p->out, c->words);
     else if (c->result != CHECK_NO_VALUE)
-        fputs(number_general(c->computed, DBL_DIG + 2, number), p->out);
+        fputs(format_general(c->computed, DBL_DIG + 2, number), p->out);
     putc(',', p->out);
     if (!c->words[0] && c->result != CHECK_NO_VALUE)
-        fputs(number_general(c->tolerance, DBL_DIG + 2, number), p->out);
+        fputs(format_general(c->tolerance, DBL_DIG + 2, number), p->out);
     fputs("\r\n", p->out);
 }
 

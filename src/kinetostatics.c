@@ -1,46 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** kinetostatics.c - pin forces and driving torque from the Newton-Euler equations of the three
-** moving links, and the check by virtual work.
+** moving links, as a system of nine: the equations are those of any mechanism, and so is GSL's solution
+** of them.  dyad.c has the other one.
 */
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_linalg.h>
 
-#include "internal.h"
-
-/* A pivot of the scaled equations, whose coefficients are near 1, below which they are singular.
-** Dead positions are refused before, at 1e-7. */
-#define SMALLEST_PIVOT 1e-13
-
-/* One moving link, cut free.  `first` is the pin towards the crankshaft (A, B, C for links 2, 3,
-** 4), `second` the other one (B, C, D; of the piston, C again). */
-typedef struct free_body {
-    fourlink_vector first, second; /* m, arms from the centre of mass to the pins */
-    fourlink_vector force;         /* N, m a_G - W - (sum of forces) */
-    double moment;                 /* N m, I alpha - (sum of moments about G) */
-    double work;                   /* N m, power of loads, weight and inertia, unit crank speed */
-    double largest;                /* N m, the largest term of it */
-} free_body;
-
-static void add_work(free_body *body, double term)
-{
-    body->work += term;
-    if (fabs(term) > body->largest)
-        body->largest = fabs(term);
-}
-
-/* Derivative by theta2 of the point at arm r from the link's origin: its velocity for a unit crank
-** speed. */
-static fourlink_vector unit_velocity(const fourlink_link_state *link, fourlink_vector r)
-{
-    fourlink_vector k;
-
-    k.x = link->k_origin.x - link->k * r.y;
-    k.y = link->k_origin.y + link->k * r.x;
-    return k;
-}
+#include "freebody.h"
 
 int flk_check_load(const fourlink_load *load)
 {
@@ -57,39 +26,33 @@ int flk_check_load(const fourlink_load *load)
     return FOURLINK_OK;
 }
 
-static void apply_load(const fourlink_load *load, const fourlink_link_state *link,
-                       fourlink_vector cg, free_body *body)
+int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
 {
-    fourlink_vector F = load->force, r, rho, k;
-
-    FLK_TURN(r, link, load->at);
-    if (load->frame == FOURLINK_FRAME_LINK)
-        FLK_TURN(F, link, load->force);
-    rho.x = r.x - cg.x;
-    rho.y = r.y - cg.y;
-    k = unit_velocity(link, r);
-    body->force.x -= F.x;
-    body->force.y -= F.y;
-    body->moment -= load->torque + FLK_CROSS(rho, F);
-    add_work(body, FLK_DOT(F, k));
-    add_work(body, load->torque * link->k);
-}
-
-/* Cut the three links free: arms, right-hand sides (ME3491 eqs. 1 to 11), terms of virtual work.
-** The coupler's a_G has the acceleration of B, which the ME3491 program leaves out. */
-static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                    const fourlink_load *loads, unsigned long n_loads, free_body body[3])
-{
-    fourlink_vector pin[4]; /* A, B, C, D; of a slider-crank D is C */
     unsigned long n;
-    int i;
 
+    if (n_loads && !loads)
+        return FOURLINK_NULL;
     for (n = 0; n < n_loads; n++) {
         int status = flk_check_load(&loads[n]);
 
         if (status != FOURLINK_OK)
             return status;
     }
+    return FOURLINK_OK;
+}
+
+/* One moving link: arms from its centre of mass to the pin towards the crankshaft (A, B, C for links
+** 2, 3, 4), and to the other one (B, C, D; of the piston, C again). */
+typedef struct pins {
+    fourlink_vector first, second; /* m */
+} pins;
+
+static void place_pins(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                       const flk_body body[3], pins arms[3])
+{
+    fourlink_vector pin[4]; /* A, B, C, D; of a slider-crank D is C */
+    int i;
+
     pin[0] = state->link[2].origin;
     pin[1] = state->link[3].origin;
     pin[2].x = pin[1].x + mechanism->design.link[3].length * state->link[3].axis.x;
@@ -97,38 +60,16 @@ static int cut_free(const fourlink_mechanism *mechanism, const fourlink_state *s
     pin[3] = state->link[4].origin;
     if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
         pin[2] = pin[3];
-
     for (i = 0; i < 3; i++) {
-        const fourlink_link *data = &mechanism->design.link[i + 2];
-        const fourlink_link_state *link = &state->link[i + 2];
-        double omega2 = link->omega * link->omega;
-        fourlink_vector r, G, a, k, W;
+        fourlink_vector G = state->link[i + 2].origin;
 
-        FLK_TURN(r, link, data->cg);
-        k = unit_velocity(link, r);
-        G.x = link->origin.x + r.x;
-        G.y = link->origin.y + r.y;
-        a.x = link->acceleration.x - link->alpha * r.y - omega2 * r.x;
-        a.y = link->acceleration.y + link->alpha * r.x - omega2 * r.y;
-        W.x = data->mass * mechanism->design.gravity.x;
-        W.y = data->mass * mechanism->design.gravity.y;
-        body[i].first.x = pin[i].x - G.x;
-        body[i].first.y = pin[i].y - G.y;
-        body[i].second.x = pin[i + 1].x - G.x;
-        body[i].second.y = pin[i + 1].y - G.y;
-        body[i].force.x = data->mass * a.x - W.x;
-        body[i].force.y = data->mass * a.y - W.y;
-        body[i].moment = data->inertia * link->alpha;
-        body[i].work = 0;
-        body[i].largest = 0;
-        add_work(&body[i], FLK_DOT(W, k));
-        add_work(&body[i], -data->mass * FLK_DOT(a, k));
-        add_work(&body[i], -data->inertia * link->alpha * link->k);
-        for (n = 0; n < n_loads; n++)
-            if (loads[n].link == i + 2)
-                apply_load(&loads[n], link, r, &body[i]);
+        G.x += body[i].arm.x;
+        G.y += body[i].arm.y;
+        arms[i].first.x = pin[i].x - G.x;
+        arms[i].first.y = pin[i].y - G.y;
+        arms[i].second.x = pin[i + 1].x - G.x;
+        arms[i].second.y = pin[i + 1].y - G.y;
     }
-    return FOURLINK_OK;
 }
 
 /* The place of an equation and of an unknown in the array that holds the matrix: the coefficient of
@@ -149,11 +90,14 @@ typedef struct layout {
 ** at the pin C, and the column of F14x is that of the couple M14.
 **
 ** `per_length` multiplies the moment equations of the three links. */
-static void assemble(const fourlink_mechanism *mechanism, const free_body body[3],
-                     const double per_length[3], const layout *at, double *A, double b[9])
+static void assemble(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     const flk_body body[3], const double per_length[3], const layout *at,
+                     double *A, double b[9])
 {
+    pins arms[3];
     int i;
 
+    place_pins(mechanism, state, body, arms);
     memset(A, 0, 81 * sizeof A[0]);
     for (i = 0; i < 3; i++) {
         double *x = A + at->row[3 * i], *y = A + at->row[3 * i + 1], *m = A + at->row[3 * i + 2];
@@ -164,10 +108,10 @@ static void assemble(const fourlink_mechanism *mechanism, const free_body body[3
         x[second[0]] = sign;
         y[first[1]] = 1;
         y[second[1]] = sign;
-        m[first[0]] = -s * body[i].first.y;
-        m[first[1]] = s * body[i].first.x;
-        m[second[0]] = -sign * s * body[i].second.y;
-        m[second[1]] = sign * s * body[i].second.x;
+        m[first[0]] = -s * arms[i].first.y;
+        m[first[1]] = s * arms[i].first.x;
+        m[second[0]] = -sign * s * arms[i].second.y;
+        m[second[1]] = sign * s * arms[i].second.x;
         b[3 * i] = body[i].force.x;
         b[3 * i + 1] = body[i].force.y;
         b[3 * i + 2] = s * body[i].moment;
@@ -198,7 +142,8 @@ static const layout banded = {{1, 2, 0, 3, 4, 5, 7, 8, 6},
                               {COLUMN(1), COLUMN(2), COLUMN(3), COLUMN(4), COLUMN(5), COLUMN(6),
                                COLUMN(7), COLUMN(8), COLUMN(0)}};
 
-static int solve(const fourlink_mechanism *mechanism, const free_body body[3], double x[9])
+static int solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                 const flk_body body[3], double x[9])
 {
     const fourlink_link *link = mechanism->design.link;
     double A[9 * WIDTH], b[9], ordered[9], per_length[3];
@@ -212,13 +157,13 @@ static int solve(const fourlink_mechanism *mechanism, const free_body body[3], d
     per_length[1] = 2 / link[3].length;
     per_length[2] =
         mechanism->design.kind == FOURLINK_FOUR_BAR ? 2 / link[4].length : per_length[1];
-    assemble(mechanism, body, per_length, &banded, A, b);
+    assemble(mechanism, state, body, per_length, &banded, A, b);
     A[DIAGONAL(0)] = 1; /* the first unknown is Ts per_length[0], a force */
     for (i = 0; i < 9; i++)
         ordered[banded.row[i]] = b[i];
     gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
     for (i = 0; i < 9; i++)
-        if (!(fabs(A[DIAGONAL(i)]) > SMALLEST_PIVOT))
+        if (!(fabs(A[DIAGONAL(i)]) > FLK_SINGULAR))
             return FOURLINK_SINGULAR;
     gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
     for (i = 0; i < 8; i++)
@@ -232,36 +177,33 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
 {
     static const layout dense = {{0, 9, 18, 27, 36, 45, 54, 63, 72}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
     static const double metres[3] = {1, 1, 1};
-    free_body body[3];
+    flk_body body[3];
     int status;
 
-    if (!mechanism || !state || (n_loads && !loads) || !A || !b)
+    if (!mechanism || !state || !A || !b)
         return FOURLINK_NULL;
-    status = cut_free(mechanism, state, loads, n_loads, body);
-    if (status == FOURLINK_OK)
-        assemble(mechanism, body, metres, &dense, A[0], b);
-    return status;
+    status = flk_check_loads(loads, n_loads);
+    if (status != FOURLINK_OK)
+        return status;
+    flk_cut_free(mechanism, state, loads, n_loads, body);
+    assemble(mechanism, state, body, metres, &dense, A[0], b);
+    return FOURLINK_OK;
 }
 
-/* Virtual work: with the velocities of a unit crank speed,
-**
-**    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
-**
-** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine.
-*/
 int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
-    double x[9], largest = 0;
-    free_body body[3];
-    int status, i;
+    flk_body body[3];
+    double x[9];
+    int status;
 
-    if (!mechanism || !state || (n_loads && !loads) || !forces)
+    if (!mechanism || !state || !forces)
         return FOURLINK_NULL;
-    status = cut_free(mechanism, state, loads, n_loads, body);
+    status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
-    status = solve(mechanism, body, x);
+    flk_cut_free(mechanism, state, loads, n_loads, body);
+    status = solve(mechanism, state, body, x);
     if (status != FOURLINK_OK)
         return status;
     forces->F12x = x[0];
@@ -278,12 +220,6 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
         forces->F14x = 0;
         forces->M14 = x[6];
     }
-    forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
-    for (i = 0; i < 3; i++)
-        if (body[i].largest > largest)
-            largest = body[i].largest;
-    if (fabs(forces->Ts) > largest)
-        largest = fabs(forces->Ts);
-    forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
+    flk_virtual_work(body, forces);
     return FOURLINK_OK;
 }

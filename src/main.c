@@ -5,24 +5,27 @@
 #define _POSIX_C_SOURCE 200112L
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <gsl/gsl_errno.h>
 
+#include "files.h"
+#include "gnuplot.h"
 #include "options.h"
 #include "output.h"
+#include "sweep.h"
 
 enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
-
-#define LARGEST_FILE 67108864 /* bytes */
 
 /* A deck of the command line. */
 typedef struct job {
     const char *name;
+    char *contents; /* kept for a sweep, else null */
+    size_t length;
     deck deck;
     column_list columns;
     int usable;
@@ -39,74 +42,34 @@ static int complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
-/* All of a stream; null with errno set if it cannot be read. */
-static char *read_stream(FILE *file, size_t *length)
-{
-    size_t capacity = 65536, n = 0;
-    char *contents = malloc(capacity), *more;
-
-    while (contents) {
-        n += fread(contents + n, 1, capacity - n, file);
-        if (n < capacity)
-            break;
-        if (capacity >= LARGEST_FILE) {
-            free(contents);
-            errno = EFBIG;
-            return NULL;
-        }
-        more = realloc(contents, 2 * capacity);
-        if (!more)
-            free(contents);
-        contents = more;
-        capacity *= 2;
-    }
-    if (contents && ferror(file)) {
-        int reason = errno;
-
-        free(contents);
-        contents = NULL;
-        errno = reason;
-    }
-    *length = n;
-    return contents;
-}
-
-static char *read_path(const char *path, size_t *length)
-{
-    FILE *file;
+/* The deck that names files, and the last of them. */
+typedef struct named_file {
+    const options *o;
+    const char *deck_name;
     char *contents;
-    int reason;
-
-    file = fopen(path, "rb");
-    if (!file)
-        return NULL;
-    contents = read_stream(file, length);
-    reason = errno;
-    fclose(file);
-    errno = reason;
-    return contents;
-}
-
-/* All of a file, or of standard input for "-". */
-static char *read_file(const char *path, size_t *length)
-{
-    return strcmp(path, "-") == 0 ? read_stream(stdin, length) : read_path(path, length);
-}
+    int is_output; /* 1: one of them is to be written too */
+} named_file;
 
 /* A file that a deck names, relative to the deck's folder. */
-static char *read_named_file(const char *deck_name, const char *file_name, size_t *length)
+static const char *read_named_file(void *host, const char *file_name, unsigned long *length)
 {
-    const char *slash = strrchr(deck_name, '/');
-    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
-    char *path = malloc(folder + strlen(file_name) + 1), *contents;
+    named_file *named = host;
+    const char *slash = strrchr(named->deck_name, '/');
+    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - named->deck_name) + 1 : 0,
+           n = 0;
+    char *path = malloc(folder + strlen(file_name) + 1);
 
+    free(named->contents);
+    named->contents = NULL;
     if (!path)
         return NULL;
-    memcpy(path, deck_name, folder);
+    memcpy(path, named->deck_name, folder);
     strcpy(path + folder, file_name);
-    contents = read_path(path, length);
+    named->is_output |= files_is_output(named->o, path);
+    named->contents = files_read_path(path, &n);
+    *length = (unsigned long)n;
     free(path);
-    return contents;
+    return named->contents;
 }
 
 /* `deck_name` is not null where several decks are worked on: it goes to the mistakes that stand in none
@@ -134,13 +97,53 @@ static void print_mistakes(const mistakes *m, const char *deck_name)
 static int use_answers(const char *path, text answers, deck *d)
 {
     d->n_expectations = 0;
-    return deck_add_expectations(path, answers, d);
+    return flk_deck_add_expectations(path, answers, d);
+}
+
+#define TRIES 1000
+
+/* Read a deck; of a [sweep] the first design that is in order, if there is one among the first. */
+static int read_first_design(const options *o, text all, named_file *named, deck *d)
+{
+    int status = flk_deck_read(named->deck_name, all, read_named_file, named, o->changes,
+                               o->n_changes, 0, d);
+    unsigned long i;
+    deck other;
+
+    for (i = 1; status == 0 && i < d->sweep.n_designs && i < TRIES; i++) {
+        if (flk_deck_read(named->deck_name, all, read_named_file, named, o->changes, o->n_changes,
+                          i, &other) == 1) {
+            flk_deck_free(d);
+            *d = other;
+            return 1;
+        }
+        flk_deck_free(&other);
+    }
+    return status;
+}
+
+/* What has no place beside a sweep, or without one. */
+static int check_sweep(const options *o, const job *j)
+{
+    const char *why = NULL;
+
+    if (!j->contents && o->parts)
+        why = "--part needs a [sweep], which the deck has not";
+    else if (j->contents && o->n_decks > 1)
+        why = "a [sweep] is worked on alone, not with other decks";
+    else if (j->contents && (o->check || o->matrix || o->summary || o->format == FORMAT_PAPER))
+        why = "a [sweep] is printed in the formats table and csv; --check, --matrix and --summary "
+              "are for one design";
+    if (why)
+        fprintf(stderr, "%s:1: error: %s\n", j->name, why);
+    return !why;
 }
 
 /* Read a deck; the exit status it calls for. */
 static int read_job(const char *path, const options *o, text answers, job *j)
 {
     size_t length;
+    named_file named;
     char *contents;
     text all;
     int status;
@@ -148,7 +151,7 @@ static int read_job(const char *path, const options *o, text answers, job *j)
     j->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (j->name != path && isatty(STDIN_FILENO))
         fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
-    contents = read_file(path, &length);
+    contents = files_read(path, &length);
     if (!contents && errno == EFBIG) {
         fprintf(stderr, "%s:1: error: a file of more than 64 MB: not a deck\n", j->name);
         return EXIT_USAGE;
@@ -157,8 +160,22 @@ static int read_job(const char *path, const options *o, text answers, job *j)
         return complain("cannot read", j->name, strerror(errno));
     all.start = contents;
     all.length = length;
-    status = deck_read(j->name, all, read_named_file, o->changes, o->n_changes, &j->deck);
-    free(contents);
+    named.o = o;
+    named.deck_name = j->name;
+    named.contents = NULL;
+    named.is_output = 0;
+    status = read_first_design(o, all, &named, &j->deck);
+    free(named.contents);
+    if (named.is_output) {
+        free(contents);
+        return complain("cannot write", "a file that the deck names", "it is an input");
+    }
+    if (status > 0 && j->deck.sweep.n_variables) {
+        j->contents = contents;
+        j->length = length;
+    } else {
+        free(contents);
+    }
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
     if (status == 0)
@@ -167,10 +184,12 @@ static int read_job(const char *path, const options *o, text answers, job *j)
         status = columns_choose(&j->deck, &j->columns);
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
+    if (status > 0 && j->contents)
+        status = sweep_check(&j->deck);
     if (status > 0 && answers.start && use_answers(o->check_file, answers, &j->deck) < 0)
         return complain("cannot read", o->check_file, "not enough memory");
     if (j->deck.mistakes.count) {
-        mistakes_sort(&j->deck.mistakes);
+        flk_mistakes_sort(&j->deck.mistakes);
         print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
         return EXIT_USAGE;
     }
@@ -189,6 +208,8 @@ static int read_job(const char *path, const options *o, text answers, job *j)
                 j->name);
         return EXIT_USAGE;
     }
+    if (!check_sweep(o, j))
+        return EXIT_USAGE;
     j->usable = 1;
     return 0;
 }
@@ -212,6 +233,9 @@ static int check_job(FILE *out, const options *o, job *j, const char *deck_name)
 static int print_analysis(FILE *out, const options *o, analysis *a, const job *j,
                           const column_list *header, const char *deck_name, unsigned long *failed)
 {
+    csv_labels labels = {NULL, NULL, 0};
+
+    labels.deck_name = deck_name;
     if (o->list)
         return list_print(out, a);
     if (o->summary && o->format == FORMAT_CSV)
@@ -223,10 +247,41 @@ static int print_analysis(FILE *out, const options *o, analysis *a, const job *j
     else if (o->format == FORMAT_PAPER)
         *failed = paper_print(out, a);
     else if (o->format == FORMAT_CSV)
-        return csv_print(out, a, &j->columns, header, deck_name, failed);
+        return csv_print(out, a, &j->columns, header, &labels, failed);
     else
         return table_print(out, a, &j->columns, failed);
     return 1;
+}
+
+/* Print the designs of a sweep; the exit status. */
+static int sweep_job(FILE *out, const options *o, job *j, int *signal_number)
+{
+    sweep_request request;
+    named_file named;
+    unsigned long failed = 0;
+    sweep_result status;
+
+    named.o = o;
+    named.deck_name = j->name;
+    named.contents = NULL;
+    named.is_output = 0;
+    request.name = j->name;
+    request.contents.start = j->contents;
+    request.contents.length = j->length;
+    request.load = read_named_file;
+    request.host = &named;
+    request.changes = o->changes;
+    request.n_changes = o->n_changes;
+    request.part = o->parts ? o->part : 1;
+    request.parts = o->parts ? o->parts : 1;
+    request.csv = o->format == FORMAT_CSV;
+    status = sweep_print(out, &j->deck, &request, &failed, signal_number);
+    free(named.contents);
+    if (status == SWEEP_MEMORY)
+        return complain("cannot analyse", j->name, "not enough memory");
+    if (status == SWEEP_INTERRUPTED)
+        return complain("stopped", j->name, "interrupted: the part can be run again");
+    return failed ? EXIT_ROWS : 0;
 }
 
 /* Print a deck; the exit status it calls for. */
@@ -253,9 +308,11 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
 {
     column_list header;
     char name[1024];
+    csv_labels labels = {NULL, NULL, 0};
     int status = 0, csv = o->format == FORMAT_CSV && !o->list, printed = 0;
     size_t i, k;
 
+    labels.deck_name = o->n_decks > 1 ? "" : NULL;
     memset(&header, 0, sizeof header);
     for (i = 0; csv && i < o->n_decks; i++)
         for (k = 0; jobs[i].usable && k < jobs[i].columns.count; k++)
@@ -268,7 +325,7 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
     else if (csv && o->summary)
         summary_print_csv_header(out, o->n_decks > 1);
     else if (csv)
-        csv_print_header(out, &header, o->n_decks > 1);
+        csv_print_header(out, NULL, &header, &labels);
     for (i = 0; i < o->n_decks; i++) {
         if (!jobs[i].usable && csv && o->check && o->n_decks > 1)
             grade_print_csv_bad_deck(out, jobs[i].name);
@@ -277,43 +334,111 @@ static int print_jobs(FILE *out, const options *o, job *jobs)
         if (printed++ && !csv)
             fputs("\n\n", out);
         if (o->n_decks > 1 && !csv)
-            fprintf(out, "# deck: %s\n", text_copy(text_of(jobs[i].name), name, sizeof name));
+            fprintf(out, "# deck: %s\n",
+                    flk_text_copy(flk_text_of(jobs[i].name), name, sizeof name));
         status = worse(status, print_job(out, o, &jobs[i], &header));
     }
     columns_free(&header);
     return status;
 }
 
-/* 1 if an input, "-" for standard input, is the file of this status. */
-static int is_file(const char *input, const struct stat *file)
+/* Tell what became of gnuplot; the exit status. */
+static int report_gnuplot(gnuplot_result outcome, const char *picture)
 {
-    struct stat in;
-    int status = strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(input, &in);
-
-    return status == 0 && in.st_dev == file->st_dev && in.st_ino == file->st_ino;
+    switch (outcome) {
+    case GNUPLOT_MISSING:
+        return complain("cannot draw", picture,
+                        "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
+                        "gnuplot. --plot-script writes the script for it");
+    case GNUPLOT_FAILED:
+        return complain("cannot draw", picture, "gnuplot failed");
+    case GNUPLOT_ERRNO:
+        return complain("cannot draw", picture, strerror(errno));
+    case GNUPLOT_OK:
+    default:
+        return 0;
+    }
 }
 
-/* 1 if the output file is one of the decks, or the file of answers, which it would replace. */
-static int is_input(const char *path, const options *o)
+/* Open an output, "-" being standard output as null is; the exit status. */
+static int begin_output(output *o, const char *path)
 {
-    struct stat out;
-    size_t i;
+    int status = 0;
 
-    if (stat(path, &out) != 0 || !S_ISREG(out.st_mode))
-        return 0;
-    if (o->check_file && is_file(o->check_file, &out))
-        return 1;
-    for (i = 0; i < o->n_decks; i++)
-        if (is_file(o->decks[i], &out))
-            return 1;
+    if (!output_open(o, path && strcmp(path, "-") == 0 ? NULL : path)) {
+        status = complain("cannot write", path ? path : "standard output", strerror(errno));
+        output_discard(o);
+    }
+    return status;
+}
+
+/* Finish an output, or give it up; the exit status. */
+static int end_output(output *o, const char *path, int keep)
+{
+    if (!keep)
+        output_discard(o);
+    else if (!output_close(o))
+        return complain("cannot write", path ? path : "standard output", strerror(errno));
     return 0;
+}
+
+/* Have gnuplot draw a script; the exit status. */
+static int draw_picture(const char *path, FILE *script)
+{
+    output picture;
+    int status = begin_output(&picture, path);
+
+    if (status)
+        return status;
+    status = report_gnuplot(gnuplot_run(script, picture.file), path);
+    return worse(status, end_output(&picture, path, status == 0));
+}
+
+/* Write the script of a picture; the exit status. */
+static int write_script(FILE *script, const options *o, job *j)
+{
+    plot_request request;
+
+    memset(&request, 0, sizeof request);
+    request.kind = o->plot_kind;
+    request.file = o->plot_file;
+    request.picture = o->plot_script && o->plot && strcmp(o->plot, "-") != 0 ? o->plot : NULL;
+    request.deck_name = j->name;
+    request.at = o->plot_at;
+    if (plot_write(script, &j->deck, &request))
+        return 0;
+    print_mistakes(&j->deck.mistakes, NULL);
+    return EXIT_USAGE;
+}
+
+/* The picture that is asked for, or its script; the exit status. */
+static int plot_job(const options *o, job *j)
+{
+    FILE *script;
+    output file;
+    int status;
+
+    if (o->plot_script) {
+        status = begin_output(&file, o->plot_script);
+        if (status)
+            return status;
+        status = write_script(file.file, o, j);
+        return worse(status, end_output(&file, o->plot_script, status == 0));
+    }
+    script = tmpfile();
+    if (!script)
+        return complain("cannot draw", o->plot, strerror(errno));
+    status = write_script(script, o, j);
+    if (!status)
+        status = draw_picture(o->plot, script);
+    fclose(script);
+    return status;
 }
 
 static int run(const options *o)
 {
     job *jobs = calloc(o->n_decks, sizeof *jobs);
-    const char *name = o->output ? o->output : "standard output";
-    int status = 0, usable = 0;
+    int status = 0, usable = 0, signal_number = 0;
     char *contents;
     text answers;
     output out;
@@ -323,7 +448,7 @@ static int run(const options *o)
         return complain("cannot start", "", "not enough memory");
     answers.start = contents = NULL;
     if (o->check_file) {
-        answers.start = contents = read_file(o->check_file, &answers.length);
+        answers.start = contents = files_read(o->check_file, &answers.length);
         if (!contents) {
             free(jobs);
             return complain("cannot read", o->check_file, strerror(errno));
@@ -334,25 +459,32 @@ static int run(const options *o)
         usable += jobs[i].usable;
     }
     if (usable) {
-        if (output_open(&out, o->output)) {
-            int printed = print_jobs(out.file, o, jobs);
+        int written = begin_output(&out, o->output);
+
+        if (!written) {
+            int printed = jobs[0].contents && !o->list
+                              ? sweep_job(out.file, o, &jobs[0], &signal_number)
+                              : print_jobs(out.file, o, jobs);
 
             status = worse(status, printed);
-            if (printed == EXIT_FILES)
-                output_discard(&out); /* half of the results are none */
-            else if (!output_close(&out))
-                status = worse(status, complain("cannot write", name, strerror(errno)));
-        } else {
-            status = worse(status, complain("cannot write", name, strerror(errno)));
-            output_discard(&out);
+            /* half of the results are none */
+            written = end_output(&out, o->output, printed != EXIT_FILES);
         }
+        status = worse(status, written);
     }
+    if ((o->plot || o->plot_script) && jobs[0].usable && !signal_number)
+        status = worse(status, plot_job(o, &jobs[0]));
     for (i = 0; i < o->n_decks; i++) {
         columns_free(&jobs[i].columns);
-        deck_free(&jobs[i].deck);
+        flk_deck_free(&jobs[i].deck);
+        free(jobs[i].contents);
     }
     free(jobs);
     free(contents);
+    if (signal_number) {
+        fflush(stdout);
+        raise(signal_number); /* what called the program is to know */
+    }
     return status;
 }
 
@@ -375,9 +507,11 @@ static int print_help(void)
 int main(int argc, char **argv)
 {
     char message[400];
+    const char *input;
     options o;
     int status = options_read(argc, argv, &o, message);
 
+    output_prepare();
     gsl_set_error_handler_off(); /* what GSL reports is looked at where it is called */
     if (status < 0) {
         status = complain("cannot start", "", "not enough memory");
@@ -390,8 +524,10 @@ int main(int argc, char **argv)
         printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
                fourlink_version());
         status = finish_text();
-    } else if (o.output && is_input(o.output, &o)) {
-        status = complain("cannot write", o.output, "it is an input");
+    } else if ((input = files_input_among_outputs(&o)) != NULL) {
+        status = complain("cannot write", input, "it is an input");
+    } else if ((input = files_output_given_twice(&o)) != NULL) {
+        status = complain("cannot write", input, "two results would be written to it");
     } else {
         status = run(&o);
     }

@@ -2,19 +2,19 @@
 **
 ** matrix.c - the nine equations of each row to text.
 */
-#include "number.h"
+#include "format.h"
 #include "print.h"
 #include "table.h"
 
 static void put_equation(FILE *out, const double A[9], double x, double b)
 {
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
     int j;
 
     for (j = 0; j < 9; j++)
-        print_right(out, number_general(A[j] + 0.0, 6, number), 13);
-    print_right(out, number_general(x, 9, number), 17);
-    print_right(out, number_general(b, 9, number), 17);
+        print_right(out, format_general(A[j] + 0.0, 6, number), 13);
+    print_right(out, format_general(x, 9, number), 17);
+    print_right(out, format_general(b, 9, number), 17);
     putc('\n', out);
 }
 
@@ -24,7 +24,7 @@ static void put_system(FILE *out, const analysis *a, const result *r)
     const fourlink_forces *f = &r->forces;
     int slider_crank = d->design.kind == FOURLINK_SLIDER_CRANK, i;
     double A[9][9], b[9], x[9];
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
 
     fourlink_system(&d->mechanism, &r->state, a->loads, a->n_loads, A, b);
     x[0] = f->F12x;
@@ -51,7 +51,7 @@ unsigned long matrix_print(FILE *out, analysis *a)
     fourlink_branch branches[2];
     int n = print_branches_of(d, branches), i, blocks = 0;
     unsigned long k, failed = 0;
-    char stop[NUMBER_SIZE + 80], number[NUMBER_SIZE];
+    char stop[FORMAT_SIZE + 80], number[FORMAT_SIZE];
     result r;
 
     print_head(out, d);

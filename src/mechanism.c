@@ -4,6 +4,7 @@
 ** and the steps of an analysis.
 */
 #include <math.h>
+#include <stddef.h>
 
 #include "internal.h"
 
@@ -83,50 +84,60 @@ static void place_crank(double a, double theta2, double half_sine, double half_c
     coupler->origin.y = a * crank->axis.y;
 }
 
-int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                      fourlink_state *state)
-{
+/* The sine and cosine of half the crank angle, and from them the sine of the position, on the branch
+** asked for; or why there is none. */
+typedef struct reach {
     double half_sine, half_cosine, sine;
+} reach;
+
+static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                      reach *at)
+{
     int status;
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
     if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
         return FOURLINK_BAD_BRANCH;
-    half_sine = sin(0.5 * theta2);
-    half_cosine = cos(0.5 * theta2);
+    at->half_sine = sin(0.5 * theta2);
+    at->half_cosine = cos(0.5 * theta2);
     if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        status = flk_fourbar_reach(mechanism, half_sine, half_cosine, &sine);
+        status = flk_fourbar_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
     else
-        status = flk_slidercrank_reach(mechanism, half_sine, half_cosine, &sine);
-    if (status != FOURLINK_OK)
-        return status;
-    place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, half_sine, half_cosine,
-                state);
+        status = flk_slidercrank_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
+    if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
+        at->sine = -at->sine;
+    return status;
+}
+
+static void place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                  const reach *at, fourlink_state *state)
+{
+    place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, at->half_sine,
+                at->half_cosine, state);
     state->branch = branch;
-    state->sine = branch == FOURLINK_OPEN ? sine : -sine;
+    state->sine = at->sine;
     if (mechanism->design.kind == FOURLINK_FOUR_BAR)
         flk_fourbar_position(mechanism, state);
     else
         flk_slidercrank_position(mechanism, state);
-    return FOURLINK_OK;
+}
+
+static void measure_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_angles(state);
+    else
+        flk_slidercrank_angles(state);
 }
 
 /* omega x r for the pin B of the crank */
-int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
+static void move(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
 {
-    fourlink_link_state *crank, *coupler;
-    double a;
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double a = mechanism->design.link[FOURLINK_CRANK].length;
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
-    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
-    a = mechanism->design.link[FOURLINK_CRANK].length;
-    crank = &state->link[FOURLINK_CRANK];
-    coupler = &state->link[FOURLINK_COUPLER];
     crank->omega = omega2;
     coupler->k_origin.x = -a * crank->axis.y;
     coupler->k_origin.y = a * crank->axis.x;
@@ -136,23 +147,16 @@ int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourli
         flk_fourbar_velocity(mechanism, state);
     else
         flk_slidercrank_velocity(mechanism, state);
-    return FOURLINK_OK;
 }
 
 /* alpha x r - omega^2 r for the pin B of the crank */
-int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
+static void accelerate(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
 {
-    fourlink_link_state *crank, *coupler;
-    double t, n;
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double t = mechanism->design.link[FOURLINK_CRANK].length * alpha2;
+    double n = mechanism->design.link[FOURLINK_CRANK].length * crank->omega * crank->omega;
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
-    if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
-    crank = &state->link[FOURLINK_CRANK];
-    coupler = &state->link[FOURLINK_COUPLER];
-    t = mechanism->design.link[FOURLINK_CRANK].length * alpha2;
-    n = mechanism->design.link[FOURLINK_CRANK].length * crank->omega * crank->omega;
     crank->alpha = alpha2;
     coupler->acceleration.x = -t * crank->axis.y - n * crank->axis.x;
     coupler->acceleration.y = t * crank->axis.x - n * crank->axis.y;
@@ -160,6 +164,41 @@ int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fo
         flk_fourbar_acceleration(mechanism, state);
     else
         flk_slidercrank_acceleration(mechanism, state);
+}
+
+int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                      fourlink_state *state)
+{
+    reach at;
+    int status;
+
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    status = find_reach(mechanism, branch, theta2, &at);
+    if (status != FOURLINK_OK)
+        return status;
+    place(mechanism, branch, theta2, &at, state);
+    measure_angles(mechanism, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
+{
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    move(mechanism, omega2, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
+{
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    accelerate(mechanism, alpha2, state);
     return FOURLINK_OK;
 }
 
@@ -199,6 +238,30 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
     return FOURLINK_OK;
 }
 
+/* The motion of every link, but for the angles; the state is written to only if all is in order, the
+** loads included. */
+static int analyse_motion(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          const fourlink_crank *crank, const fourlink_load *loads,
+                          unsigned long n_loads, fourlink_state *state)
+{
+    reach at;
+    int status = find_reach(mechanism, branch, crank->theta2, &at);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (!FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(crank->alpha2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    status = flk_check_loads(loads, n_loads);
+    if (status != FOURLINK_OK)
+        return status;
+    place(mechanism, branch, crank->theta2, &at, state);
+    move(mechanism, crank->omega2, state);
+    accelerate(mechanism, crank->alpha2, state);
+    return FOURLINK_OK;
+}
+
+/* The matrix may turn out to be singular when the state is known: so that is kept back. */
 int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,
                      fourlink_state *state, fourlink_forces *forces)
@@ -208,14 +271,44 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
 
     if (!mechanism || !crank || !state)
         return FOURLINK_NULL;
-    status = fourlink_position(mechanism, branch, crank->theta2, &result);
+    if (!forces)
+        return fourlink_analyse_dyad(mechanism, branch, crank, NULL, 0, state, NULL);
+    status = analyse_motion(mechanism, branch, crank, loads, n_loads, &result);
     if (status == FOURLINK_OK)
-        status = fourlink_velocity(mechanism, crank->omega2, &result);
-    if (status == FOURLINK_OK)
-        status = fourlink_acceleration(mechanism, crank->alpha2, &result);
-    if (status == FOURLINK_OK && forces)
         status = fourlink_solve(mechanism, &result, loads, n_loads, forces);
+    if (status != FOURLINK_OK)
+        return status;
+    measure_angles(mechanism, &result);
+    *state = result;
+    return FOURLINK_OK;
+}
+
+/* Here nothing can fail once the position is found: its sine is not 0. */
+int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          const fourlink_crank *crank, const fourlink_load *loads,
+                          unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
+{
+    int status;
+
+    if (!mechanism || !crank || !state)
+        return FOURLINK_NULL;
+    status = analyse_motion(mechanism, branch, crank, loads, forces ? n_loads : 0, state);
+    if (status != FOURLINK_OK)
+        return status;
+    if (forces)
+        flk_dyad(mechanism, state, loads, n_loads, forces);
+    measure_angles(mechanism, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_analyse_design(const fourlink_design *design, fourlink_branch branch,
+                            const fourlink_crank *crank, const fourlink_load *loads,
+                            unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
+{
+    fourlink_mechanism mechanism;
+    int status = fourlink_prepare(design, &mechanism);
+
     if (status == FOURLINK_OK)
-        *state = result;
+        status = fourlink_analyse(&mechanism, branch, crank, loads, n_loads, state, forces);
     return status;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** number.h - numbers to text and back, the same under every locale.
+** number.h - numbers from the text of a deck, and into its messages; the same under every locale.
 */
 #ifndef FOURLINK_NUMBER_H
 #define FOURLINK_NUMBER_H
@@ -17,13 +17,12 @@ typedef enum number_status {
 } number_status;
 
 /* Take a decimal number off the front of `rest`; on a failure `rest` is unchanged. */
-number_status number_read(text *rest, double *value);
+number_status flk_number_read(text *rest, double *value);
 
 #define NUMBER_SIZE 400
 
-/* Write a number with so many decimals (as %.*f), or so many significant digits (as %.*e, %.*g). */
-char *number_fixed(double value, int decimals, char out[NUMBER_SIZE]);
-char *number_exponent(double value, int decimals, char out[NUMBER_SIZE]);
-char *number_general(double value, int digits, char out[NUMBER_SIZE]);
+/* Write a number for a message, with so many significant digits at most: at most 9, rounded to the
+** nearest but for what is lost in scaling it. */
+char *flk_number_write(double value, int digits, char out[NUMBER_SIZE]);
 
 #endif

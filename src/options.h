@@ -6,14 +6,21 @@
 #define FOURLINK_OPTIONS_H
 
 #include "deck.h"
+#include "plot.h"
 #include "table.h"
 
 typedef struct options {
     table_format format;
     int check, matrix, summary, list, help, version;
-    const char *check_file; /* null: the deck's own expectations */
-    const char *output;     /* null: standard output */
-    deck_change *changes;   /* --set, and the options that are a key of the deck */
+    const char *check_file;    /* null: the deck's own expectations */
+    const char *output;        /* null: standard output */
+    unsigned long part, parts; /* --part=K/N; parts 0: not given */
+    const char *plot;          /* the picture's file; null: none */
+    const char *plot_script;   /* the script's file; null: none */
+    const char *plot_at;       /* crank angles; null: not given */
+    plot_kind plot_kind;       /* PLOT_COUNT: not given */
+    plot_file plot_file;
+    deck_change *changes; /* --set, and the options that are a key of the deck */
     size_t n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;

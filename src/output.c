@@ -13,6 +13,9 @@
 
 #include "output.h"
 
+/* Bytes: of millions of rows, a call of the system for each 4 kB is noticed. */
+#define BUFFER 65536
+
 /* The temporary file that a signal has to take away, null if there is none. */
 static char *volatile at_work;
 
@@ -103,7 +106,15 @@ static int open_beside(output *o, int exists, mode_t mode)
     watch_signals(o->temporary);
     fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
     o->file = fdopen(descriptor, "w");
+    if (o->file)
+        setvbuf(o->file, NULL, _IOFBF, BUFFER);
     return o->file != NULL;
+}
+
+void output_prepare(void)
+{
+    if (!isatty(STDOUT_FILENO))
+        setvbuf(stdout, NULL, _IOFBF, BUFFER);
 }
 
 int output_open(output *o, const char *path)
@@ -136,6 +147,8 @@ int output_open(output *o, const char *path)
     if (!exists || S_ISREG(status.st_mode))
         return open_beside(o, exists, exists ? status.st_mode : 0);
     o->file = fopen(o->path, "w");
+    if (o->file)
+        setvbuf(o->file, NULL, _IOFBF, BUFFER);
     return o->file != NULL;
 }
 

@@ -13,6 +13,9 @@ typedef struct output {
     char *temporary; /* null: written directly, as to a device or a pipe */
 } output;
 
+/* To be called before anything is written to standard output. */
+void output_prepare(void);
+
 /* Open a path, or standard output for null.  1 if it went well; else 0, errno says why.  A regular
 ** file is written beside the path and takes its place in output_close. */
 int output_open(output *o, const char *path);

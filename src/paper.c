@@ -38,7 +38,7 @@ unsigned long paper_print(FILE *out, analysis *a)
 {
     const deck *d = a->d;
     unsigned long k, n_rows = a->range.n_rows, failed = 0;
-    char number[NUMBER_SIZE + 80];
+    char number[FORMAT_SIZE + 80];
     result r;
     int i;
 

@@ -1,13 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** print.c - what the formats share: branches, reasons, fields, the head of a table.
+** print.c - what the formats share: branches, reasons, fields, rows, the head of a table.
 */
+#include <stdarg.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "number.h"
+#include "format.h"
 #include "print.h"
+
+char *print_join(char *out, size_t size, ...)
+{
+    const char *piece;
+    size_t used = 0;
+    va_list pieces;
+
+    out[0] = '\0';
+    va_start(pieces, size);
+    while ((piece = va_arg(pieces, const char *)) != NULL) {
+        flk_text_copy(flk_text_of(piece), out + used, size - used);
+        used += strlen(out + used);
+    }
+    va_end(pieces);
+    return out;
+}
 
 int print_branches_of(const deck *d, fourlink_branch branches[2])
 {
@@ -20,14 +37,14 @@ int print_branches_of(const deck *d, fourlink_branch branches[2])
     return n;
 }
 
-const char *print_angle(double angle, char out[NUMBER_SIZE])
+const char *print_angle(double angle, char out[FORMAT_SIZE])
 {
-    return number_general(angle, 12, out);
+    return format_general(angle, 12, out);
 }
 
-const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80])
+const char *print_stop(const analysis *a, char out[FORMAT_SIZE + 80])
 {
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
 
     out[0] = '\0';
     if (a->range.stops) {
@@ -39,9 +56,14 @@ const char *print_stop(const analysis *a, char out[NUMBER_SIZE + 80])
     return out;
 }
 
+int print_is_ordinary(const result *r)
+{
+    return r->status == FOURLINK_OK && !(r->state.mu < M_PI / 180);
+}
+
 const char *print_status(const result *r)
 {
-    if (r->status == FOURLINK_OK && r->state.mu < M_PI / 180)
+    if (r->status == FOURLINK_OK && !print_is_ordinary(r))
         return "near a dead position: the transmission angle is less than 1 deg";
     return fourlink_status_text(r->status);
 }
@@ -60,9 +82,9 @@ void print_right(FILE *out, const char *s, size_t width)
 static void put_length(FILE *out, const deck *d, const char *name, double length)
 {
     const deck_unit *u = &d->units[QUANTITY_LENGTH];
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
 
-    fprintf(out, "%s %s %s", name, number_general(unit_from_si(length, u->unit), 12, number),
+    fprintf(out, "%s %s %s", name, format_general(flk_unit_from_si(length, u->unit), 12, number),
             u->name);
 }
 
@@ -88,9 +110,14 @@ void print_head(FILE *out, const deck *d)
 
 /* RFC 4180: fields with a comma, a quote or the end of a line in them stand in quotes, and quotes
 ** in them are doubled. */
+static int needs_quotes(const char *s)
+{
+    return strpbrk(s, ",\"\r\n") != NULL;
+}
+
 void print_field(FILE *out, const char *s)
 {
-    if (!strpbrk(s, ",\"\r\n")) {
+    if (!needs_quotes(s)) {
         fputs(s, out);
         return;
     }
@@ -101,4 +128,77 @@ void print_field(FILE *out, const char *s)
         putc(*s, out);
     }
     putc('"', out);
+}
+
+void row_start(row_buffer *row, FILE *out)
+{
+    row->out = out;
+    row->length = 0;
+}
+
+void row_end(row_buffer *row)
+{
+    fwrite(row->bytes, 1, row->length, row->out);
+    row->length = 0;
+}
+
+/* Make room for so much more; 0 if it is more than the buffer holds. */
+static int row_room(row_buffer *row, size_t length)
+{
+    if (length > sizeof row->bytes - row->length)
+        row_end(row);
+    return length <= sizeof row->bytes;
+}
+
+void row_text(row_buffer *row, const char *s, size_t length)
+{
+    if (row_room(row, length)) {
+        memcpy(row->bytes + row->length, s, length);
+        row->length += length;
+    } else {
+        fwrite(s, 1, length, row->out);
+    }
+}
+
+void row_right(row_buffer *row, const char *s, size_t length, size_t width)
+{
+    size_t blanks = length < width ? width - length : 1;
+
+    if (row_room(row, blanks)) {
+        memset(row->bytes + row->length, ' ', blanks);
+        row->length += blanks;
+    } else {
+        for (; blanks > 0; blanks--)
+            putc(' ', row->out);
+    }
+    row_text(row, s, length);
+}
+
+/* Blanks that are written at once, whether they are all needed or not. */
+#define BLANKS 16
+
+int row_fixed(row_buffer *row, double value, int decimals, size_t width)
+{
+    char *begin;
+
+    if (!row_room(row, width + BLANKS))
+        return 0;
+    begin = row->bytes + row->length;
+    memset(begin, ' ', BLANKS);
+    if (width > BLANKS)
+        memset(begin + BLANKS, ' ', width - BLANKS);
+    if (!format_fixed_before(value, decimals, begin + width))
+        return 0;
+    row->length += width;
+    return 1;
+}
+
+void row_field(row_buffer *row, const char *s)
+{
+    if (needs_quotes(s)) {
+        row_end(row);
+        print_field(row->out, s);
+    } else {
+        row_text(row, s, strlen(s));
+    }
 }

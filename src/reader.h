@@ -15,6 +15,8 @@ typedef struct setting {
     text value;
     double number; /* as written */
     unit unit;     /* its unit */
+    int is_given;  /* 1: number and unit are those of a sweep, not of the text */
+    int is_void;   /* 1: not to be read, for there is a mistake about it already */
     double si[2];  /* the value in SI units and radians, or the two components */
     int word;
     struct point *curve; /* its points, if it is a curve */
@@ -48,7 +50,8 @@ typedef struct named_value {
 typedef struct parser {
     deck *d;
     const char *name;
-    deck_loader *load;
+    fourlink_loader *load;
+    void *host; /* for it */
     section_use *uses;
     size_t n_uses, uses_capacity;
     setting *settings;
@@ -64,35 +67,55 @@ typedef struct parser {
 #define WORD_SIZE 64
 
 /* A copy for a message. */
-char *word_of(text t, char out[WORD_SIZE]);
+char *flk_word_of(text t, char out[WORD_SIZE]);
+
+/* The value of a setting for a message, as it is written, or as a sweep gives it. */
+char *flk_value_of(const setting *s, char out[WORD_SIZE]);
 
 /* A section of the deck, null if it has none of that kind. */
-section_use *find_use(parser *p, section_code section);
+section_use *flk_find_use(parser *p, section_code section);
+
+/* The key that a setting belongs to. */
+key_code flk_key_of(parser *p, const setting *s);
 
 /* The setting of a key in a section that has it. */
-setting *setting_of(parser *p, const section_use *use, key_code key);
+setting *flk_setting_of(parser *p, const section_use *use, key_code key);
 
 /* The setting of a key of a section that does not repeat; null if the deck does not set it. */
-setting *find(parser *p, key_code key);
+setting *flk_find(parser *p, key_code key);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, but
 ** not within quotes. */
-text without_comment(text line);
+text flk_without_comment(text line);
 
 /* First pass: the lines of the deck, all in `copy`, and an assignment from outside it. */
-void read_lines(parser *p, text rest, char *copy);
-void apply_change(parser *p, const char *option, text assignment);
+void flk_read_lines(parser *p, text rest, char *copy);
+void flk_apply_change(parser *p, const char *option, text assignment);
 
-/* Second pass. */
-void read_values(parser *p);
+/* Set a key from elsewhere than its section: [SECTION[ NAME].]KEY.  Null, and mostly a mistake, if it has
+** no setting in the schema. */
+setting *flk_set_key(parser *p, text_place place, text key, text value);
+
+/* Second pass: the units, which decide how bare numbers are read; the values that [sweep] has for a
+** design; the values. */
+void flk_read_section(parser *p, const section_use *use);
+void flk_read_units(parser *p);
+void flk_read_sweep(parser *p, unsigned long design);
+void flk_read_values(parser *p);
+
+/* After it: what the quantities of the sweep are in this design. */
+void flk_build_sweep(parser *p);
 
 /* A quantity in SI units, with its sign and size checked; 0 and a mistake if it is none. */
-int read_quantity(parser *p, setting *s, text t, quantity q, double *si);
+int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si);
+
+/* A quantity in the deck's unit of it, without rounding if it is written in that. */
+double flk_in_deck_unit(parser *p, const setting *s, quantity q);
 
 /* Memory that lasts as long as the deck; null when there is none. */
-void *keep(parser *p, size_t size);
+void *flk_keep(parser *p, size_t size);
 
 /* Sine and cosine, exact for whole quarters of a turn. */
-void direction_of(double angle, double *x, double *y);
+void flk_direction_of(double angle, double *x, double *y);
 
 #endif

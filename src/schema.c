@@ -5,69 +5,71 @@
 #include "schema.h"
 
 #define SECTION_INFO(code, name, repeats, kinds) {name, repeats, kinds},
-const section_info section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0}};
+const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0}};
 
 #define KEY_INFO(section, code, name, form, quantity, sign, kinds) \
     {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds},
-const key_info key_table[] = {KEY_LIST(KEY_INFO)};
+const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
 
-const word_info word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR},
-                                {KEY_TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK},
-                                {KEY_TOP_SERIES, "none", FOURLINK_EXACT},
-                                {KEY_TOP_SERIES, "piston", FOURLINK_SERIES_PISTON},
-                                {KEY_TOP_SERIES, "all", FOURLINK_SERIES_ALL},
-                                {KEY_MOTION_HOLD, "no", 0},
-                                {KEY_MOTION_HOLD, "yes", 1},
-                                {KEY_LOAD_LINK, "crank", FOURLINK_CRANK},
-                                {KEY_LOAD_LINK, "coupler", FOURLINK_COUPLER},
-                                {KEY_LOAD_LINK, "rod", FOURLINK_COUPLER},
-                                {KEY_LOAD_LINK, "rocker", FOURLINK_FOLLOWER},
-                                {KEY_LOAD_LINK, "piston", FOURLINK_FOLLOWER},
-                                {KEY_TABLE_BRANCH, "open", BRANCH_OPEN},
-                                {KEY_TABLE_BRANCH, "crossed", BRANCH_CROSSED},
-                                {KEY_TABLE_BRANCH, "both", BRANCH_BOTH},
-                                {KEY_EXPECT_BRANCH, "open", BRANCH_OPEN},
-                                {KEY_EXPECT_BRANCH, "crossed", BRANCH_CROSSED},
-                                {KEY_MISPRINT_BRANCH, "open", BRANCH_OPEN},
-                                {KEY_MISPRINT_BRANCH, "crossed", BRANCH_CROSSED},
-                                {KEY_POINT_LINK, "crank", FOURLINK_CRANK},
-                                {KEY_POINT_LINK, "coupler", FOURLINK_COUPLER},
-                                {KEY_POINT_LINK, "rod", FOURLINK_COUPLER},
-                                {KEY_POINT_LINK, "rocker", FOURLINK_FOLLOWER},
-                                {KEY_POINT_LINK, "piston", FOURLINK_FOLLOWER},
-                                {KEY_LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND},
-                                {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
-                                {KEY_COUNT, NULL, 0}};
+const word_info flk_word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR},
+                                    {KEY_TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK},
+                                    {KEY_TOP_SERIES, "none", FOURLINK_EXACT},
+                                    {KEY_TOP_SERIES, "piston", FOURLINK_SERIES_PISTON},
+                                    {KEY_TOP_SERIES, "all", FOURLINK_SERIES_ALL},
+                                    {KEY_TOP_SOLVER, "matrix", SOLVER_MATRIX},
+                                    {KEY_TOP_SOLVER, "dyad", SOLVER_DYAD},
+                                    {KEY_MOTION_HOLD, "no", 0},
+                                    {KEY_MOTION_HOLD, "yes", 1},
+                                    {KEY_LOAD_LINK, "crank", FOURLINK_CRANK},
+                                    {KEY_LOAD_LINK, "coupler", FOURLINK_COUPLER},
+                                    {KEY_LOAD_LINK, "rod", FOURLINK_COUPLER},
+                                    {KEY_LOAD_LINK, "rocker", FOURLINK_FOLLOWER},
+                                    {KEY_LOAD_LINK, "piston", FOURLINK_FOLLOWER},
+                                    {KEY_TABLE_BRANCH, "open", BRANCH_OPEN},
+                                    {KEY_TABLE_BRANCH, "crossed", BRANCH_CROSSED},
+                                    {KEY_TABLE_BRANCH, "both", BRANCH_BOTH},
+                                    {KEY_EXPECT_BRANCH, "open", BRANCH_OPEN},
+                                    {KEY_EXPECT_BRANCH, "crossed", BRANCH_CROSSED},
+                                    {KEY_MISPRINT_BRANCH, "open", BRANCH_OPEN},
+                                    {KEY_MISPRINT_BRANCH, "crossed", BRANCH_CROSSED},
+                                    {KEY_POINT_LINK, "crank", FOURLINK_CRANK},
+                                    {KEY_POINT_LINK, "coupler", FOURLINK_COUPLER},
+                                    {KEY_POINT_LINK, "rod", FOURLINK_COUPLER},
+                                    {KEY_POINT_LINK, "rocker", FOURLINK_FOLLOWER},
+                                    {KEY_POINT_LINK, "piston", FOURLINK_FOLLOWER},
+                                    {KEY_LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND},
+                                    {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
+                                    {KEY_COUNT, NULL, 0}};
 
-const char *kind_words(fourlink_kind kind)
+const char *flk_kind_words(fourlink_kind kind)
 {
     return kind == FOURLINK_FOUR_BAR ? "four-bar linkage" : "slider-crank";
 }
 
-int first_key(section_code section)
+int flk_first_key(section_code section)
 {
     int k = 0;
 
-    while (k < KEY_COUNT && key_table[k].section != section)
+    while (k < KEY_COUNT && flk_key_table[k].section != section)
         k++;
     return k;
 }
 
-int key_count(section_code section)
+int flk_key_count(section_code section)
 {
-    int k = first_key(section), n = 0;
+    int k = flk_first_key(section), n = 0;
 
-    while (k + n < KEY_COUNT && key_table[k + n].section == section)
+    while (k + n < KEY_COUNT && flk_key_table[k + n].section == section)
         n++;
     return n;
 }
 
-section_code find_section(text name)
+section_code flk_find_section(text name)
 {
     int i;
 
     for (i = 1; i < SECTION_COUNT; i++)
-        if (text_equal(name, section_table[i].name))
+        if (flk_text_equal(name, flk_section_table[i].name))
             return (section_code)i;
     return SECTION_COUNT;
 }

@@ -26,6 +26,7 @@
     X(POINT, "point", 1, ANY_KIND)                \
     X(TABLE, "table", 0, ANY_KIND)                \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND)          \
+    X(SWEEP, "sweep", 0, ANY_KIND)                \
     X(EXPECT, "expect", 1, ANY_KIND)              \
     X(MISPRINT, "misprint", 1, ANY_KIND)
 
@@ -54,6 +55,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
     X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
 
+/* Sections that take names of their own beside their keys: columns and facts, or keys of the deck. */
+#define TAKES_NAMES(section) \
+    ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP)
+
 /* Beside these, any column or fact. */
 #define EXPECT_KEYS(X, S)                               \
     X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)      \
@@ -65,6 +70,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                      \
     X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                              \
     X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                       \
+    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND)                                    \
     X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                  \
     X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                     \
     X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                        \
@@ -119,6 +125,9 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)            \
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                   \
+    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                          \
+    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                            \
+    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                 \
     EXPECT_KEYS(X, EXPECT)                                                                   \
     EXPECT_KEYS(X, MISPRINT)
 
@@ -134,7 +143,7 @@ typedef struct section_info {
 } section_info;
 
 /* By section_code; ended by a null name. */
-extern const section_info section_table[];
+extern const section_info flk_section_table[];
 
 typedef struct key_info {
     section_code section;
@@ -146,9 +155,13 @@ typedef struct key_info {
 } key_info;
 
 /* By key_code. */
-extern const key_info key_table[];
+extern const key_info flk_key_table[];
 
 enum { PIN_ORIGIN, PIN_END, PIN_POINT };
+
+/* How forces are solved for; 0: the deck does not say. */
+enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
+
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
 /* The words that keys of FORM_WORD take, with their values. */
@@ -159,15 +172,15 @@ typedef struct word_info {
 } word_info;
 
 /* Ended by a null word. */
-extern const word_info word_table[];
+extern const word_info flk_word_table[];
 
 /* The first key of a section, and how many it has. */
-int first_key(section_code section);
-int key_count(section_code section);
+int flk_first_key(section_code section);
+int flk_key_count(section_code section);
 
 /* The section of that name, SECTION_COUNT if there is none. */
-section_code find_section(text name);
+section_code flk_find_section(text name);
 
-const char *kind_words(fourlink_kind kind);
+const char *flk_kind_words(fourlink_kind kind);
 
 #endif

@@ -75,17 +75,23 @@ void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_stat
 
     rod->axis.x = state->sine;
     rod->axis.y = (e - rod->origin.y) / l;
-    rod->theta = FLK_ANGLE(rod->axis);
     piston->theta = 0;
     piston->axis.x = 1;
     piston->axis.y = 0;
     piston->origin.x = rod->origin.x + l * rod->axis.x;
     piston->origin.y = e;
+    state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
+}
+
+void flk_slidercrank_angles(fourlink_state *state)
+{
+    fourlink_link_state *rod = &state->link[3];
+
+    rod->theta = flk_angle(&rod->axis);
     state->phi = -rod->theta;
     if (rod->axis.x < 0)
         state->phi = rod->theta > 0 ? rod->theta - M_PI : rod->theta + M_PI;
     state->mu = M_PI_2 - fabs(state->phi);
-    state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
 }
 
 /* Velocity, from the derivative of the loop A-B-C, here for a unit crank speed:

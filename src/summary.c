@@ -6,20 +6,20 @@
 #include <string.h>
 
 #include "fact.h"
-#include "number.h"
+#include "format.h"
 #include "print.h"
 #include "table.h"
 
 static void put_summary_line(const fact *f, void *data)
 {
     FILE *out = data;
-    char value[NUMBER_SIZE], angle[NUMBER_SIZE];
+    char value[FORMAT_SIZE], angle[FORMAT_SIZE];
 
     value[0] = angle[0] = '\0';
     if (!f->words)
-        number_general(f->value, 12, value);
+        format_general(f->value, 12, value);
     if (f->has_angle)
-        number_general(f->theta2, 10, angle);
+        format_general(f->theta2, 10, angle);
     fprintf(out, "%-22s %20s %-8s %14s %-8s %s\n", f->name, f->words ? "" : value, f->unit, angle,
             f->branch ? branch_name((fourlink_branch)f->branch) : "",
             f->words ? f->words : f->meaning);
@@ -46,17 +46,17 @@ typedef struct summary_csv {
 static void put_summary_csv(const fact *f, void *data)
 {
     const summary_csv *s = data;
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
 
     if (s->deck_name) {
         print_field(s->out, s->deck_name);
         putc(',', s->out);
     }
     fprintf(s->out, "%s,", f->name);
-    print_field(s->out, f->words ? f->words : number_general(f->value + 0.0, DBL_DIG + 2, number));
+    print_field(s->out, f->words ? f->words : format_general(f->value + 0.0, DBL_DIG + 2, number));
     fprintf(s->out, ",%s,", f->unit);
     if (f->has_angle)
-        fputs(number_general(f->theta2 + 0.0, DBL_DIG + 2, number), s->out);
+        fputs(format_general(f->theta2 + 0.0, DBL_DIG + 2, number), s->out);
     fprintf(s->out, ",%s\r\n", f->branch ? branch_name((fourlink_branch)f->branch) : "");
 }
 

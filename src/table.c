@@ -8,7 +8,7 @@
 
 #include "extreme.h"
 #include "fact.h"
-#include "number.h"
+#include "format.h"
 #include "print.h"
 #include "table.h"
 
@@ -17,6 +17,7 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
+    double limit;         /* a number below it has room in the width, with a sign and a blank */
     extreme_result found; /* the extreme of the column last looked for */
     extreme at;
 } style;
@@ -76,7 +77,7 @@ static int decimals_of_angle(const deck *d, int otherwise)
 
 static void find_style(const deck *d, const column *c, double size, style *s)
 {
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
     size_t width;
 
     s->exponent = size > 0 && (size < 1e-6 || size >= 1e9);
@@ -92,24 +93,31 @@ static void find_style(const deck *d, const column *c, double size, style *s)
             s->decimals = decimals_of_angle(d, s->decimals);
     }
     if (s->exponent)
-        width = strlen(number_exponent(-1, s->decimals, number));
+        width = strlen(format_exponent(-1, s->decimals, number));
     else
-        width = strlen(number_fixed(-size, s->decimals, number));
+        width = strlen(format_fixed(-size, s->decimals, number));
     if (strlen(c->name) > width)
         width = strlen(c->name);
     if (strlen(c->unit) > width)
         width = strlen(c->unit);
     s->width = width + 2;
+    s->limit = s->exponent ? 0 : pow(10, (double)s->width - s->decimals - 3) - 1;
 }
 
-/* A number that is 0 to the decimals printed carries no sign. */
-static const char *cell_text(double x, const style *s, char out[NUMBER_SIZE])
+/* A cell's text and its end.  A number that is 0 to the decimals printed carries no sign. */
+static const char *cell_text(double x, const style *s, char out[FORMAT_SIZE], const char **end)
 {
+    const char *c = out + 1;
+
     if (s->exponent)
-        number_exponent(x + 0.0, s->decimals, out); /* -0 + 0 is 0 */
+        *end = format_exponent_end(x + 0.0, s->decimals, out); /* -0 + 0 is 0 */
     else
-        number_fixed(x, s->decimals, out);
-    return out[0] == '-' && strspn(out, "-0.") == strlen(out) ? out + 1 : out;
+        *end = format_fixed_end(x, s->decimals, out);
+    if (out[0] != '-')
+        return out;
+    while (*c == '0' || *c == '.')
+        c++;
+    return c == *end ? out + 1 : out;
 }
 
 /* Names or units of the columns, as a comment above them. */
@@ -128,7 +136,7 @@ static void put_names(FILE *out, const column_list *columns, const style *styles
 static void put_fact(const fact *f, void *data)
 {
     FILE *out = data;
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
 
     fprintf(out, "# %s", f->name);
     if (f->branch)
@@ -136,10 +144,10 @@ static void put_fact(const fact *f, void *data)
     if (f->words)
         fprintf(out, ": %s\n", f->words);
     else
-        fprintf(out, ": %s%s%s", number_general(f->value, 9, number),
+        fprintf(out, ": %s%s%s", format_general(f->value, 9, number),
                 strcmp(f->unit, "1") ? " " : "", strcmp(f->unit, "1") ? f->unit : "");
     if (!f->words && f->has_angle)
-        fprintf(out, " at theta2 = %s", number_general(f->theta2, 9, number));
+        fprintf(out, " at theta2 = %s", format_general(f->theta2, 9, number));
     if (!f->words)
         putc('\n', out);
 }
@@ -148,8 +156,8 @@ static void put_fact(const fact *f, void *data)
 static void put_extremes(FILE *out, analysis *a, const column_list *columns, style *styles,
                          fourlink_branch branch)
 {
-    static const style angle = {3, 0, 0, EXTREME_NONE, {0, 0}};
-    char number[NUMBER_SIZE];
+    static const style angle = {3, 0, 0, 0, EXTREME_NONE, {0, 0}};
+    char number[FORMAT_SIZE];
     int sign, line;
     size_t j;
 
@@ -162,11 +170,11 @@ static void put_extremes(FILE *out, analysis *a, const column_list *columns, sty
             putc('#', out);
             for (j = 0; j < columns->count; j++) {
                 const style *s = &styles[j];
-                const char *cell = "";
+                const char *cell = "", *end;
 
                 if (s->found == EXTREME_FOUND)
-                    cell = line == 0 ? cell_text(s->at.value, s, number)
-                                     : cell_text(s->at.angle, &angle, number);
+                    cell = line == 0 ? cell_text(s->at.value, s, number, &end)
+                                     : cell_text(s->at.angle, &angle, number, &end);
                 else if (s->found == EXTREME_UNBOUNDED && line == 0)
                     cell = "none";
                 print_right(out, cell, s->width - (j == 0));
@@ -179,26 +187,35 @@ static void put_extremes(FILE *out, analysis *a, const column_list *columns, sty
 static void put_row(FILE *out, const deck *d, const column_list *columns, const style *styles,
                     const result *r)
 {
-    const char *status = print_status(r);
-    char number[NUMBER_SIZE];
+    char number[FORMAT_SIZE];
+    row_buffer row;
     size_t j;
 
     if (r->status == FOURLINK_OK) {
-        for (j = 0; j < columns->count; j++)
-            print_right(out, cell_text(column_value(&columns->list[j], r), &styles[j], number),
-                        styles[j].width);
-        putc('\n', out);
+        row_start(&row, out);
+        for (j = 0; j < columns->count; j++) {
+            double x = column_value(&columns->list[j], r);
+
+            if (!(fabs(x) < styles[j].limit) ||
+                !row_fixed(&row, x, styles[j].decimals, styles[j].width)) {
+                const char *end, *cell = cell_text(x, &styles[j], number, &end);
+
+                row_right(&row, cell, (size_t)(end - cell), styles[j].width);
+            }
+        }
+        row_text(&row, "\n", 1);
+        row_end(&row);
     }
-    if (strcmp(status, fourlink_status_text(FOURLINK_OK)) != 0)
+    if (!print_is_ordinary(r))
         fprintf(out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
-                d->units[QUANTITY_ANGLE].name, status);
+                d->units[QUANTITY_ANGLE].name, print_status(r));
 }
 
 static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns, style *styles,
                                   fourlink_branch branch)
 {
     unsigned long k, failed = 0;
-    char stop[NUMBER_SIZE + 80];
+    char stop[FORMAT_SIZE + 80];
     result r;
 
     fprintf(out, "# branch: %s\n", branch_name(branch));

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "column.h"
+#include "print.h"
 
 typedef enum table_format { FORMAT_TABLE, FORMAT_CSV, FORMAT_PAPER } table_format;
 
@@ -33,11 +34,29 @@ int grade_print(FILE *out, deck *d, int csv, const char *deck_name);
 void grade_print_csv_header(FILE *out, int with_deck);
 void grade_print_csv_bad_deck(FILE *out, const char *deck_name);
 
-/* Csv has one header for all decks: the union of their columns.  `deck_name` null: no column of that
-** name. */
-void csv_print_header(FILE *out, const column_list *header, int with_deck);
+/* What csv rows begin with: the deck's name, if it is not null; number and quantities of a design, if
+** `sweep` is not null. */
+typedef struct csv_labels {
+    const char *deck_name;
+    const deck_sweep *sweep;
+    unsigned long design;
+} csv_labels;
+
+/* Csv has one header for all decks: the union of their columns.  `d` is for the units of a sweep. */
+void csv_print_header(FILE *out, const deck *d, const column_list *header,
+                      const csv_labels *labels);
 int csv_print(FILE *out, analysis *a, const column_list *columns, const column_list *header,
-              const char *deck_name, unsigned long *failed);
+              const csv_labels *labels, unsigned long *failed);
+
+/* Pieces of it: a column's name and unit, the labels and their names with a comma behind each, a number. */
+void csv_heading(row_buffer *row, text name, const char *unit_name);
+void csv_put_label_names(row_buffer *row, const deck *d, const csv_labels *labels);
+void csv_put_labels(row_buffer *row, const csv_labels *labels);
+void csv_put_number(row_buffer *row, double x);
+
+/* A row with nothing but a reason in it. */
+void csv_print_reason(FILE *out, const column_list *header, const csv_labels *labels,
+                      fourlink_branch branch, const char *why);
 
 /* The columns and facts, and what they mean. */
 int list_print(FILE *out, analysis *a);

@@ -8,7 +8,7 @@
 
 #include "text.h"
 
-text text_of(const char *string)
+text flk_text_of(const char *string)
 {
     text t;
 
@@ -22,7 +22,7 @@ static int is_blank(int c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-text text_trim(text t)
+text flk_text_trim(text t)
 {
     while (t.length && is_blank(t.start[0])) {
         t.start++;
@@ -33,7 +33,7 @@ text text_trim(text t)
     return t;
 }
 
-text text_without_mark(text t)
+text flk_text_without_mark(text t)
 {
     if (t.length >= 3 && memcmp(t.start, "\357\273\277", 3) == 0) {
         t.start += 3;
@@ -48,12 +48,12 @@ static int lower(int c)
     return 'A' <= c && c <= 'Z' ? c - 'A' + 'a' : c;
 }
 
-int text_is_word(int c)
+int flk_text_is_word(int c)
 {
     return ('a' <= lower(c) && lower(c) <= 'z') || ('0' <= c && c <= '9') || c == '_' || (c & 0x80);
 }
 
-int text_equal(text t, const char *word)
+int flk_text_equal(text t, const char *word)
 {
     size_t i;
 
@@ -63,12 +63,12 @@ int text_equal(text t, const char *word)
     return word[i] == '\0';
 }
 
-int text_same(text t, const char *word)
+int flk_text_same(text t, const char *word)
 {
     return strlen(word) == t.length && memcmp(t.start, word, t.length) == 0;
 }
 
-int text_split(text *rest, int stop, text *piece)
+int flk_text_split(text *rest, int stop, text *piece)
 {
     const char *end;
 
@@ -87,7 +87,7 @@ int text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
-char *text_copy(text t, char *out, size_t size)
+char *flk_text_copy(text t, char *out, size_t size)
 {
     size_t i, n = t.length < size ? t.length : size - 1;
 
@@ -137,7 +137,7 @@ static size_t distance(text t, const char *word)
     return row[t.length % 3][n];
 }
 
-const char *text_nearest(text t, const char *const *words)
+const char *flk_text_nearest(text t, const char *const *words)
 {
     const char *nearest = NULL;
     size_t best = t.length / 3 + 2;
@@ -153,24 +153,24 @@ const char *text_nearest(text t, const char *const *words)
     return nearest;
 }
 
-const char *hint(const char *nearest)
+const char *flk_hint(const char *nearest)
 {
     return nearest ? "; did you mean '" : "";
 }
 
-const char *hint_word(const char *nearest)
+const char *flk_hint_word(const char *nearest)
 {
     return nearest ? nearest : "";
 }
 
-const char *hint_end(const char *nearest)
+const char *flk_hint_end(const char *nearest)
 {
     return nearest ? "'?" : "";
 }
 
 #define MOST_MISTAKES 100
 
-void mistake_note(mistakes *m, text_place place, ...)
+void flk_mistake_note(mistakes *m, text_place place, ...)
 {
     struct mistake *new;
     const char *piece;
@@ -195,14 +195,14 @@ void mistake_note(mistakes *m, text_place place, ...)
     new->place = place;
     va_start(pieces, place);
     while ((piece = va_arg(pieces, const char *)) != NULL) {
-        text_copy(text_of(piece), new->message + used, sizeof new->message - used);
+        flk_text_copy(flk_text_of(piece), new->message + used, sizeof new->message - used);
         used += strlen(new->message + used);
     }
     va_end(pieces);
 }
 
 /* An insertion sort: the list is short, and lines of equal number keep their order. */
-void mistakes_sort(mistakes *m)
+void flk_mistakes_sort(mistakes *m)
 {
     size_t i, j;
 
@@ -215,7 +215,7 @@ void mistakes_sort(mistakes *m)
         }
 }
 
-void mistakes_free(mistakes *m)
+void flk_mistakes_free(mistakes *m)
 {
     free(m->list);
     memset(m, 0, sizeof *m);

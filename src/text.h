@@ -13,36 +13,36 @@ typedef struct text {
     size_t length;
 } text;
 
-text text_of(const char *string);
-text text_trim(text t);
+text flk_text_of(const char *string);
+text flk_text_trim(text t);
 
 /* Without the byte order mark of UTF-8 at its start. */
-text text_without_mark(text t);
+text flk_text_without_mark(text t);
 
 /* 1 if the first character is one of a word (letter, digit, _ or a byte of UTF-8). */
-int text_is_word(int c);
+int flk_text_is_word(int c);
 
 /* Equal but for the case of ASCII letters. */
-int text_equal(text t, const char *word);
+int flk_text_equal(text t, const char *word);
 
 /* Equal, case included. */
-int text_same(text t, const char *word);
+int flk_text_same(text t, const char *word);
 
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 when nothing is left. */
-int text_split(text *rest, int stop, text *piece);
+int flk_text_split(text *rest, int stop, text *piece);
 
 /* A copy that fits into `size` bytes, null-terminated, what cannot be printed replaced, what does
 ** not fit replaced by "..." */
-char *text_copy(text t, char *out, size_t size);
+char *flk_text_copy(text t, char *out, size_t size);
 
 /* The word of a list, ended by a null pointer, that is most like `t`: a typing mistake or two away.
 ** Null if none is. */
-const char *text_nearest(text t, const char *const *words);
+const char *flk_text_nearest(text t, const char *const *words);
 
 /* "; did you mean '", the word, and "'?" to put around a nearest word; all empty if there is none. */
-const char *hint(const char *nearest);
-const char *hint_word(const char *nearest);
-const char *hint_end(const char *nearest);
+const char *flk_hint(const char *nearest);
+const char *flk_hint_word(const char *nearest);
+const char *flk_hint_end(const char *nearest);
 
 /* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
 typedef struct text_place {
@@ -63,10 +63,10 @@ struct mistake {
 };
 
 /* Note a mistake: the message is made of the strings given, up to a null pointer. */
-void mistake_note(mistakes *m, text_place place, ...);
+void flk_mistake_note(mistakes *m, text_place place, ...);
 
 /* Sort by line, for printing. */
-void mistakes_sort(mistakes *m);
-void mistakes_free(mistakes *m);
+void flk_mistakes_sort(mistakes *m);
+void flk_mistakes_free(mistakes *m);
 
 #endif

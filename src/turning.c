@@ -147,9 +147,35 @@ static double mean_of(moment *m, double *scale)
     return sum / m->a->d->cycle;
 }
 
-static double fluctuation_of_energy(moment *m)
+/* The energy that the flywheel has taken up, at a corner or a crossing. */
+typedef struct energy {
+    double E, least, greatest;
+    double from, E_from; /* where the present area began */
+} energy;
+
+static void take_up(energy *e, double dE)
 {
-    double E = 0, least = 0, greatest = 0;
+    e->E += dE;
+    e->least = e->E < e->least ? e->E : e->least;
+    e->greatest = e->E > e->greatest ? e->E : e->greatest;
+}
+
+static void end_area(energy *e, double at, turning *t)
+{
+    if (t->n_areas < TURNING_AREAS) {
+        turning_area *new = &t->area[t->n_areas++];
+
+        new->from = e->from;
+        new->to = at;
+        new->energy = e->E - e->E_from;
+    }
+    e->from = at;
+    e->E_from = e->E;
+}
+
+static double fluctuation_of_energy(moment *m, turning *t)
+{
+    energy e = {0, 0, 0, 0, 0};
     size_t i;
 
     for (i = 0; i + 1 < m->n_cuts; i++) {
@@ -159,16 +185,14 @@ static double fluctuation_of_energy(moment *m)
         if ((excess(low, m) < 0) != (excess(high, m) < 0)) {
             double at = crossing(m, low, high);
 
-            E += area(m, from, at);
-            least = E < least ? E : least;
-            greatest = E > greatest ? E : greatest;
+            take_up(&e, area(m, from, at));
+            end_area(&e, at, t);
             from = at;
         }
-        E += area(m, from, to);
-        least = E < least ? E : least;
-        greatest = E > greatest ? E : greatest;
+        take_up(&e, area(m, from, to));
     }
-    return greatest - least;
+    end_area(&e, m->a->d->cycle, t);
+    return e.greatest - e.least;
 }
 
 static void find(moment *m, double scale, turning *t)
@@ -178,9 +202,10 @@ static void find(moment *m, double scale, turning *t)
 
     if (fabs(m->mean) <= 1e-12 * scale)
         m->mean = 0;
+    t->n_areas = 0;
     t->mean_torque = m->mean;
     t->mean_power = m->mean * omega;
-    t->energy_fluctuation = fluctuation_of_energy(m);
+    t->energy_fluctuation = fluctuation_of_energy(m, t);
     t->has_coefficient = m->mean != 0;
     t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
     t->inertia = d->flywheel_inertia;

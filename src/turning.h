@@ -7,6 +7,14 @@
 
 #include "analysis.h"
 
+/* An area between the turning moment and its mean. */
+typedef struct turning_area {
+    double from, to; /* rad */
+    double energy;   /* J, positive above the mean */
+} turning_area;
+
+#define TURNING_AREAS 40
+
 typedef struct turning {
     double mean_torque;        /* N m, of the turning moment -Ts, which is delivered */
     double mean_power;         /* W */
@@ -15,6 +23,8 @@ typedef struct turning {
     double energy_coefficient; /* 1, of the fluctuation of energy: over the work of a cycle */
     double inertia;     /* kg m2, of the flywheel; 0: neither it nor the fluctuation is given */
     double fluctuation; /* 1, coefficient of fluctuation of speed */
+    int n_areas;        /* in one cycle from 0; at most TURNING_AREAS are kept */
+    turning_area area[TURNING_AREAS];
 } turning;
 
 /* The turning moment at the deck's speed, which is taken as constant.  1, or 0 if it is not defined: the

@@ -9,7 +9,7 @@
 
 #define QUANTITY_INFO(name, key, words, m, kg, s, rad, unit, example) \
     {key, words, {m, kg, s, rad}, unit, example},
-const quantity_info quantities[QUANTITY_COUNT] = {QUANTITY_LIST(QUANTITY_INFO)};
+const quantity_info flk_quantities[QUANTITY_COUNT] = {QUANTITY_LIST(QUANTITY_INFO)};
 
 /* GSL's constants where they are exact by definition; what it gives rounded (lbf, psi, hp) is made
 ** of those. */
@@ -99,19 +99,32 @@ static const struct {
                 {"gram", "g"},      {"newton", "N"},       {"pascal", "Pa"},  {"rps", "rev/s"},
                 {"lbft", "lbf.ft"}, {"lbin", "lbf.in"}};
 
-const char *unit_nearest(text word)
+/* Among the units of a dimension, or among all. */
+static const char *nearest_of(text word, const dimension *dim)
 {
     const char *names[UNIT_COUNT + 1];
+    size_t i, n = 0;
+
+    for (i = 0; i < UNIT_COUNT; i++)
+        if (!dim || flk_dimension_equal(units[i].dim, *dim))
+            names[n++] = units[i].name;
+    names[n] = NULL;
+    return flk_text_nearest(word, names);
+}
+
+const char *flk_unit_nearest(text word, const dimension *dim)
+{
+    const char *nearest = dim ? nearest_of(word, dim) : NULL;
+    unit meant;
+    text bad;
     size_t i;
 
     for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
-        if (text_equal(word, synonyms[i].written))
+        if (flk_text_equal(word, synonyms[i].written) &&
+            (!nearest || (flk_unit_read(flk_text_of(synonyms[i].meant), &meant, &bad) &&
+                          flk_dimension_equal(meant.dim, *dim))))
             return synonyms[i].meant;
-
-    for (i = 0; i < UNIT_COUNT; i++)
-        names[i] = units[i].name;
-    names[UNIT_COUNT] = NULL;
-    return text_nearest(word, names);
+    return nearest ? nearest : nearest_of(word, NULL);
 }
 
 static void skip(text *t)
@@ -122,19 +135,19 @@ static void skip(text *t)
 
 #define MOST_FACTORS 8
 
-int unit_read(text t, unit *result, text *bad)
+int flk_unit_read(text t, unit *result, text *bad)
 {
     unit u = {1, 1, {0, 0, 0, 0}};
     int sign = 1, factors = 0;
 
-    t = text_trim(t);
+    t = flk_text_trim(t);
     *bad = t;
     while (t.length) {
         const named_unit *known;
         text name = t;
         int exponent = 1, i;
 
-        while (t.length && text_is_word(t.start[0]) &&
+        while (t.length && flk_text_is_word(t.start[0]) &&
                (t.start == name.start ? 1 : t.start[0] < '0' || t.start[0] > '9'))
             skip(&t);
         name.length -= t.length;
@@ -145,14 +158,14 @@ int unit_read(text t, unit *result, text *bad)
             return 0;
         }
         factors++;
-        if (text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
+        if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
             return 0; /* 1/s, but no 1 mm */
         if (t.length && t.start[0] == '^')
             skip(&t);
         if (t.length && '0' <= t.start[0] && t.start[0] <= '9') {
             exponent = t.start[0] - '0';
             skip(&t);
-            if (exponent < 1 || exponent > 4 || (t.length && text_is_word(t.start[0])))
+            if (exponent < 1 || exponent > 4 || (t.length && flk_text_is_word(t.start[0])))
                 return 0;
         } else if (t.start[-1] == '^') {
             return 0; /* nothing after it */
@@ -169,14 +182,14 @@ int unit_read(text t, unit *result, text *bad)
         if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
             return 0;
         sign = 1;
-        t = text_trim(t);
+        t = flk_text_trim(t);
         if (!t.length)
             break;
         *bad = t;
         if (t.start[0] == '.' || t.start[0] == '*' || t.start[0] == '/') {
             sign = t.start[0] == '/' ? -1 : 1;
             skip(&t);
-            t = text_trim(t);
+            t = flk_text_trim(t);
             if (!t.length)
                 return 0; /* nothing after the sign */
         }
@@ -187,17 +200,17 @@ int unit_read(text t, unit *result, text *bad)
     return 1;
 }
 
-int dimension_equal(dimension x, dimension y)
+int flk_dimension_equal(dimension x, dimension y)
 {
     return x.m == y.m && x.kg == y.kg && x.s == y.s && x.rad == y.rad;
 }
 
-double unit_to_si(double number, unit u)
+double flk_unit_to_si(double number, unit u)
 {
     return number * u.up / u.down;
 }
 
-double unit_from_si(double si, unit u)
+double flk_unit_from_si(double si, unit u)
 {
     return si * u.down / u.up;
 }

@@ -43,7 +43,7 @@ typedef struct quantity_info {
     const char *unit, *example;
 } quantity_info;
 
-extern const quantity_info quantities[QUANTITY_COUNT];
+extern const quantity_info flk_quantities[QUANTITY_COUNT];
 
 /* A unit: up / down SI units (and radians).  Kept as a fraction, so that 66 mm is 66/1000 m,
 ** rounded once. */
@@ -55,14 +55,14 @@ typedef struct unit {
 /* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
 ** one factor after it, an exponent as a digit or after '^'.
 ** 1 if it is one; 0 if not: then `bad` is the part that is not known. */
-int unit_read(text t, unit *result, text *bad);
+int flk_unit_read(text t, unit *result, text *bad);
 
-double unit_to_si(double number, unit u);
-double unit_from_si(double si, unit u);
+double flk_unit_to_si(double number, unit u);
+double flk_unit_from_si(double si, unit u);
 
-int dimension_equal(dimension x, dimension y);
+int flk_dimension_equal(dimension x, dimension y);
 
-/* The known unit most like a word, or null. */
-const char *unit_nearest(text word);
+/* The known unit most like a word, or null; one of this dimension, if it is not null and there is one. */
+const char *flk_unit_nearest(text word, const dimension *dim);
 
 #endif

@@ -1,32 +1,50 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** bench.c - speed, as ratios to GSL's LU decomposition of the same matrices in the same run.
+** bench.c - speed, as ratios to GSL's LU decomposition of the same matrices in the same run, and of
+** printing to the C library's.
 **
 ** Each figure is the median of several rounds in which the candidates take turns, so that a busy
 ** machine disturbs all of them alike.
 */
-#define _POSIX_C_SOURCE 200112L
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp */
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 
+#include "format.h"
 #include "fourlink.h"
+#include "print.h"
 
 #define ANGLES 360
+#define COLUMNS 20
+#define WIDTH 11
 #define ROUNDS 21
 #define PASSES 100 /* over all angles, in a round */
+#define RUNS 5     /* of the command */
 
 typedef struct system {
     double A[9][9], b[9];
 } system_;
 
 static system_ systems[ANGLES];
+static double table[ANGLES][COLUMNS];
 static volatile double sink; /* keeps the compiler from leaving the work out */
+
+static double cpu(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static double seconds(void)
 {
@@ -82,7 +100,10 @@ static void make_slider_crank(fourlink_mechanism *m, fourlink_load *load)
         exit(EXIT_FAILURE);
 }
 
-static double time_rows(const fourlink_mechanism *m, const fourlink_load *load)
+typedef int analyser(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
+                     const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *);
+
+static double time_rows(analyser *analyse, const fourlink_mechanism *m, const fourlink_load *load)
 {
     fourlink_crank crank = {0, 10.5, 0};
     fourlink_state state;
@@ -93,7 +114,7 @@ static double time_rows(const fourlink_mechanism *m, const fourlink_load *load)
     for (pass = 0; pass < PASSES; pass++)
         for (i = 0; i < ANGLES; i++) {
             crank.theta2 = i * (M_PI / 180);
-            if (fourlink_analyse(m, FOURLINK_OPEN, &crank, load, 1, &state, &forces) != FOURLINK_OK)
+            if (analyse(m, FOURLINK_OPEN, &crank, load, 1, &state, &forces) != FOURLINK_OK)
                 exit(EXIT_FAILURE);
             sink = sink + forces.Ts + state.link[3].alpha;
         }
@@ -121,6 +142,61 @@ static double time_lu(gsl_permutation *p)
     return (seconds() - start) / (PASSES * ANGLES);
 }
 
+/* Columns of sizes from 10^-3 to 10^4, and their decimals: six digits of the largest. */
+static void make_table(void)
+{
+    int i, j;
+
+    for (i = 0; i < ANGLES; i++)
+        for (j = 0; j < COLUMNS; j++)
+            table[i][j] = 9 * pow(10, j % 8 - 3) * sin((1 + j) * i * (M_PI / 180) + j);
+}
+
+static int decimals(int column)
+{
+    return 8 - column % 8;
+}
+
+static double time_numbers(int by_sprintf)
+{
+    char number[FORMAT_SIZE];
+    double start = seconds();
+    int i, j;
+
+    for (i = 0; i < ANGLES; i++)
+        for (j = 0; j < COLUMNS; j++) {
+            if (by_sprintf)
+                sprintf(number, "%.*f", decimals(j), table[i][j]);
+            else
+                format_fixed(table[i][j], decimals(j), number);
+            sink = sink + number[1];
+        }
+    return (seconds() - start) / (ANGLES * COLUMNS);
+}
+
+static double time_printing(FILE *out, int by_fprintf)
+{
+    double start = seconds();
+    int i, j, missed = 0;
+
+    for (i = 0; i < ANGLES; i++) {
+        row_buffer row;
+
+        row_start(&row, out);
+        for (j = 0; j < COLUMNS; j++) {
+            if (by_fprintf)
+                fprintf(out, "%*.*f", WIDTH, decimals(j), table[i][j]);
+            else
+                missed |= !row_fixed(&row, table[i][j], decimals(j), WIDTH);
+        }
+        row_text(&row, "\n", 1);
+        row_end(&row);
+    }
+    if (missed)
+        exit(EXIT_FAILURE); /* a number that is not printed in this way costs nothing */
+    return (seconds() - start) / ANGLES;
+}
+
 static int by_size(const void *x, const void *y)
 {
     double a = *(const double *)x, b = *(const double *)y;
@@ -128,26 +204,153 @@ static int by_size(const void *x, const void *y)
     return (a > b) - (a < b);
 }
 
-static double median(double *x)
+static double median(double *x, size_t n)
 {
-    qsort(x, ROUNDS, sizeof *x, by_size);
-    return x[ROUNDS / 2];
+    qsort(x, n, sizeof *x, by_size);
+    return x[n / 2];
 }
 
 static int report(const char *what, double ratio, double bound)
 {
-    printf("%-62s %5.2f  (at most %.2f)%s\n", what, ratio, bound, ratio <= bound ? "" : "  MISSED");
+    printf("%-62s %5.3f  (at most %.3g)%s\n", what, ratio, bound, ratio <= bound ? "" : "  MISSED");
     return ratio > bound;
 }
 
-int main(void)
+/* ------------------------------------------------------------------------------- the whole command */
+
+#define CHOSEN                                                                                \
+    "theta2,theta3,omega3,alpha3,theta4,omega4,alpha4,mu,F12x,F12y,F23x,F23y,F34x,F34y,F14x," \
+    "F14y,Ts,omega2,alpha2,power"
+
+static double cpu_of_children(void)
+{
+    struct rusage u;
+
+    getrusage(RUSAGE_CHILDREN, &u);
+    return (double)u.ru_utime.tv_sec + 1e-6 * (double)u.ru_utime.tv_usec +
+           (double)u.ru_stime.tv_sec + 1e-6 * (double)u.ru_stime.tv_usec;
+}
+
+/* The largest resident size that one of them had so far, kB. */
+static long size_of_children(void)
+{
+    struct rusage u;
+
+    getrusage(RUSAGE_CHILDREN, &u);
+    return u.ru_maxrss;
+}
+
+/* Run the command on a deck at an interval of 360 deg / rows, by dyads; processor seconds. */
+static double run_command(const char *command, const char *deck_name, double rows,
+                          const char *output)
+{
+    char interval[64];
+    double start = cpu_of_children();
+    pid_t child;
+    int status = 1;
+
+    sprintf(interval, "--interval=%.17g deg", 360 / rows);
+    child = fork();
+    if (child == 0) {
+        execl(command, command, "--branch=open", interval, "--columns=" CHOSEN, "--set",
+              "solver=dyad", "--output", output, deck_name, (char *)NULL);
+        _exit(127);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
+        fprintf(stderr, "cannot run %s %s\n", command, deck_name);
+        exit(EXIT_FAILURE);
+    }
+    return cpu_of_children() - start;
+}
+
+/* The same rows by fprintf: 360 of them, as the command printed them, again and again. */
+typedef struct printed {
+    double value[ANGLES][COLUMNS];
+    int decimals[COLUMNS], n;
+} printed;
+
+static void read_printed(const char *path, printed *p)
+{
+    char line[1000], *rest;
+    FILE *in = fopen(path, "r");
+    int j;
+
+    while (in && p->n < ANGLES && fgets(line, sizeof line, in)) {
+        if (line[0] == '#')
+            continue;
+        for (j = 0, rest = line; j < COLUMNS; j++) {
+            const char *point;
+
+            p->value[p->n][j] = strtod(rest, &rest);
+            for (point = rest; point > line && point[-1] != '.' && point[-1] != ' '; point--)
+                ;
+            p->decimals[j] = point > line && point[-1] == '.' ? (int)(rest - point) : 0;
+        }
+        p->n++;
+    }
+    if (in)
+        fclose(in);
+    if (p->n != ANGLES)
+        exit(EXIT_FAILURE);
+}
+
+static double time_fprintf(FILE *out, const printed *p, int passes)
+{
+    double start = cpu();
+    int pass, i, j;
+
+    for (pass = 0; pass < passes; pass++)
+        for (i = 0; i < ANGLES; i++) {
+            for (j = 0; j < COLUMNS; j++)
+                fprintf(out, "%*.*f", WIDTH, p->decimals[j], p->value[i][j]);
+            putc('\n', out);
+        }
+    return cpu() - start;
+}
+
+/* A million rows against fprintf of the same, and the memory that a thousand and a million take. */
+static int report_command(const char *command, const char *deck_name, FILE *nowhere)
+{
+    static printed rows;
+    char path[] = "/tmp/fourlink-bench-XXXXXX";
+    int file = mkstemp(path), i, missed;
+    double whole[RUNS], alone[RUNS];
+    long small, large;
+
+    if (file < 0)
+        return 1;
+    close(file);
+    run_command(command, deck_name, ANGLES, path);
+    read_printed(path, &rows);
+    remove(path);
+    run_command(command, deck_name, 1e3, "/dev/null");
+    small = size_of_children();
+    for (i = 0; i < RUNS; i++) {
+        whole[i] = run_command(command, deck_name, 1e6, "/dev/null") / 1e6;
+        alone[i] = time_fprintf(nowhere, &rows, 100) / (100 * ANGLES);
+    }
+    large = size_of_children();
+    missed = report("a row of 20 columns, computed and printed / fprintf alone",
+                    median(whole, RUNS) / median(alone, RUNS), 0.125);
+    printf("that is %.2f million rows a second, and %.2f by fprintf\n", 1e-6 / median(whole, RUNS),
+           1e-6 / median(alone, RUNS));
+    printf("peak resident size: %ld kB for 1e3 rows, %ld kB for 1e6\n", small, large);
+    return missed;
+}
+
+int main(int argc, char **argv)
 {
     fourlink_mechanism four_bar, slider_crank;
     fourlink_load torque, gas;
     gsl_permutation *p = gsl_permutation_alloc(9);
-    double lu[ROUNDS], a[ROUNDS], b[ROUNDS];
-    int i, missed = 0;
+    double lu[ROUNDS], a[ROUNDS], b[ROUNDS], c[ROUNDS], d[ROUNDS], numbers[2][ROUNDS],
+        rows[2][ROUNDS];
+    FILE *nowhere = fopen("/dev/null", "w");
+    int i, how, missed = 0;
 
+    if (!nowhere)
+        return EXIT_FAILURE;
+    make_table();
     make_four_bar(&four_bar, &torque);
     make_slider_crank(&slider_crank, &gas);
     for (i = 0; i < ANGLES; i++) {
@@ -160,12 +363,31 @@ int main(void)
     }
     for (i = 0; i < ROUNDS; i++) {
         lu[i] = time_lu(p);
-        a[i] = time_rows(&four_bar, &torque);
-        b[i] = time_rows(&slider_crank, &gas);
+        a[i] = time_rows(fourlink_analyse, &four_bar, &torque);
+        b[i] = time_rows(fourlink_analyse, &slider_crank, &gas);
+        c[i] = time_rows(fourlink_analyse_dyad, &four_bar, &torque);
+        d[i] = time_rows(fourlink_analyse_dyad, &slider_crank, &gas);
+        for (how = 0; how < 2; how++) {
+            numbers[how][i] = time_numbers(how);
+            rows[how][i] = time_printing(nowhere, how);
+        }
     }
-    printf("gsl_linalg_LU_decomp + LU_solve, 9x9: %.0f ns\n", 1e9 * median(lu));
-    missed += report("four-bar row, 22 results / bare LU loop", median(a) / median(lu), 1.0);
-    missed += report("slider-crank row / four-bar row", median(b) / median(a), 1.15);
+    printf("gsl_linalg_LU_decomp + LU_solve, 9x9: %.0f ns\n", 1e9 * median(lu, ROUNDS));
+    missed += report("four-bar row, 22 results / bare LU loop",
+                     median(a, ROUNDS) / median(lu, ROUNDS), 1.0);
+    missed +=
+        report("slider-crank row / four-bar row", median(b, ROUNDS) / median(a, ROUNDS), 1.15);
+    missed += report("four-bar row by dyads / bare LU loop", median(c, ROUNDS) / median(lu, ROUNDS),
+                     0.12);
+    missed += report("slider-crank row by dyads / bare LU loop",
+                     median(d, ROUNDS) / median(lu, ROUNDS), 0.12);
+    missed += report("format_fixed / sprintf, 6 significant digits",
+                     median(numbers[0], ROUNDS) / median(numbers[1], ROUNDS), 0.12);
+    missed += report("row of 20 columns: table printing / fprintf of the same",
+                     median(rows[0], ROUNDS) / median(rows[1], ROUNDS), 0.125);
+    if (argc == 3)
+        missed += report_command(argv[1], argv[2], nowhere);
+    fclose(nowhere);
     gsl_permutation_free(p);
     return missed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -50,6 +50,15 @@ nothing() { check "output where none was expected: $(head -n 3 out)" test ! -s o
 same() { check "$1 and $2 differ" cmp -s "$1" "$2"; }
 differ() { check "$1 and $2 are the same" different "$1" "$2"; }
 different() { ! cmp -s "$1" "$2"; }
+# usage MESSAGE ARGUMENT...: refused with that message, which leads to the help.
+usage() {
+    message=$1
+    shift
+    run 2 "$@"
+    nothing
+    says "$message"
+    says '--help'
+}
 lines() { check "$1: $(wc -l <"$1") lines, expected $2" test "$(wc -l <"$1")" -eq "$2"; }
 holds() { check "$1" awk "$2" out; } # an awk program that exits 0
 none() { ! grep -q "$@"; }

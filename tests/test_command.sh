@@ -169,15 +169,6 @@ cp "$alvi" ./-alvi.deck
 run 0 -- -alvi.deck && same out table
 run 2 -alvi.deck
 
-# usage OPTION MESSAGE...: refused, with a message that names the option
-usage() {
-    message=$1
-    shift
-    run 2 "$@"
-    nothing
-    says "$message"
-    says '--help'
-}
 usage "unknown option '--frobnicate'" --frobnicate "$alvi"
 usage "unknown option '--formt'; did you mean '--format'?" --formt=csv "$alvi"
 usage "unknown option '-z'" -z "$alvi"
@@ -754,5 +745,24 @@ nothing
 if (ulimit -v 65536 && "$fourlink" "$matrix" >out) 2>err; then
     check 'a million rows in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -b open -i 0.00036 "$1" | wc -l | grep -q "^ *10000[0-9][0-9]"' "$fourlink" "$matrix"
 fi
+
+# Of extremes that are equal the first is told: over two revolutions, and over a clockwise one; angles are
+# followed from the first row.
+run 0 --summary --format=csv --columns=x,v,theta3 --branch=open --set 'motion.cycle=720 deg' \
+    --set 'motion.to=720 deg' "$data/../tests/decks/engine.deck"
+check 'max(x) of two revolutions' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,1\(80\|79.9999\|80.0000\)[0-9]*,open' out
+check 'min(v) of two revolutions' grep -q '^min(v),-16.566[0-9]*,m/s,286.8[0-9]*,open' out
+run 0 --summary --format=csv --columns=x --branch=open --set 'motion.speed=-1000 rpm' \
+    "$data/../tests/decks/engine.deck"
+check 'max(x) clockwise' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,-1\(80\|79.9999\|80.0000\)[0-9]*,open' out
+run 0 --summary --format=csv --columns=theta4 "$data/me3491-exercise-1.deck"
+check 'from the first row of a clockwise range' grep -q '^max(theta4),244.53[0-9]*,deg,-40.1[0-9]*,crossed' out
+
+# A drag link's rocker turns with the crank: in a revolution by a whole turn, from -83.53 deg on.
+printf 'mechanism = four-bar\n[ground]\nlength = 60 mm\n[crank]\nlength = 200 mm\n[coupler]\nlength = 180 mm\n' >drag.deck
+printf '[rocker]\nlength = 130 mm\n[motion]\nspeed = 1 rad/s\n' >>drag.deck
+run 0 --summary --format=csv --columns=theta4 --branch=open drag.deck
+check 'max(theta4) of a drag link' grep -q '^max(theta4),276.467[0-9]*,deg,360,open' out
+check 'min(theta4) of a drag link' grep -q '^min(theta4),-83.532[0-9]*,deg,0,open' out
 
 finish

@@ -37,7 +37,7 @@ static void draw(uint64_t *seed, int number, sample *s)
     total = uniform(seed, -2, 2);
     for (i = 0; i < s->n; i++)
         s->x[i] = s->period * (s->x[i] / sum + total);
-    assert_int_equal(curve_make(s->x, s->y, s->n, s->period, &s->c), 1);
+    assert_int_equal(flk_curve_make(s->x, s->y, s->n, s->period, &s->c), 1);
 }
 
 /* Point i, also beyond the first and the last. */
@@ -82,8 +82,8 @@ static void test_points(void **unused)
 
         draw(&seed, number, &s);
         for (i = 0; i < (int)s.n; i++)
-            assert_near(curve_value(&s.c, s.x[i]), s.y[i], 1e-14 * s.largest);
-        curve_free(&s.c);
+            assert_near(flk_curve_value(&s.c, s.x[i]), s.y[i], 1e-14 * s.largest);
+        flk_curve_free(&s.c);
     }
 }
 
@@ -102,22 +102,22 @@ static void test_periodic(void **unused)
         draw(&seed, number, &s);
         for (k = 0; k < 50; k++) {
             /* halfway round the curve is another one: nothing is constant by mistake */
-            double x = uniform(&seed, -1, 2) * s.period, y = curve_value(&s.c, x);
+            double x = uniform(&seed, -1, 2) * s.period, y = flk_curve_value(&s.c, x);
 
-            changing += fabs(curve_value(&s.c, x + s.period / 2) - y) > 1e-3 * s.largest;
+            changing += fabs(flk_curve_value(&s.c, x + s.period / 2) - y) > 1e-3 * s.largest;
             for (i = 0; i < sizeof periods / sizeof periods[0]; i++) {
                 double far = x + periods[i] * s.period;
 
-                assert_near(curve_value(&s.c, far), y, rounding(&s, far));
+                assert_near(flk_curve_value(&s.c, far), y, rounding(&s, far));
             }
         }
         for (k = 0; k < (int)s.n; k++)
             for (i = 0; i < sizeof periods / sizeof periods[0]; i++) {
                 double far = s.x[k] + periods[i] * s.period;
 
-                assert_near(curve_value(&s.c, far), s.y[k], rounding(&s, far));
+                assert_near(flk_curve_value(&s.c, far), s.y[k], rounding(&s, far));
             }
-        curve_free(&s.c);
+        flk_curve_free(&s.c);
     }
     assert_true(changing > 25000);
 }
@@ -142,15 +142,16 @@ static void test_any_first_point(void **unused)
                 x[i] = x_of(&s, (int)(first + i));
                 y[i] = y_of(&s, (int)(first + i));
             }
-            assert_int_equal(curve_make(x, y, s.n, s.period, &c), 1);
+            assert_int_equal(flk_curve_make(x, y, s.n, s.period, &c), 1);
             for (k = 0; k < 20; k++) {
                 double at = uniform(&seed, -3, 3) * s.period;
 
-                assert_near(curve_value(&c, at), curve_value(&s.c, at), 4 * rounding(&s, at));
+                assert_near(flk_curve_value(&c, at), flk_curve_value(&s.c, at),
+                            4 * rounding(&s, at));
             }
-            curve_free(&c);
+            flk_curve_free(&c);
         }
-        curve_free(&s.c);
+        flk_curve_free(&s.c);
     }
 }
 
@@ -174,7 +175,7 @@ static void test_no_overshoot(void **unused)
 
             for (k = 1; k < STEPS; k++) {
                 double x = x_of(&s, i) + (x_of(&s, i + 1) - x_of(&s, i)) * k / STEPS;
-                double y = curve_value(&s.c, x);
+                double y = flk_curve_value(&s.c, x);
 
                 assert_true(y >= fmin(from, to) - tolerance && y <= fmax(from, to) + tolerance);
                 assert_true(sign * (y - before) >= -rounding(&s, x));
@@ -182,7 +183,7 @@ static void test_no_overshoot(void **unused)
             }
             assert_true(sign * (to - before) >= -rounding(&s, x_of(&s, i + 1)));
         }
-        curve_free(&s.c);
+        flk_curve_free(&s.c);
     }
 }
 
@@ -191,8 +192,8 @@ static double one_sided(const sample *s, int i, int side)
 {
     double x = x_of(s, i), h = (x_of(s, i + side) - x) / 3;
 
-    return (-11 * curve_value(&s->c, x) + 18 * curve_value(&s->c, x + h) -
-            9 * curve_value(&s->c, x + 2 * h) + 2 * curve_value(&s->c, x + 3 * h)) /
+    return (-11 * flk_curve_value(&s->c, x) + 18 * flk_curve_value(&s->c, x + h) -
+            9 * flk_curve_value(&s->c, x + 2 * h) + 2 * flk_curve_value(&s->c, x + 3 * h)) /
            (6 * h);
 }
 
@@ -229,9 +230,9 @@ static void test_continuous(void **unused)
             double h = fmin(x_of(&s, i + 1) - x, x - x_of(&s, i - 1));
 
             tolerance = 40 * rounding(&s, x) / h;
-            assert_near(curve_value(&s.c, x + tiny), y_of(&s, i),
+            assert_near(flk_curve_value(&s.c, x + tiny), y_of(&s, i),
                         3 * steep * tiny + rounding(&s, x));
-            assert_near(curve_value(&s.c, x - tiny), y_of(&s, i),
+            assert_near(flk_curve_value(&s.c, x - tiny), y_of(&s, i),
                         3 * steep * tiny + rounding(&s, x));
             assert_near(one_sided(&s, i, 1), slope, tolerance);
             assert_near(one_sided(&s, i, -1), slope, tolerance);
@@ -240,10 +241,10 @@ static void test_continuous(void **unused)
         for (k = 0; k < 100; k++) {
             double x = uniform(&seed, -2, 2) * s.period;
 
-            assert_near(curve_value(&s.c, x + tiny), curve_value(&s.c, x),
+            assert_near(flk_curve_value(&s.c, x + tiny), flk_curve_value(&s.c, x),
                         3 * steep * tiny + rounding(&s, x));
         }
-        curve_free(&s.c);
+        flk_curve_free(&s.c);
     }
     assert_true(sloping > 5000);
 }
@@ -263,15 +264,16 @@ static void test_two_points(void **unused)
         x[1] = x[0] + uniform(&seed, 0.05, 0.95) * period;
         y[0] = uniform(&seed, -1, 1);
         y[1] = uniform(&seed, -1, 1);
-        assert_int_equal(curve_make(x, y, 2, period, &c), 1);
+        assert_int_equal(flk_curve_make(x, y, 2, period, &c), 1);
         for (k = 0; k < 20; k++) {
             double t = uniform(&seed, 0, 1), u = t * t * (3 - 2 * t);
 
-            assert_near(curve_value(&c, x[0] + t * (x[1] - x[0])), y[0] + u * (y[1] - y[0]), 1e-12);
-            assert_near(curve_value(&c, x[1] + t * (x[0] + period - x[1]) - 3 * period),
+            assert_near(flk_curve_value(&c, x[0] + t * (x[1] - x[0])), y[0] + u * (y[1] - y[0]),
+                        1e-12);
+            assert_near(flk_curve_value(&c, x[1] + t * (x[0] + period - x[1]) - 3 * period),
                         y[1] + u * (y[0] - y[1]), 1e-12);
         }
-        curve_free(&c);
+        flk_curve_free(&c);
     }
 }
 
@@ -294,19 +296,19 @@ static void test_constant_and_straight(void **unused)
 
             for (j = 0; j < n; j++)
                 y[j] = constants[i];
-            assert_int_equal(curve_make(saw_x, y, n, 2 * PI, &c), 1);
+            assert_int_equal(flk_curve_make(saw_x, y, n, 2 * PI, &c), 1);
             for (k = 0; k < 100; k++)
-                assert_true(curve_value(&c, uniform(&seed, -100, 100)) == constants[i]);
-            curve_free(&c);
+                assert_true(flk_curve_value(&c, uniform(&seed, -100, 100)) == constants[i]);
+            flk_curve_free(&c);
         }
-    assert_int_equal(curve_make(saw_x, saw_y, 8, 4 * PI, &c), 1);
+    assert_int_equal(flk_curve_make(saw_x, saw_y, 8, 4 * PI, &c), 1);
     for (k = 0; k < 1000; k++) {
         double x = uniform(&seed, 0.5, 3);
 
-        assert_near(curve_value(&c, x), 1 + 2 * x, 1e-14);
-        assert_near(curve_value(&c, x - 4 * PI), 1 + 2 * x, 1e-13);
+        assert_near(flk_curve_value(&c, x), 1 + 2 * x, 1e-14);
+        assert_near(flk_curve_value(&c, x - 4 * PI), 1 + 2 * x, 1e-13);
     }
-    curve_free(&c);
+    flk_curve_free(&c);
 }
 
 /* An indicator card over the two turns of a four-stroke engine: the second turn is not the
@@ -323,15 +325,15 @@ static void test_two_turns(void **unused)
     (void)unused;
     for (i = 0; i < 8; i++)
         x[i] = degrees[i] * DEG;
-    assert_int_equal(curve_make(x, bar, 8, 720 * DEG, &c), 1);
+    assert_int_equal(flk_curve_make(x, bar, 8, 720 * DEG, &c), 1);
     for (turn = -4; turn <= 4; turn++) {
-        double level = curve_value(&c, (10 + 360 * turn) * DEG);
+        double level = flk_curve_value(&c, (10 + 360 * turn) * DEG);
 
         assert_near(level, turn % 2 ? 1 : 40, 1e-12);
-        assert_near(curve_value(&c, (450 + 720 * turn) * DEG), 1, 1e-12);
-        assert_near(curve_value(&c, (-20 + 720 * turn) * DEG), 15, 1e-11);
+        assert_near(flk_curve_value(&c, (450 + 720 * turn) * DEG), 1, 1e-12);
+        assert_near(flk_curve_value(&c, (-20 + 720 * turn) * DEG), 15, 1e-11);
     }
-    curve_free(&c);
+    flk_curve_free(&c);
 }
 
 static void test_release(void **unused)
@@ -340,11 +342,30 @@ static void test_release(void **unused)
     curve c;
 
     (void)unused;
-    assert_int_equal(curve_make(x, y, 3, 2 * PI, &c), 1);
+    assert_int_equal(flk_curve_make(x, y, 3, 2 * PI, &c), 1);
     assert_true(c.n > 0 && c.x && c.y);
-    curve_free(&c);
-    assert_true(c.n == 0 && !c.x && !c.y && !c.interpolation);
-    curve_free(&c);
+    flk_curve_free(&c);
+    assert_true(c.n == 0 && !c.x && !c.y);
+    flk_curve_free(&c);
+}
+
+/* Far out an angle has no digits left of its place in the period; the value is one of the curve's. */
+static void test_far_angles(void **unused)
+{
+    static const double x[3] = {0.1, 1, 4}, y[3] = {1, 10, 3};
+    uint64_t seed = 5;
+    curve c;
+    int i;
+
+    (void)unused;
+    assert_int_equal(flk_curve_make(x, y, 3, 2 * M_PI, &c), 1);
+    for (i = 0; i < 100000; i++) {
+        double angle = uniform(&seed, -1, 1) * pow(10, uniform(&seed, 10, 30));
+        double value = flk_curve_value(&c, angle);
+
+        assert_true(0.999 <= value && value <= 10.001);
+    }
+    flk_curve_free(&c);
 }
 
 int main(void)
@@ -359,6 +380,7 @@ int main(void)
         cmocka_unit_test(test_constant_and_straight),
         cmocka_unit_test(test_two_turns),
         cmocka_unit_test(test_release),
+        cmocka_unit_test(test_far_angles),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

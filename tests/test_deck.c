@@ -41,12 +41,14 @@ static const char *const files[][2] = {
     {"falling.txt", "0 1\n90 2\n45 3\n"},
 };
 
-static char *load_file(const char *deck_name, const char *file_name, size_t *length)
+static const char *load_file(void *host, const char *file_name, unsigned long *length)
 {
+    static char *copy; /* the last one: it has to last until the next call */
     size_t i;
-    char *copy;
 
-    assert_string_equal(deck_name, "x.deck");
+    assert_ptr_equal(host, files);
+    free(copy);
+    copy = NULL;
     for (i = 0; i < sizeof files / sizeof files[0]; i++)
         if (strcmp(file_name, files[i][0]) == 0) {
             *length = strlen(files[i][1]);
@@ -59,12 +61,12 @@ static char *load_file(const char *deck_name, const char *file_name, size_t *len
 
 static int read_text(text contents, const deck_change *changes, size_t n, deck *d)
 {
-    return deck_read("x.deck", contents, load_file, changes, n, d);
+    return flk_deck_read("x.deck", contents, load_file, (void *)files, changes, n, 0, d);
 }
 
 static int read_changed(const char *contents, const deck_change *changes, size_t n, deck *d)
 {
-    int status = read_text(text_of(contents), changes, n, d);
+    int status = read_text(flk_text_of(contents), changes, n, d);
     size_t i;
 
     assert_int_equal(status, d->mistakes.count == 0);
@@ -300,7 +302,7 @@ static void test_every_mistake(void **unused)
                         x->contents);
             failed++;
         }
-        deck_free(&d);
+        flk_deck_free(&d);
     }
     assert_int_equal(failed, 0);
 }
@@ -343,7 +345,7 @@ static void test_blamed_line(void **unused)
             print_error("no mistake at line %ld of\n%s\n", blamed[i].line, blamed[i].contents);
             failed++;
         }
-        deck_free(&d);
+        flk_deck_free(&d);
     }
     assert_int_equal(failed, 0);
 }
@@ -384,7 +386,7 @@ static void test_all_in_one_run(void **unused)
         assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
         assert_non_null(strstr(d.mistakes.list[i].message, words[i]));
     }
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* ------------------------------------------------------------------------------- decks in order */
@@ -455,7 +457,7 @@ static void test_four_bar(void **unused)
     assert_int_equal(d.columns.names.length, strlen("theta2, mu"));
     assert_memory_equal(d.columns.names.start, "theta2, mu", strlen("theta2, mu"));
     assert_true(d.mechanism.design.link[4].length == 0.056);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_slider_crank(void **unused)
@@ -483,7 +485,7 @@ static void test_slider_crank(void **unused)
     assert_true(d.motion.acceleration == 7);
     assert_close(d.motion.from * d.motion.angle_unit, 1.0, 1e-15);
     assert_true(d.motion.to == d.motion.from);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 #define ENGINE                                                                     \
@@ -503,7 +505,7 @@ static void check_curve(const curve *c, const double points[][2], size_t n)
     assert_true(c->n > 0);
     for (i = 0; i < n; i++)
         for (turns = -2; turns <= 2; turns++)
-            assert_near(curve_value(c, (points[i][0] + 360 * turns) * DEG), points[i][1],
+            assert_near(flk_curve_value(c, (points[i][0] + 360 * turns) * DEG), points[i][1],
                         1e-9 * (1 + fabs(points[i][1])));
 }
 
@@ -526,34 +528,34 @@ static void test_engine(void **unused)
     assert_true(d.gas.back_pressure == 1e5);
     check_curve(&d.gas.indicator, card, 4);
     for (i = -720; i < 720; i++) { /* between the points it stays between their values */
-        double p = curve_value(&d.gas.indicator, i * DEG);
+        double p = flk_curve_value(&d.gas.indicator, i * DEG);
 
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
     check_curve(&d.variations[0].torque, torque, 3);
     assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
     assert_int_equal(d.has_forces, 1);
-    deck_free(&d);
+    flk_deck_free(&d);
 
     read_with(ENGINE, "gas.indicator=file card.txt", &d);
     check_curve(&d.gas.indicator, card_file, 4);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(ENGINE, "gas.indicator=file \"two words.txt\"", &d);
-    assert_near(curve_value(&d.gas.indicator, 100 * DEG), 6e5, 1e-3);
-    deck_free(&d);
+    assert_near(flk_curve_value(&d.gas.indicator, 100 * DEG), 6e5, 1e-3);
+    flk_deck_free(&d);
     read_with(ENGINE, "load T.torque=-7 N m", &d);
     assert_true(d.loads[0].torque == -7);
     assert_int_equal(d.variations[0].torque.n, 0);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=(500, -300) mm", &d);
     assert_close(d.design.link[3].inertia, 50 * 0.3 * (L - 0.3), 1e-14);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(ENGINE, "gravity.acceleration=0", &d); /* not where the rod was swung */
     assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with("mechanism = slider-crank\n[ground]\noffset = 300 mm\n[crank]\nstroke = 600 mm\n"
               "[rod]\nlength = 1.2 m\n[flywheel]\ninertia = 3 kg m2\n",
               "title=offset", &d);
@@ -564,7 +566,7 @@ static void test_engine(void **unused)
         assert_close(sqrt((1.2 + r) * (1.2 + r) - e * e) - sqrt((1.2 - r) * (1.2 - r) - e * e), 0.6,
                      1e-14);
     }
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_mistakes_of_files(void **unused)
@@ -588,7 +590,7 @@ static void test_mistakes_of_files(void **unused)
         assert_string_equal(d.mistakes.list[0].place.source, cases[i].name);
         assert_int_equal(d.mistakes.list[0].place.line, cases[i].line);
         assert_string_equal(d.mistakes.list[0].message, cases[i].message);
-        deck_free(&d);
+        flk_deck_free(&d);
     }
 }
 
@@ -620,11 +622,12 @@ static void test_odd_curves(void **unused)
         change.assignment = curves[i];
         if (read_changed(ENGINE, &change, 1, &d))
             for (k = -100; k < 100; k++) {
-                assert_true(fabs(curve_value(&d.gas.indicator, k * 0.1)) <= FOURLINK_NUMBER_MAX);
-                assert_true(fabs(curve_value(&d.variations[0].torque, k * 0.1)) <=
+                assert_true(fabs(flk_curve_value(&d.gas.indicator, k * 0.1)) <=
+                            FOURLINK_NUMBER_MAX);
+                assert_true(fabs(flk_curve_value(&d.variations[0].torque, k * 0.1)) <=
                             FOURLINK_NUMBER_MAX);
             }
-        deck_free(&d);
+        flk_deck_free(&d);
     }
 }
 
@@ -644,25 +647,25 @@ static void test_defaults(void **unused)
     assert_int_equal(d.has_forces, 0);
     assert_int_equal(d.n_loads, 0);
     assert_null(d.columns.names.start);
-    deck_free(&d);
+    flk_deck_free(&d);
 
     read_good(FOUR_BAR "[motion]\nspeed = -5 rad/s\n", &d);
     assert_true(d.motion.to == -360); /* one cycle, in the direction of rotation */
-    deck_free(&d);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nspeed = 5 rad/s\ncycle = 720 deg\nfrom = 30 deg\n", &d);
     assert_true(d.motion.from == 30 && d.motion.to == 750);
     assert_int_equal(d.one_revolution, 0);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nacceleration = -5 rad/s2\n", &d);
     assert_true(d.motion.to == -360);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 5 rad/s2\n", &d);
     assert_true(d.motion.run_up == 90);
     assert_int_equal(d.one_revolution, 1);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "mass = 1 g\n", &d);
     assert_int_equal(d.has_forces, 1);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* Bare numbers take the units of [units], wherever in the deck that stands. */
@@ -698,17 +701,17 @@ static void test_units(void **unused)
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "mm");
     assert_string_equal(d.units[QUANTITY_INERTIA].name, "g.cm2");
     assert_string_equal(d.units[QUANTITY_POWER].name, "hp");
-    assert_close(unit_to_si(1, d.units[QUANTITY_SPEED].unit), 1 / 3.6, 1e-15);
-    assert_close(unit_to_si(1, d.units[QUANTITY_PRESSURE].unit), 1e5, 1e-15);
-    assert_close(unit_to_si(1, d.units[QUANTITY_ENERGY].unit), 1e3, 1e-15);
-    assert_close(unit_to_si(1, d.units[QUANTITY_TIME].unit), 1e-3, 1e-15);
-    deck_free(&d);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_SPEED].unit), 1 / 3.6, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_PRESSURE].unit), 1e5, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_ENERGY].unit), 1e3, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_TIME].unit), 1e-3, 1e-15);
+    flk_deck_free(&d);
 
     read_good(FOUR_BAR "[units]\nangle = rad\n", &d); /* 10 deg and a revolution, in radians */
     assert_close(d.motion.interval, 10 * DEG, 1e-9);
     assert_close(d.motion.to, 360 * DEG, 1e-9);
     assert_int_equal(d.one_revolution, 1);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void check_title(const char *contents, const char *title)
@@ -719,7 +722,7 @@ static void check_title(const char *contents, const char *title)
     read_good(contents, &d);
     assert_string_equal(d.title, title);
     assert_true(d.design.link[2].length == 0.02);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_layout(void **unused)
@@ -764,7 +767,7 @@ static void test_joined_lines(void **unused)
     assert_string_equal(names, "theta2,theta3,mu");
     assert_int_equal(d.columns.place.line, 11);
     assert_int_equal(d.digits, 3);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_long_title(void **unused)
@@ -781,7 +784,7 @@ static void test_long_title(void **unused)
     read_good(contents, &d);
     assert_in_range(strlen(d.title), sizeof d.title - 5, sizeof d.title - 1);
     assert_string_equal(d.title + strlen(d.title) - 5, "\303\266...");
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void check_vector(const char *assignment, double x, double y, double tolerance)
@@ -793,7 +796,7 @@ static void check_vector(const char *assignment, double x, double y, double tole
     v = strncmp(assignment, "load.force", 10) == 0 ? d.loads[0].force : d.design.link[2].cg;
     assert_near(v.x, x, tolerance);
     assert_near(v.y, y, tolerance);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_vectors(void **unused)
@@ -839,11 +842,11 @@ static void test_gravity(void **unused)
     (void)unused;
     read_good(FOUR_BAR "[gravity]\nacceleration = 0\n", &d);
     assert_true(d.design.gravity.x == 0 && d.design.gravity.y == 0);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[gravity]\ndirection = 30 deg\nacceleration = 10 m/s2\n", &d);
     assert_near(d.design.gravity.x, 10 * cos(30 * DEG), 1e-14);
     assert_near(d.design.gravity.y, 5, 1e-14);
-    deck_free(&d);
+    flk_deck_free(&d);
 
     /* The inclination of the line A-D turns gravity against itself, and nothing else. */
     read_with(FOUR_BAR "[load]\nlink = crank\nforce = 2 N at 90 deg\nat = 0 mm\n",
@@ -852,13 +855,13 @@ static void test_gravity(void **unused)
     assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
     assert_true(d.loads[0].force.x == 0 && d.loads[0].force.y == 2);
     assert_true(d.motion.from == 0 && d.motion.to == 360);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=90 deg", &d); /* a vertical engine, piston on top */
     assert_true(d.design.gravity.x == -9.81 && d.design.gravity.y == 0);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=-90 deg", &d);
     assert_true(d.design.gravity.x == 9.81 && d.design.gravity.y == 0);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* ---------------------------------------------------------------------- changes from the outside */
@@ -878,40 +881,40 @@ static void test_changes(void **unused)
     (void)unused;
     read_with(FOUR_BAR, "crank.length=30 mm", &d);
     assert_true(d.design.link[2].length == 0.03);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR, "crank.mass=2 kg", &d);
     assert_true(d.design.link[2].mass == 2 && d.has_forces == 1);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR, "motion.speed = 3 rad/s", &d); /* a section that the deck has not */
     assert_true(d.motion.speed == 3);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR, " Motion . Speed=3 rad/s ", &d);
     assert_true(d.motion.speed == 3);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR, "title=New = old", &d);
     assert_string_equal(d.title, "New = old");
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR "[units]\nlength = m\n", "units.length=in", &d);
     assert_true(d.design.link[2].length == 0.02);
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "in");
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "load F2.force=5 N at 90 deg", &d);
     assert_true(d.loads[0].force.x == 1 && d.loads[0].force.y == 0);
     assert_true(d.loads[1].force.x == 0 && d.loads[1].force.y == 5);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "LOAD f1.torque=5 N m", &d);
     assert_true(d.loads[0].torque == 5 && d.loads[1].torque == 0);
-    deck_free(&d);
+    flk_deck_free(&d);
     read_with("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = nonsense\n"
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n",
               "crank.length=20 mm", &d); /* what is replaced is not judged */
-    deck_free(&d);
+    flk_deck_free(&d);
 
     assert_int_equal(read_changed(FOUR_BAR, several, 4, &d), 1);
     assert_true(d.design.link[2].length == 0.022); /* the last one counts */
     assert_true(d.motion.interval == 5);
     assert_true(d.open == 1 && d.crossed == 0);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_mistaken_changes(void **unused)
@@ -946,7 +949,7 @@ static void test_mistaken_changes(void **unused)
         assert_string_equal(d.mistakes.list[0].message, cases[i].message);
         assert_string_equal(d.mistakes.list[0].place.source, "--set");
         assert_int_equal(d.mistakes.list[0].place.line, 0);
-        deck_free(&d);
+        flk_deck_free(&d);
     }
 }
 
@@ -985,9 +988,10 @@ static int check_outcome(const char *contents, size_t length)
         assert_in_range(d.digits, 1, 17);
         for (i = 0; i < 20; i++) {
             if (d.gas.indicator.n)
-                assert_true(fabs(curve_value(&d.gas.indicator, (double)i)) <= FOURLINK_NUMBER_MAX);
+                assert_true(fabs(flk_curve_value(&d.gas.indicator, (double)i)) <=
+                            FOURLINK_NUMBER_MAX);
             if (d.n_loads && d.variations[0].torque.n)
-                assert_true(fabs(curve_value(&d.variations[0].torque, (double)i)) <=
+                assert_true(fabs(flk_curve_value(&d.variations[0].torque, (double)i)) <=
                             FOURLINK_NUMBER_MAX);
         }
         status = 1;
@@ -1003,7 +1007,7 @@ static int check_outcome(const char *contents, size_t length)
         for (c = x->message; *c; c++)
             assert_true((unsigned char)*c >= ' ' && *c != 0x7f);
     }
-    deck_free(&d);
+    flk_deck_free(&d);
     return status;
 }
 
@@ -1237,11 +1241,11 @@ static void test_left_out(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(read_text(text_of(contents), NULL, 0, &d), 0);
+    assert_int_equal(read_text(flk_text_of(contents), NULL, 0, &d), 0);
     assert_in_range(d.mistakes.count, 20, 1000); /* what fits a screen or a few */
     assert_int_equal(d.mistakes.count + d.mistakes.left_out, 100000);
     assert_int_equal(d.mistakes.list[0].place.line, 10);
-    deck_free(&d);
+    flk_deck_free(&d);
     free(contents);
 }
 
@@ -1260,7 +1264,7 @@ static void check_noted(const char *contents, size_t length, long line, const ch
             break;
     if (i == d.mistakes.count)
         fail_msg("line %ld: '%s' was not noted", line, message);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_no_text(void **unused)

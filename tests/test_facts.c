@@ -31,7 +31,7 @@ typedef struct loaded {
 
 static void load(const char *contents, loaded *l)
 {
-    if (deck_read("x.deck", text_of(contents), NULL, NULL, 0, &l->d) != 1)
+    if (flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &l->d) != 1)
         fail_msg("%s\n%s", l->d.mistakes.list[0].message, contents);
     assert_true(analysis_open(&l->a, &l->d, analysis_possible(&l->d)));
 }
@@ -39,7 +39,7 @@ static void load(const char *contents, loaded *l)
 static void unload(loaded *l)
 {
     analysis_close(&l->a);
-    deck_free(&l->d);
+    flk_deck_free(&l->d);
 }
 
 static char *print(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -271,7 +271,7 @@ typedef struct peaks {
     long double value, theta2[64]; /* the value, and all angles at which it occurs */
 } peaks;
 
-static void keep(peaks *p, int sign, long double value, long double theta2)
+static void flk_keep(peaks *p, int sign, long double value, long double theta2)
 {
     long double same = 1e-12L * fabsl(value);
 
@@ -318,8 +318,8 @@ static void scan(own_column *f, const own *o, int sign, long double from, long d
         best = y[i] > best ? y[i] : best;
         worst = y[i] < worst ? y[i] : worst;
     }
-    keep(p, sign, sign * y[0], from);
-    keep(p, sign, sign * y[SAMPLES], to);
+    flk_keep(p, sign, sign * y[0], from);
+    flk_keep(p, sign, sign * y[SAMPLES], to);
     for (i = 0; i <= SAMPLES; i++) {
         long double low = i ? from + (i - 1) * step : from,
                     high = i < SAMPLES ? from + (i + 1) * step : to, at;
@@ -328,7 +328,7 @@ static void scan(own_column *f, const own *o, int sign, long double from, long d
             y[i] < best - 0.01L * (best - worst))
             continue;
         at = golden(f, o, sign, low, high);
-        keep(p, sign, f(o, at), at);
+        flk_keep(p, sign, f(o, at), at);
     }
 }
 
@@ -357,7 +357,7 @@ static void check_extremes(const char *contents, const own_entry *columns, const
                 extreme e;
                 column c;
 
-                assert_true(column_find(&l.d, text_of(columns->name), &c));
+                assert_true(column_find(&l.d, flk_text_of(columns->name), &c));
                 for (i = 0; i < n_parts; i++) {
                     own o = parts[i].o;
 
@@ -534,7 +534,7 @@ static extreme extreme_of(const loaded *l, const char *name, fourlink_branch bra
     extreme e = {NAN, NAN};
     column c;
 
-    assert_true(column_find(&l->d, text_of(name), &c));
+    assert_true(column_find(&l->d, flk_text_of(name), &c));
     assert_int_equal(extreme_find(&a, &c, branch, sign, &e), 1);
     return e;
 }
@@ -1337,11 +1337,11 @@ static void test_turning_moment_of_four_strokes(void **unused)
             for (j = 0; j < CUTS; j++) {
                 double next = i + 1 < POINTS ? angle[i + 1] : 720,
                        h = (next - angle[i]) * DEG / CUTS, x = angle[i] * DEG + (j + 0.5) * h;
-                double sum = (5 * curve_value(c, x - w * h / 2) + 8 * curve_value(c, x) +
-                              5 * curve_value(c, x + w * h / 2)) /
+                double sum = (5 * flk_curve_value(c, x - w * h / 2) + 8 * flk_curve_value(c, x) +
+                              5 * flk_curve_value(c, x + w * h / 2)) /
                              18 * h;
-                double left = curve_value(c, x - h / 2) - mean,
-                       right = curve_value(c, x + h / 2) - mean;
+                double left = flk_curve_value(c, x - h / 2) - mean,
+                       right = flk_curve_value(c, x + h / 2) - mean;
 
                 if (!pass) {
                     area += sum;
@@ -1579,7 +1579,7 @@ static check one_check(const char *contents)
     check c;
     deck d;
 
-    if (deck_read("x.deck", text_of(contents), NULL, NULL, 0, &d) != 1)
+    if (flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d) != 1)
         fail_msg("%s\n%s", d.mistakes.list[0].message, contents);
     if (checks_run(&d, take_check, &t) != 1)
         fail_msg("%s\n%s", d.mistakes.list[0].message, contents);
@@ -1587,7 +1587,7 @@ static check one_check(const char *contents)
     c = t.list[0];
     c.unit = strcpy(unit_name, c.unit); /* it is the deck's */
     c.e = NULL;
-    deck_free(&d);
+    flk_deck_free(&d);
     return c;
 }
 
@@ -1730,17 +1730,18 @@ static void test_tolerances_of_sections(void **unused)
     int i;
 
     (void)unused;
-    assert_int_equal(deck_read("x.deck",
-                               text_of(four_bar(0.020, 0.066, 0.056, 0.080,
-                                                "[motion]\nspeed = 10.5 rad/s\n[expect]\n"
-                                                "at = 40 deg\ntolerance = 1 %\n"
-                                                "omega3 = -3.18 rad/s\n[expect]\nat = 40 deg\n"
-                                                "tolerance = 1 %\nomega3 = -3.19 rad/s\n"
-                                                "theta4 = 104.5\n[expect]\nat = 40 deg\n"
-                                                "tolerance = 1 %\ntheta4 = 105.0\n"
-                                                "[expect]\nat = 40 deg\nomega3 = -3.18 rad/s\n")),
-                               NULL, NULL, 0, &d),
-                     1);
+    assert_int_equal(
+        flk_deck_read("x.deck",
+                      flk_text_of(four_bar(0.020, 0.066, 0.056, 0.080,
+                                           "[motion]\nspeed = 10.5 rad/s\n[expect]\n"
+                                           "at = 40 deg\ntolerance = 1 %\n"
+                                           "omega3 = -3.18 rad/s\n[expect]\nat = 40 deg\n"
+                                           "tolerance = 1 %\nomega3 = -3.19 rad/s\n"
+                                           "theta4 = 104.5\n[expect]\nat = 40 deg\n"
+                                           "tolerance = 1 %\ntheta4 = 105.0\n"
+                                           "[expect]\nat = 40 deg\nomega3 = -3.18 rad/s\n")),
+                      NULL, NULL, NULL, 0, 0, &d),
+        1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
     assert_int_equal(t.n, 5);
     for (i = 0; i < 5; i++)
@@ -1748,7 +1749,7 @@ static void test_tolerances_of_sections(void **unused)
     assert_true(t.list[0].at_angle);
     assert_int_equal(t.list[0].e->place.line, 15);
     assert_true(t.list[0].tolerance > 0);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* A tolerance below 0 means the same in both forms, or is a mistake in both. */
@@ -1762,15 +1763,16 @@ static void test_negative_tolerances(void **unused)
         taken t = {0};
         deck d;
 
-        outcome[i] = deck_read(
-            "x.deck",
-            text_of(engine(300, print("[expect]\ntolerance = %s\nstroke = 201 mm\n", forms[i]))),
-            NULL, NULL, 0, &d);
+        outcome[i] =
+            flk_deck_read("x.deck",
+                          flk_text_of(engine(
+                              300, print("[expect]\ntolerance = %s\nstroke = 201 mm\n", forms[i]))),
+                          NULL, NULL, NULL, 0, 0, &d);
         if (outcome[i] == 1)
             outcome[i] = checks_run(&d, take_check, &t);
         if (outcome[i] == 1)
             outcome[i] = 10 + (int)t.list[0].result;
-        deck_free(&d);
+        flk_deck_free(&d);
     }
     assert_int_equal(outcome[0], outcome[1]);
 }
@@ -1951,7 +1953,8 @@ static void check_mistake(const char *contents, long line, const char *message)
 {
     taken t = {0};
     deck d;
-    int status = deck_read("x.deck", text_of(contents), NULL, NULL, 0, &d), read = status;
+    int status = flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d),
+        read = status;
 
     if (read == 1)
         status = checks_run(&d, take_check, &t);
@@ -1964,7 +1967,7 @@ static void check_mistake(const char *contents, long line, const char *message)
         fail_msg("x.deck:%ld: %s\nexpected at %ld: %s", d.mistakes.list[0].place.line,
                  d.mistakes.list[0].message, line, message);
     assert_string_equal(d.mistakes.list[0].place.source, "x.deck");
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_mistakes_of_names(void **unused)
@@ -2053,18 +2056,18 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(deck_read("x.deck",
-                               text_of(four_bar(0.50, 0.45, 0.60, 0.20,
-                                                "[motion]\nspeed = 1 rad/s\n[expect]\n"
-                                                "max(theta4) = 180 deg\n")),
-                               NULL, NULL, 0, &d),
+    assert_int_equal(flk_deck_read("x.deck",
+                                   flk_text_of(four_bar(0.50, 0.45, 0.60, 0.20,
+                                                        "[motion]\nspeed = 1 rad/s\n[expect]\n"
+                                                        "max(theta4) = 180 deg\n")),
+                                   NULL, NULL, NULL, 0, 0, &d),
                      1);
     if (checks_run(&d, take_check, &t) == 0) {
         assert_int_equal(d.mistakes.list[0].place.line, 13);
         assert_string_not_equal(d.mistakes.list[0].message,
                                 "the links reach at no angle of the motion");
     }
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* The crank comes to rest after 143.2 deg: at 150 deg there is nothing to compare with. */
@@ -2074,17 +2077,17 @@ static void test_mistake_beyond_the_end_of_a_motion(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(deck_read("x.deck",
-                               text_of(four_bar(0.020, 0.066, 0.056, 0.080,
-                                                "[motion]\nspeed = 10 rad/s\n"
-                                                "acceleration = -20 rad/s2\n[expect]\n"
-                                                "at = 150 deg\nomega4 = 0 rad/s\n")),
-                               NULL, NULL, 0, &d),
+    assert_int_equal(flk_deck_read("x.deck",
+                                   flk_text_of(four_bar(0.020, 0.066, 0.056, 0.080,
+                                                        "[motion]\nspeed = 10 rad/s\n"
+                                                        "acceleration = -20 rad/s2\n[expect]\n"
+                                                        "at = 150 deg\nomega4 = 0 rad/s\n")),
+                                   NULL, NULL, NULL, 0, 0, &d),
                      1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_int_equal(d.mistakes.count, 1);
     assert_int_equal(d.mistakes.list[0].place.line, 15);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* All mistakes of a run, in the order of their lines, and no comparison told. */
@@ -2097,10 +2100,10 @@ static void test_all_mistakes_in_one_run(void **unused)
 
     (void)unused;
     assert_int_equal(
-        deck_read("x.deck",
-                  text_of(engine(300, "[expect]\nn = 3\nxyzzy = 1\nstroke = 1 kg\n"
-                                      "[expect]\nx = 20 mm\n[expect]\nat = 0\nv = 1 mm\n")),
-                  NULL, NULL, 0, &d),
+        flk_deck_read("x.deck",
+                      flk_text_of(engine(300, "[expect]\nn = 3\nxyzzy = 1\nstroke = 1 kg\n"
+                                              "[expect]\nx = 20 mm\n[expect]\nat = 0\nv = 1 mm\n")),
+                      NULL, NULL, NULL, 0, 0, &d),
         1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_int_equal(t.n, 5); /* the first is in order, the others have no value */
@@ -2109,7 +2112,7 @@ static void test_all_mistakes_in_one_run(void **unused)
     assert_int_equal(d.mistakes.count, 4);
     for (i = 0; i < 4; i++)
         assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 /* A file of its own adds to the expectations; its mistakes have its name and lines. */
@@ -2119,11 +2122,13 @@ static void test_expectations_of_another_file(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(
-        deck_read("x.deck", text_of(engine(300, "[expect]\nn = 3\n")), NULL, NULL, 0, &d), 1);
-    assert_int_equal(deck_add_expectations(
-                         "y.expect", text_of("[misprint]\nn = 4\n[expect]\nstroke = 20 cm\n"), &d),
+    assert_int_equal(flk_deck_read("x.deck", flk_text_of(engine(300, "[expect]\nn = 3\n")), NULL,
+                                   NULL, NULL, 0, 0, &d),
                      1);
+    assert_int_equal(
+        flk_deck_add_expectations("y.expect",
+                                  flk_text_of("[misprint]\nn = 4\n[expect]\nstroke = 20 cm\n"), &d),
+        1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
     assert_int_equal(t.n, 3);
     assert_int_equal(t.list[0].result, CHECK_OK);
@@ -2131,14 +2136,16 @@ static void test_expectations_of_another_file(void **unused)
     assert_string_equal(t.list[1].e->place.source, "y.expect");
     assert_int_equal(t.list[1].e->place.line, 2);
     assert_int_equal(t.list[2].result, CHECK_OK);
-    deck_free(&d);
+    flk_deck_free(&d);
 
-    assert_int_equal(deck_read("x.deck", text_of(engine(300, "")), NULL, NULL, 0, &d), 1);
-    assert_int_equal(deck_add_expectations("y.expect", text_of("[expect]\n\nxyzzy = 4\n"), &d), 1);
+    assert_int_equal(
+        flk_deck_read("x.deck", flk_text_of(engine(300, "")), NULL, NULL, NULL, 0, 0, &d), 1);
+    assert_int_equal(
+        flk_deck_add_expectations("y.expect", flk_text_of("[expect]\n\nxyzzy = 4\n"), &d), 1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_string_equal(d.mistakes.list[0].place.source, "y.expect");
     assert_int_equal(d.mistakes.list[0].place.line, 3);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 static void test_nothing_expected(void **unused)
@@ -2147,10 +2154,11 @@ static void test_nothing_expected(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(deck_read("x.deck", text_of(engine(300, "")), NULL, NULL, 0, &d), 1);
+    assert_int_equal(
+        flk_deck_read("x.deck", flk_text_of(engine(300, "")), NULL, NULL, NULL, 0, 0, &d), 1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
     assert_int_equal(t.n, 0);
-    deck_free(&d);
+    flk_deck_free(&d);
 }
 
 int main(void)

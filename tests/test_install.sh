@@ -13,6 +13,7 @@ passed=0
 failed=0
 CC=${CC:-cc}
 CXX=${CXX:-c++}
+FC=${FC:-gfortran}
 CFLAGS=${CFLAGS-}
 
 check() {
@@ -36,26 +37,70 @@ check 'command and example deck' usr/bin/fourlink --check usr/share/fourlink/dat
 check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
 check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
 check 'completion' test -s usr/share/bash-completion/completions/fourlink
-for option in format output branch interval columns set check matrix summary list help version; do
-    check "--$option in the manual page" grep -qF -e "\\-\\-$option" usr/share/man/man1/fourlink.1
+for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-script part list help \
+    version; do
+    escaped=$(echo "$option" | sed 's/-/\\-/g')
+    check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1
     check "--$option completes" grep -qF -e "--$option" usr/share/bash-completion/completions/fourlink
 done
 
-gives() { "$@" | grep -qx 'Ts = 0\.[0-9]*'; }
-check 'C90, shared' $CC $CFLAGS -std=c90 -pedantic-errors -Wall -Wextra -Werror -Iusr/include "$callers/c90.c" \
-    -o shared -L"$lib" -lfourlink
-check 'C90, shared, runs' gives ./shared
-check 'C90, static' $CC $CFLAGS -std=c90 -Iusr/include "$callers/c90.c" -o static "$lib/libfourlink.a" \
-    -lgsl -lgslcblas -lm
-check 'C90, static, runs' gives ./static
+cat >answer <<'ANSWER'
+theta4 = 103.820765 deg
+Ts = 0.031382309546 N m
+ANSWER
+answer=answer
+gives() { "$@" | cmp - "$answer"; } # what data/me3491-matrix.deck expects, from two other computations
+static_libraries="$lib/libfourlink.a -lgsl -lgslcblas -lm"
+
+# caller NAME COMMAND...: a caller of the library, linked to the shared and to the static one.
+caller() {
+    what=$1
+    shift
+    check "$what, shared" "$@" -o shared -L"$lib" -lfourlink -lm
+    check "$what, shared, runs" gives ./shared
+    check "$what, static" "$@" -o static $static_libraries
+    check "$what, static, runs" gives ./static
+}
+
+strict='-pedantic-errors -Wall -Wextra -Werror -Iusr/include'
+caller 'C90' $CC $CFLAGS -std=c90 $strict "$callers/c90.c"
+caller 'a deck from C90' $CC $CFLAGS -std=c90 $strict "$callers/deck.c"
+./shared mistaken >mistakes
+check 'the mistakes of a deck, as the command tells them' grep -qx \
+    "deck:3: error: unknown unit 'parsec' in '80 parsec'" mistakes
+sed 's/^deck:/x.deck:/' mistakes >told
+printf 'mechanism = four-bar\n[ground]\nlength = 80 parsec\n[krank]\n' >x.deck
+usr/bin/fourlink x.deck 2>printed
+check 'all of them' cmp printed told
 if command -v "$CXX" >/dev/null; then
-    check 'C++98' $CXX $CFLAGS -x c++ -std=c++98 -pedantic-errors -Wall -Wextra -Werror -Iusr/include \
-        "$callers/c90.c" -o cxx -L"$lib" -lfourlink
-    check 'C++98 runs' gives ./cxx
+    caller 'C++98' $CXX $CFLAGS -std=c++98 $strict "$callers/cxx98.cpp"
+else
+    echo "skipped: C++98, there is no $CXX"
+fi
+if command -v "$FC" >/dev/null; then
+    strict='-Wall -Wextra -Werror -fcheck=all'
+    check 'Fortran 2003, the module' $FC $CFLAGS -std=f2003 -pedantic $strict -c usr/include/fourlink.f90
+    caller 'Fortran 2003' $FC $CFLAGS -std=f2003 -pedantic $strict "$callers/fortran2003.f90" fourlink.o
+    answer=longer
+    { cat answer; printf 'a4 = -1373.420151 m/s2\na length is not positive\n'; } >$answer
+    caller 'FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/fortran77.f"
+    answer=answer
+    for name in $(sed -n 's/^FOURLINK_API .* \**\(fourlink_[a-z_]*\)(.*/\1/p' usr/include/fourlink.h); do
+        check "$name in the module" grep -q "\(function\|subroutine\) $name(" usr/include/fourlink.f90
+    done
+    for name in $(sed -n 's/^ *X(\(FOURLINK_[A-Z_]*\), *\([0-9]*\), .*/\1=\2/p' usr/include/fourlink.h); do
+        check "$name in the module" grep -Eiq "\b${name%=*}(_type)? *= *${name#*=}\b" usr/include/fourlink.f90
+    done
+    $CC $CFLAGS -Iusr/include "$callers/sizes.c" -o sizes_c && ./sizes_c >sizes_of_c
+    $FC $CFLAGS "$callers/sizes.f90" fourlink.o $static_libraries -o sizes_f && ./sizes_f >sizes_of_fortran
+    check 'the structures of the header' test -s sizes_of_c
+    check 'the same in the module' cmp sizes_of_c sizes_of_fortran
+else
+    echo "skipped: Fortran, there is no $FC"
 fi
 if command -v pkg-config >/dev/null; then
     export PKG_CONFIG_PATH="$work/$lib/pkgconfig"
-    check 'pkg-config' sh -c "$CC $CFLAGS \$(pkg-config --cflags fourlink) '$callers/c90.c' -o pc \$(pkg-config --libs fourlink)"
+    check 'pkg-config' sh -c "$CC $CFLAGS \$(pkg-config --cflags fourlink) '$callers/c90.c' -o pc \$(pkg-config --libs fourlink) -lm"
     check 'pkg-config runs' gives ./pc
 fi
 mkdir project
@@ -65,7 +110,7 @@ cmake_minimum_required(VERSION 3.21)
 project(consumer C)
 find_package(fourlink 0.1 REQUIRED)
 add_executable(with_shared c90.c)
-target_link_libraries(with_shared fourlink::fourlink)
+target_link_libraries(with_shared fourlink::fourlink m)
 add_executable(with_static c90.c)
 target_link_libraries(with_static fourlink::static)
 CMAKE
@@ -75,14 +120,41 @@ check 'its targets build' cmake --build project/build
 check 'fourlink::fourlink runs' gives project/build/with_shared
 check 'fourlink::static runs' gives project/build/with_static
 
-# Of the shared library nothing is visible but what the header declares.
+# Of the shared library nothing is visible but what the header declares; of the static one all names
+# have its prefix.
 if command -v nm >/dev/null; then
     nm -D --defined-only "$lib/libfourlink.so" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -v '^__\|^_init\|^_fini' | sort >visible
-    sed -n 's/.*FOURLINK_API.* \**\(fourlink_[a-z_]*\)(.*/\1/p' usr/include/fourlink.h | sort >declared
+    sed -n 's/^FOURLINK_API .* \**\(f[a-z0-9_]*\)(.*/\1/p' usr/include/fourlink.h | sort >declared
     check 'the symbols of the header, and no others' cmp visible declared
-    check 'no stdio, allocation, exit in the library' sh -c \
-        "! nm -D --undefined-only '$lib/libfourlink.so' | grep -wE 'printf|puts|putc|fopen|fwrite|stdout|stderr|malloc|calloc|realloc|free|exit|abort|gsl_set_error_handler|gsl_set_error_handler_off|gsl_error'"
+    check 'names with a prefix' sh -c \
+        "! nm --defined-only '$lib/libfourlink.a' | awk 'NF == 3 && \$2 ~ /[A-Z]/ {print \$3}' | grep -v '^flk_\|^__' | sort | comm -13 declared - | grep ."
+    check 'no stdio, exit, locale, error handler in the library' sh -c \
+        "! nm -D --undefined-only '$lib/libfourlink.so' | grep -wE '[a-z_]*printf[a-z_]*|puts|putc|fputs|fopen|fwrite|fread|stdout|stderr|exit|abort|localeconv|setlocale|gsl_set_error_handler|gsl_set_error_handler_off|gsl_error'"
+    # Where a deck is read memory is needed; one row of results needs none.
+    nm -A --undefined-only "$lib/libfourlink.a" | grep -wE 'malloc|calloc|realloc|free|[a-z_]*alloc' |
+        sed 's/.*:\([a-z0-9_]*\)\.c\.o:.*/\1/' | sort -u >allocating
+    check 'memory is for decks' sh -c "printf '%s\n' curve deck deck_lines deck_sweep problem text | cmp - allocating"
 fi
+# No state: nothing that can be written to.  (A sanitizer has some of its own.)
+case $CFLAGS in
+*sanitize*) ;;
+*) check 'no writable data in the library' sh -c \
+    "size -A '$lib/libfourlink.a' | awk '\$1 ~ /^[.](data|bss|data[.]rel|data[.]rel[.]local)$/ {n += \$2} END {exit n > 0}'" ;;
+esac
+# The completion of bash, as it is typed: fourlink --form<TAB>, fourlink --format=p<TAB>
+if command -v bash >/dev/null; then
+    completes() {
+        bash -c '. usr/share/bash-completion/completions/fourlink
+            compopt() { :; }
+            COMP_WORDS=(fourlink "${@:2}") COMP_CWORD=$(($# - 1))
+            _fourlink
+            [ "${COMPREPLY[*]}" = "$1" ]' completes "$@"
+    }
+    check 'an option completes' completes --format= --form
+    check 'its value completes' completes paper --format = p
+    check 'a deck completes' completes x.deck x
+fi
+
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -5,33 +5,18 @@
 ** multipliers, against the change of kinetic energy and of momentum by differences of positions,
 ** and against the classical analytical method for engines.
 */
-#include "check.h"
-#include "fourlink.h"
+#include "samples.h"
 
 #include <stdlib.h>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_vector.h>
 
-#define PI 3.14159265358979323846
 #define EPS 2.220446049250313e-16
 
 /* ---------------------------------------------------------------------------------------------
 ** Random mechanisms
 ** ------------------------------------------------------------------------------------------- */
-
-#define MOST_LOADS 4
-
-typedef struct sample {
-    fourlink_design design;
-    fourlink_mechanism mechanism;
-    fourlink_branch branch;
-    fourlink_crank crank;
-    fourlink_load load[MOST_LOADS];
-    unsigned long n_loads;
-    fourlink_state state;
-    fourlink_forces forces;
-} sample;
 
 static int solve(sample *s)
 {
@@ -40,61 +25,11 @@ static int solve(sample *s)
                             &s->forces);
 }
 
-/* Either kind in turn; lengths of 0.3 to 3 m, centres of mass off the line and outside the pins. */
 static void draw(uint64_t *seed, int n, double smallest_sine, sample *s)
 {
-    unsigned long k;
-    int i;
-
-    memset(s, 0, sizeof *s);
-    do {
-        s->design.kind = n % 2 ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR;
-        for (i = 1; i <= 4; i++) {
-            fourlink_link *link = &s->design.link[i];
-
-            link->length = uniform(seed, 0.3, 3);
-            link->mass = uniform(seed, 0, 1) < 0.1 ? 0 : uniform(seed, 0, 5);
-            link->inertia = uniform(seed, 0, 1) < 0.1 ? 0 : uniform(seed, 0, 3);
-            link->cg.x = uniform(seed, -1, 3);
-            link->cg.y = uniform(seed, -1, 1);
-        }
-        s->design.offset = n % 2 ? uniform(seed, -1, 1) : 0;
-        s->design.gravity.x = uniform(seed, -10, 10);
-        s->design.gravity.y = uniform(seed, -10, 10);
-        s->branch = uniform(seed, 0, 1) < 0.5 ? FOURLINK_OPEN : FOURLINK_CROSSED;
-        s->crank.theta2 = uniform(seed, -3 * PI, 3 * PI);
-        s->crank.omega2 = n % 10 < 2 ? 0 : uniform(seed, -5, 5);
-        s->crank.alpha2 = uniform(seed, -30, 30);
-        s->n_loads = (unsigned long)uniform(seed, 0, MOST_LOADS + 1);
-        for (k = 0; k < s->n_loads; k++) {
-            fourlink_load *load = &s->load[k];
-
-            load->link = (int)uniform(seed, 2, 5);
-            load->frame = uniform(seed, 0, 1) < 0.5 ? FOURLINK_FRAME_GROUND : FOURLINK_FRAME_LINK;
-            load->force.x = uniform(seed, -100, 100);
-            load->force.y = uniform(seed, -100, 100);
-            load->at.x = uniform(seed, -2, 2);
-            load->at.y = uniform(seed, -2, 2);
-            load->torque = uniform(seed, -100, 100);
-        }
-    } while (solve(s) != FOURLINK_OK || fabs(s->state.sine) < smallest_sine);
-}
-
-/* All forces of one answer, for comparison: moments divided by the crank's length. */
-#define N_FORCES 10
-
-static void list(const fourlink_forces *f, double arm, double value[N_FORCES])
-{
-    value[0] = f->F12x;
-    value[1] = f->F12y;
-    value[2] = f->F23x;
-    value[3] = f->F23y;
-    value[4] = f->F34x;
-    value[5] = f->F34y;
-    value[6] = f->F14x;
-    value[7] = f->F14y;
-    value[8] = f->M14 / arm;
-    value[9] = f->Ts / arm;
+    do
+        draw_design(seed, n, s);
+    while (solve(s) != FOURLINK_OK || fabs(s->state.sine) < smallest_sine);
 }
 
 static double largest(const fourlink_forces *f, double arm)
@@ -847,28 +782,10 @@ static void test_extreme_numbers(void **unused)
 
     (void)unused;
     for (n = 0; n < 20000; n++) {
-        double value[N_FORCES], large = pow(10, uniform(&seed, -15, 14.5));
-        double small = pow(10, uniform(&seed, -15, 14.5));
+        double value[N_FORCES];
         sample s;
 
-        memset(&s, 0, sizeof s);
-        s.design.kind = n % 2 ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR;
-        for (i = 1; i <= 4; i++) {
-            fourlink_link *link = &s.design.link[i];
-
-            link->length = ((n >> i) & 1 ? large : small) * uniform(&seed, 1, 2);
-            link->mass = link->inertia = FOURLINK_NUMBER_MAX;
-            link->cg.x = link->length;
-            link->cg.y = -link->length / 2;
-        }
-        s.design.gravity.x = FOURLINK_NUMBER_MAX;
-        s.branch = n % 3 ? FOURLINK_OPEN : FOURLINK_CROSSED;
-        s.crank.theta2 = uniform(&seed, 0, 6.3);
-        s.crank.omega2 = s.crank.alpha2 = -FOURLINK_NUMBER_MAX;
-        s.load[0].link = 2 + n % 3;
-        s.load[0].force.y = s.load[0].torque = FOURLINK_NUMBER_MAX;
-        s.load[0].at.x = FOURLINK_LENGTH_MAX;
-        s.n_loads = 1;
+        draw_extreme(&seed, n, &s);
         if (solve(&s) != FOURLINK_OK)
             continue;
         solved++;

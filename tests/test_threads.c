@@ -97,9 +97,53 @@ static void test_two_threads(void **unused)
     }
 }
 
+/* The last crank torque of 200 readings of one deck; NaN if one of them failed. */
+static void *read_decks(void *data)
+{
+    static const char text[] = "mechanism = four-bar\n[ground]\nlength = 80.5 mm\n"
+                               "[crank]\nlength = 2.0e1 mm\n[coupler]\nlength = 66 mm\n"
+                               "[rocker]\nlength = 56 mm\n[load]\nlink = rocker\n"
+                               "torque = 0 deg 1.25 N m, 90 deg 2 N m, 200 deg -3 N m\n";
+    double *result = data;
+    int i;
+
+    for (i = 0; i < 200; i++) {
+        fourlink_deck *deck;
+        fourlink_load load;
+
+        if (fourlink_deck_read(text, sizeof text - 1, NULL, NULL, 0, &deck, NULL, NULL) !=
+            FOURLINK_OK) {
+            *result = NAN;
+            return NULL;
+        }
+        fourlink_deck_loads(deck, FOURLINK_OPEN, i * DEG, &load, NULL);
+        *result = load.torque;
+        fourlink_deck_free(deck);
+    }
+    return NULL;
+}
+
+static void test_decks_in_two_threads(void **unused)
+{
+    double alone, together[2];
+    pthread_t threads[2];
+    int i;
+
+    (void)unused;
+    read_decks(&alone);
+    assert_true(-3 < alone && alone < 0);
+    for (i = 0; i < 2; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, read_decks, &together[i]), 0);
+    for (i = 0; i < 2; i++) {
+        pthread_join(threads[i], NULL);
+        assert_near(together[i], alone, 0);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_threads)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_threads),
+                                       cmocka_unit_test(test_decks_in_two_threads)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -113,8 +113,8 @@ static void test_values(void **unused)
         text bad;
 
         print_message("%s\n", units[i].name);
-        assert_true(unit_read(text_of(units[i].name), &u, &bad));
-        assert_close(unit_to_si(1, u), units[i].si, 5e-16);
+        assert_true(flk_unit_read(flk_text_of(units[i].name), &u, &bad));
+        assert_close(flk_unit_to_si(1, u), units[i].si, 5e-16);
         assert_int_equal(u.dim.m, units[i].dim.m);
         assert_int_equal(u.dim.kg, units[i].dim.kg);
         assert_int_equal(u.dim.s, units[i].dim.s);
@@ -129,8 +129,8 @@ static void check_is(const char *name, quantity q, int expected)
     text bad;
 
     print_message("%s\n", name);
-    assert_true(unit_read(text_of(name), &u, &bad));
-    assert_int_equal(dimension_equal(u.dim, quantities[q].dim), expected);
+    assert_true(flk_unit_read(flk_text_of(name), &u, &bad));
+    assert_int_equal(flk_dimension_equal(u.dim, flk_quantities[q].dim), expected);
 }
 
 static void test_dimensions(void **unused)
@@ -170,17 +170,18 @@ static void test_quantities(void **unused)
         unit u;
         text bad;
 
-        print_message("%s\n", quantities[q].name);
-        assert_true(unit_read(text_of(quantities[q].unit), &u, &bad));
-        assert_true(dimension_equal(u.dim, quantities[q].dim));
+        print_message("%s\n", flk_quantities[q].name);
+        assert_true(flk_unit_read(flk_text_of(flk_quantities[q].unit), &u, &bad));
+        assert_true(flk_dimension_equal(u.dim, flk_quantities[q].dim));
         if (q == QUANTITY_ANGLE)
-            assert_close(unit_to_si(180, u), PI, 1e-16);
+            assert_close(flk_unit_to_si(180, u), PI, 1e-16);
         else
-            assert_true(unit_to_si(1, u) == 1);
-        assert_true(strtod(quantities[q].example, &end) > 0); /* messages offer it as an example */
+            assert_true(flk_unit_to_si(1, u) == 1);
+        assert_true(strtod(flk_quantities[q].example, &end) >
+                    0); /* messages offer it as an example */
         if (q != QUANTITY_NUMBER) {
-            assert_true(unit_read(text_of(end), &u, &bad));
-            assert_true(dimension_equal(u.dim, quantities[q].dim));
+            assert_true(flk_unit_read(flk_text_of(end), &u, &bad));
+            assert_true(flk_dimension_equal(u.dim, flk_quantities[q].dim));
         }
     }
 }
@@ -252,7 +253,7 @@ static void test_refused(void **unused)
         text bad;
 
         print_message("'%s'\n", refused[i].text);
-        assert_false(unit_read(text_of(refused[i].text), &u, &bad));
+        assert_false(flk_unit_read(flk_text_of(refused[i].text), &u, &bad));
         if (refused[i].bad) {
             assert_int_equal(bad.length, strlen(refused[i].bad));
             assert_memory_equal(bad.start, refused[i].bad, bad.length);
@@ -267,12 +268,12 @@ static void test_stops_at_the_end(void **unused)
     unit u;
 
     (void)unused;
-    assert_true(unit_read(t, &u, &bad));
+    assert_true(flk_unit_read(t, &u, &bad));
     assert_int_equal(u.dim.m, 1);
     assert_int_equal(u.dim.kg, 0);
     t.length = 1;
-    assert_true(unit_read(t, &u, &bad));
-    assert_true(unit_to_si(1, u) == 1);
+    assert_true(flk_unit_read(t, &u, &bad));
+    assert_true(flk_unit_to_si(1, u) == 1);
 }
 
 /* A product of so many factors that its value has no number is no unit; as 0, infinity or NaN it
@@ -294,9 +295,9 @@ static void test_no_overflow(void **unused)
             for (k = 0; k < 100; k++)
                 strcat(name, factors[k < 50 ? i : j]);
             print_message("%.30s ...%s\n", name, factors[j]);
-            if (unit_read(text_of(name), &u, &bad)) {
-                assert_true(unit_to_si(1, u) > 0);
-                assert_true(unit_to_si(1, u) <= 1e300);
+            if (flk_unit_read(flk_text_of(name), &u, &bad)) {
+                assert_true(flk_unit_to_si(1, u) > 0);
+                assert_true(flk_unit_to_si(1, u) <= 1e300);
                 assert_true(u.down / u.up > 0);
                 assert_true(u.down / u.up <= 1e300);
             }
@@ -311,21 +312,21 @@ static void test_rounded_once(void **unused)
     int k;
 
     (void)unused;
-    assert_true(unit_read(text_of("mm"), &mm, &bad));
-    assert_true(unit_read(text_of("cm"), &cm, &bad));
-    assert_true(unit_read(text_of("deg"), &deg, &bad));
-    assert_true(unit_to_si(66, mm) == 0.066);
+    assert_true(flk_unit_read(flk_text_of("mm"), &mm, &bad));
+    assert_true(flk_unit_read(flk_text_of("cm"), &cm, &bad));
+    assert_true(flk_unit_read(flk_text_of("deg"), &deg, &bad));
+    assert_true(flk_unit_to_si(66, mm) == 0.066);
     for (k = 1; k < 20000; k++) {
         char metres[40];
 
         sprintf(metres, "%d.%03d", k / 1000, k % 1000);
-        assert_true(unit_to_si(k, mm) == strtod(metres, NULL));
+        assert_true(flk_unit_to_si(k, mm) == strtod(metres, NULL));
         sprintf(metres, "%d.%02d", k / 100, k % 100);
-        assert_true(unit_to_si(k, cm) == strtod(metres, NULL));
+        assert_true(flk_unit_to_si(k, cm) == strtod(metres, NULL));
     }
-    assert_true(unit_to_si(180, deg) == PI);
-    assert_true(unit_to_si(90, deg) == PI / 2);
-    assert_true(unit_to_si(360, deg) == 2 * PI);
+    assert_true(flk_unit_to_si(180, deg) == PI);
+    assert_true(flk_unit_to_si(90, deg) == PI / 2);
+    assert_true(flk_unit_to_si(360, deg) == 2 * PI);
 }
 
 static void test_nearest(void **unused)
@@ -338,14 +339,22 @@ static void test_nearest(void **unused)
 
     (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const char *nearest = unit_nearest(text_of(cases[i][0]));
+        const char *nearest = flk_unit_nearest(flk_text_of(cases[i][0]), NULL);
 
         print_message("%s\n", cases[i][0]);
         assert_non_null(nearest);
         assert_string_equal(nearest, cases[i][1]);
     }
-    assert_null(unit_nearest(text_of("furlong")));
-    assert_null(unit_nearest(text_of("")));
+    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_LENGTH].dim),
+                        "mm");
+    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_FORCE].dim),
+                        "MN");
+    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_LENGTH].dim),
+                        "mm");
+    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_TORQUE].dim),
+                        "N m");
+    assert_null(flk_unit_nearest(flk_text_of("furlong"), NULL));
+    assert_null(flk_unit_nearest(flk_text_of(""), NULL));
 }
 
 int main(void)

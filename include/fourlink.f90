@@ -1,0 +1,523 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!
+! fourlink.f90 - the library for Fortran 2003: see fourlink.h for what each function does.
+!
+! Compile this file with the program that uses it, and link with -lfourlink.
+!
+! The names are those of fourlink.h, but for two that Fortran, blind to upper and lower case, cannot
+! tell from those of types: the number of the crank among the links is fourlink_crank_link, and the
+! type of linkage FOURLINK_ENGINE is fourlink_engine_type.
+!
+! - Arrays over links are indexed by the link's number, as in C.
+! - What the caller fills in (design, load, crank, motion) is 0 to begin with.
+! - Outputs are intent(inout), since a call that fails leaves them untouched.
+! - Outputs that may be null in C must be there: Fortran 2003 has no optional arguments in bind(c).
+! - Other arguments that may be null: an array without elements, c_null_ptr, c_null_funptr.
+! - An unsigned long of C is an integer(c_long): none of them comes near its end.
+module fourlink
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int, c_long, &
+    c_null_char, c_ptr, c_size_t
+  implicit none
+
+  private :: c_char, c_double, c_f_pointer, c_funptr, c_int, c_long, c_null_char, c_ptr, c_size_t
+  private :: copy_text, text_of_array, text_of_pointer
+
+  ! Status codes.
+  integer(c_int), parameter :: &
+    fourlink_ok = 0, &
+    fourlink_too_far = 1, &
+    fourlink_too_near = 2, &
+    fourlink_rod_too_short = 3, &
+    fourlink_dead_position = 4, &
+    fourlink_change_point = 5, &
+    fourlink_singular = 6, &
+    fourlink_null = 20, &
+    fourlink_bad_number = 21, &
+    fourlink_bad_kind = 22, &
+    fourlink_bad_length = 23, &
+    fourlink_bad_mass = 24, &
+    fourlink_bad_branch = 25, &
+    fourlink_bad_link = 26, &
+    fourlink_bad_frame = 27, &
+    fourlink_bad_interval = 28, &
+    fourlink_bad_range = 29, &
+    fourlink_no_run_up = 30, &
+    fourlink_too_many_rows = 31, &
+    fourlink_no_such_row = 32, &
+    fourlink_not_an_engine = 33, &
+    fourlink_no_series = 34, &
+    fourlink_rod_off_line = 35, &
+    fourlink_bad_deck = 36, &
+    fourlink_no_memory = 37, &
+    fourlink_no_such_point = 38, &
+    fourlink_too_many_loads = 39
+
+  ! Types of linkages.
+  integer(c_int), parameter :: &
+    fourlink_crank_rocker = 1, &
+    fourlink_rocker_crank = 2, &
+    fourlink_double_crank = 3, &
+    fourlink_double_rocker = 4, &
+    fourlink_triple_rocker = 5, &
+    fourlink_parallelogram = 6, &
+    fourlink_deltoid = 7, &
+    fourlink_rhombus = 8, &
+    fourlink_change_point_linkage = 9, &
+    fourlink_engine_type = 10, &
+    fourlink_slider_rocker = 11, &
+    fourlink_change_point_slider = 12
+
+  ! Kinds of mechanisms, branches, links, frames of loads, approximations.
+  integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2
+  integer(c_int), parameter :: fourlink_open = 1, fourlink_crossed = -1
+  integer(c_int), parameter :: fourlink_ground = 1, fourlink_crank_link = 2, &
+    fourlink_coupler = 3, fourlink_follower = 4
+  integer(c_int), parameter :: fourlink_frame_ground = 0, fourlink_frame_link = 1
+  integer(c_int), parameter :: fourlink_exact = 0, fourlink_series_piston = 1, &
+    fourlink_series_all = 2
+
+  ! The range of numbers.
+  real(c_double), parameter :: fourlink_length_min = 1e-15_c_double ! m
+  real(c_double), parameter :: fourlink_length_max = 1e15_c_double  ! m
+  real(c_double), parameter :: fourlink_number_max = 1e30_c_double
+
+  ! The mechanism.
+  type, bind(c) :: fourlink_vector
+    real(c_double) :: x = 0, y = 0
+  end type fourlink_vector
+
+  type, bind(c) :: fourlink_link
+    real(c_double) :: length = 0, mass = 0, inertia = 0
+    type(fourlink_vector) :: cg
+  end type fourlink_link
+
+  type, bind(c) :: fourlink_design
+    integer(c_int) :: kind = 0
+    type(fourlink_link) :: link(0:4) ! (0) is unused
+    real(c_double) :: offset = 0
+    type(fourlink_vector) :: gravity
+  end type fourlink_design
+
+  type, bind(c) :: fourlink_mechanism
+    type(fourlink_design) :: design
+    real(c_double) :: stretched, folded
+    integer(c_int) :: change_stretched, change_folded
+    real(c_double) :: dead_centre
+  end type fourlink_mechanism
+
+  ! One crank position.
+  type, bind(c) :: fourlink_crank
+    real(c_double) :: theta2 = 0, omega2 = 0, alpha2 = 0
+  end type fourlink_crank
+
+  type, bind(c) :: fourlink_link_state
+    real(c_double) :: theta, omega, alpha, k
+    type(fourlink_vector) :: axis, origin, k_origin, velocity, acceleration
+  end type fourlink_link_state
+
+  type, bind(c) :: fourlink_state
+    type(fourlink_link_state) :: link(0:4) ! (0) and (1) are unused
+    integer(c_int) :: branch
+    real(c_double) :: sine, mu, phi, x, v, a
+  end type fourlink_state
+
+  ! Loads and forces.
+  type, bind(c) :: fourlink_load
+    integer(c_int) :: link = 0
+    integer(c_int) :: frame = fourlink_frame_ground
+    type(fourlink_vector) :: force, at
+    real(c_double) :: torque = 0
+  end type fourlink_load
+
+  type, bind(c) :: fourlink_forces
+    real(c_double) :: F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y
+    real(c_double) :: M14, Ts, Ts_work, residual
+  end type fourlink_forces
+
+  ! The mechanism as a whole.
+  type, bind(c) :: fourlink_reach
+    integer(c_int) :: n_ranges
+    real(c_double) :: from(2), to(2)
+  end type fourlink_reach
+
+  type, bind(c) :: fourlink_limits
+    real(c_double) :: mu_min, mu_max
+    integer(c_int) :: has_swing
+    real(c_double) :: theta4_min, theta4_max, theta2_min, theta2_max, time_ratio
+    integer(c_int) :: has_stroke
+    real(c_double) :: stroke, inner, outer
+  end type fourlink_limits
+
+  ! Engines.
+  type, bind(c) :: fourlink_series
+    real(c_double) :: x, v, a, omega3, alpha3, x_harmonic, v_harmonic, a_harmonic
+  end type fourlink_series
+
+  type, bind(c) :: fourlink_rod
+    real(c_double) :: n, k, b, m_a, m_b, d, L, m_d, m_g
+  end type fourlink_rod
+
+  type, bind(c) :: fourlink_engine
+    real(c_double) :: gas_force, inertia_force, piston_effort, rod_force, side_thrust
+    real(c_double) :: crank_effort, radial_force, correction_couple
+    real(c_double) :: T_piston, T_correction, T_weight_a, T_inertia_a, T_engine
+  end type fourlink_engine
+
+  type, bind(c) :: fourlink_klein
+    real(c_double) :: OM, BM, BQ, QN, ON
+  end type fourlink_klein
+
+  ! The motion of the crank.
+  type, bind(c) :: fourlink_motion
+    real(c_double) :: angle_unit = 0, from = 0, to = 0, interval = 0, run_up = 0, speed = 0
+    real(c_double) :: acceleration = 0
+    integer(c_int) :: hold = 0
+  end type fourlink_motion
+
+  type, bind(c) :: fourlink_range
+    integer(c_long) :: n_rows
+    integer(c_int) :: stops
+    real(c_double) :: stop_angle
+  end type fourlink_range
+
+  type, bind(c) :: fourlink_row
+    type(fourlink_crank) :: crank
+    real(c_double) :: angle, time
+  end type fourlink_row
+
+  ! Decks.  A deck itself is a type(c_ptr).
+  type, bind(c) :: fourlink_mistake
+    character(kind=c_char) :: file(128) ! for fourlink_text
+    integer(c_long) :: line
+    character(kind=c_char) :: message(400) ! for fourlink_text
+  end type fourlink_mistake
+
+  type, bind(c) :: fourlink_problem
+    character(kind=c_char) :: title(256) ! for fourlink_text
+    type(fourlink_mechanism) :: mechanism
+    type(fourlink_motion) :: motion
+    real(c_double) :: cycle
+    integer(c_int) :: open, crossed, has_forces, approximation
+    integer(c_long) :: n_loads
+    integer(c_int) :: has_gas
+    integer(c_long) :: n_points
+    real(c_double) :: flywheel_fluctuation, flywheel_inertia
+  end type fourlink_problem
+
+  ! A loader of files: give its c_funloc to fourlink_deck_read.
+  abstract interface
+    type(c_ptr) function fourlink_loader(host, file_name, length) bind(c)
+      import
+      type(c_ptr), value :: host
+      type(c_ptr), value :: file_name ! for fourlink_text
+      integer(c_long), intent(inout) :: length
+    end function fourlink_loader
+  end interface
+
+  ! The functions of the library.
+  interface
+    integer(c_int) function fourlink_prepare(design, mechanism) bind(c)
+      import
+      type(fourlink_design), intent(in) :: design
+      type(fourlink_mechanism), intent(inout) :: mechanism
+    end function fourlink_prepare
+
+    integer(c_int) function fourlink_type_of(mechanism, type) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      integer(c_int), intent(inout) :: type
+    end function fourlink_type_of
+
+    integer(c_int) function fourlink_reach_of(mechanism, reach) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_reach), intent(inout) :: reach
+    end function fourlink_reach_of
+
+    integer(c_int) function fourlink_limits_of(mechanism, branch, limits) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      integer(c_int), value :: branch
+      type(fourlink_limits), intent(inout) :: limits
+    end function fourlink_limits_of
+
+    integer(c_int) function fourlink_position(mechanism, branch, theta2, state) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      integer(c_int), value :: branch
+      real(c_double), value :: theta2
+      type(fourlink_state), intent(inout) :: state
+    end function fourlink_position
+
+    integer(c_int) function fourlink_velocity(mechanism, omega2, state) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      real(c_double), value :: omega2
+      type(fourlink_state), intent(inout) :: state
+    end function fourlink_velocity
+
+    integer(c_int) function fourlink_acceleration(mechanism, alpha2, state) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      real(c_double), value :: alpha2
+      type(fourlink_state), intent(inout) :: state
+    end function fourlink_acceleration
+
+    integer(c_int) function fourlink_point(state, link, at, position, velocity, acceleration) &
+        bind(c)
+      import
+      type(fourlink_state), intent(in) :: state
+      integer(c_int), value :: link
+      type(fourlink_vector), intent(in) :: at
+      type(fourlink_vector), intent(inout) :: position, velocity, acceleration
+    end function fourlink_point
+
+    integer(c_int) function fourlink_solve(mechanism, state, loads, n_loads, forces) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_forces), intent(inout) :: forces
+    end function fourlink_solve
+
+    integer(c_int) function fourlink_solve_dyad(mechanism, state, loads, n_loads, forces) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_forces), intent(inout) :: forces
+    end function fourlink_solve_dyad
+
+    ! The matrix arrives transposed: a(j, i) is what C has as A[i-1][j-1], row i, column j.
+    integer(c_int) function fourlink_system(mechanism, state, loads, n_loads, a, b) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      real(c_double), intent(inout) :: a(9, 9), b(9)
+    end function fourlink_system
+
+    integer(c_int) function fourlink_analyse(mechanism, branch, crank, loads, n_loads, state, &
+        forces) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      integer(c_int), value :: branch
+      type(fourlink_crank), intent(in) :: crank
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_state), intent(inout) :: state
+      type(fourlink_forces), intent(inout) :: forces
+    end function fourlink_analyse
+
+    integer(c_int) function fourlink_analyse_dyad(mechanism, branch, crank, loads, n_loads, state, &
+        forces) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      integer(c_int), value :: branch
+      type(fourlink_crank), intent(in) :: crank
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_state), intent(inout) :: state
+      type(fourlink_forces), intent(inout) :: forces
+    end function fourlink_analyse_dyad
+
+    integer(c_int) function fourlink_analyse_design(design, branch, crank, loads, n_loads, state, &
+        forces) bind(c)
+      import
+      type(fourlink_design), intent(in) :: design
+      integer(c_int), value :: branch
+      type(fourlink_crank), intent(in) :: crank
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_state), intent(inout) :: state
+      type(fourlink_forces), intent(inout) :: forces
+    end function fourlink_analyse_design
+
+    integer(c_int) function fourlink_textbook_series(mechanism, state, series) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_series), intent(inout) :: series
+    end function fourlink_textbook_series
+
+    integer(c_int) function fourlink_rod_masses(mechanism, rod) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_rod), intent(inout) :: rod
+    end function fourlink_rod_masses
+
+    integer(c_int) function fourlink_engine_method(mechanism, state, gas_force, loads, n_loads, &
+        approximation, engine) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      real(c_double), value :: gas_force
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      integer(c_int), value :: approximation
+      type(fourlink_engine), intent(inout) :: engine
+    end function fourlink_engine_method
+
+    integer(c_int) function fourlink_klein_construction(mechanism, state, klein) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_klein), intent(inout) :: klein
+    end function fourlink_klein_construction
+
+    integer(c_int) function fourlink_motion_range(motion, range) bind(c)
+      import
+      type(fourlink_motion), intent(in) :: motion
+      type(fourlink_range), intent(inout) :: range
+    end function fourlink_motion_range
+
+    ! Row i counts from 0, as in C.
+    integer(c_int) function fourlink_motion_row(motion, range, i, row) bind(c)
+      import
+      type(fourlink_motion), intent(in) :: motion
+      type(fourlink_range), intent(in) :: range
+      integer(c_long), value :: i
+      type(fourlink_row), intent(inout) :: row
+    end function fourlink_motion_row
+
+    integer(c_int) function fourlink_motion_at(motion, angle, row) bind(c)
+      import
+      type(fourlink_motion), intent(in) :: motion
+      real(c_double), value :: angle
+      type(fourlink_row), intent(inout) :: row
+    end function fourlink_motion_at
+
+    ! The text may be a character variable, and length its len.
+    integer(c_int) function fourlink_deck_read(text, length, load, host, max_mistakes, deck, &
+        mistakes, n_mistakes) bind(c)
+      import
+      character(kind=c_char), intent(in) :: text(*)
+      integer(c_long), value :: length
+      type(c_funptr), value :: load
+      type(c_ptr), value :: host
+      integer(c_long), value :: max_mistakes
+      type(c_ptr), intent(inout) :: deck
+      type(fourlink_mistake), intent(inout) :: mistakes(*)
+      integer(c_long), intent(inout) :: n_mistakes
+    end function fourlink_deck_read
+
+    subroutine fourlink_deck_free(deck) bind(c)
+      import
+      type(c_ptr), value :: deck
+    end subroutine fourlink_deck_free
+
+    integer(c_int) function fourlink_deck_problem(deck, problem) bind(c)
+      import
+      type(c_ptr), value :: deck
+      type(fourlink_problem), intent(inout) :: problem
+    end function fourlink_deck_problem
+
+    integer(c_int) function fourlink_deck_loads(deck, branch, theta2, loads, gas_force) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_int), value :: branch
+      real(c_double), value :: theta2
+      type(fourlink_load), intent(inout) :: loads(*)
+      real(c_double), intent(inout) :: gas_force
+    end function fourlink_deck_loads
+
+    ! Point i counts from 0, as in C; the name is for fourlink_text.
+    integer(c_int) function fourlink_deck_point(deck, i, name, link, at) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: i
+      type(c_ptr), intent(inout) :: name
+      integer(c_int), intent(inout) :: link
+      type(fourlink_vector), intent(inout) :: at
+    end function fourlink_deck_point
+  end interface
+
+  ! A null-terminated text of C, as an array or by its address, filled up with blanks.
+  interface fourlink_text
+    module procedure text_of_array, text_of_pointer
+  end interface fourlink_text
+
+  ! In `contains`: the functions that return a text, fourlink_status_text, fourlink_type_text and
+  ! fourlink_version, as character(len=80), filled up with blanks.
+
+contains
+
+  function fourlink_status_text(status) result(text)
+    integer(c_int), intent(in) :: status
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_status_text_c(status) bind(c, name="fourlink_status_text")
+        import
+        integer(c_int), value :: status
+      end function fourlink_status_text_c
+    end interface
+
+    call copy_text(fourlink_status_text_c(status), text)
+  end function fourlink_status_text
+
+  function fourlink_type_text(type) result(text)
+    integer(c_int), intent(in) :: type
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_type_text_c(type) bind(c, name="fourlink_type_text")
+        import
+        integer(c_int), value :: type
+      end function fourlink_type_text_c
+    end interface
+
+    call copy_text(fourlink_type_text_c(type), text)
+  end function fourlink_type_text
+
+  function fourlink_version() result(text)
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_version_c() bind(c, name="fourlink_version")
+        import
+      end function fourlink_version_c
+    end interface
+
+    call copy_text(fourlink_version_c(), text)
+  end function fourlink_version
+
+  function text_of_array(array) result(text)
+    character(kind=c_char), intent(in) :: array(:)
+    character(len=400) :: text
+    integer :: i
+
+    text = ' '
+    do i = 1, min(size(array), len(text))
+      if (array(i) == c_null_char) exit
+      text(i:i) = array(i)
+    end do
+  end function text_of_array
+
+  function text_of_pointer(pointer) result(text)
+    type(c_ptr), intent(in) :: pointer
+    character(len=400) :: text
+
+    call copy_text(pointer, text)
+  end function text_of_pointer
+
+  subroutine copy_text(from, to)
+    type(c_ptr), intent(in) :: from
+    character(len=*), intent(out) :: to
+    character(kind=c_char), pointer :: array(:)
+    integer :: i
+    interface
+      integer(c_size_t) function strlen(text) bind(c)
+        import
+        type(c_ptr), value :: text
+      end function strlen
+    end interface
+
+    call c_f_pointer(from, array, (/ strlen(from) /))
+    to = ' '
+    do i = 1, min(size(array), len(to))
+      to(i:i) = array(i)
+    end do
+  end subroutine copy_text
+
+end module fourlink

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** arrow.h - forces as arrows of one scale.
+*/
+#ifndef FOURLINK_ARROW_H
+#define FOURLINK_ARROW_H
+
+#include "figure.h"
+
+/* A force that acts at a place. */
+typedef struct arrow {
+    fourlink_vector at; /* in the deck's unit of length */
+    fourlink_vector F;  /* N */
+    pen p;
+    char name[40];
+} arrow;
+
+#define MOST_ARROWS 60
+
+typedef struct arrow_list {
+    arrow list[MOST_ARROWS];
+    int n;
+} arrow_list;
+
+/* Add a force that is not 0. */
+void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, double x, double y);
+
+/* Add weight and loads of a link, as they are at this row, which a has last computed. */
+void arrow_add_loads(arrow_list *arrows, const analysis *a, const result *r, int link);
+
+/* The size of the largest, N. */
+double arrow_largest(const arrow_list *arrows);
+
+/* Draw them, with so many units of length for a newton; their values stand beside the drawing. */
+void arrow_draw(const arrow_list *arrows, sketch *s, const deck *d, double scale);
+
+/* The torques of the loads on a link, and any other. */
+void arrow_draw_load_torques(sketch *s, const analysis *a, const result *r, int link);
+void arrow_draw_torque(sketch *s, const deck *d, pen p, const char *name, fourlink_vector at,
+                       double torque);
+
+/* An arrow that tells the scale of a quantity, below the drawing; `largest` in SI units. */
+void arrow_draw_scale(sketch *s, const deck *d, quantity q, double scale, double largest);
+
+/* "NAME VALUE UNIT" of a value in SI units. */
+#define ARROW_WORDS 120
+char *arrow_words(const deck *d, const char *name, double si, quantity q, char out[ARROW_WORDS]);
+
+#endif

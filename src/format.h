@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** format.h - numbers to text, the same under every locale.
+*/
+#ifndef FOURLINK_FORMAT_H
+#define FOURLINK_FORMAT_H
+
+#define FORMAT_SIZE 400
+
+/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g). */
+char *format_fixed(double value, int decimals, char out[FORMAT_SIZE]);
+char *format_exponent(double value, int decimals, char out[FORMAT_SIZE]);
+char *format_general(double value, int digits, char out[FORMAT_SIZE]);
+
+/* The same; they return where the number ends. */
+char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
+char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
+char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);
+
+/* Write a number with so many decimals so that its text ends before `end`, without a sign if it is 0 to
+** these; where it begins, or null, and nothing is written, if it is left to format_fixed.  At most 12
+** characters. */
+char *format_fixed_before(double value, int decimals, char *end);
+
+#endif

@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** gnuplot.c - the program that draws, run without a shell: its script is its standard input, and its
+** standard output the picture, so that no name of a file is ever read by it.  It does not look whether
+** what it writes arrives, so that is copied here.
+*/
+#define _POSIX_C_SOURCE 200112L
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "gnuplot.h"
+
+#define NOT_FOUND 127
+#define NOT_STARTED 126
+
+/* With no other file open than the three that it is given. */
+static void run(FILE *complaints)
+{
+    int file, reason;
+
+    for (file = STDERR_FILENO + 1; file < 64; file++)
+        if (file != fileno(complaints))
+            close(file);
+    fcntl(fileno(complaints), F_SETFD, FD_CLOEXEC);
+    execlp("gnuplot", "gnuplot", "--default-settings", "-", (char *)NULL);
+    reason = errno;
+    fprintf(complaints, "fourlink: gnuplot: %s\n", strerror(reason));
+    fflush(complaints);
+    errno = reason;
+}
+
+/* In the child: never returns. */
+static void become_gnuplot(FILE *script, int picture, FILE *complaints)
+{
+    if (dup2(fileno(script), STDIN_FILENO) >= 0 && dup2(picture, STDOUT_FILENO) >= 0 &&
+        dup2(fileno(complaints), STDERR_FILENO) >= 0)
+        run(complaints);
+    _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
+}
+
+/* Start it; the end of the pipe that the picture comes from, -1 if that went wrong. */
+static int start(FILE *script, FILE *complaints, pid_t *child)
+{
+    int ends[2];
+
+    if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
+        pipe(ends) != 0)
+        return -1;
+    signal(SIGCHLD, SIG_DFL); /* else there is no status to wait for */
+    *child = fork();
+    if (*child == 0) {
+        close(ends[0]);
+        become_gnuplot(script, ends[1], complaints);
+    }
+    close(ends[1]);
+    if (*child < 0) {
+        close(ends[0]);
+        return -1;
+    }
+    return ends[0];
+}
+
+/* How many bytes there were. */
+static unsigned long copy(int from, FILE *to)
+{
+    unsigned long copied = 0;
+    char part[8192];
+    ssize_t n;
+
+    while ((n = read(from, part, sizeof part)) > 0 || (n < 0 && errno == EINTR))
+        if (n > 0) {
+            fwrite(part, 1, (size_t)n, to); /* output_close tells whether all of it arrived */
+            copied += (unsigned long)n;
+        }
+    return copied;
+}
+
+static void show(FILE *complaints)
+{
+    int c;
+
+    rewind(complaints);
+    while ((c = getc(complaints)) != EOF)
+        putc(c, stderr);
+}
+
+gnuplot_result gnuplot_run(FILE *script, FILE *picture)
+{
+    FILE *complaints = tmpfile();
+    int status = 0, pipe_end, reason;
+    unsigned long copied;
+    pid_t child, ended;
+
+    if (!complaints)
+        return GNUPLOT_ERRNO;
+    pipe_end = start(script, complaints, &child);
+    if (pipe_end < 0) {
+        reason = errno;
+        fclose(complaints);
+        errno = reason;
+        return GNUPLOT_ERRNO;
+    }
+    copied = copy(pipe_end, picture);
+    close(pipe_end);
+    while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
+        ;
+    if (ended < 0) {
+        reason = errno;
+        fclose(complaints);
+        errno = reason;
+        return GNUPLOT_ERRNO;
+    }
+    if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != NOT_FOUND))
+        show(complaints);
+    fclose(complaints);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && copied > 0)
+        return GNUPLOT_OK;
+    return WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND ? GNUPLOT_MISSING : GNUPLOT_FAILED;
+}

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** plot.h - pictures of a deck, as scripts for gnuplot.
+*/
+#ifndef FOURLINK_PLOT_H
+#define FOURLINK_PLOT_H
+
+#include <stdio.h>
+
+#include "analysis.h"
+
+/* name, width and height of the picture in pixels, 1 if that height is for each branch, what it needs of
+** the deck */
+#define PLOT_LIST(X)                                                \
+    X(MECHANISM, "mechanism", 900, 560, 1, PLOT_DRAWING)            \
+    X(MOTION, "motion", 1000, 900, 0, 0)                            \
+    X(FORCES, "forces", 1000, 420, 1, PLOT_FORCES_OF_DECK)          \
+    X(TURNING, "turning-moment", 1000, 460, 1, PLOT_FORCES_OF_DECK) \
+    X(POLAR, "polar", 1100, 800, 0, PLOT_FORCES_OF_DECK)            \
+    X(VECTORS, "vectors", 1500, 1250, 0, PLOT_DRAWING)              \
+    X(KLEIN, "klein", 1100, 700, 0, PLOT_SLIDER_CRANK)              \
+    X(ANIMATION, "animation", 800, 560, 0, PLOT_DRAWING)
+
+enum { PLOT_FORCES_OF_DECK = 1, PLOT_SLIDER_CRANK = 2, PLOT_DRAWING = 4 };
+
+/* What a drawing has room for. */
+#define PLOT_LOADS 40
+#define PLOT_POINTS 24
+
+#define PLOT_CODE(code, name, width, height, per_branch, needs) PLOT_##code,
+typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
+
+/* By plot_kind; ended by a null pointer. */
+extern const char *const plot_names[];
+
+/* The kind of file that a name stands for: .svg .png .pdf .txt .gif, and - for the terminal. */
+typedef enum plot_file {
+    PLOT_SVG,
+    PLOT_PNG,
+    PLOT_PDF,
+    PLOT_TXT,
+    PLOT_GIF,
+    PLOT_FILE_COUNT
+} plot_file;
+
+/* PLOT_FILE_COUNT if the name is none of these. */
+plot_file plot_file_of(const char *name);
+
+#define PLOT_POSITIONS 24
+
+typedef struct plot_request {
+    plot_kind kind;
+    plot_file file;
+    const char *picture;           /* the file that the script writes; null: to standard output */
+    const char *deck_name;         /* the source, told at the foot of the picture */
+    const char *at;                /* the crank angles of --plot-at; null: it was not given */
+    double angles[PLOT_POSITIONS]; /* the same, in the deck's unit, of the motion */
+    int n_angles;
+} plot_request;
+
+/* Write the script of a picture.  1; 0 and a mistake of the deck if there is none to draw. */
+int plot_write(FILE *out, deck *d, plot_request *request);
+
+/* The kinds, each in a file of its own; 0: `why` is the reason why there is nothing to draw. */
+int plot_mechanism(FILE *out, analysis *a, const plot_request *request, const char **why);
+int plot_animation(FILE *out, analysis *a, const char **why);
+int plot_motion(FILE *out, analysis *a, const char **why);
+int plot_forces(FILE *out, analysis *a, const char **why);
+int plot_turning(FILE *out, analysis *a, const char **why);
+int plot_polar(FILE *out, analysis *a, const char **why);
+int plot_vectors(FILE *out, analysis *a, const plot_request *request, const char **why);
+int plot_klein(FILE *out, analysis *a, const plot_request *request, const char **why);
+
+/* Panels in so many rows and columns, under title and source; or title and source at the foot
+** of a picture without panels. */
+void plot_panels(FILE *out, int rows, int columns);
+void plot_source(FILE *out);
+
+/* Compute the position to draw on a branch: the first of the request, or else of the deck's one
+** instant, or else a sixth into the motion, or the first row that the links reach.  A status. */
+int plot_position(analysis *a, fourlink_branch branch, const plot_request *request, result *r);
+
+#endif

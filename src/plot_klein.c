@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** plot_klein.c - Klein's construction for a slider-crank (ME3491, example 2, "Graphical method").
+**
+** M is where the line of the rod meets the perpendicular to the line of stroke through the crankshaft O.
+** The circle about B through M and the circle on the rod as diameter have a common chord; it meets the
+** rod in Q, and the parallel to the line of stroke through O in N.  Then, at constant speed,
+**
+**    v = omega2 OM,   v_CB = omega2 BM,   a = omega2^2 ON,   alpha3 = omega2^2 QN / l
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "arrow.h"
+#include "plot.h"
+#include "print.h"
+
+typedef struct construction {
+    fourlink_vector O, B, C, M, Q, N;
+    fourlink_vector K, L; /* where the circles cut each other */
+    int meet;             /* 0: they do not, the rod being shorter than BM */
+} construction;
+
+static fourlink_vector along(fourlink_vector from, double distance, fourlink_vector unit_vector)
+{
+    from.x += distance * unit_vector.x;
+    from.y += distance * unit_vector.y;
+    return from;
+}
+
+static void construct(const deck *d, const fourlink_state *state, construction *k)
+{
+    figure_pins pins = figure_place(d, state);
+    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, across;
+    double l = figure_length(d, d->design.link[FOURLINK_COUPLER].length), BM, BQ, half;
+
+    k->O = pins.A;
+    k->B = pins.B;
+    k->C = pins.C;
+    BM = -pins.B.x / u.x; /* along the rod, to x = 0 */
+    k->M = along(pins.B, BM, u);
+    BQ = BM * BM / l;
+    k->Q = along(pins.B, BQ, u);
+    across.x = -u.y;
+    across.y = u.x;
+    k->N = along(k->Q, -k->Q.y / across.y, across); /* to y = 0 */
+    k->meet = fabs(BM) <= l;
+    half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
+    k->K = along(k->Q, half, across);
+    k->L = along(k->Q, -half, across);
+}
+
+/* A length of the drawing; beside the rod's, rounding is 0. */
+static void put_length(sketch *s, const deck *d, const char *name, double length)
+{
+    char words[ARROW_WORDS];
+
+    if (fabs(length) < 1e-12 * d->design.link[FOURLINK_COUPLER].length)
+        length = 0;
+    sketch_note(s, arrow_words(d, name, length, QUANTITY_LENGTH, words));
+}
+
+int plot_klein(FILE *out, analysis *a, const plot_request *request, const char **why)
+{
+    fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    const deck_unit *u = &a->d->units[QUANTITY_LENGTH];
+    char words[FIGURE_TITLE + 30], title[FIGURE_TITLE];
+    fourlink_vector middle;
+    fourlink_klein lengths;
+    construction k;
+    double l, away, above;
+    result r;
+    sketch s;
+    int status = plot_position(a, branch, request, &r);
+
+    if (status == FOURLINK_OK)
+        status = fourlink_klein_construction(&a->d->mechanism, &r.state, &lengths);
+    if (status != FOURLINK_OK) {
+        *why = fourlink_status_text(status);
+        return 0;
+    }
+    plot_panels(out, 1, 1);
+    fputs("set rmargin 34\n", out);
+    construct(a->d, &r.state, &k);
+    l = figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length);
+    figure_open(&s, out, a, branch, 0);
+    sketch_circle(&s, PEN_CONSTRUCTION, k.B, gsl_hypot(k.M.x - k.B.x, k.M.y - k.B.y));
+    middle.x = (k.B.x + k.C.x) / 2;
+    middle.y = (k.B.y + k.C.y) / 2;
+    sketch_circle(&s, PEN_CONSTRUCTION, middle, l / 2);
+    if (k.meet)
+        sketch_line(&s, PEN_CONSTRUCTION, k.K, k.L);
+    sketch_line(&s, PEN_CONSTRUCTION, k.O, k.N);
+    sketch_line(&s, PEN_CONSTRUCTION, k.B, k.M);
+    sketch_line(&s, PEN_CRANK, k.O, k.B);
+    sketch_line(&s, PEN_COUPLER, k.B, k.C);
+    sketch_line(&s, PEN_RESULT, k.O, k.M);
+    sketch_line(&s, PEN_RESULT, k.B, k.Q);
+    sketch_line(&s, PEN_RESULT, k.Q, k.N);
+    sketch_line(&s, PEN_FOLLOWER, k.N, k.O);
+    sketch_pin(&s, k.O);
+    sketch_pin(&s, k.B);
+    sketch_pin(&s, k.C);
+    away = k.C.x > 0 ? 1 : -1; /* from the crankshaft to the piston */
+    above = k.B.y >= 0 ? 1 : -1;
+    sketch_text(&s, k.O, -0.9 * away, -0.9 * above, "O");
+    sketch_text(&s, k.B, -0.9 * away, 0.9 * above, "B");
+    sketch_text(&s, k.C, 0.9 * away, -0.9 * above, "C");
+    sketch_text(&s, k.M, -0.9 * away, 0.6, "M");
+    sketch_text(&s, k.Q, 0.6 * away, 1.1 * above, "Q");
+    sketch_text(&s, k.N, 0.5 * away, -1.1 * above, "N");
+    if (k.meet) {
+        sketch_text(&s, k.K, 0.5, 0.9, "K");
+        sketch_text(&s, k.L, 0.5, -0.9, "L");
+    }
+    put_length(&s, a->d, "OM =", lengths.OM);
+    put_length(&s, a->d, "BM =", lengths.BM);
+    put_length(&s, a->d, "BQ =", lengths.BQ);
+    put_length(&s, a->d, "QN =", lengths.QN);
+    put_length(&s, a->d, "ON =", lengths.ON);
+    sketch_note(&s, "v = omega2 OM");
+    sketch_note(&s, "omega3 = omega2 BM / BC");
+    sketch_note(&s, "alpha2 = 0: a = omega2^2 ON");
+    sketch_note(&s, "alpha3 = omega2^2 QN / BC");
+    print_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
+               (char *)NULL);
+    sketch_close(&s, words, u->name);
+    fputs("unset multiplot\n", out);
+    return 1;
+}

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sketch.h - a drawing to scale, as commands for gnuplot: lines, arrows, circles, texts, curves.
+*/
+#ifndef FOURLINK_SKETCH_H
+#define FOURLINK_SKETCH_H
+
+#include <stdio.h>
+
+#include "fourlink.h"
+
+/* Line styles, defined in plot.c at the head of every script. */
+typedef enum pen {
+    PEN_GROUND = 1,
+    PEN_CRANK = 2, /* 2, 3, 4: the links by their numbers */
+    PEN_COUPLER = 3,
+    PEN_FOLLOWER = 4,
+    PEN_PATH,
+    PEN_GHOST,        /* other positions */
+    PEN_FORCE,        /* pin forces */
+    PEN_LOAD,         /* loads and weights */
+    PEN_CONSTRUCTION, /* auxiliary lines */
+    PEN_RESULT,       /* what a construction is made for */
+    PEN_COUNT
+} pen;
+
+#define SKETCH_CURVES 32
+
+typedef struct sketch {
+    FILE *out;
+    double x_min, x_max, y_min, y_max; /* what is drawn so far */
+    double size;                       /* of the whole */
+    double letter;                     /* height of a letter, a fraction of it; pins follow */
+    int n_notes, n_curves;
+    pen curve_pen[SKETCH_CURVES];
+    char curve_title[SKETCH_CURVES][80]; /* for the key; "": not in it */
+} sketch;
+
+/* Begin a drawing of about this size. */
+void sketch_open(sketch *s, FILE *out, double size);
+
+/* Leave room for a place. */
+void sketch_include(sketch *s, fourlink_vector p);
+
+void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
+void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
+
+/* A pin, its radius a fraction of the drawing's size. */
+void sketch_pin(sketch *s, fourlink_vector at);
+void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius);
+
+/* A part of a circle from one angle to another, in rad, counter-clockwise. */
+void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
+
+/* A torque about a point: an arc with a head, counter-clockwise for sign > 0. */
+void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign);
+
+/* A text whose middle is beside the point, in the direction (dx, dy), by lengths of a letter. */
+void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
+
+/* A line of text beside the drawing, one below the other. */
+void sketch_note(sketch *s, const char *words);
+
+/* A centre of mass. */
+void sketch_centre(sketch *s, fourlink_vector at);
+
+/* A support: a triangle on hatched ground below the point. */
+void sketch_support(sketch *s, fourlink_vector at);
+
+/* Hatched ground along y, from x1 to x2, on its lower (side -1) or upper side (1). */
+void sketch_ground(sketch *s, double x1, double x2, double y, double side);
+
+/* A curve: begin, points, breaks, end.  There may be SKETCH_CURVES of them. */
+void sketch_curve(sketch *s, pen p, const char *title);
+void sketch_point(sketch *s, fourlink_vector at);
+void sketch_break(sketch *s);
+void sketch_end(sketch *s);
+
+/* Finish: axes of equal scale around all that was drawn. */
+void sketch_close(sketch *s, const char *title, const char *unit_name);
+
+/* Text within quotes of gnuplot. */
+void sketch_quote(FILE *out, const char *words);
+
+/* 1, 2 or 5 times a power of ten, at most x. */
+double sketch_round(double x);
+
+#endif

@@ -1,0 +1,91 @@
+C     SPDX-License-Identifier: GPL-3.0-or-later
+C
+C     fortran77.f - a whole crank position in one call, from FORTRAN 77:
+C     the linkage of data/me3491-matrix.deck at 40 deg, the engine of
+C     data/me3491-example-1.deck, and a mistake.
+C
+      PROGRAM CONSUM
+      DOUBLE PRECISION LINKS(5,4), GRAV(2), CRANK(3), LOADS(7,1)
+      DOUBLE PRECISION STATE(9,4), FORCES(10), PI, RADIAN
+      INTEGER NLOADS, ISTAT, I, J
+      CHARACTER*80 TEXT
+
+      PI = 4 * ATAN(1.0D0)
+      RADIAN = PI / 180
+      DO 20 J = 1, 4
+         DO 10 I = 1, 5
+            LINKS(I,J) = 0
+   10    CONTINUE
+   20 CONTINUE
+      DO 30 I = 1, 7
+         LOADS(I,1) = 0
+   30 CONTINUE
+
+C     The four-bar linkage, with a load torque on the rocker.
+      LINKS(1,1) = 0.080D0
+      CALL SETLNK(LINKS(1,2), 0.020D0, 0.10D0, 0.008D0, 0.010D0, 0.0D0)
+      CALL SETLNK(LINKS(1,3), 0.066D0, 0.30D0, 0.025D0, 0.030D0,
+     &            10 * RADIAN)
+      CALL SETLNK(LINKS(1,4), 0.056D0, 0.25D0, 0.020D0, 0.028D0,
+     &            -5 * RADIAN)
+      GRAV(1) = 0
+      GRAV(2) = -9.81D0
+      CRANK(1) = 40 * RADIAN
+      CRANK(2) = 10.5D0
+      CRANK(3) = 0
+      NLOADS = 1
+      LOADS(1,1) = 4
+      LOADS(7,1) = 0.5D0
+      CALL FLFBAR(LINKS, GRAV, 1, CRANK, NLOADS, LOADS, STATE, FORCES,
+     &            ISTAT)
+      CALL CHECK(ISTAT, 0)
+      WRITE (*, '(A, F10.6, A)') 'theta4 = ', STATE(1,4) / RADIAN,
+     &                           ' deg'
+      WRITE (*, '(A, F14.12, A)') 'Ts = ', FORCES(10), ' N m'
+
+C     The engine, with the force of the gas on the piston.
+      LINKS(1,1) = 0
+      CALL SETLNK(LINKS(1,2), 0.150D0, 0.0D0, 0.0D0, 0.0D0, 0.0D0)
+      CALL SETLNK(LINKS(1,3), 0.450D0, 2.0D0, 0.175D0, 0.150D0, 0.0D0)
+      CALL SETLNK(LINKS(1,4), 0.0D0, 2.5D0, 0.0D0, 0.0D0, 0.0D0)
+      CRANK(2) = 1000 * PI / 30
+      LOADS(3,1) = -2.0D6 * PI / 4 * 0.115D0**2
+      LOADS(7,1) = 0
+      CALL FLSLCR(LINKS, 0.0D0, GRAV, 1, CRANK, NLOADS, LOADS, STATE,
+     &            FORCES, ISTAT)
+      CALL CHECK(ISTAT, 0)
+      IF (ABS(FORCES(10) + 1979.2760424146D0) .GT. 1D-8) STOP 3
+      WRITE (*, '(A, F12.6, A)') 'a4 = ', STATE(8,4), ' m/s2'
+
+C     A length that is none: the outputs are as they were.
+      LINKS(1,2) = -1
+      STATE(1,4) = 7
+      FORCES(10) = 7
+      CALL FLFBAR(LINKS, GRAV, 1, CRANK, NLOADS, LOADS, STATE, FORCES,
+     &            ISTAT)
+      CALL CHECK(ISTAT, 23)
+      IF (NINT(STATE(1,4)) .NE. 7) STOP 2
+      IF (NINT(FORCES(10)) .NE. 7) STOP 2
+      CALL FLTEXT(ISTAT, TEXT)
+      WRITE (*, '(A)') TEXT(1:24)
+      END
+
+C     A link with its centre of mass at the distance R, under ANGLE.
+      SUBROUTINE SETLNK(LINK, LENGTH, MASS, GYR, R, ANGLE)
+      DOUBLE PRECISION LINK(5), LENGTH, MASS, GYR, R, ANGLE
+      LINK(1) = LENGTH
+      LINK(2) = MASS
+      LINK(3) = MASS * GYR**2
+      LINK(4) = R * COS(ANGLE)
+      LINK(5) = R * SIN(ANGLE)
+      END
+
+C     A status other than the one expected: its text, and the end.
+      SUBROUTINE CHECK(ISTAT, IEXPCT)
+      INTEGER ISTAT, IEXPCT
+      CHARACTER*80 TEXT
+      IF (ISTAT .EQ. IEXPCT) RETURN
+      CALL FLTEXT(ISTAT, TEXT)
+      WRITE (*, '(A)') TEXT
+      STOP 1
+      END

@@ -1,0 +1,50 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!
+! sizes.f90 - the sizes of the module's types, in bytes; sizes.c has to print the same.
+program sizes
+  use, intrinsic :: iso_c_binding, only: c_sizeof
+  use fourlink
+  implicit none
+
+  type(fourlink_vector) :: vector_
+  type(fourlink_link) :: link_
+  type(fourlink_design) :: design_
+  type(fourlink_mechanism) :: mechanism_
+  type(fourlink_crank) :: crank_
+  type(fourlink_link_state) :: link_state_
+  type(fourlink_state) :: state_
+  type(fourlink_load) :: load_
+  type(fourlink_forces) :: forces_
+  type(fourlink_reach) :: reach_
+  type(fourlink_limits) :: limits_
+  type(fourlink_series) :: series_
+  type(fourlink_rod) :: rod_
+  type(fourlink_engine) :: engine_
+  type(fourlink_klein) :: klein_
+  type(fourlink_motion) :: motion_
+  type(fourlink_range) :: range_
+  type(fourlink_row) :: row_
+  type(fourlink_mistake) :: mistake_
+  type(fourlink_problem) :: problem_
+
+  write (*, '(a, 1x, i0)') 'fourlink_vector', c_sizeof(vector_)
+  write (*, '(a, 1x, i0)') 'fourlink_link', c_sizeof(link_)
+  write (*, '(a, 1x, i0)') 'fourlink_design', c_sizeof(design_)
+  write (*, '(a, 1x, i0)') 'fourlink_mechanism', c_sizeof(mechanism_)
+  write (*, '(a, 1x, i0)') 'fourlink_crank', c_sizeof(crank_)
+  write (*, '(a, 1x, i0)') 'fourlink_link_state', c_sizeof(link_state_)
+  write (*, '(a, 1x, i0)') 'fourlink_state', c_sizeof(state_)
+  write (*, '(a, 1x, i0)') 'fourlink_load', c_sizeof(load_)
+  write (*, '(a, 1x, i0)') 'fourlink_forces', c_sizeof(forces_)
+  write (*, '(a, 1x, i0)') 'fourlink_reach', c_sizeof(reach_)
+  write (*, '(a, 1x, i0)') 'fourlink_limits', c_sizeof(limits_)
+  write (*, '(a, 1x, i0)') 'fourlink_series', c_sizeof(series_)
+  write (*, '(a, 1x, i0)') 'fourlink_rod', c_sizeof(rod_)
+  write (*, '(a, 1x, i0)') 'fourlink_engine', c_sizeof(engine_)
+  write (*, '(a, 1x, i0)') 'fourlink_klein', c_sizeof(klein_)
+  write (*, '(a, 1x, i0)') 'fourlink_motion', c_sizeof(motion_)
+  write (*, '(a, 1x, i0)') 'fourlink_range', c_sizeof(range_)
+  write (*, '(a, 1x, i0)') 'fourlink_row', c_sizeof(row_)
+  write (*, '(a, 1x, i0)') 'fourlink_mistake', c_sizeof(mistake_)
+  write (*, '(a, 1x, i0)') 'fourlink_problem', c_sizeof(problem_)
+end program sizes

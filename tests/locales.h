@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** locales.h - tests under the C locale, and under one with a decimal comma, if the system has one.
+*/
+#ifndef FOURLINK_LOCALES_H
+#define FOURLINK_LOCALES_H
+
+#include <locale.h>
+
+#include "check.h"
+
+/* 0 if the system has no locale with a decimal comma. */
+static inline int set_comma_locale(void)
+{
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8",
+                                        "de_DE",       "fr_FR",      "nl_NL.UTF-8", "it_IT.UTF-8"};
+    size_t i;
+
+    for (i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (setlocale(LC_ALL, names[i]) && strcmp(localeconv()->decimal_point, ",") == 0)
+            return 1;
+    setlocale(LC_ALL, "C");
+    return 0;
+}
+
+static inline int in_c_locale(void **unused)
+{
+    (void)unused;
+    return setlocale(LC_ALL, "C") ? 0 : -1;
+}
+
+static inline int in_comma_locale(void **found)
+{
+    *found = set_comma_locale() ? "comma" : NULL;
+    return 0;
+}
+
+static inline void need_comma_locale(void **found)
+{
+    if (!*found)
+        skip();
+    assert_string_equal(localeconv()->decimal_point, ",");
+}
+
+#define C_LOCALE(f) cmocka_unit_test_setup(f, in_c_locale)
+#define COMMA_LOCALE(f) cmocka_unit_test_setup_teardown(f, in_comma_locale, in_c_locale)
+
+#endif

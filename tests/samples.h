@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** samples.h - random mechanisms with masses and loads, for the tests of both solutions of the nine
+** equations.
+*/
+#ifndef FOURLINK_SAMPLES_H
+#define FOURLINK_SAMPLES_H
+
+#include "check.h"
+#include "fourlink.h"
+
+#define PI 3.14159265358979323846
+#define MOST_LOADS 4
+
+typedef struct sample {
+    fourlink_design design;
+    fourlink_mechanism mechanism;
+    fourlink_branch branch;
+    fourlink_crank crank;
+    fourlink_load load[MOST_LOADS];
+    unsigned long n_loads;
+    fourlink_state state;
+    fourlink_forces forces;
+} sample;
+
+/* Either kind in turn; lengths of 0.3 to 3 m, centres of mass off the line and outside the pins; some
+** links without mass, some cranks without speed, some rows without loads. */
+static inline void draw_design(uint64_t *seed, int n, sample *s)
+{
+    unsigned long k;
+    int i;
+
+    memset(s, 0, sizeof *s);
+    s->design.kind = n % 2 ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR;
+    for (i = 1; i <= 4; i++) {
+        fourlink_link *link = &s->design.link[i];
+
+        link->length = uniform(seed, 0.3, 3);
+        link->mass = uniform(seed, 0, 1) < 0.1 ? 0 : uniform(seed, 0, 5);
+        link->inertia = uniform(seed, 0, 1) < 0.1 ? 0 : uniform(seed, 0, 3);
+        link->cg.x = uniform(seed, -1, 3);
+        link->cg.y = uniform(seed, -1, 1);
+    }
+    s->design.offset = n % 2 ? uniform(seed, -1, 1) : 0;
+    s->design.gravity.x = uniform(seed, -10, 10);
+    s->design.gravity.y = uniform(seed, -10, 10);
+    s->branch = uniform(seed, 0, 1) < 0.5 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    s->crank.theta2 = uniform(seed, -3 * PI, 3 * PI);
+    s->crank.omega2 = n % 10 < 2 ? 0 : uniform(seed, -5, 5);
+    s->crank.alpha2 = uniform(seed, -30, 30);
+    s->n_loads = (unsigned long)uniform(seed, 0, MOST_LOADS + 1);
+    for (k = 0; k < s->n_loads; k++) {
+        fourlink_load *load = &s->load[k];
+
+        load->link = (int)uniform(seed, 2, 5);
+        load->frame = uniform(seed, 0, 1) < 0.5 ? FOURLINK_FRAME_GROUND : FOURLINK_FRAME_LINK;
+        load->force.x = uniform(seed, -100, 100);
+        load->force.y = uniform(seed, -100, 100);
+        load->at.x = uniform(seed, -2, 2);
+        load->at.y = uniform(seed, -2, 2);
+        load->torque = uniform(seed, -100, 100);
+    }
+}
+
+/* At the ends of the range of numbers. */
+static inline void draw_extreme(uint64_t *seed, int n, sample *s)
+{
+    double large = pow(10, uniform(seed, -15, 14.5)), small = pow(10, uniform(seed, -15, 14.5));
+    int i;
+
+    memset(s, 0, sizeof *s);
+    s->design.kind = n % 2 ? FOURLINK_SLIDER_CRANK : FOURLINK_FOUR_BAR;
+    for (i = 1; i <= 4; i++) {
+        fourlink_link *link = &s->design.link[i];
+
+        link->length = ((n >> i) & 1 ? large : small) * uniform(seed, 1, 2);
+        link->mass = link->inertia = FOURLINK_NUMBER_MAX;
+        link->cg.x = link->length;
+        link->cg.y = -link->length / 2;
+    }
+    s->design.gravity.x = FOURLINK_NUMBER_MAX;
+    s->branch = n % 3 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    s->crank.theta2 = uniform(seed, 0, 6.3);
+    s->crank.omega2 = s->crank.alpha2 = -FOURLINK_NUMBER_MAX;
+    s->load[0].link = 2 + n % 3;
+    s->load[0].force.y = s->load[0].torque = FOURLINK_NUMBER_MAX;
+    s->load[0].at.x = FOURLINK_LENGTH_MAX;
+    s->n_loads = 1;
+}
+
+#define N_FORCES 10
+
+/* All forces of one answer, for comparison: moments divided by the crank's length. */
+static inline void list(const fourlink_forces *f, double arm, double value[N_FORCES])
+{
+    value[0] = f->F12x;
+    value[1] = f->F12y;
+    value[2] = f->F23x;
+    value[3] = f->F23y;
+    value[4] = f->F34x;
+    value[5] = f->F34y;
+    value[6] = f->F14x;
+    value[7] = f->F14y;
+    value[8] = f->M14 / arm;
+    value[9] = f->Ts / arm;
+}
+
+#endif

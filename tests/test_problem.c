@@ -1,0 +1,401 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_problem.c - decks for programs that embed the library, and the calls for FORTRAN 77.
+*/
+#include <stdlib.h>
+
+#include <gsl/gsl_errno.h>
+
+#include "check.h"
+#include "fourlink.h"
+
+#define ENGINE                                           \
+    "title = An engine\n"                                \
+    "mechanism = slider-crank\n"                         \
+    "[crank]\nlength = 100 mm\n"                         \
+    "[rod]\nlength = 400 mm\nmass = 3 kg\ncg = 150 mm\n" \
+    "[piston]\nmass = 2 kg\n"                            \
+    "[motion]\nspeed = 20 rad/s\ncycle = 720 deg\n"      \
+    "[load brake]\nlink = crank\ntorque = 5 N m\n"       \
+    "from = 10 deg\nto = 30 deg\n"                       \
+    "[load cam]\nlink = rod\ntorque = file cam.txt\n"    \
+    "[point P]\nlink = rod\nat = 200 mm at 90 deg\n"     \
+    "[table]\nbranch = crossed\n"                        \
+    "[flywheel]\nfluctuation = 0.02\n"                   \
+    "[gas]\nbore = 100 mm\npressure = 2 bar\n"           \
+    "back_pressure = 1 bar\npiston_rod = 50 mm\n"
+
+static fourlink_deck *untouched = (fourlink_deck *)&untouched;
+
+static const char *load_cam(void *host, const char *file_name, unsigned long *length)
+{
+    const char *contents = host;
+
+    assert_string_equal(file_name, "cam.txt");
+    *length = contents ? (unsigned long)strlen(contents) : 0;
+    return contents;
+}
+
+static int read_deck(const char *contents, const char *cam, fourlink_deck **deck,
+                     fourlink_mistake *mistakes, unsigned long max, unsigned long *n)
+{
+    return fourlink_deck_read(contents, (unsigned long)strlen(contents), load_cam, (void *)cam, max,
+                              deck, mistakes, n);
+}
+
+static void test_problem(void **unused)
+{
+    fourlink_deck *deck = NULL;
+    fourlink_problem p;
+    const char *name;
+    int link;
+    fourlink_vector at;
+
+    (void)unused;
+    assert_int_equal(read_deck(ENGINE, "0 1\n90 2\n", &deck, NULL, 0, NULL), FOURLINK_OK);
+    memset(&p, 0x55, sizeof p);
+    assert_int_equal(fourlink_deck_problem(deck, &p), FOURLINK_OK);
+    assert_string_equal(p.title, "An engine");
+    assert_int_equal(p.mechanism.design.kind, FOURLINK_SLIDER_CRANK);
+    assert_near(p.mechanism.design.link[2].length, 0.1, 0);
+    assert_near(p.mechanism.design.link[3].cg.x, 0.15, 0);
+    assert_near(p.mechanism.design.gravity.y, -9.81, 0);
+    assert_near(p.motion.speed, 20, 0);
+    assert_near(p.motion.to, 720, 0);
+    assert_near(p.cycle, 4 * M_PI, 1e-14);
+    assert_true(p.crossed && !p.open && p.has_forces && p.has_gas);
+    assert_int_equal(p.n_loads, 3);
+    assert_int_equal(p.n_points, 1);
+    assert_int_equal(p.approximation, FOURLINK_EXACT);
+    assert_near(p.flywheel_fluctuation, 0.02, 0);
+    assert_near(p.flywheel_inertia, 0, 0);
+
+    assert_int_equal(fourlink_deck_point(deck, 0, &name, &link, &at), FOURLINK_OK);
+    assert_string_equal(name, "P");
+    assert_int_equal(link, 3);
+    assert_near(at.x, 0, 0);
+    assert_near(at.y, 0.2, 0);
+    link = 77;
+    assert_int_equal(fourlink_deck_point(deck, 1, &name, &link, &at), FOURLINK_NO_SUCH_POINT);
+    assert_int_equal(link, 77);
+    fourlink_deck_free(deck);
+    fourlink_deck_free(NULL);
+}
+
+/* p1 A1 - p2 A2 with A1 = pi/4 D^2, A2 = pi/4 (D^2 - d^2), by hand; it pushes the piston towards the
+** crank: along -x on the open branch. */
+static void test_loads(void **unused)
+{
+    static const double gas_force = 3.14159265358979 / 4 * (2e5 * 0.01 - 1e5 * (0.01 - 0.0025));
+    fourlink_deck *deck = NULL;
+    fourlink_load loads[3];
+    double gas = 0;
+    int i;
+
+    (void)unused;
+    assert_int_equal(read_deck(ENGINE, "0 1\n90 2\n", &deck, NULL, 0, NULL), FOURLINK_OK);
+    for (i = -1; i <= 1; i += 2) {
+        memset(loads, 0x55, sizeof loads);
+        assert_int_equal(fourlink_deck_loads(deck, (fourlink_branch)i, 20 * DEG, loads, &gas),
+                         FOURLINK_OK);
+        assert_close(gas, gas_force, 1e-12);
+        assert_int_equal(loads[2].link, FOURLINK_FOLLOWER);
+        assert_int_equal(loads[2].frame, FOURLINK_FRAME_GROUND);
+        assert_near(loads[2].force.x, -i * gas, 0);
+        assert_near(loads[2].force.y, 0, 0);
+        assert_near(loads[2].at.x, 0, 0);
+        assert_near(loads[2].torque, 0, 0);
+        assert_int_equal(loads[0].link, FOURLINK_CRANK);
+        assert_near(loads[0].torque, 5, 0);
+        assert_int_equal(loads[1].link, FOURLINK_COUPLER);
+    }
+    /* outside the window; a point of the curve, one cycle on */
+    assert_int_equal(fourlink_deck_loads(deck, FOURLINK_OPEN, (90 + 720) * DEG, loads, NULL),
+                     FOURLINK_OK);
+    assert_near(loads[0].torque, 0, 0);
+    assert_near(loads[1].torque, 2, 1e-12);
+    /* and back in it, one cycle before */
+    assert_int_equal(fourlink_deck_loads(deck, FOURLINK_OPEN, (25 - 720) * DEG, loads, NULL),
+                     FOURLINK_OK);
+    assert_near(loads[0].torque, 5, 0);
+
+    loads[0].torque = 77;
+    assert_int_equal(fourlink_deck_loads(deck, (fourlink_branch)0, 0, loads, NULL),
+                     FOURLINK_BAD_BRANCH);
+    assert_int_equal(fourlink_deck_loads(deck, FOURLINK_OPEN, NAN, loads, NULL),
+                     FOURLINK_BAD_NUMBER);
+    assert_int_equal(fourlink_deck_loads(deck, FOURLINK_OPEN, 0, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_loads(NULL, FOURLINK_OPEN, 0, loads, NULL), FOURLINK_NULL);
+    assert_near(loads[0].torque, 77, 0);
+    fourlink_deck_free(deck);
+}
+
+/* A deck gives what the same mechanism, filled in by hand, gives. */
+static void test_deck_and_hand(void **unused)
+{
+    static const char contents[] = "mechanism = four-bar\n[ground]\nlength = 80 mm\n"
+                                   "[crank]\nlength = 20 mm\nmass = 100 g\n"
+                                   "[coupler]\nlength = 66 mm\nmass = 0.3 kg\ngyration = 25 mm\n"
+                                   "[rocker]\nlength = 56 mm\n"
+                                   "[motion]\nspeed = 10.5 rad/s\ninterval = 40 deg\n";
+    fourlink_deck *deck = NULL;
+    fourlink_problem p;
+    fourlink_design design;
+    fourlink_mechanism mechanism;
+    fourlink_range range;
+    fourlink_row row;
+    fourlink_state s[2];
+    fourlink_forces f[2];
+    unsigned long i;
+
+    (void)unused;
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_FOUR_BAR;
+    design.link[1].length = 0.08;
+    design.link[2].length = 0.02;
+    design.link[2].mass = 0.1;
+    design.link[3].length = 0.066;
+    design.link[3].mass = 0.3;
+    design.link[3].inertia = 0.3 * 0.025 * 0.025;
+    design.link[4].length = 0.056;
+    design.gravity.y = -9.81;
+    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+    assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_deck_problem(deck, &p), FOURLINK_OK);
+    assert_int_equal(p.n_loads, 0);
+    assert_int_equal(fourlink_motion_range(&p.motion, &range), FOURLINK_OK);
+    assert_int_equal(range.n_rows, 10);
+    for (i = 0; i < range.n_rows; i++) {
+        fourlink_crank crank = {(double)i * 40 * DEG, 10.5, 0};
+
+        assert_int_equal(fourlink_motion_row(&p.motion, &range, i, &row), FOURLINK_OK);
+        assert_int_equal(fourlink_deck_loads(deck, FOURLINK_OPEN, row.crank.theta2, NULL, NULL),
+                         FOURLINK_OK);
+        assert_int_equal(
+            fourlink_analyse(&p.mechanism, FOURLINK_OPEN, &row.crank, NULL, 0, &s[0], &f[0]),
+            FOURLINK_OK);
+        assert_int_equal(fourlink_analyse(&mechanism, FOURLINK_OPEN, &crank, NULL, 0, &s[1], &f[1]),
+                         FOURLINK_OK);
+        assert_near(f[0].Ts, f[1].Ts, 1e-15);
+        assert_near(f[0].F34x, f[1].F34x, 1e-13);
+        assert_near(s[0].link[4].alpha, s[1].link[4].alpha, 1e-12);
+    }
+    fourlink_deck_free(deck);
+}
+
+static void test_mistakes(void **unused)
+{
+    static const char contents[] = "mechanism = four-bar\n"
+                                   "[ground]\nlength = 80 parsec\n"
+                                   "[crank]\nlength = -20 mm\n"
+                                   "[coupler]\nlength = 66 mm\n"
+                                   "[rocker]\nlength = 56 mm\nhue = 3\n";
+    static const long lines[] = {3, 5, 10};
+    static const char *const words[] = {"parsec", "positive", "hue"};
+    fourlink_deck *deck = untouched;
+    fourlink_mistake list[5];
+    unsigned long n = 0;
+    int i;
+
+    (void)unused;
+    memset(list, 0x55, sizeof list);
+    assert_int_equal(read_deck(contents, NULL, &deck, list, 5, &n), FOURLINK_BAD_DECK);
+    assert_ptr_equal(deck, untouched);
+    assert_int_equal(n, 3);
+    for (i = 0; i < 3; i++) {
+        assert_string_equal(list[i].file, "");
+        assert_int_equal(list[i].line, lines[i]);
+        assert_non_null(strstr(list[i].message, words[i]));
+    }
+    assert_int_equal(list[3].file[0], 0x55);
+    /* room for one of them, and for none */
+    memset(list, 0x55, sizeof list);
+    n = 0;
+    assert_int_equal(read_deck(contents, NULL, &deck, list, 1, &n), FOURLINK_BAD_DECK);
+    assert_int_equal(n, 3);
+    assert_int_equal(list[0].line, 3);
+    assert_int_equal(list[1].file[0], 0x55);
+    assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_BAD_DECK);
+}
+
+static void test_mistakes_of_files(void **unused)
+{
+    fourlink_deck *deck = untouched;
+    fourlink_mistake list[2];
+    unsigned long n = 0;
+
+    (void)unused;
+    assert_int_equal(read_deck(ENGINE, "0 1\n90 two\n", &deck, list, 2, &n), FOURLINK_BAD_DECK);
+    assert_int_equal(n, 1);
+    assert_string_equal(list[0].file, "cam.txt");
+    assert_int_equal(list[0].line, 2);
+    /* there is none; no files at all */
+    assert_int_equal(read_deck(ENGINE, NULL, &deck, list, 2, &n), FOURLINK_BAD_DECK);
+    assert_non_null(strstr(list[0].message, "cam.txt"));
+    assert_int_equal(
+        fourlink_deck_read(ENGINE, (unsigned long)strlen(ENGINE), NULL, NULL, 2, &deck, list, &n),
+        FOURLINK_BAD_DECK);
+    assert_string_equal(list[0].file, "");
+    assert_int_equal(list[0].line, 21);
+    assert_ptr_equal(deck, untouched);
+}
+
+static void test_nulls(void **unused)
+{
+    fourlink_deck *deck = untouched;
+    fourlink_problem p;
+    fourlink_vector at;
+    int link;
+
+    (void)unused;
+    assert_int_equal(fourlink_deck_read(NULL, 0, NULL, NULL, 0, &deck, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_read("", 0, NULL, NULL, 0, NULL, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_read("", 0, NULL, NULL, 1, &deck, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_read("", 0, NULL, NULL, 0, &deck, NULL, NULL),
+                     FOURLINK_BAD_DECK);
+    assert_ptr_equal(deck, untouched);
+    assert_int_equal(fourlink_deck_problem(NULL, &p), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_point(NULL, 0, NULL, &link, &at), FOURLINK_NULL);
+}
+
+static void fail_test(const char *reason, const char *file, int line, int code)
+{
+    (void)file;
+    (void)line;
+    (void)code;
+    print_error("the error handler of GSL was reached: %s\n", reason);
+    fail();
+}
+
+/* The locale and the error handler are the host's. */
+static void test_error_handler(void **unused)
+{
+    gsl_error_handler_t *old = gsl_set_error_handler(fail_test);
+
+    test_loads(unused);
+    test_mistakes(unused);
+    assert_ptr_equal(gsl_set_error_handler(old), fail_test);
+}
+
+/* FORTRAN 77: the numbers of fourlink_analyse, in the order of the arrays. */
+static void test_fortran77(void **unused)
+{
+    static const double links[20] = {0.08,  0,    0,    0,     0,     /* ground */
+                                     0.02,  0.1,  1e-5, 0.01,  0.001, /* crank */
+                                     0.066, 0.3,  2e-4, 0.03,  0.005, /* coupler */
+                                     0.056, 0.25, 1e-4, 0.028, -0.002};
+    static const double gravity[2] = {0.3, -9.81}, crank[3] = {0.7, 10.5, 2}, offset = 0.01;
+    static const double numbers[14] = {4, 0, 1, 2, 0.03, 0.01, 0.5, 3, 1, -3, 4, 0.02, 0, 0};
+    fourlink_load loads[2] = {{4, FOURLINK_FRAME_GROUND, {1, 2}, {0.03, 0.01}, 0.5},
+                              {3, FOURLINK_FRAME_LINK, {-3, 4}, {0.02, 0}, 0}};
+    fourlink_crank c = {0.7, 10.5, 2};
+    int kind, i, n = 2;
+
+    (void)unused;
+    for (kind = 1; kind <= 2; kind++) {
+        int branch = kind == 1 ? -1 : 1, status = 77;
+        double state[36], forces[10];
+        fourlink_design d;
+        fourlink_mechanism m;
+        fourlink_state s;
+        fourlink_forces f;
+
+        memset(&d, 0, sizeof d);
+        d.kind = (fourlink_kind)kind;
+        d.offset = kind == 2 ? offset : 0;
+        d.gravity.x = gravity[0];
+        d.gravity.y = gravity[1];
+        for (i = 1; i <= 4; i++) {
+            d.link[i].length = links[5 * i - 5];
+            d.link[i].mass = links[5 * i - 5 + 1];
+            d.link[i].inertia = links[5 * i - 5 + 2];
+            d.link[i].cg.x = links[5 * i - 5 + 3];
+            d.link[i].cg.y = links[5 * i - 5 + 4];
+        }
+        assert_int_equal(fourlink_prepare(&d, &m), FOURLINK_OK);
+        assert_int_equal(fourlink_analyse(&m, (fourlink_branch)branch, &c, loads, 2, &s, &f),
+                         FOURLINK_OK);
+        if (kind == 1)
+            flfbar_(links, gravity, &branch, crank, &n, numbers, state, forces, &status);
+        else
+            flslcr_(links, &offset, gravity, &branch, crank, &n, numbers, state, forces, &status);
+        assert_int_equal(status, 0);
+        for (i = 2; i <= 4; i++) {
+            const fourlink_link_state *link = &s.link[i];
+            double expected[9] = {link->theta,      link->omega,          link->alpha,
+                                  link->origin.x,   link->origin.y,       link->velocity.x,
+                                  link->velocity.y, link->acceleration.x, link->acceleration.y};
+
+            assert_memory_equal(&state[9 * i - 9], expected, sizeof expected);
+            assert_near(state[i], 0, 0);
+        }
+        assert_near(forces[0], f.F12x, 0);
+        assert_near(forces[3], f.F23y, 0);
+        assert_near(forces[4], f.F34x, 0);
+        assert_near(forces[7], f.F14y, 0);
+        assert_near(forces[8], f.M14, 0);
+        assert_near(forces[9], f.Ts, 0);
+    }
+}
+
+static void test_fortran77_refuses(void **unused)
+{
+    static const struct {
+        int branch, n;
+        double link, frame, length;
+        int status;
+    } cases[] = {{1, 1, 4, 0, 0.056, 0},
+                 {0, 1, 4, 0, 0.056, FOURLINK_BAD_BRANCH},
+                 {1, -1, 4, 0, 0.056, FOURLINK_TOO_MANY_LOADS},
+                 {1, 101, 4, 0, 0.056, FOURLINK_TOO_MANY_LOADS},
+                 {1, 1, 4.5, 0, 0.056, FOURLINK_BAD_LINK},
+                 {1, 1, 1, 0, 0.056, FOURLINK_BAD_LINK},
+                 {1, 1, NAN, 0, 0.056, FOURLINK_BAD_LINK},
+                 {1, 1, 4, 0.5, 0.056, FOURLINK_BAD_FRAME},
+                 {1, 1, 4, 2, 0.056, FOURLINK_BAD_FRAME},
+                 {1, 1, 4, 0, -1, FOURLINK_BAD_LENGTH},
+                 {1, 1, 4, 0, NAN, FOURLINK_BAD_NUMBER},
+                 {1, 1, 4, 0, 0.2, FOURLINK_TOO_NEAR}};
+    static const double gravity[2] = {0, -9.81}, crank[3] = {0.7, 10.5, 2};
+    char text[60];
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double links[20] = {0};
+        double numbers[7] = {4, 0, 0, 0, 0, 0, 0.5}, state[36], forces[10];
+        int status = 77;
+
+        links[0] = 0.08;
+        links[5] = 0.02;
+        links[10] = 0.066;
+        links[15] = cases[i].length;
+        numbers[0] = cases[i].link;
+        numbers[1] = cases[i].frame;
+        state[9] = forces[9] = 77;
+        flfbar_(links, gravity, &cases[i].branch, crank, &cases[i].n, numbers, state, forces,
+                &status);
+        assert_int_equal(status, cases[i].status);
+        assert_true((state[9] == 77) == (status != 0));
+        assert_true((forces[9] == 77) == (status != 0));
+    }
+    memset(text, '*', sizeof text);
+    fltext_(&cases[1].status, text, 40);
+    assert_memory_equal(text, "the branch is neither open nor crossed  *", 41);
+    fltext_(&cases[1].status, text, 10);
+    assert_memory_equal(text, "the branchis neither", 10);
+    assert_int_equal(text[40], '*');
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_problem),           cmocka_unit_test(test_loads),
+        cmocka_unit_test(test_deck_and_hand),     cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_mistakes_of_files), cmocka_unit_test(test_nulls),
+        cmocka_unit_test(test_error_handler),     cmocka_unit_test(test_fortran77),
+        cmocka_unit_test(test_fortran77_refuses),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
