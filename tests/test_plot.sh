@@ -695,9 +695,11 @@ check 'the energies of another branch are others' not energies coupler-point-tur
 
 # ----------------------------------------------------------------------------------------------- scripts
 
+# In a locale without a degree sign gnuplot complains of that before it reads anything.
+a_gnuplot() { LC_ALL=C.UTF-8 gnuplot "$@"; }
 # draw SCRIPT: run it; what gnuplot says is in the file said, but for the number of pictures of an animation
 draw() {
-    gnuplot - <"$1" >drawn 2>said.all
+    a_gnuplot - <"$1" >drawn 2>said.all
     drawn=$?
     grep -v '^[0-9]* frames in animation sequence' said.all >said
     check "gnuplot: exit status $drawn of $1" test $drawn -eq 0
@@ -750,7 +752,7 @@ for name in 'a b' "it's" "''" 'q"q' 'x$(touch pwned)' '`touch pwned`' '|touch pw
         [ $status -eq 0 ] && svg "$name.svg"
         rm -f "$name.svg"
         "$fourlink" --plot-kind=vectors --plot="$name.svg" --plot-script=x.gp "$alvi" >../out 2>../err &&
-            gnuplot - <x.gp >../drawn 2>../said
+            a_gnuplot - <x.gp >../drawn 2>../said
         check "executed by the script: $show" test ! -e pwned
         ;;
     *)
@@ -762,7 +764,7 @@ for name in 'a b' "it's" "''" 'q"q' 'x$(touch pwned)' '`touch pwned`' '|touch pw
         mv "./$name.svg" ../before.svg
         "$fourlink" --plot-kind=vectors --plot="$name.svg" --plot-script="$name.gp" -- "$name.deck" >../out 2>../err
         check "script: exit status $?: $show" test $? -eq 0
-        gnuplot - <"./$name.gp" >../drawn 2>../said
+        a_gnuplot - <"./$name.gp" >../drawn 2>../said
         check "gnuplot: exit status $?: $show" test $? -eq 0
         check "gnuplot on $show: $(head -n 2 ../said)" test ! -s ../said
         check "executed by the script: $show" test ! -e pwned
@@ -832,7 +834,7 @@ odd() {
             check "$name, $kind: messages: $(head -n 2 err)" test ! -s err
             check "$name, $kind: what is no number is in the script" \
                 awk '/plot NaN notitle/ {next} tolower($0) ~ /(^|[^a-z])-?(nan|inf)([^a-z]|$)/ {bad = 1} END {exit bad}' x.gp
-            gnuplot - <x.gp >drawn 2>said.all
+            a_gnuplot - <x.gp >drawn 2>said.all
             check "$name, $kind: gnuplot: exit status $?" test $? -eq 0
             grep -v '^[0-9]* frames in animation sequence' said.all >said
             check "$name, $kind: gnuplot: $(head -n 2 said)" test ! -s said
