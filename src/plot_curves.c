@@ -260,6 +260,14 @@ int plot_forces(FILE *out, analysis *a, const char **why)
     return drawn > 0;
 }
 
+/* An angle of the turning moment's cycle as it is drawn: a clockwise crank goes from 0 to -cycle. */
+static double cycle_angle(const deck *d, double theta2)
+{
+    if (d->motion.speed < 0)
+        theta2 -= d->cycle;
+    return flk_unit_from_si(theta2, d->units[QUANTITY_ANGLE].unit);
+}
+
 /* The turning moment -Ts over one cycle, its mean, and the areas between them with their energies. */
 static void put_turning(FILE *out, analysis *a, fourlink_branch branch, const turning *t)
 {
@@ -283,7 +291,7 @@ static void put_turning(FILE *out, analysis *a, fourlink_branch branch, const tu
     put_axis(out, "x", "theta2", angle->name);
     put_axis(out, "y", "turning moment -Ts", d->units[QUANTITY_TORQUE].name);
     fprintf(out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.1, graph 0.1\n",
-            format_general(cycle, 8, number));
+            format_general(d->motion.speed < 0 ? -cycle : cycle, 8, number));
     if (strcmp(angle->name, "deg") == 0)
         fputs(cycle > 360 ? "set xtics 60\n" : "set xtics 30\n", out);
     fprintf(out, "mean = %s\n", format_general(mean, 17, number));
@@ -297,10 +305,9 @@ static void put_turning(FILE *out, analysis *a, fourlink_branch branch, const tu
             out, print_join(words, sizeof words,
                             format_general(flk_unit_from_si(area->energy, energy->unit), 4, number),
                             " ", energy->name, (char *)NULL));
-        fprintf(
-            out, " at %s, mean center front offset 0,%s\n",
-            format_general(flk_unit_from_si((area->from + area->to) / 2, angle->unit), 8, number),
-            area->energy > 0 ? "1" : "-1");
+        fprintf(out, " at %s, mean center front offset 0,%s\n",
+                format_general(cycle_angle(d, (area->from + area->to) / 2), 8, number),
+                (area->energy > 0) == (d->motion.speed > 0) ? "1" : "-1");
     }
     fprintf(out, "$turning_%s << EOD\n", branch_name(branch));
     for (k = 0; k <= STEPS; k++) {
@@ -312,7 +319,7 @@ static void put_turning(FILE *out, analysis *a, fourlink_branch branch, const tu
         crank.alpha2 = 0;
         analysis_at(a, branch, &crank, &r);
         if (r.status == FOURLINK_OK)
-            put_pair(out, cycle * k / STEPS,
+            put_pair(out, cycle_angle(d, crank.theta2),
                      flk_unit_from_si(-r.forces.Ts, d->units[QUANTITY_TORQUE].unit));
     }
     fprintf(out,

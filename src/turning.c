@@ -6,6 +6,9 @@
 ** Tm, the flywheel takes up the difference:
 **
 **    E(theta) = integral of (T - Tm) dtheta,    dE = max E - min E
+**
+** along the motion: over an area that a clockwise crank passes, from its higher angle to its lower.
+**
 **    coefficient of fluctuation of energy dE / (Tm c),   of speed Cs = dE / (I omega^2)
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
@@ -160,14 +163,14 @@ static void take_up(energy *e, double dE)
     e->greatest = e->E > e->greatest ? e->E : e->greatest;
 }
 
-static void end_area(energy *e, double at, turning *t)
+static void end_area(const moment *m, energy *e, double at, turning *t)
 {
     if (t->n_areas < TURNING_AREAS) {
         turning_area *new = &t->area[t->n_areas++];
 
         new->from = e->from;
         new->to = at;
-        new->energy = e->E - e->E_from;
+        new->energy = m->crank.omega2 < 0 ? e->E_from - e->E : e->E - e->E_from;
     }
     e->from = at;
     e->E_from = e->E;
@@ -176,22 +179,27 @@ static void end_area(energy *e, double at, turning *t)
 static double fluctuation_of_energy(moment *m, turning *t)
 {
     energy e = {0, 0, 0, 0, 0};
+    int was_below = excess(m->cuts[0] + INSIDE, m) < 0;
     size_t i;
 
     for (i = 0; i + 1 < m->n_cuts; i++) {
         double from = m->cuts[i], to = m->cuts[i + 1];
         double low = from + INSIDE, high = to - INSIDE;
+        int below = excess(low, m) < 0;
 
-        if ((excess(low, m) < 0) != (excess(high, m) < 0)) {
+        if (below != was_below) /* a jump */
+            end_area(m, &e, from, t);
+        was_below = excess(high, m) < 0;
+        if (below != was_below) {
             double at = crossing(m, low, high);
 
             take_up(&e, area(m, from, at));
-            end_area(&e, at, t);
+            end_area(m, &e, at, t);
             from = at;
         }
         take_up(&e, area(m, from, to));
     }
-    end_area(&e, m->a->d->cycle, t);
+    end_area(m, &e, m->a->d->cycle, t);
     return e.greatest - e.least;
 }
 

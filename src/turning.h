@@ -9,8 +9,8 @@
 
 /* An area between the turning moment and its mean. */
 typedef struct turning_area {
-    double from, to; /* rad */
-    double energy;   /* J, positive above the mean */
+    double from, to; /* rad, rising whichever way the crank turns */
+    double energy;   /* J, which the flywheel takes up as the crank passes */
 } turning_area;
 
 #define TURNING_AREAS 40

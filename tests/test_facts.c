@@ -1460,6 +1460,64 @@ static void test_step_within_a_degree(void **unused)
     check_fact(&list, "energy_fluctuation", FOURLINK_OPEN, (80 - mean) * w, 1e-9 * 80 * w);
 }
 
+/* What the flywheel takes up while the crank passes an area, in time: the power above its mean. */
+static void check_areas(const char *contents, int at_least)
+{
+    enum { STEPS = 20000 };
+    turning t;
+    loaded l;
+    int k, i, b;
+
+    load(contents, &l);
+    for (b = 0; b < 2; b++) {
+        double end = 0, least = HUGE_VAL;
+
+        assert_int_equal(turning_find(&l.a, branches[b], &t), 1);
+        assert_true(t.n_areas >= at_least);
+        for (k = 0; k < t.n_areas; k++) {
+            double width = t.area[k].to - t.area[k].from, speed = l.d.motion.speed, gain = 0;
+
+            assert_true(t.area[k].from == end && width > 0);
+            end = t.area[k].to;
+            for (i = 0; i < STEPS; i++) {
+                fourlink_crank crank = {0, 0, 0};
+                result r;
+
+                crank.theta2 = t.area[k].from + (i + 0.5) / STEPS * width;
+                crank.omega2 = speed;
+                analysis_at(&l.a, branches[b], &crank, &r);
+                assert_int_equal(r.status, FOURLINK_OK);
+                gain += (-r.forces.Ts * speed - t.mean_power) * width / STEPS / fabs(speed);
+            }
+            assert_close(t.area[k].energy, gain, 1e-6 * t.energy_fluctuation);
+            least = fmin(least, fabs(gain));
+        }
+        assert_true(end == l.d.cycle);
+        assert_true(least > 1e-3 * t.energy_fluctuation); /* none of them is two */
+    }
+    unload(&l);
+}
+
+static void test_areas_of_the_turning_moment(void **unused)
+{
+    static const char *const speeds[] = {"10 rad/s", "-10 rad/s"};
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        check_areas(four_bar(0.020, 0.066, 0.056, 0.080,
+                             print("[load]\nlink = crank\ntorque = 80 N m\nfrom = 30 deg\n"
+                                   "to = 90 deg\n[motion]\nspeed = %s\n",
+                                   speeds[i])),
+                    3);
+        check_areas(slider_crank(0.15, 0.45, 0.02,
+                                 print("[load]\nlink = crank\ntorque = 50 N m\n[piston]\n"
+                                       "mass = 5 kg\n[motion]\nspeed = %s\n",
+                                       speeds[i])),
+                    4);
+    }
+}
+
 /* dE = I Cs omega^2 */
 static void test_flywheel(void **unused)
 {
@@ -2200,6 +2258,7 @@ int main(void)
         cmocka_unit_test(test_turning_moment_of_a_peak),
         cmocka_unit_test(test_turning_moment_within_a_degree),
         cmocka_unit_test(test_step_within_a_degree),
+        cmocka_unit_test(test_areas_of_the_turning_moment),
         cmocka_unit_test(test_flywheel),
         cmocka_unit_test(test_turning_moment_of_any_range),
         cmocka_unit_test(test_no_turning_moment),
