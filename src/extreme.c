@@ -87,7 +87,7 @@ static void minimise(search *s, const gsl_min_fminimizer_type *type, double *low
     gsl_min_fminimizer_free(m);
 }
 
-/* Four times the step times the slope, by five points (its error is of the fourth order). */
+/* Twelve times the step times the slope, by five points (its error is of the fourth order). */
 static double slope(search *s, double x, double step)
 {
     return 8 * (value_at(x + step, s) - value_at(x - step, s)) -
@@ -246,21 +246,52 @@ static void follow(search *s, double value)
     }
 }
 
-/* Scan the motion from its first row, whose angle the others follow: the lowest samples that stand below
-** their neighbours, and the limits at the edges of reach.  `unbounded` is set if the column has no limit at one of these. */
+/* One revolution has its extremes between its first angle and its last, which are one position. */
+static double in_revolution(const search *s, double angle)
+{
+    double turn = s->last - s->first, close = 1e-6 * s->degree;
+
+    if (!s->periodic)
+        return angle;
+    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
+    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
+                                                                           : angle;
+}
+
+/* Where a scan begins: at the first row, and in a revolution with a gap behind the last gap before it, so
+** that an angle is the same at both ends of the revolution.  An angle is followed from the first row. */
+static double scan_from(search *s, double step, long steps)
+{
+    double from = s->a->d->motion.from, value = value_at(from, s);
+    long i;
+
+    follow(s, value);
+    if (!s->periodic || gsl_isnan(value))
+        return from;
+    for (i = 1; i < steps; i++) {
+        value = value_at(from - (double)i * step, s);
+        if (gsl_isnan(value))
+            return from - (double)(i - 1) * step;
+        s->last_value = value;
+    }
+    follow(s, value_at(from, s));
+    return from;
+}
+
+/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
+** reach.  `unbounded` is set if the column has no limit at one of these. */
 static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extreme *best,
                 int *unbounded)
 {
     double before, now, after;
-    double from = s->a->d->motion.from;
+    double from = scan_from(s, step, steps);
     extreme limit;
     int n = 0;
     long i;
 
     now = value_at(from, s);
-    follow(s, now);
     before = s->periodic ? value_at(from - step, s) : GSL_NAN;
-    for (i = 0; i <= steps; i++) {
+    for (i = 0; i <= steps - s->periodic; i++) {
         double x = from + (double)i * step;
         int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
 
@@ -274,11 +305,11 @@ static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extrem
             keep_lowest(peaks, &n, now, x);
         if (!gsl_isnan(now) && gsl_isnan(after) && goes_on) {
             *unbounded |= !limit_at_edge(s, x, x + step, &limit) && limit.value < now;
-            keep_best(best, limit.value, limit.angle);
+            keep_best(best, limit.value, in_revolution(s, limit.angle));
         }
         if (!gsl_isnan(now) && gsl_isnan(before) && came) {
             *unbounded |= !limit_at_edge(s, x, x - step, &limit) && limit.value < now;
-            keep_best(best, limit.value, limit.angle);
+            keep_best(best, limit.value, in_revolution(s, limit.angle));
         }
         before = now;
         now = after;
@@ -307,18 +338,6 @@ static void refine_peak(search *s, double step, const extreme *peak, extreme *be
     if (!column_of_rounding(s->c) && value_at(x, s) < value_at(low, s) &&
         value_at(x, s) < value_at(high, s))
         refine(s, low, x, high, best);
-}
-
-/* One revolution has its extremes between its first angle and its last, which are one position. */
-static double in_revolution(const search *s, double angle)
-{
-    double turn = s->last - s->first, close = 1e-6 * s->degree;
-
-    if (!s->periodic)
-        return angle;
-    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
-    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
-                                                                           : angle;
 }
 
 /* Of values that are equal but for rounding the one that the motion comes by first. */

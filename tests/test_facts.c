@@ -550,6 +550,41 @@ static void check_at(double angle, double expected, double turn, int what)
         assert_near(turned(angle - expected, turn), 0, 1e-6);
 }
 
+/* A rocker that swings to and fro between two dead positions of the crank, through 180 deg: its angle goes
+** on through the gap of the revolution, wherever this begins.  On the open branch it is greatest where
+** BCD is a line, the crank at -dead, and least where ABC is a line;
+** on the crossed branch the mirror image of this. */
+static void test_extremes_of_an_angle_over_a_gap(void **unused)
+{
+    static const double a = 0.040, b = 0.030, c = 0.050, d = 0.075;
+    static const char *const motions[] = {"speed = 2 rad/s\n", "speed = -2 rad/s\n",
+                                          "speed = 2 rad/s\nfrom = -60 deg\n",
+                                          "speed = -2 rad/s\nfrom = 430.5 deg\n"};
+    double dead = acos((a * a + d * d - (b + c) * (b + c)) / (2 * a * d));
+    double greatest = 360 - atan2(a * sin(dead), a * cos(dead) - d) / DEG;
+    double least = 180 - acos((c * c + d * d - (a + b) * (a + b)) / (2 * c * d)) / DEG;
+    size_t i;
+    loaded l;
+
+    (void)unused;
+    for (i = 0; i < sizeof motions / sizeof motions[0]; i++) {
+        extreme open, crossed;
+
+        load(four_bar(a, b, c, d, print("[motion]\n%s", motions[i])), &l);
+        open = extreme_of(&l, "theta4", FOURLINK_OPEN, 1);
+        crossed = extreme_of(&l, "theta4", FOURLINK_CROSSED, -1);
+        assert_near(turned(open.value - greatest, 360), 0, 1e-6);
+        assert_near(turned(crossed.value + greatest, 360), 0, 1e-6);
+        check_at(open.angle, -dead / DEG, 360, ANGLES);
+        check_at(crossed.angle, dead / DEG, 360, ANGLES);
+        assert_near(open.value - extreme_of(&l, "theta4", FOURLINK_OPEN, -1).value,
+                    greatest - least, 1e-6);
+        assert_near(extreme_of(&l, "theta4", FOURLINK_CROSSED, 1).value - crossed.value,
+                    greatest - least, 1e-6);
+        unload(&l);
+    }
+}
+
 /* A horizontal engine: with s = sin^2(theta2), n = l / r, the speed of the piston is greatest where
 ** s^3 - n^2 s^2 - n^4 s + n^4 = 0. */
 static void check_engine_in_closed_form(int what)
@@ -2229,6 +2264,7 @@ int main(void)
         cmocka_unit_test(test_extremes_of_torques),
         cmocka_unit_test(test_angles_of_extremes_of_torques),
         cmocka_unit_test(test_extremes_of_a_drag_link),
+        cmocka_unit_test(test_extremes_of_an_angle_over_a_gap),
         cmocka_unit_test(test_extremes_of_an_engine_in_closed_form),
         cmocka_unit_test(test_angles_of_extremes_of_an_engine_in_closed_form),
         cmocka_unit_test(test_extremes_and_limits_agree),
