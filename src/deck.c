@@ -147,32 +147,34 @@ static void build_link(parser *p, key_code length, int number)
                          (char *)NULL);
 }
 
-/* The crank of an engine from its stroke S, the distance between the dead centres:
+/* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
+** in line (two right triangles with the cathetus e):
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
-** which for e = 0 is r = S/2. */
+** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
+** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  Beyond it the second root would be the first's sum. */
 static void build_stroke(parser *p)
 {
     fourlink_link *link = p->d->design.link;
     const setting *s = flk_find(p, KEY_CRANK_STROKE);
-    double S, l2 = 4 * link[3].length * link[3].length, e = p->d->design.offset, square;
+    double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
 
-    if (!s || link[3].length <= 0)
+    if (!s || l <= 0)
         return;
     if (flk_find(p, KEY_CRANK_LENGTH))
         flk_mistake_note(&p->d->mistakes, s->place,
                          "give either the length or the stroke, not both", (char *)NULL);
     S = s->si[0];
     link[2].length = S / 2;
-    if (e == 0)
-        return;
-    square = (l2 - 4 * e * e - S * S) / (l2 - S * S);
-    if (square > 0 && l2 > S * S)
-        link[2].length = S / 2 * sqrt(square);
-    else
-        flk_mistake_note(&p->d->mistakes, s->place, "this rod and offset have no such stroke",
+    rest = 4 * l * l - S * S;
+    if (S * S > 4 * l * (l - e))
+        flk_mistake_note(&p->d->mistakes, s->place,
+                         e > 0 ? "this rod and offset have no such stroke"
+                               : "this rod has no such stroke: the crank would be longer",
                          (char *)NULL);
+    else if (e > 0)
+        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
 
 /* The mechanism's kind, and that each section and key is one that it has. */

@@ -173,15 +173,32 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
     note_unknown(p, place, "key", name, known, where);
 }
 
-static const section_use *find_named(const parser *p, section_code section, text name)
+/* The names that users give: case matters where two differ in it. */
+static int same_name(text x, text y)
+{
+    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
+}
+
+static section_use *find_named(const parser *p, section_code section, text name)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == section && p->uses[i].name.length == name.length &&
-            memcmp(p->uses[i].name.start, name.start, name.length) == 0)
+        if (p->uses[i].section == section && same_name(p->uses[i].name, name))
             return &p->uses[i];
     return NULL;
+}
+
+/* Parts "section NAME"; the name may be empty. */
+static void split_name(text *section, text *name)
+{
+    *name = *section;
+    while (name->length && flk_text_is_word(name->start[0])) {
+        name->start++;
+        name->length--;
+    }
+    section->length -= name->length;
+    *name = flk_text_trim(*name);
 }
 
 /* [section], [section NAME] */
@@ -200,13 +217,7 @@ static section_use *read_section(parser *p, text line, text_place place)
     word.start++;
     word.length -= 2;
     word = flk_text_trim(word);
-    name = word;
-    while (name.length && flk_text_is_word(name.start[0])) {
-        name.start++;
-        name.length--;
-    }
-    word.length -= name.length;
-    name = flk_text_trim(name);
+    split_name(&word, &name);
     section = flk_find_section(word);
     if (section == SECTION_COUNT) {
         note_unknown_section(p, place, word);
@@ -258,8 +269,7 @@ static void assign_named(parser *p, const section_use *use, text key, text value
         return;
     }
     for (i = 0; i < p->n_named; i++)
-        if (p->named[i].use == (size_t)(use - p->uses) && p->named[i].name.length == key.length &&
-            memcmp(p->named[i].name.start, key.start, key.length) == 0) {
+        if (p->named[i].use == (size_t)(use - p->uses) && same_name(p->named[i].name, key)) {
             if (replace) {
                 p->named[i].s.place = place;
                 p->named[i].s.value = value;
@@ -443,7 +453,7 @@ void flk_read_lines(parser *p, text rest, char *copy)
 setting *flk_set_key(parser *p, text_place place, text key, text value)
 {
     text section = key, name;
-    section_use *use = NULL;
+    section_use *use, *other = NULL;
     section_code code = SECTION_TOP;
     size_t i, found = 0;
     char word[WORD_SIZE];
@@ -453,33 +463,23 @@ setting *flk_set_key(parser *p, text_place place, text key, text value)
     section.length = i ? i - 1 : 0;
     key.start += i;
     key.length -= i;
-    name = section;
-    if (section.length > 6 && memcmp(section.start, "sweep.", 6) == 0) { /* sweep.crank.length */
-        key.length += (size_t)(key.start - (section.start + 6));
-        key.start = section.start + 6;
-        section.length = 5;
-        name = section;
-    }
+    split_name(&section, &name);
     if (i) {
-        while (name.length && flk_text_is_word(name.start[0])) {
-            name.start++;
-            name.length--;
-        }
-        section.length -= name.length;
-        name = flk_text_trim(name);
         code = flk_find_section(section);
         if (code == SECTION_COUNT) {
             note_unknown_section(p, place, section);
             return NULL;
         }
     }
-    for (i = 0; i < p->n_uses; i++)
+    use = name.length ? find_named(p, code, name) : NULL;
+    for (i = 0; i < p->n_uses && !use; i++)
         if (p->uses[i].section == code &&
             (!name.length ||
              flk_text_equal(name, flk_text_copy(p->uses[i].name, word, sizeof word)))) {
-            use = &p->uses[i];
+            other = &p->uses[i];
             found++;
         }
+    use = use ? use : other;
     if (found > 1) {
         flk_mistake_note(&p->d->mistakes, place, "there are several [",
                          flk_section_table[code].name, "] sections: name one of them",
@@ -496,19 +496,37 @@ setting *flk_set_key(parser *p, text_place place, text key, text value)
     return use ? assign(p, use, flk_text_trim(key), flk_text_trim(value), place, 1) : NULL;
 }
 
+/* sweep.crank.length: the key is all that follows the section. */
+static void change_sweep(parser *p, text_place place, text key, text value)
+{
+    section_use *use = flk_find_use(p, SECTION_SWEEP);
+
+    key.start += 6;
+    key.length -= 6;
+    if (!use)
+        use = open_section(p, SECTION_SWEEP, flk_text_of(""), place);
+    if (use)
+        assign(p, use, flk_text_trim(key), flk_text_trim(value), place, 1);
+}
+
 /* [SECTION[ NAME].]KEY=VALUE from the command line */
 void flk_apply_change(parser *p, const char *option, text assignment)
 {
-    text key, value = assignment;
+    text key, start, value = assignment;
     text_place place;
     char word[WORD_SIZE];
 
     place.source = option;
     place.line = 0;
     flk_text_split(&value, '=', &key);
+    key = flk_text_trim(key);
+    start.start = key.start;
+    start.length = key.length < 6 ? key.length : 6;
     if (!value.start)
         flk_mistake_note(&p->d->mistakes, place, "expected [SECTION.]KEY=VALUE, not '",
                          flk_word_of(assignment, word), "'", (char *)NULL);
+    else if (flk_text_equal(start, "sweep."))
+        change_sweep(p, place, key, value);
     else
-        flk_set_key(p, place, flk_text_trim(key), value);
+        flk_set_key(p, place, key, value);
 }

@@ -30,9 +30,13 @@ typedef struct variation {
     unsigned long index; /* of the value that this design has */
 } variation;
 
+/* A tab is a blank. */
 static int is_at(text t, size_t i, const char *separator)
 {
-    return memcmp(t.start + i, separator, strlen(separator)) == 0;
+    for (; *separator; separator++, i++)
+        if (t.start[i] != *separator && !(t.start[i] == '\t' && *separator == ' '))
+            return 0;
+    return 1;
 }
 
 static void cut(text t, size_t i, size_t n, text *before, text *after)
@@ -314,21 +318,28 @@ static void set_value(const variation *v, unsigned long i, const gsl_rng *rng, s
                                       : v->first.number + draw(v, rng);
 }
 
+/* 1 for what a range or a list of values can be of; an indicator card is a curve always. */
+static int can_vary(const key_info *key)
+{
+    return key->form == FORM_QUANTITY ||
+           (key->form == FORM_CURVE && key != &flk_key_table[KEY_GAS_INDICATOR]);
+}
+
 /* The key that a name of [sweep] means, as its setting; null and a mistake if it is no quantity. */
-static setting *find_key(parser *p, const named_value *named, const key_info **key)
+static setting *find_key(parser *p, text name, text_place place, text value, const key_info **key)
 {
     size_t before = p->d->mistakes.count;
     char word[WORD_SIZE];
-    setting *s = flk_set_key(p, named->s.place, named->name, named->s.value);
+    setting *s = flk_set_key(p, place, name, value);
 
     if (s)
         *key = &flk_key_table[flk_key_of(p, s)];
-    if (s && ((*key)->form == FORM_QUANTITY || (*key)->form == FORM_CURVE))
+    if (s && can_vary(*key))
         return s;
     if (s)
         s->is_void = 1;
     if (p->d->mistakes.count == before && !p->out_of_memory)
-        flk_mistake_note(&p->d->mistakes, named->s.place, "'", flk_word_of(named->name, word),
+        flk_mistake_note(&p->d->mistakes, place, "'", flk_word_of(name, word),
                          "' is no quantity that can be varied", (char *)NULL);
     return NULL;
 }
@@ -402,28 +413,29 @@ static void set_values(parser *p, variation *list, double samples, unsigned long
 /* Read the variables of [sweep]; how many designs, 0 and mistakes if something is wrong. */
 static double read_variables(parser *p, variation *list, double samples, int *has_tolerance)
 {
-    size_t before = p->d->mistakes.count, i;
+    size_t before = p->d->mistakes.count, n = p->n_named, i;
     double designs = samples;
 
-    for (i = 0; i < p->n_named && !p->out_of_memory; i++) {
+    for (i = 0; i < n && !p->out_of_memory; i++) {
         deck_sweep *sweep = &p->d->sweep;
+        named_value named = p->named[i]; /* a name such as expect.x moves the list */
         const key_info *key = NULL;
         deck_variable *new;
         setting *s;
 
-        if (p->uses[p->named[i].use].section != SECTION_SWEEP)
+        if (p->uses[named.use].section != SECTION_SWEEP)
             continue;
-        s = find_key(p, &p->named[i], &key);
+        s = find_key(p, named.name, named.s.place, named.s.value, &key);
         if (!s)
             continue;
         set_placeholder(p, key, s);
-        if (is_twice(p, &p->named[i], (size_t)(s - p->settings)) ||
-            !read_variation(p, &p->named[i].s, key, &list[sweep->n_variables]))
+        if (is_twice(p, &named, (size_t)(s - p->settings)) ||
+            !read_variation(p, &named.s, key, &list[sweep->n_variables]))
             continue;
         designs *= list[sweep->n_variables].count;
         *has_tolerance |= list[sweep->n_variables].form == VARY_TOLERANCE;
         new = &sweep->variables[sweep->n_variables++];
-        new->name = p->named[i].name;
+        new->name = named.name;
         new->q = key->q;
         new->setting = (size_t)(s - p->settings);
     }
@@ -438,7 +450,7 @@ void flk_read_sweep(parser *p, unsigned long design)
     double designs, samples;
     int has_tolerance = 0;
     variation *list;
-    size_t before;
+    size_t before = p->d->mistakes.count;
 
     if (!use)
         return;
@@ -454,7 +466,6 @@ void flk_read_sweep(parser *p, unsigned long design)
         return;
     }
     designs = read_variables(p, list, samples, &has_tolerance);
-    before = p->d->mistakes.count;
     if (designs > 0)
         check_samples(p, flk_find_use(p, SECTION_SWEEP), has_tolerance);
     if (designs > MOST_DESIGNS)

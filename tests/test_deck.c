@@ -246,6 +246,12 @@ static const mistaken all_mistaken[] = {
      "swings "
      "more slowly"},
     {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
+    {"mechanism = slider-crank\n[rod]\nlength = 100 mm\n[crank]\nstroke = 250 mm\n", 5,
+     "this rod has no such stroke: the crank would be longer"},
+    /* the longest is 2 sqrt(100 (100 - 50)) mm = 141.42 mm */
+    {"mechanism = slider-crank\n[ground]\noffset = -50 mm\n[rod]\nlength = 100 mm\n[crank]\n"
+     "stroke = 141.43 mm\n",
+     7, "this rod and offset have no such stroke"},
     {SLIDER_CRANK "stroke = 1 m\n", 10, "give either the length or the stroke, not both"},
     {FOUR_BAR "[gas]\nbore = 1 m\npressure = 1 bar\n", 10, "a four-bar linkage has no [gas]"},
     {SLIDER_CRANK "[gas]\npressure = 1 bar\n", 10, "[gas] has no bore"},
@@ -566,6 +572,11 @@ static void test_engine(void **unused)
         assert_close(sqrt((1.2 + r) * (1.2 + r) - e * e) - sqrt((1.2 - r) * (1.2 - r) - e * e), 0.6,
                      1e-14);
     }
+    flk_deck_free(&d);
+    read_with("mechanism = slider-crank\n[ground]\noffset = 50 mm\n[crank]\nstroke = 141.42 mm\n"
+              "[rod]\nlength = 100 mm\n",
+              "title=longest", &d);
+    assert_true(d.design.link[2].length < 0.05 && d.design.link[2].length > 0.0495);
     flk_deck_free(&d);
 }
 
@@ -904,6 +915,11 @@ static void test_changes(void **unused)
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "LOAD f1.torque=5 N m", &d);
     assert_true(d.loads[0].torque == 5 && d.loads[1].torque == 0);
+    flk_deck_free(&d);
+    /* unless two names differ in that alone */
+    read_with(FOUR_BAR LOADS "[load f1]\nlink = crank\ntorque = 1 N m\n", "load f1.torque=5 N m",
+              &d);
+    assert_true(d.loads[0].torque == 0 && d.loads[2].torque == 5);
     flk_deck_free(&d);
     read_with("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = nonsense\n"
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n",

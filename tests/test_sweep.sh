@@ -266,6 +266,9 @@ bad 2 'samples are of a tolerance' "$good" 'samples = 3'
 bad 2 'the samples must be positive, not 0' "$toleranced" 'samples = 0'
 bad 2 'the samples must be positive, not -4' "$toleranced" 'samples = -4'
 bad 2 "expected a whole number, not '1.5'" "$toleranced" 'samples = 1.5'
+bad 2 "expected a whole number, not '0.5'" "$toleranced" 'samples = 0.5'
+bad 3 'the seed must not be negative, not -1' "$toleranced" 'samples = 3' 'seed = -1'
+bad 1 "there is no [sweep .crank] in the deck" 'sweep.crank.length = 20 mm to 30 mm step 2 mm'
 bad 2 'a second [sweep]; the first is at line' "$good" '[sweep]' "$good"
 bad 0 '[sweep] varies nothing' ''
 bad 0 '[sweep] varies nothing' 'output = swing'
@@ -361,6 +364,11 @@ check 'finite' grep -Eq '^2,0.056[0-9]*,open,[0-9.]+,-[0-9.]+,ok' out
 sweep 'crank.length = 18 mm, 20 mm' 'output = mu_min'
 run 0 -f csv -s 'sweep.crank.length = 21 mm, 22 mm' t.deck
 check 'a sweep by --set' grep -q '^2,0.0219999' out
+mv out lower
+run 0 -f csv -s 'Sweep.crank.length = 21 mm, 22 mm' t.deck
+same out lower
+run 0 -f csv -s "sweep.crank.length = 21 mm${tab}to${tab}22 mm${tab}step${tab}1 mm" t.deck
+same out lower
 
 # ------------------------------------------------------------------------------- interruption
 
