@@ -31,6 +31,7 @@ module fourlink
     fourlink_dead_position = 4, &
     fourlink_change_point = 5, &
     fourlink_singular = 6, &
+    fourlink_lost_in_rounding = 7, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -50,7 +51,8 @@ module fourlink
     fourlink_bad_deck = 36, &
     fourlink_no_memory = 37, &
     fourlink_no_such_point = 38, &
-    fourlink_too_many_loads = 39
+    fourlink_too_many_loads = 39, &
+    fourlink_bad_approximation = 40
 
   ! Types of linkages.
   integer(c_int), parameter :: &

@@ -59,6 +59,7 @@ extern "C" {
     X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")       \
     X(FOURLINK_CHANGE_POINT, 5, "change point: the motion may go on in two ways")                  \
     X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                   \
+    X(FOURLINK_LOST_IN_ROUNDING, 7, "the links are too unequal: rounding hides the position")      \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                              \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite, or beyond what the program computes with") \
     X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")         \
@@ -78,7 +79,8 @@ extern "C" {
     X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                              \
     X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                 \
     X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                    \
-    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")
+    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")          \
+    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is none of exact, piston and all")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -93,7 +95,11 @@ typedef enum fourlink_status {
 typedef enum fourlink_kind { FOURLINK_FOUR_BAR = 1, FOURLINK_SLIDER_CRANK = 2 } fourlink_kind;
 
 /* The range of numbers the library computes with: no machine comes near its ends, and within it no
-** result can overflow.  What is outside is refused with FOURLINK_BAD_NUMBER, NaN included. */
+** result of a position that is found overflows.  What is outside is refused with FOURLINK_BAD_NUMBER,
+** NaN included.
+**
+** Where two links are far longer than the other two, positions lose digits, those of the square of the
+** ratio; when no more than eight are left the status is FOURLINK_LOST_IN_ROUNDING. */
 #define FOURLINK_LENGTH_MIN 1e-15 /* m */
 #define FOURLINK_LENGTH_MAX 1e15  /* m; also of distances such as `cg`, `at` and `offset` */
 #define FOURLINK_NUMBER_MAX 1e30  /* all else, in SI units */
@@ -139,8 +145,8 @@ typedef struct fourlink_design {
 ** fourlink_prepare; the members may be read, not written. */
 typedef struct fourlink_mechanism {
     fourlink_design design;
-    double stretched;     /* m2 or m: what is left of reach with all links in line, see fourbar.c */
-    double folded;        /* m2 or m: the same, folded */
+    double stretched;     /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
+    double folded;        /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m */
     int change_stretched; /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
     int change_folded;    /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
     double dead_centre;   /* m, slider-crank: distance of the inner dead centre from A, along x */
@@ -177,9 +183,10 @@ typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3).
-                       Positive on the open branch; 0 in a dead position; 1/|sine| is the
-                       condition of the position: the factor by which relative errors
-                       of the data can grow */
+                       Positive on the open branch, negative on the crossed one; behind a
+                       change point the other way round (see fourlink_branch).  0 in a dead
+                       position; 1/|sine| is the condition of the position: the factor by
+                       which relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
     double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
@@ -215,7 +222,8 @@ typedef struct fourlink_forces {
     double Ts;         /* N m, ground on crank: the driving torque */
     double Ts_work;    /* N m, the same by virtual work, without the nine equations */
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
-                          largest term of the balance; 0 where every term is 0 */
+                          largest term of the balance, the products of components; 0 where every
+                          term is 0 */
 } fourlink_forces;
 
 /* ---------------------------------------------------------------------------------------------
@@ -387,7 +395,7 @@ typedef const char *fourlink_loader(void *host, const char *file_name, unsigned 
 
 /* The problem that a deck poses. */
 typedef struct fourlink_problem {
-    char title[256]; /* null-terminated */
+    char title[256]; /* null-terminated; a longer one is cut off */
     fourlink_mechanism mechanism;
     fourlink_motion motion; /* the rows of the deck; one row if it is of one instant */
     double cycle;           /* rad, the period of curves and of the turning moment */
@@ -422,6 +430,8 @@ FOURLINK_API const char *fourlink_version(void);
 **    FOURLINK_BAD_MASS
 ** Note:
 **    A design whose links do not reach at some angles, or at any, is in order: the positions tell.
+** Reference:
+**    The triangle BCD, law of cosines: it exists where |b - c| <= BD <= b + c.
 */
 FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism);
 
@@ -433,6 +443,8 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 **    type       by the Grashof condition: s + l < p + q, s the shortest, l the longest link
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
+** Reference:
+**    Grashof's condition.
 */
 FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
 FOURLINK_API const char *fourlink_type_text(int type);
@@ -445,6 +457,8 @@ FOURLINK_API const char *fourlink_type_text(int type);
 **    reach      up to two ranges; the same for both branches
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
+** Reference:
+**    a^2 + d^2 - 2 a d cos(theta2) = (b + c)^2 and (b - c)^2; l = |r sin(theta2) - e|.
 */
 FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink_reach *reach);
 
@@ -461,6 +475,9 @@ FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink
 ** 1) The rocker has limits of this kind in a crank-rocker, where they are at crank and coupler in one
 **    line.  A mechanism with a change point has none, and no dead centres either.
 ** 2) time_ratio is the larger over the smaller crank angle between the limits.
+** Reference:
+**    The triangles ACD with AC = b - a and a + b, law of cosines; dead centres where crank and rod
+**    are in line.
 */
 FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                     fourlink_limits *limits);
@@ -475,13 +492,15 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    state      theta, axis and origin of each link; sine, mu; slider-crank: phi, x
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_TOO_FAR, FOURLINK_TOO_NEAR, FOURLINK_ROD_TOO_SHORT,
-**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT;
-**    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
+**    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING;
+**    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH, FOURLINK_BAD_KIND
 ** Notes:
 ** 1) A position counts as dead when sine^2 <= 1e-14: what is left is rounding error.
 ** 2) What the next two functions fill is not yet to be used.
+** 3) FOURLINK_BAD_KIND is that of a mechanism which was not prepared.
 ** Reference:
-**    Alvi, eqs. 1 to 3; theory in fourbar.c and slidercrank.c.
+**    Alvi, eqs. 1 to 3, by circles in place of Freudenstein's equation (the source file fourbar.c);
+**    ME3491, and DFA eq. 1 (slidercrank.c).
 */
 FOURLINK_API int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                    double theta2, fourlink_state *state);
@@ -550,6 +569,8 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 ** Notes:
 ** 1) The system is solved by GSL's LU decomposition for banded matrices, which allocates nothing.
 ** 2) `residual` is near 1e-15 when all is right, and grows with the condition 1/|sine|.
+** 3) The state is taken as the functions above left it.  One that they did not fill gives forces
+**    without meaning, or FOURLINK_BAD_NUMBER or FOURLINK_SINGULAR if they are no numbers.
 ** Reference:
 **    ME3491, eqs. 3 to 15, corrected; see kinetostatics.c.
 */
@@ -605,9 +626,12 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
 **    loads, n_loads  as for fourlink_solve
 ** Returned:
 **    state           the motion of every link
-**    forces          pin forces and driving torque; may be null: then they are not computed
+**    forces          pin forces and driving torque; may be null: then they are not computed, and
+**                    the loads are not looked at
 ** Returned (function value):
-**    as for the four functions above
+**    as for fourlink_position, fourlink_velocity, fourlink_acceleration and fourlink_solve
+** Reference:
+**    that of each of these
 */
 FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                   const fourlink_crank *crank, const fourlink_load *loads,
@@ -645,7 +669,7 @@ FOURLINK_API int fourlink_analyse_design(const fourlink_design *design, fourlink
 **
 ** Given:
 **    mechanism  from fourlink_prepare, a slider-crank without offset
-**    state      from fourlink_position; its crank's omega and alpha are used
+**    state      from fourlink_acceleration: the crank's theta, omega and alpha are used
 ** Returned:
 **    series     two-term and one-term approximations
 ** Returned (function value):
@@ -684,7 +708,8 @@ FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourli
 **    engine         the forces and torques
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME,
-**    FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES
+**    FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES,
+**    FOURLINK_BAD_APPROXIMATION
 ** Note:
 **    With FOURLINK_EXACT the sum T_engine is the nine equations' -Ts to rounding, if the crank has no
 **    mass and loads act on the piston alone: offset, inclination, branch and crank acceleration
@@ -737,7 +762,7 @@ FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_r
 ** Returned:
 **    row        crank angle, speed, acceleration; time since the first row
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP, FOURLINK_NO_SUCH_ROW
 ** Note:
 **    The time is negative in a range that runs against the rotation.  It is not defined, and 0, for
 **    a crank at rest and where `hold` is set with an acceleration.
@@ -755,7 +780,12 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 ** Returned:
 **    row        as from fourlink_motion_row
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP
+** Notes:
+** 1) The motion is one that fourlink_motion_range accepts.
+** 2) Beyond the angle where a crank comes to rest its speed is 0.
+** Reference:
+**    omega2^2 = speed^2 + 2 acceleration s, s the angle from the first row in rad.
 */
 FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row);
 

@@ -87,6 +87,7 @@ static int is_singular(const fourlink_state *state)
 int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_state *state,
                         const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
+    fourlink_forces result;
     int status;
 
     if (!mechanism || !state || !forces)
@@ -96,6 +97,9 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
         return status;
     if (is_singular(state))
         return FOURLINK_SINGULAR;
-    flk_dyad(mechanism, state, loads, n_loads, forces);
+    flk_dyad(mechanism, state, loads, n_loads, &result);
+    if (!flk_is_finite(&result))
+        return FOURLINK_BAD_NUMBER;
+    *forces = result;
     return FOURLINK_OK;
 }

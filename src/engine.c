@@ -97,7 +97,7 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
 **
 ** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is theta2 - theta3, phi'' is -alpha3, dphi/dtheta
-** is -k3, and cos(phi) is |cos(theta3)|; the weight of m_a works along the path of the crank pin.
+** is -k3, and cos(phi) is cos(theta3), -cos(theta3) on the crossed branch; the weight of m_a works along the path of the crank pin.
 ** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
 */
 int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -112,16 +112,16 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
     unsigned long i;
     int status;
 
-    if (!mechanism || !state || (n_loads && !loads) || !engine)
+    if (!mechanism || !state || !engine)
         return FOURLINK_NULL;
     if (!FLK_WITHIN(gas_force, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     if (approximation != FOURLINK_EXACT && approximation != FOURLINK_SERIES_PISTON &&
         approximation != FOURLINK_SERIES_ALL)
-        return FOURLINK_NO_SERIES;
+        return FOURLINK_BAD_APPROXIMATION;
     status = fourlink_rod_masses(mechanism, &rod);
-    for (i = 0; i < n_loads && status == FOURLINK_OK; i++)
-        status = flk_check_load(&loads[i]);
+    if (status == FOURLINK_OK)
+        status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     crank = &state->link[2];
@@ -140,7 +140,7 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
     side = (double)state->branch; /* the piston is at +x or -x: towards the crank is -side */
     r = mechanism->design.link[2].length;
     reciprocating = mechanism->design.link[4].mass + rod.m_b;
-    cos_phi = fabs(link3->axis.x);
+    cos_phi = side * link3->axis.x; /* negative behind a change point */
 
     engine->gas_force = gas_force;
     engine->inertia_force = -reciprocating * a;

@@ -19,7 +19,7 @@
 **    u1 = (b + c)^2 - f^2 = [(b + c)^2 - (a + d)^2] + 4 a d cos^2(theta2/2)
 **    u2 = f^2 - (b - c)^2 = [(a - d)^2 - (b - c)^2] + 4 a d sin^2(theta2/2)
 **
-** and u1 u2 = 16 area^2 = 4 b^2 c^2 sin^2(theta4 - theta3).  The brackets, `stretched` and
+** and u1 u2 = 16 area^2 = 4 b^2 c^2 sin^2(theta4 - theta3), u1 + u2 = 4 b c.  The brackets, `stretched` and
 ** `folded`, depend on the lengths alone.  The first is 0 for a linkage that can lie in one line at 180 deg,
 ** the second for one that can do so at 0 deg: its change points.  There the root of u1, or u2, is
 ** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes
@@ -52,6 +52,8 @@ int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, dou
     double u2 = mechanism->folded + 4 * a * d * half_sine * half_sine;
     double scale = 0.5 / (b * c), sine2 = (scale * u1) * (scale * u2);
 
+    if (!(fabs(scale * (u1 + u2) - 2) < FLK_LOST))
+        return FOURLINK_LOST_IN_ROUNDING;
     if (sine2 < -FLK_DEAD)
         return u1 < 0 ? FOURLINK_TOO_FAR : FOURLINK_TOO_NEAR;
     if (sine2 <= FLK_DEAD) {

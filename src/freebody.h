@@ -9,6 +9,7 @@
 #ifndef FOURLINK_FREEBODY_H
 #define FOURLINK_FREEBODY_H
 
+#include <float.h>
 #include <math.h>
 
 #include "internal.h"
@@ -19,12 +20,18 @@ typedef struct flk_body {
     fourlink_vector force; /* N, m a_G - W - (sum of forces) */
     double moment;         /* N m, I alpha - (sum of moments about G) */
     double work;           /* N m, power of loads, weight and inertia, unit crank speed */
-    double largest;        /* N m, the largest term of it */
+    double largest;        /* N m, the largest term of it, components taken apart */
 } flk_body;
 
 static double flk_larger(double x, double y)
 {
     return x > y ? x : y;
+}
+
+/* The size of the terms of u . v, of which nothing but rounding may be left. */
+static double flk_dot_size(fourlink_vector u, fourlink_vector v)
+{
+    return fabs(u.x * v.x) + fabs(u.y * v.y);
 }
 
 /* Derivative by theta2 of the point at arm r from the link's origin: its velocity for a unit crank
@@ -55,7 +62,7 @@ static void flk_apply_load(const fourlink_load *load, const fourlink_link_state 
     body->force.y -= F.y;
     body->moment -= load->torque + FLK_CROSS(r, F);
     body->work += by_force + by_torque;
-    body->largest = flk_larger(body->largest, flk_larger(fabs(by_force), fabs(by_torque)));
+    body->largest = flk_larger(body->largest, flk_larger(flk_dot_size(F, k), fabs(by_torque)));
 }
 
 /* Right-hand sides (ME3491 eqs. 1 to 11) and terms of virtual work.  The coupler's a_G has the
@@ -79,7 +86,8 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
     body->force.y = data->mass * (a.y - gravity->y);
     body->moment = turning;
     body->work = by_weight - by_inertia - by_turning;
-    body->largest = flk_larger(fabs(by_weight), flk_larger(fabs(by_inertia), fabs(by_turning)));
+    body->largest = flk_larger(
+        data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
 }
 
 /* Links 2, 3, 4 cut free, with loads that are in order. */
@@ -111,6 +119,12 @@ static void flk_virtual_work(const flk_body body[3], fourlink_forces *forces)
     for (i = 0; i < 3; i++)
         largest = flk_larger(body[i].largest, largest);
     forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
+}
+
+/* 0 for a state whose speeds or accelerations are no numbers: they are in every term of the balance. */
+static int flk_is_finite(const fourlink_forces *forces)
+{
+    return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);
 }
 
 #endif

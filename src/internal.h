@@ -19,6 +19,10 @@
 ** and 595 + 218 mm are equal, though not in binary. */
 #define FLK_ROUNDING 1e-15
 
+/* The error of u1 + u2 (fourbar.c, slidercrank.c), which the lengths of links 3 and 4 give, in parts of
+** its half, from which on a position is lost in the rounding of far longer links. */
+#define FLK_LOST 1e-8
+
 /* 1 if |x| <= max; 0 for larger numbers, and for NaN. */
 #define FLK_WITHIN(x, max) (fabs(x) <= (max))
 
@@ -62,8 +66,7 @@ void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_stat
 void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
 void flk_slidercrank_angles(fourlink_state *state);
 
-/* Whether a load, or each of several, is in order: FOURLINK_OK or why it is not (kinetostatics.c). */
-int flk_check_load(const fourlink_load *load);
+/* Whether each of several loads is in order: FOURLINK_OK or why it is not (kinetostatics.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 
 /* The forces of a position that is not singular, with loads that are in order (dyad.c). */

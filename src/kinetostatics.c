@@ -11,7 +11,7 @@
 
 #include "freebody.h"
 
-int flk_check_load(const fourlink_load *load)
+static int check_load(const fourlink_load *load)
 {
     if (load->link < FOURLINK_CRANK || load->link > FOURLINK_FOLLOWER)
         return FOURLINK_BAD_LINK;
@@ -33,7 +33,7 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     if (n_loads && !loads)
         return FOURLINK_NULL;
     for (n = 0; n < n_loads; n++) {
-        int status = flk_check_load(&loads[n]);
+        int status = check_load(&loads[n]);
 
         if (status != FOURLINK_OK)
             return status;
@@ -158,7 +158,9 @@ static int solve(const fourlink_mechanism *mechanism, const fourlink_state *stat
     per_length[2] =
         mechanism->design.kind == FOURLINK_FOUR_BAR ? 2 / link[4].length : per_length[1];
     assemble(mechanism, state, body, per_length, &banded, A, b);
-    A[DIAGONAL(0)] = 1; /* the first unknown is Ts per_length[0], a force */
+    A[DIAGONAL(0)] = 1; /* the first unknown is Ts per_length[0], a force; M14 likewise */
+    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
+        A[banded.row[8] + banded.column[6]] = 1;
     for (i = 0; i < 9; i++)
         ordered[banded.row[i]] = b[i];
     gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
@@ -168,6 +170,8 @@ static int solve(const fourlink_mechanism *mechanism, const fourlink_state *stat
     gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
     for (i = 0; i < 8; i++)
         x[i] = ordered[i + 1];
+    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
+        x[6] /= per_length[2];
     x[8] = ordered[0] / per_length[0];
     return FOURLINK_OK;
 }
@@ -194,6 +198,7 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
     flk_body body[3];
+    fourlink_forces result;
     double x[9];
     int status;
 
@@ -206,20 +211,23 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
     status = solve(mechanism, state, body, x);
     if (status != FOURLINK_OK)
         return status;
-    forces->F12x = x[0];
-    forces->F12y = x[1];
-    forces->F23x = x[2];
-    forces->F23y = x[3];
-    forces->F34x = x[4];
-    forces->F34y = x[5];
-    forces->F14x = x[6];
-    forces->F14y = x[7];
-    forces->M14 = 0;
-    forces->Ts = x[8];
+    result.F12x = x[0];
+    result.F12y = x[1];
+    result.F23x = x[2];
+    result.F23y = x[3];
+    result.F34x = x[4];
+    result.F34y = x[5];
+    result.F14x = x[6];
+    result.F14y = x[7];
+    result.M14 = 0;
+    result.Ts = x[8];
     if (mechanism->design.kind == FOURLINK_SLIDER_CRANK) {
-        forces->F14x = 0;
-        forces->M14 = x[6];
+        result.F14x = 0;
+        result.M14 = x[6];
     }
-    flk_virtual_work(body, forces);
+    flk_virtual_work(body, &result);
+    if (!flk_is_finite(&result))
+        return FOURLINK_BAD_NUMBER;
+    *forces = result;
     return FOURLINK_OK;
 }

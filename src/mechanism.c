@@ -86,12 +86,12 @@ static void place_crank(double a, double theta2, double half_sine, double half_c
 
 /* The sine and cosine of half the crank angle, and from them the sine of the position, on the branch
 ** asked for; or why there is none. */
-typedef struct reach {
+typedef struct half_angle {
     double half_sine, half_cosine, sine;
-} reach;
+} half_angle;
 
 static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                      reach *at)
+                      half_angle *at)
 {
     int status;
 
@@ -103,15 +103,17 @@ static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branc
     at->half_cosine = cos(0.5 * theta2);
     if (mechanism->design.kind == FOURLINK_FOUR_BAR)
         status = flk_fourbar_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
-    else
+    else if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
         status = flk_slidercrank_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
+    else
+        status = FOURLINK_BAD_KIND;
     if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
         at->sine = -at->sine;
     return status;
 }
 
 static void place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                  const reach *at, fourlink_state *state)
+                  const half_angle *at, fourlink_state *state)
 {
     place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, at->half_sine,
                 at->half_cosine, state);
@@ -169,7 +171,7 @@ static void accelerate(const fourlink_mechanism *mechanism, double alpha2, fourl
 int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                       fourlink_state *state)
 {
-    reach at;
+    half_angle at;
     int status;
 
     if (!mechanism || !state)
@@ -244,7 +246,7 @@ static int analyse_motion(const fourlink_mechanism *mechanism, fourlink_branch b
                           const fourlink_crank *crank, const fourlink_load *loads,
                           unsigned long n_loads, fourlink_state *state)
 {
-    reach at;
+    half_angle at;
     int status = find_reach(mechanism, branch, crank->theta2, &at);
 
     if (status != FOURLINK_OK)

@@ -6,6 +6,7 @@
 ** speed; a run-up from rest at constant acceleration, then one revolution at the speed reached; one
 ** instant.  And, beyond it, any range from - to at constant acceleration.
 */
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 
@@ -35,7 +36,7 @@ static double direction(const fourlink_motion *motion)
 
 /* Angle through which the crank turns before it comes to rest, in its direction of rotation and the
 ** motion's unit: omega2^2 = speed^2 + 2 acceleration s vanishes.  Negative: it does not come to
-*rest.
+** rest.
 */
 static double stopping_angle(const fourlink_motion *motion)
 {
@@ -114,29 +115,35 @@ static void accelerate(double speed, double acceleration, double s, fourlink_row
 
 int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row)
 {
+    fourlink_row at;
     double s, end;
 
     if (!motion || !row)
         return FOURLINK_NULL;
-    row->angle = angle;
-    row->crank.theta2 = angle * motion->angle_unit;
+    if (motion->run_up > 0 && motion->acceleration == 0)
+        return FOURLINK_NO_RUN_UP;
+    at.angle = angle;
+    at.crank.theta2 = angle * motion->angle_unit;
     s = (angle - motion->from) * motion->angle_unit;
     if (motion->run_up > 0) {
         end = direction(motion) * motion->run_up * motion->angle_unit;
         if (fabs(s) < fabs(end) * (1 - 1e-12)) {
-            accelerate(0, motion->acceleration, s, row);
+            accelerate(0, motion->acceleration, s, &at);
         } else {
-            accelerate(0, motion->acceleration, end, row);
-            row->crank.alpha2 = 0;
-            row->time += (s - end) / row->crank.omega2;
+            accelerate(0, motion->acceleration, end, &at);
+            at.crank.alpha2 = 0;
+            at.time += (s - end) / at.crank.omega2;
         }
     } else if (motion->hold) {
-        row->crank.omega2 = motion->speed;
-        row->crank.alpha2 = motion->acceleration;
-        row->time = motion->acceleration == 0 && motion->speed != 0 ? s / motion->speed : 0;
+        at.crank.omega2 = motion->speed;
+        at.crank.alpha2 = motion->acceleration;
+        at.time = motion->acceleration == 0 && motion->speed != 0 ? s / motion->speed : 0;
     } else {
-        accelerate(motion->speed, motion->acceleration, s, row);
+        accelerate(motion->speed, motion->acceleration, s, &at);
     }
+    if (!FLK_WITHIN(at.crank.theta2 + at.crank.omega2 + at.crank.alpha2 + at.time, DBL_MAX))
+        return FOURLINK_BAD_NUMBER;
+    *row = at;
     return FOURLINK_OK;
 }
 

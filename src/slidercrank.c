@@ -47,6 +47,8 @@ int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine,
     double u2 = mechanism->folded + r * root2 * root2;
     double sine2 = (u1 / l) * (u2 / l);
 
+    if (!(fabs((u1 + u2) / l - 2) < FLK_LOST))
+        return FOURLINK_LOST_IN_ROUNDING;
     if (sine2 < -FLK_DEAD)
         return FOURLINK_ROD_TOO_SHORT;
     if (sine2 <= FLK_DEAD) {

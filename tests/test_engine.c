@@ -646,6 +646,36 @@ static void test_nine_equations(void **unused)
     }
 }
 
+/* Rod and crank of one length: the piston passes over the crankshaft and is on the other side for half a
+** revolution, while the branch keeps its name, and the gas its direction. */
+static void test_nine_equations_behind_a_change_point(void **unused)
+{
+    uint64_t seed = 55;
+    int n, behind = 0;
+
+    (void)unused;
+    for (n = 0; n < 5000; n++) {
+        engine_sample e;
+
+        draw_engine(&seed, n, 0, 0.05, &e);
+        e.s.design.offset = 0;
+        e.s.design.link[3].length = e.s.design.link[2].length;
+        e.s.crank.theta2 = uniform(&seed, -4 * PI, 4 * PI);
+        if (solve(&e.s) != FOURLINK_OK || fabs(e.s.state.sine) < 0.05)
+            continue;
+        assert_int_equal(
+            fourlink_solve(&e.s.mechanism, &e.s.state, e.load, e.n_loads + 1, &e.forces),
+            FOURLINK_OK);
+        assert_int_equal(fourlink_engine_method(&e.s.mechanism, &e.s.state, e.gas, e.load,
+                                                e.n_loads, FOURLINK_EXACT, &e.engine),
+                         FOURLINK_OK);
+        behind += e.s.state.sine * (double)e.s.state.branch < 0;
+        assert_near(e.engine.T_engine, -e.forces.Ts,
+                    1e-11 * e.s.design.link[2].length * largest_force(&e));
+    }
+    assert_true(behind > 2000);
+}
+
 /* A massless rod is a strut: the side thrust is the guide's force on the piston, less what acts on
 ** the piston across the stroke; the forces on crank pin and piston pin are the thrust in the rod,
 ** along it; crank effort and radial force are the components of the force on the crank pin. */
@@ -1133,6 +1163,7 @@ int main(void)
         cmocka_unit_test(test_ME3491_example_1),
         cmocka_unit_test(test_ME3491_example_2),
         cmocka_unit_test(test_nine_equations),
+        cmocka_unit_test(test_nine_equations_behind_a_change_point),
         cmocka_unit_test(test_strut),
         cmocka_unit_test(test_classical_formulas),
         cmocka_unit_test(test_approximations),

@@ -847,6 +847,140 @@ static void test_residual(void **unused)
     }
 }
 
+/* A balanced crank at constant speed, its centre of mass off its line: each term of the balance is what
+** rounding leaves of a right angle, and the residual is its rounding still. */
+static void test_residual_of_a_balance(void **unused)
+{
+    fourlink_design design;
+    fourlink_mechanism mechanism;
+    fourlink_forces forces;
+    fourlink_state state;
+    int i;
+
+    (void)unused;
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_FOUR_BAR;
+    design.link[1].length = 0.080;
+    design.link[2].length = 0.020;
+    design.link[3].length = 0.066;
+    design.link[4].length = 0.056;
+    design.link[2].mass = 1;
+    design.link[2].cg.x = 0.0069;
+    design.link[2].cg.y = 0.0012;
+    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+    for (i = 0; i < 720; i++) {
+        fourlink_crank crank = {0, 10, 0};
+
+        crank.theta2 = i * 0.5 * DEG;
+        assert_int_equal(
+            fourlink_analyse(&mechanism, FOURLINK_OPEN, &crank, NULL, 0, &state, &forces),
+            FOURLINK_OK);
+        assert_near(forces.residual, 0, 10 * EPS);
+        assert_int_equal(
+            fourlink_analyse_dyad(&mechanism, FOURLINK_OPEN, &crank, NULL, 0, &state, &forces),
+            FOURLINK_OK);
+        assert_near(forces.residual, 0, 10 * EPS);
+    }
+}
+
+/* The couple of the guide has the size of a force times the length of the rod, however long that is. */
+static void test_scale_of_the_couple(void **unused)
+{
+    double size;
+
+    (void)unused;
+    for (size = 1e-12; size < 1e13; size *= 10) {
+        fourlink_state state;
+        fourlink_forces forces;
+        sample s;
+
+        engine(&s, size, 4 * size, 0, 0, 0, 3, 1, 10);
+        s.design.link[4].cg.y = size;
+        s.design.gravity.x = s.design.gravity.y = 0;
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        assert_int_equal(
+            fourlink_analyse_dyad(&s.mechanism, s.branch, &s.crank, NULL, 0, &state, &forces),
+            FOURLINK_OK);
+        /* a_G x m, of a body that does not turn */
+        assert_near(s.forces.M14, 3 * state.a * size * (double)s.branch,
+                    1e-13 * fabs(3 * state.a * size));
+        assert_near(forces.M14, s.forces.M14, 1e-13 * fabs(s.forces.M14));
+    }
+}
+
+/* Two links far longer than the others: the position keeps its digits, but for the square of the ratio, or
+** is refused. */
+static void test_unequal_links(void **unused)
+{
+    uint64_t seed = 77;
+    int n, found = 0, lost = 0;
+
+    (void)unused;
+    for (n = 0; n < 20000; n++) {
+        fourlink_design design;
+        fourlink_mechanism mechanism;
+        fourlink_state state;
+        double ratio = pow(10, uniform(&seed, 0, 15)), b = uniform(&seed, 0.5, 2), theta2;
+        int status;
+
+        memset(&design, 0, sizeof design);
+        design.kind = FOURLINK_FOUR_BAR;
+        design.link[1].length = ratio;
+        design.link[2].length = ratio * (1 + uniform(&seed, -1, 1) / ratio);
+        design.link[3].length = b;
+        design.link[4].length = 1;
+        theta2 = uniform(&seed, -3, 3) / ratio;
+        assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+        status = fourlink_position(&mechanism, FOURLINK_OPEN, theta2, &state);
+        lost += status == FOURLINK_LOST_IN_ROUNDING;
+        found += status == FOURLINK_OK;
+        if (status == FOURLINK_OK)
+            for (int i = 3; i < 5; i++)
+                assert_near(hypot(state.link[i].axis.x, state.link[i].axis.y), 1,
+                            1e-7 / state.sine / state.sine);
+    }
+    assert_true(found > 3000 && lost > 3000);
+}
+
+/* A mechanism that was not prepared, a state that was not filled. */
+static void test_not_filled(void **unused)
+{
+    static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+    fourlink_mechanism none;
+    fourlink_state state;
+    fourlink_forces forces, before;
+    uint64_t seed = 3;
+    size_t i;
+    int field;
+
+    (void)unused;
+    memset(&none, 0, sizeof none);
+    assert_int_equal(fourlink_position(&none, FOURLINK_OPEN, 1, &state), FOURLINK_BAD_KIND);
+    memset(&before, 0xa5, sizeof before);
+    for (i = 0; i < 3; i++)
+        for (field = 0; field < 6; field++) {
+            int status;
+            sample s;
+
+            draw(&seed, (int)i, 0.1, &s);
+            s.design.link[3].mass = s.design.link[3].inertia = 1;
+            assert_int_equal(solve(&s), FOURLINK_OK);
+            *(field == 0   ? &s.state.link[3].alpha
+              : field == 1 ? &s.state.link[3].acceleration.x
+              : field == 2 ? &s.state.link[3].axis.x
+              : field == 3 ? &s.state.link[3].omega
+              : field == 4 ? &s.state.link[4].axis.y
+                           : &s.state.link[2].alpha) = no_numbers[i];
+            s.mechanism.design.link[2].inertia = 1;
+            forces = before;
+            status = fourlink_solve(&s.mechanism, &s.state, NULL, 0, &forces);
+            assert_true(status == FOURLINK_BAD_NUMBER || status == FOURLINK_SINGULAR);
+            status = fourlink_solve_dyad(&s.mechanism, &s.state, NULL, 0, &forces);
+            assert_true(status == FOURLINK_BAD_NUMBER || status == FOURLINK_SINGULAR);
+            assert_memory_equal(&forces, &before, sizeof forces);
+        }
+}
+
 /* The residual compares two different computations: velocities that do not belong to the position
 ** show in it.  And it is 0, not 0/0, when nothing acts. */
 static void test_residual_notices(void **unused)
@@ -1235,7 +1369,11 @@ int main(void)
         cmocka_unit_test(test_extreme_numbers),
         cmocka_unit_test(test_superposition),
         cmocka_unit_test(test_residual),
+        cmocka_unit_test(test_residual_of_a_balance),
         cmocka_unit_test(test_residual_notices),
+        cmocka_unit_test(test_scale_of_the_couple),
+        cmocka_unit_test(test_unequal_links),
+        cmocka_unit_test(test_not_filled),
         cmocka_unit_test(test_system),
         cmocka_unit_test(test_no_allocation),
         cmocka_unit_test(test_singular),

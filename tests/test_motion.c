@@ -532,6 +532,30 @@ static void test_bad_motions(void **unused)
     assert_no_range(&bad, FOURLINK_NO_RUN_UP);
 }
 
+/* Outputs stay as they are. */
+static void test_no_row_of_no_motion(void **unused)
+{
+    static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
+    fourlink_motion motion = degrees(0, 360, 10, 5, 1);
+    fourlink_row row, before;
+    size_t i;
+
+    (void)unused;
+    memset(&before, 0xa5, sizeof before);
+    row = before;
+    for (i = 0; i < 3; i++)
+        assert_int_equal(fourlink_motion_at(&motion, no_numbers[i], &row), FOURLINK_BAD_NUMBER);
+    motion.run_up = NAN;
+    assert_int_equal(fourlink_motion_at(&motion, 10, &row), FOURLINK_OK); /* none */
+    row = before;
+    motion.run_up = 90;
+    motion.acceleration = 0;
+    assert_int_equal(fourlink_motion_at(&motion, 10, &row), FOURLINK_NO_RUN_UP);
+    motion = degrees(0, 360, 10, NAN, 1);
+    assert_int_equal(fourlink_motion_at(&motion, 10, &row), FOURLINK_BAD_NUMBER);
+    assert_memory_equal(&row, &before, sizeof row);
+}
+
 static void test_too_many_rows(void **unused)
 {
     fourlink_motion bad = degrees(0, 360, 1e-13, 5, 0);
@@ -622,6 +646,7 @@ int main(void)
         cmocka_unit_test(test_whole_degrees),
         cmocka_unit_test(test_short_last_interval),
         cmocka_unit_test(test_bad_motions),
+        cmocka_unit_test(test_no_row_of_no_motion),
         cmocka_unit_test(test_too_many_rows),
         cmocka_unit_test(test_bad_ranges),
         cmocka_unit_test(test_no_such_row),

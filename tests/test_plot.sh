@@ -875,7 +875,8 @@ odd 'an offset engine, crossed' 'mechanism motion polar vectors klein' "$engine"
 draws 'mechanism motion polar vectors klein'
 odd 'a rod as long as the crank' 'mechanism motion polar klein' "$engine" --set='rod.length=150 mm'
 draws 'mechanism motion polar klein'
-odd 'a rod shorter than the crank' 'mechanism motion polar klein' "$engine" --set='rod.length=120 mm'
+sed 's/^stroke = 300 mm/length = 150 mm/' "$engine" >short.deck
+odd 'a rod shorter than the crank' 'mechanism motion polar klein' short.deck --set='rod.length=120 mm'
 draws 'mechanism motion polar klein'
 odd 'an engine at its dead centre' 'vectors klein' "$engine" --plot-at='0 deg'
 draws 'vectors klein'
