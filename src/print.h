@@ -35,11 +35,11 @@ void print_right(FILE *out, const char *s, size_t width);
 /* A field of csv, in quotes if it needs them (RFC 4180). */
 void print_field(FILE *out, const char *s);
 
-/* A row on its way to a stream, which is not to be written to otherwise before the row ends. */
+/* Rows on their way to a stream, which is not to be written to otherwise before row_end. */
 typedef struct row_buffer {
     FILE *out;
     size_t length;
-    char bytes[8192]; /* a longer row goes to the stream in parts */
+    char bytes[8192]; /* more than this goes to the stream in parts */
 } row_buffer;
 
 void row_start(row_buffer *row, FILE *out);

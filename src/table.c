@@ -184,31 +184,30 @@ static void put_extremes(FILE *out, analysis *a, const column_list *columns, sty
     }
 }
 
-static void put_row(FILE *out, const deck *d, const column_list *columns, const style *styles,
+static void put_row(row_buffer *row, const deck *d, const column_list *columns, const style *styles,
                     const result *r)
 {
     char number[FORMAT_SIZE];
-    row_buffer row;
     size_t j;
 
     if (r->status == FOURLINK_OK) {
-        row_start(&row, out);
         for (j = 0; j < columns->count; j++) {
             double x = column_value(&columns->list[j], r);
 
             if (!(fabs(x) < styles[j].limit) ||
-                !row_fixed(&row, x, styles[j].decimals, styles[j].width)) {
+                !row_fixed(row, x, styles[j].decimals, styles[j].width)) {
                 const char *end, *cell = cell_text(x, &styles[j], number, &end);
 
-                row_right(&row, cell, (size_t)(end - cell), styles[j].width);
+                row_right(row, cell, (size_t)(end - cell), styles[j].width);
             }
         }
-        row_text(&row, "\n", 1);
-        row_end(&row);
+        row_text(row, "\n", 1);
     }
-    if (!print_is_ordinary(r))
-        fprintf(out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
+    if (!print_is_ordinary(r)) {
+        row_end(row);
+        fprintf(row->out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
                 d->units[QUANTITY_ANGLE].name, print_status(r));
+    }
 }
 
 static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns, style *styles,
@@ -216,6 +215,7 @@ static unsigned long print_branch(FILE *out, analysis *a, const column_list *col
 {
     unsigned long k, failed = 0;
     char stop[FORMAT_SIZE + 80];
+    row_buffer row;
     result r;
 
     fprintf(out, "# branch: %s\n", branch_name(branch));
@@ -223,11 +223,13 @@ static unsigned long print_branch(FILE *out, analysis *a, const column_list *col
     put_names(out, columns, styles, 1);
     if (a->range.n_rows > 1)
         put_extremes(out, a, columns, styles, branch);
+    row_start(&row, out);
     for (k = 0; k < a->range.n_rows; k++) {
         analysis_row(a, branch, k, &r);
-        put_row(out, a->d, columns, styles, &r);
+        put_row(&row, a->d, columns, styles, &r);
         failed += r.status != FOURLINK_OK;
     }
+    row_end(&row);
     if (a->range.stops) {
         fprintf(out, "# %s\n", print_stop(a, stop));
         failed++;
