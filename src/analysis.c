@@ -100,10 +100,19 @@ void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row)
     fourlink_motion_at(&a->d->motion, from + (analysis_end(a) - from) * k / steps, row);
 }
 
+/* The angle after which all is as before: that of the cycle, a turn at least, and two where one change
+** point lets the links come back on the other side. */
+static double period(const deck *d)
+{
+    double turns = d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1;
+
+    return d->cycle > turns * 2 * M_PI ? d->cycle : turns * 2 * M_PI;
+}
+
 int analysis_find_angle(const analysis *a, double angle, double *at)
 {
     const fourlink_motion *motion = &a->d->motion;
-    double turn = 2 * M_PI / motion->angle_unit, tiny = 1e-9 * turn, end = analysis_end(a);
+    double turn = period(a->d) / motion->angle_unit, tiny = 1e-9 * turn, end = analysis_end(a);
     double first = motion->from < end ? motion->from : end,
            last = motion->from < end ? end : motion->from;
 

@@ -59,8 +59,8 @@ double analysis_end(const analysis *a);
 /* The row that is k of so many equal steps into the motion. */
 void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row);
 
-/* The angle of the motion that an angle is, but for whole turns, all in the deck's unit; 0 if the motion
-** does not reach it. */
+/* The angle of the motion that an angle is, but for whole periods (a turn, a cycle of several), all in the
+** deck's unit; 0 if the motion does not reach it. */
 int analysis_find_angle(const analysis *a, double angle, double *at);
 
 #endif

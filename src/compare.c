@@ -31,7 +31,6 @@ typedef struct found {
 
 typedef struct fact_search {
     text name;
-    fourlink_branch branch;
     int n;
     fact f;
     double values[MOST_ALIKE];
@@ -43,8 +42,6 @@ static void take_if_named(const fact *f, void *data)
     fact_search *s = data;
     const char *known[2];
 
-    if (f->branch != 0 && f->branch != (int)s->branch)
-        return;
     if (flk_text_same(s->name, f->name) && s->n < MOST_ALIKE) {
         s->f = *f;
         s->values[s->n++] = f->value;
@@ -71,6 +68,7 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
 {
     const char *nearest;
     fact_search s;
+    int turning;
     text of;
 
     memset(f, 0, sizeof *f);
@@ -86,8 +84,9 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
     }
     memset(&s, 0, sizeof s);
     s.name = e->name;
-    s.branch = e->branch;
-    facts_tell(a, 1, 1, NULL, take_if_named, &s);
+    if (!fact_known(e->name, &f->q, &turning))
+        turning = 1; /* all names, for the nearest */
+    facts_tell(a, (int)e->branch, turning, NULL, take_if_named, &s);
     if (!s.n) {
         nearest = column_nearest(d, e->name);
         note_unknown(d, e, e->name, s.nearest[0] ? s.nearest : nearest);

@@ -814,6 +814,7 @@ static int finish(parser *p)
     free(p->uses);
     free(p->settings);
     free(p->named);
+    free(p->parts);
     if (p->out_of_memory || p->d->mistakes.out_of_memory)
         return -1;
     return p->d->mistakes.count == 0;
@@ -846,6 +847,8 @@ int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *
         flk_read_sweep(&p, design);
     if (!p.out_of_memory)
         flk_read_values(&p);
+    if (!p.out_of_memory)
+        flk_set_parts(&p);
     if (!p.out_of_memory && !p.not_text)
         build(&p);
     return finish(&p);

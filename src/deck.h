@@ -66,7 +66,8 @@ typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
     double value;   /* of this design, in the deck's unit of the quantity */
-    size_t setting; /* for the reader: where it is set */
+    size_t setting; /* for the reader: where it is set, */
+    int part;       /* and which part of it, if it is one of a vector's */
 } deck_variable;
 
 /* [sweep]; without variables there is none. */

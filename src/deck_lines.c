@@ -311,6 +311,8 @@ static setting *assign(parser *p, const section_use *use, text key, text value, 
         return NULL;
     }
     s = flk_setting_of(p, use, (key_code)(first + i));
+    if (!value.start)
+        return s;
     if (s->place.source && !replace) {
         flk_mistake_note(&p->d->mistakes, place, "'", flk_word_of(key, word),
                          "' a second time; the first is at line ",

@@ -273,7 +273,8 @@ static int start_generator(generator *g, double seed, unsigned long design)
     g->rng.state = g->state;
     if (g->rng.type->size > sizeof g->state)
         return 0;
-    gsl_rng_set(&g->rng, mixed((design ^ mixed(((unsigned long)seed + 1) & BITS)) & BITS));
+    gsl_rng_set(&g->rng,
+                mixed((mixed(design & BITS) + mixed(((unsigned long)seed + 1) & BITS)) & BITS));
     return 1;
 }
 
@@ -321,27 +322,88 @@ static void set_value(const variation *v, unsigned long i, const gsl_rng *rng, s
 /* 1 for what a range or a list of values can be of; an indicator card is a curve always. */
 static int can_vary(const key_info *key)
 {
-    return key->form == FORM_QUANTITY ||
-           (key->form == FORM_CURVE && key != &flk_key_table[KEY_GAS_INDICATOR]);
+    return key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE);
+}
+
+/* The part that a name such as load F.force.size means; it is taken off. */
+static vector_part part_of(text *name)
+{
+    static const char *const parts[] = {"x", "y", "size", "angle"};
+    text rest = *name, section, key, part;
+    size_t i;
+
+    /* SECTION.KEY.PART */
+    if (!cut_at_last(rest, ".", &key, &part) || !cut_at_last(key, ".", &section, &rest))
+        return PART_NONE;
+    for (i = 0; i < sizeof parts / sizeof parts[0]; i++)
+        if (flk_text_equal(part, parts[i])) {
+            *name = key;
+            return (vector_part)(PART_X + i);
+        }
+    return PART_NONE;
+}
+
+/* The vector of which a part varies.  A point that the deck does not give is the link's origin; a force
+** it has to give. */
+static setting *find_vector(parser *p, const named_value *named, text key_name, key_info *key)
+{
+    static const text nowhere = {NULL, 0};
+    size_t before = p->d->mistakes.count;
+    setting *s = flk_set_key(p, named->s.place, key_name, nowhere);
+    char word[WORD_SIZE];
+
+    if (s)
+        *key = flk_key_table[flk_key_of(p, s)];
+    if (s && !s->place.source && key->form == FORM_POINT) {
+        s->place = named->s.place;
+        s->value = flk_text_of("(0, 0)");
+    }
+    if (s && s->place.source && (key->form == FORM_POINT || key->form == FORM_VECTOR))
+        return s;
+    if (p->d->mistakes.count == before && !p->out_of_memory)
+        flk_mistake_note(&p->d->mistakes, named->s.place, "'", flk_word_of(key_name, word),
+                         s && key->form == FORM_VECTOR ? "' is not given: only a part of it varies"
+                                                       : "' has no parts that can be varied",
+                         (char *)NULL);
+    return NULL;
 }
 
 /* The key that a name of [sweep] means, as its setting; null and a mistake if it is no quantity. */
-static setting *find_key(parser *p, text name, text_place place, text value, const key_info **key)
+static setting *find_quantity(parser *p, text name, text_place place, text value, key_info *key)
 {
     size_t before = p->d->mistakes.count;
     char word[WORD_SIZE];
     setting *s = flk_set_key(p, place, name, value);
 
     if (s)
-        *key = &flk_key_table[flk_key_of(p, s)];
-    if (s && can_vary(*key))
+        *key = flk_key_table[flk_key_of(p, s)];
+    if (s && can_vary(key))
         return s;
     if (s)
         s->is_void = 1;
     if (p->d->mistakes.count == before && !p->out_of_memory)
         flk_mistake_note(&p->d->mistakes, place, "'", flk_word_of(name, word),
-                         "' is no quantity that can be varied", (char *)NULL);
+                         s && (key->form == FORM_POINT || key->form == FORM_VECTOR)
+                             ? "' has parts: vary its .x, .y, .size or .angle"
+                             : "' is no quantity that can be varied",
+                         (char *)NULL);
     return NULL;
+}
+
+/* As these two; `part` tells which of them. */
+static setting *find_key(parser *p, const named_value *named, key_info *key, vector_part *part)
+{
+    text name = named->name;
+    setting *s;
+
+    *part = part_of(&name);
+    if (*part == PART_NONE)
+        return find_quantity(p, name, named->s.place, named->s.value, key);
+    s = find_vector(p, named, name, key);
+    key->sign = SIGN_ANY;
+    if (*part == PART_ANGLE)
+        key->q = QUANTITY_ANGLE;
+    return s;
 }
 
 /* Samples belong to tolerances. */
@@ -374,19 +436,37 @@ static void set_placeholder(parser *p, const key_info *key, setting *s)
     s->unit = p->d->units[key->q].unit;
 }
 
-/* 1, and a mistake, if the setting is varied already. */
-static int is_twice(parser *p, const named_value *named, size_t place)
+/* 1, and a mistake, if the setting is varied already: the same part of it, or one that another depends
+** on. */
+static int is_twice(parser *p, const named_value *named, size_t place, vector_part part)
 {
     char word[WORD_SIZE];
     size_t i;
 
-    for (i = 0; i < p->d->sweep.n_variables; i++)
-        if (p->d->sweep.variables[i].setting == place) {
+    for (i = 0; i < p->d->sweep.n_variables; i++) {
+        const deck_variable *v = &p->d->sweep.variables[i];
+
+        if (v->setting != place)
+            continue;
+        if (v->part == (int)part)
             flk_mistake_note(&p->d->mistakes, named->s.place, "'", flk_word_of(named->name, word),
                              "' is varied a second time", (char *)NULL);
-            return 1;
-        }
+        else if ((v->part >= PART_SIZE) != (part >= PART_SIZE))
+            flk_mistake_note(&p->d->mistakes, named->s.place, "'", flk_word_of(named->name, word),
+                             "' and another part: vary x and y, or size and angle", (char *)NULL);
+        else
+            continue;
+        return 1;
+    }
     return 0;
+}
+
+/* Where the value of a variable is set. */
+static setting *place_of(parser *p, size_t i)
+{
+    const deck_variable *v = &p->d->sweep.variables[i];
+
+    return v->part == PART_NONE ? &p->settings[v->setting] : &p->parts[i];
 }
 
 static void set_values(parser *p, variation *list, double samples, unsigned long design)
@@ -407,7 +487,7 @@ static void set_values(parser *p, variation *list, double samples, unsigned long
         rest /= (unsigned long)list[i].count;
     }
     for (i = 0; i < sweep->n_variables; i++)
-        set_value(&list[i], list[i].index, &g.rng, &p->settings[sweep->variables[i].setting]);
+        set_value(&list[i], list[i].index, &g.rng, place_of(p, i));
 }
 
 /* Read the variables of [sweep]; how many designs, 0 and mistakes if something is wrong. */
@@ -419,24 +499,29 @@ static double read_variables(parser *p, variation *list, double samples, int *ha
     for (i = 0; i < n && !p->out_of_memory; i++) {
         deck_sweep *sweep = &p->d->sweep;
         named_value named = p->named[i]; /* a name such as expect.x moves the list */
-        const key_info *key = NULL;
+        vector_part part;
         deck_variable *new;
+        key_info key;
         setting *s;
 
         if (p->uses[named.use].section != SECTION_SWEEP)
             continue;
-        s = find_key(p, named.name, named.s.place, named.s.value, &key);
+        s = find_key(p, &named, &key, &part);
         if (!s)
             continue;
-        set_placeholder(p, key, s);
-        if (is_twice(p, &named, (size_t)(s - p->settings)) ||
-            !read_variation(p, &named.s, key, &list[sweep->n_variables]))
+        if (part == PART_NONE)
+            set_placeholder(p, &key, s);
+        if (is_twice(p, &named, (size_t)(s - p->settings), part) ||
+            !read_variation(p, &named.s, &key, &list[sweep->n_variables]))
             continue;
         designs *= list[sweep->n_variables].count;
         *has_tolerance |= list[sweep->n_variables].form == VARY_TOLERANCE;
+        p->parts[sweep->n_variables].place = named.s.place;
+        p->parts[sweep->n_variables].value = named.s.value;
         new = &sweep->variables[sweep->n_variables++];
         new->name = named.name;
-        new->q = key->q;
+        new->q = key.q;
+        new->part = (int)part;
         new->setting = (size_t)(s - p->settings);
     }
     return p->d->mistakes.count == before ? designs : 0;
@@ -459,8 +544,9 @@ void flk_read_sweep(parser *p, unsigned long design)
     s = flk_find(p, KEY_SWEEP_SAMPLES);
     samples = s && s->si[0] > 0 ? s->si[0] : 1;
     list = malloc((p->n_named + 1) * sizeof *list);
+    p->parts = calloc(p->n_named + 1, sizeof *p->parts);
     p->d->sweep.variables = calloc(p->n_named + 1, sizeof *p->d->sweep.variables);
-    if (!list || !p->d->sweep.variables) {
+    if (!list || !p->parts || !p->d->sweep.variables) {
         free(list);
         p->out_of_memory = 1;
         return;
@@ -481,6 +567,47 @@ void flk_read_sweep(parser *p, unsigned long design)
     free(list);
 }
 
+/* Put the value of a part into its vector. */
+static void set_part(vector_part part, double value, double v[2])
+{
+    double size = sqrt(v[0] * v[0] + v[1] * v[1]), angle = atan2(v[1], v[0]), x, y;
+
+    switch (part) {
+    case PART_X:
+        v[0] = value;
+        return;
+    case PART_Y:
+        v[1] = value;
+        return;
+    case PART_SIZE:
+        size = value;
+        break;
+    default:
+        angle = value;
+        break;
+    }
+    flk_direction_of(angle, &x, &y);
+    v[0] = size * x;
+    v[1] = size * y;
+}
+
+void flk_set_parts(parser *p)
+{
+    const deck_sweep *sweep = &p->d->sweep;
+    size_t i;
+
+    for (i = 0; i < sweep->n_variables && sweep->n_designs; i++) {
+        setting *s = &p->parts[i];
+        const deck_variable *v = &sweep->variables[i];
+
+        if (v->part == PART_NONE)
+            continue;
+        if (s->is_given ? flk_read_given(p, s, v->q)
+                        : flk_read_quantity(p, s, s->value, v->q, &s->si[0]))
+            set_part((vector_part)v->part, s->si[0], p->settings[v->setting].si);
+    }
+}
+
 void flk_build_sweep(parser *p)
 {
     size_t i;
@@ -488,6 +615,6 @@ void flk_build_sweep(parser *p)
     for (i = 0; i < p->d->sweep.n_variables; i++) {
         deck_variable *v = &p->d->sweep.variables[i];
 
-        v->value = flk_in_deck_unit(p, &p->settings[v->setting], v->q);
+        v->value = flk_in_deck_unit(p, place_of(p, i), v->q);
     }
 }

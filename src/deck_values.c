@@ -164,6 +164,12 @@ int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si)
     return check_size(p, s, q, *si);
 }
 
+int flk_read_given(parser *p, setting *s, quantity q)
+{
+    s->si[0] = flk_unit_to_si(s->number, s->unit);
+    return check_size(p, s, q, s->si[0]);
+}
+
 void flk_direction_of(double angle, double *x, double *y)
 {
     double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
@@ -493,8 +499,7 @@ static void read_value(parser *p, key_code code, setting *s)
     if (s->is_void)
         return;
     if (s->is_given) {
-        s->si[0] = flk_unit_to_si(s->number, s->unit);
-        if (check_size(p, s, key->q, s->si[0]))
+        if (flk_read_given(p, s, key->q))
             check_sign(p, key, s);
         return;
     }

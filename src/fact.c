@@ -262,7 +262,7 @@ static void tell_turning(const teller *t, analysis *a)
     }
 }
 
-void facts_tell(analysis *a, int both_branches, int with_turning, const column_list *columns,
+void facts_tell(analysis *a, int branch, int with_turning, const column_list *columns,
                 fact_taker *take, void *data)
 {
     teller t;
@@ -282,7 +282,7 @@ void facts_tell(analysis *a, int both_branches, int with_turning, const column_l
     tell_rod(&t);
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
-        if (!both_branches && (t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed))
+        if (branch ? t.branch != branch : t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed)
             continue;
         tell_limits(&t);
         for (j = 0; columns && j < columns->count; j++)

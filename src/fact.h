@@ -29,9 +29,9 @@ const char *fact_nearest(text name);
 typedef void fact_taker(const fact *f, void *data);
 
 /* Tell the facts of a deck one by one: those of the mechanism; if `with_turning`, of its turning
-** moment; if `columns` is not null, the extremes of these; of both branches, or only of those that the
+** moment; if `columns` is not null, the extremes of these; of this branch, or if it is 0 of those that the
 ** deck prints. */
-void facts_tell(analysis *a, int both_branches, int with_turning, const column_list *columns,
+void facts_tell(analysis *a, int branch, int with_turning, const column_list *columns,
                 fact_taker *take, void *data);
 
 #endif

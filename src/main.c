@@ -21,11 +21,22 @@
 
 enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
 
+/* A file that a deck names, kept: the designs of a sweep are of one reading of it. */
+typedef struct named_file {
+    struct named_file *next;
+    char *name; /* as the deck has it, */
+    char *contents;
+    size_t length;
+} named_file;
+
 /* A deck of the command line. */
 typedef struct job {
+    const options *o;
     const char *name;
     char *contents; /* kept for a sweep, else null */
     size_t length;
+    named_file *files;
+    int names_output; /* 1: one of them is to be written */
     deck deck;
     column_list columns;
     int usable;
@@ -42,34 +53,64 @@ static int complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
-/* The deck that names files, and the last of them. */
-typedef struct named_file {
-    const options *o;
-    const char *deck_name;
-    char *contents;
-    int is_output; /* 1: one of them is to be written too */
-} named_file;
-
-/* A file that a deck names, relative to the deck's folder. */
-static const char *read_named_file(void *host, const char *file_name, unsigned long *length)
+/* A path relative to the deck's folder; null when out of memory. */
+static char *path_beside(const char *deck_name, const char *file_name)
 {
-    named_file *named = host;
-    const char *slash = strrchr(named->deck_name, '/');
-    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - named->deck_name) + 1 : 0,
-           n = 0;
+    const char *slash = strrchr(deck_name, '/');
+    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
     char *path = malloc(folder + strlen(file_name) + 1);
 
-    free(named->contents);
-    named->contents = NULL;
-    if (!path)
+    if (path) {
+        memcpy(path, deck_name, folder);
+        strcpy(path + folder, file_name);
+    }
+    return path;
+}
+
+/* The deck reader's loader: a file that the deck of a job names. */
+static const char *read_named_file(void *host, const char *file_name, unsigned long *length)
+{
+    job *j = host;
+    named_file *f;
+    char *path;
+
+    for (f = j->files; f; f = f->next)
+        if (strcmp(f->name, file_name) == 0) {
+            *length = (unsigned long)f->length;
+            return f->contents;
+        }
+    f = calloc(1, sizeof *f);
+    path = path_beside(j->name, file_name);
+    if (f)
+        f->name = malloc(strlen(file_name) + 1);
+    if (!path || !f || !f->name) {
+        free(path);
+        free(f);
         return NULL;
-    memcpy(path, named->deck_name, folder);
-    strcpy(path + folder, file_name);
-    named->is_output |= files_is_output(named->o, path);
-    named->contents = files_read_path(path, &n);
-    *length = (unsigned long)n;
+    }
+    strcpy(f->name, file_name);
+    j->names_output |= files_is_output(j->o, path);
+    f->contents = files_read_path(path, &f->length);
+    f->next = j->files;
+    j->files = f;
     free(path);
-    return named->contents;
+    *length = (unsigned long)f->length;
+    return f->contents;
+}
+
+static void close_job(job *j)
+{
+    while (j->files) {
+        named_file *f = j->files;
+
+        j->files = f->next;
+        free(f->name);
+        free(f->contents);
+        free(f);
+    }
+    columns_free(&j->columns);
+    flk_deck_free(&j->deck);
+    free(j->contents);
 }
 
 /* `deck_name` is not null where several decks are worked on: it goes to the mistakes that stand in none
@@ -102,19 +143,22 @@ static int use_answers(const char *path, text answers, deck *d)
 
 #define TRIES 1000
 
-/* Read a deck; of a [sweep] the first design that is in order, if there is one among the first. */
-static int read_first_design(const options *o, text all, named_file *named, deck *d)
+/* Read a deck; of a [sweep] the first design that is in order, if there is one among the first, or among as
+** many spread over all of them. */
+static int read_first_design(const options *o, text all, job *j)
 {
-    int status = flk_deck_read(named->deck_name, all, read_named_file, named, o->changes,
-                               o->n_changes, 0, d);
-    unsigned long i;
+    int status =
+        flk_deck_read(j->name, all, read_named_file, j, o->changes, o->n_changes, 0, &j->deck);
+    unsigned long n = j->deck.sweep.n_designs, i;
     deck other;
 
-    for (i = 1; status == 0 && i < d->sweep.n_designs && i < TRIES; i++) {
-        if (flk_deck_read(named->deck_name, all, read_named_file, named, o->changes, o->n_changes,
-                          i, &other) == 1) {
-            flk_deck_free(d);
-            *d = other;
+    for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
+        unsigned long design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
+
+        if (flk_deck_read(j->name, all, read_named_file, j, o->changes, o->n_changes, design,
+                          &other) == 1) {
+            flk_deck_free(&j->deck);
+            j->deck = other;
             return 1;
         }
         flk_deck_free(&other);
@@ -143,11 +187,11 @@ static int check_sweep(const options *o, const job *j)
 static int read_job(const char *path, const options *o, text answers, job *j)
 {
     size_t length;
-    named_file named;
     char *contents;
     text all;
     int status;
 
+    j->o = o;
     j->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (j->name != path && isatty(STDIN_FILENO))
         fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
@@ -160,13 +204,8 @@ static int read_job(const char *path, const options *o, text answers, job *j)
         return complain("cannot read", j->name, strerror(errno));
     all.start = contents;
     all.length = length;
-    named.o = o;
-    named.deck_name = j->name;
-    named.contents = NULL;
-    named.is_output = 0;
-    status = read_first_design(o, all, &named, &j->deck);
-    free(named.contents);
-    if (named.is_output) {
+    status = read_first_design(o, all, j);
+    if (j->names_output) {
         free(contents);
         return complain("cannot write", "a file that the deck names", "it is an input");
     }
@@ -257,26 +296,20 @@ static int print_analysis(FILE *out, const options *o, analysis *a, const job *j
 static int sweep_job(FILE *out, const options *o, job *j, int *signal_number)
 {
     sweep_request request;
-    named_file named;
     unsigned long failed = 0;
     sweep_result status;
 
-    named.o = o;
-    named.deck_name = j->name;
-    named.contents = NULL;
-    named.is_output = 0;
     request.name = j->name;
     request.contents.start = j->contents;
     request.contents.length = j->length;
     request.load = read_named_file;
-    request.host = &named;
+    request.host = j;
     request.changes = o->changes;
     request.n_changes = o->n_changes;
     request.part = o->parts ? o->part : 1;
     request.parts = o->parts ? o->parts : 1;
     request.csv = o->format == FORMAT_CSV;
     status = sweep_print(out, &j->deck, &request, &failed, signal_number);
-    free(named.contents);
     if (status == SWEEP_MEMORY)
         return complain("cannot analyse", j->name, "not enough memory");
     if (status == SWEEP_INTERRUPTED)
@@ -474,11 +507,8 @@ static int run(const options *o)
     }
     if ((o->plot || o->plot_script) && jobs[0].usable && !signal_number)
         status = worse(status, plot_job(o, &jobs[0]));
-    for (i = 0; i < o->n_decks; i++) {
-        columns_free(&jobs[i].columns);
-        flk_deck_free(&jobs[i].deck);
-        free(jobs[i].contents);
-    }
+    for (i = 0; i < o->n_decks; i++)
+        close_job(&jobs[i]);
     free(jobs);
     free(contents);
     if (signal_number) {

@@ -160,14 +160,20 @@ static void forget(output *o)
     memset(o, 0, sizeof *o);
 }
 
+/* Why a stream failed: it is told once more with another byte. */
+static int reason_of(FILE *file)
+{
+    errno = EIO;
+    clearerr(file);
+    putc('\n', file);
+    fflush(file);
+    return errno;
+}
+
 int output_close(output *o)
 {
-    int failed = ferror(o->file) != 0, reason;
+    int failed = fflush(o->file) != 0 || ferror(o->file), reason = failed ? reason_of(o->file) : 0;
 
-    errno = failed ? EIO : 0;
-    if (fflush(o->file) != 0)
-        failed = 1;
-    reason = errno;
     if (o->path && fclose(o->file) != 0 && !failed) {
         failed = 1;
         reason = errno;

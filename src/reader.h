@@ -58,6 +58,7 @@ typedef struct parser {
     size_t n_settings, settings_capacity;
     named_value *named;
     size_t n_named, named_capacity;
+    setting *parts; /* for each variable of a sweep: its value, if it is a part of a vector */
     int expectations_only;
     int not_text; /* 1: the reading ended at what is no text */
     long last_line;
@@ -93,8 +94,11 @@ void flk_read_lines(parser *p, text rest, char *copy);
 void flk_apply_change(parser *p, const char *option, text assignment);
 
 /* Set a key from elsewhere than its section: [SECTION[ NAME].]KEY.  Null, and mostly a mistake, if it has
-** no setting in the schema. */
+** no setting in the schema.  A value that is null leaves it as it is. */
 setting *flk_set_key(parser *p, text_place place, text key, text value);
+
+/* The parts of a force or a point that a sweep can vary: load F.force.size. */
+typedef enum vector_part { PART_NONE, PART_X, PART_Y, PART_SIZE, PART_ANGLE } vector_part;
 
 /* Second pass: the units, which decide how bare numbers are read; the values that [sweep] has for a
 ** design; the values. */
@@ -103,11 +107,15 @@ void flk_read_units(parser *p);
 void flk_read_sweep(parser *p, unsigned long design);
 void flk_read_values(parser *p);
 
-/* After it: what the quantities of the sweep are in this design. */
+/* After it: put the parts that vary into their vectors; tell what the quantities of the sweep are in this
+** design. */
+void flk_set_parts(parser *p);
 void flk_build_sweep(parser *p);
 
-/* A quantity in SI units, with its sign and size checked; 0 and a mistake if it is none. */
+/* A quantity in SI units, with its size checked; 0 and a mistake if it is none.  As it is written, or with
+** the number and unit that a sweep gives. */
 int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si);
+int flk_read_given(parser *p, setting *s, quantity q);
 
 /* A quantity in the deck's unit of it, without rounding if it is written in that. */
 double flk_in_deck_unit(parser *p, const setting *s, quantity q);

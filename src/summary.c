@@ -114,7 +114,7 @@ int list_print(FILE *out, analysis *a)
     columns_free(&all);
     fprintf(out, "\n%-18s %-8s %s\n", "fact", "unit", "meaning");
     listed[0] = '\0';
-    facts_tell(a, 1, 1, NULL, put_listed, &l);
+    facts_tell(a, FOURLINK_OPEN, 1, NULL, put_listed, &l);
     fprintf(out, "%-18s %-8s %s\n%-18s %-8s %s\n", "max(COLUMN)", "",
             "greatest value of any column", "min(COLUMN)", "", "least value of any column");
     return 1;

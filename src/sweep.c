@@ -126,20 +126,13 @@ int sweep_check(deck *d)
 
 /* --------------------------------------------------------------------------- the values of a design */
 
-typedef struct fact_search {
-    sweep_outputs *outputs;
-    fourlink_branch branch;
-} fact_search;
-
 static void take_fact(const fact *f, void *data)
 {
-    fact_search *search = data;
+    sweep_outputs *outputs = data;
     size_t i;
 
-    if (f->branch != 0 && f->branch != (int)search->branch)
-        return;
-    for (i = 0; i < search->outputs->n; i++) {
-        sweep_output *x = &search->outputs->list[i];
+    for (i = 0; i < outputs->n; i++) {
+        sweep_output *x = &outputs->list[i];
 
         if (x->form == OUTPUT_FACT && !x->has_value && flk_text_same(x->name, f->name)) {
             x->has_value = 1;
@@ -178,7 +171,6 @@ static const char *find_values(analysis *a, fourlink_branch branch, sweep_output
 {
     const char *why = NULL, *reason;
     int has_facts = 0;
-    fact_search search;
     column c;
     size_t i;
 
@@ -198,10 +190,8 @@ static const char *find_values(analysis *a, fourlink_branch branch, sweep_output
             reason = find_at_instant(a, branch, &c, x);
         why = why ? why : reason;
     }
-    search.outputs = outputs;
-    search.branch = branch;
     if (has_facts)
-        facts_tell(a, 1, outputs->turning, NULL, take_fact, &search);
+        facts_tell(a, (int)branch, outputs->turning, NULL, take_fact, outputs);
     return why;
 }
 

@@ -60,28 +60,29 @@ static void find_sizes(analysis *a, const column_list *columns, double *size)
 }
 
 /* The decimals that write a multiple of the interval exactly, if these are few. */
-static int decimals_of_angle(const deck *d, int otherwise)
+static int decimals_of_angle(const analysis *a, int otherwise)
 {
-    double step = 1;
+    const fourlink_motion *motion = &a->d->motion;
+    double last = a->range.stops ? motion->from : analysis_end(a), step = 1;
     int decimals;
 
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
-        double a = d->motion.from * step, b = d->motion.to * step, c = d->motion.interval * step;
+        double x = motion->from * step, y = last * step, z = motion->interval * step;
 
-        if (fabs(a - floor(a + 0.5)) < 1e-9 && fabs(b - floor(b + 0.5)) < 1e-9 &&
-            fabs(c - floor(c + 0.5)) < 1e-9)
+        if (fabs(x - floor(x + 0.5)) < 1e-9 && fabs(y - floor(y + 0.5)) < 1e-9 &&
+            fabs(z - floor(z + 0.5)) < 1e-9)
             return decimals;
     }
     return otherwise;
 }
 
-static void find_style(const deck *d, const column *c, double size, style *s)
+static void find_style(const analysis *a, const column *c, double size, style *s)
 {
     char number[FORMAT_SIZE];
     size_t width;
 
     s->exponent = size > 0 && (size < 1e-6 || size >= 1e9);
-    s->decimals = d->digits - 1;
+    s->decimals = a->d->digits - 1;
     if (column_of_rounding(c)) {
         s->exponent = 1;
         s->decimals = 1;
@@ -90,7 +91,7 @@ static void find_style(const deck *d, const column *c, double size, style *s)
         if (s->decimals < 0)
             s->decimals = 0;
         if (column_of_crank(c) && column_quantity(c) == QUANTITY_ANGLE)
-            s->decimals = decimals_of_angle(d, s->decimals);
+            s->decimals = decimals_of_angle(a, s->decimals);
     }
     if (s->exponent)
         width = strlen(format_exponent(-1, s->decimals, number));
@@ -221,7 +222,7 @@ static unsigned long print_branch(FILE *out, analysis *a, const column_list *col
     fprintf(out, "# branch: %s\n", branch_name(branch));
     put_names(out, columns, styles, 0);
     put_names(out, columns, styles, 1);
-    if (a->range.n_rows > 1)
+    if (a->range.n_rows > 1 && !a->d->sweep.n_variables) /* of a sweep max() and min() on request */
         put_extremes(out, a, columns, styles, branch);
     row_start(&row, out);
     for (k = 0; k < a->range.n_rows; k++) {
@@ -248,7 +249,7 @@ int table_print(FILE *out, analysis *a, const column_list *columns, unsigned lon
     if (styles && size) {
         find_sizes(a, columns, size);
         for (j = 0; j < columns->count; j++)
-            find_style(a->d, &columns->list[j], size[j], &styles[j]);
+            find_style(a, &columns->list[j], size[j], &styles[j]);
         print_head(out, a->d);
         facts_tell(a, 0, 0, NULL, put_fact, out);
         for (i = 0; i < n; i++) {

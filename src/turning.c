@@ -27,7 +27,7 @@
 
 #define STEP (M_PI / 180)
 #define MOST_STEPS 100000
-#define POINTS 12    /* of the Gauss-Legendre rule */
+#define POINTS 8     /* of the Gauss-Legendre rule */
 #define INSIDE 1e-10 /* rad, from a corner into the piece beside it */
 
 typedef struct moment {
@@ -36,6 +36,7 @@ typedef struct moment {
     fourlink_crank crank;
     double mean;
     double *cuts; /* rad, rising: the ends of the pieces */
+    double *work; /* N m rad, of T in each piece */
     size_t n_cuts;
     gsl_integration_glfixed_table *rule;
     gsl_root_fsolver *solver;
@@ -109,9 +110,10 @@ static int cut(moment *m, long steps)
 
     for (i = 0; i < d->n_loads; i++)
         most += d->variations[i].torque.n + 2;
-    m->cuts = malloc(most * sizeof *m->cuts);
+    m->cuts = malloc(2 * most * sizeof *m->cuts);
     if (!m->cuts)
         return 0;
+    m->work = m->cuts + most;
     for (i = 0; i <= (size_t)steps; i++)
         m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
     cut_at_curve(m, &d->gas.indicator);
@@ -143,7 +145,8 @@ static double mean_of(moment *m, double *scale)
 
         if (fabs(T) > *scale)
             *scale = fabs(T);
-        sum += area(m, m->cuts[i], m->cuts[i + 1]);
+        m->work[i] = area(m, m->cuts[i], m->cuts[i + 1]);
+        sum += m->work[i];
         if (gsl_isnan(T) || gsl_isnan(sum))
             return GSL_NAN;
     }
@@ -185,19 +188,20 @@ static double fluctuation_of_energy(moment *m, turning *t)
     for (i = 0; i + 1 < m->n_cuts; i++) {
         double from = m->cuts[i], to = m->cuts[i + 1];
         double low = from + INSIDE, high = to - INSIDE;
+        double dE = m->work[i] - m->mean * (to - from);
         int below = excess(low, m) < 0;
 
         if (below != was_below) /* a jump */
             end_area(m, &e, from, t);
         was_below = excess(high, m) < 0;
         if (below != was_below) {
-            double at = crossing(m, low, high);
+            double at = crossing(m, low, high), before = area(m, from, at);
 
-            take_up(&e, area(m, from, at));
+            take_up(&e, before);
             end_area(m, &e, at, t);
-            from = at;
+            dE -= before;
         }
-        take_up(&e, area(m, from, to));
+        take_up(&e, dE);
     }
     end_area(m, &e, m->a->d->cycle, t);
     return e.greatest - e.least;
