@@ -162,6 +162,15 @@ static int read_range(parser *p, text t, quantity q, variation *v)
     return 1;
 }
 
+static void note_tolerance(parser *p, const variation *v, text t)
+{
+    char word[WORD_SIZE];
+
+    flk_mistake_note(&p->d->mistakes, v->first.place,
+                     "expected a tolerance, such as 0.1 mm or 0.5 %, not '", flk_word_of(t, word),
+                     "'", (char *)NULL);
+}
+
 /* A +- T, A +- T normal */
 static int read_tolerance(parser *p, text nominal, text t, const key_info *key, variation *v)
 {
@@ -177,15 +186,27 @@ static int read_tolerance(parser *p, text nominal, text t, const key_info *key, 
         v->is_normal = flk_text_equal(after, "normal");
         t = before;
     }
+    if (memchr(nominal.start, ',', nominal.length) || cut_at(nominal, " to ", &before, &after)) {
+        flk_mistake_note(&p->d->mistakes, v->first.place,
+                         "a tolerance is of one value, not of a list or a range", (char *)NULL);
+        return 0;
+    }
     if (!flk_read_quantity(p, &v->first, nominal, key->q, &si))
         return 0;
-    if (t.length && t.start[t.length - 1] == '%') {
+    if (!t.length) {
+        note_tolerance(p, v, t);
+        return 0;
+    }
+    if (t.start[t.length - 1] == '%') {
         before = t;
         if (flk_number_read(&before, &v->tolerance) != NUMBER_OK ||
             !flk_text_same(flk_text_trim(before), "%")) {
+            note_tolerance(p, v, t);
+            return 0;
+        }
+        if (v->first.number == 0) {
             flk_mistake_note(&p->d->mistakes, v->first.place,
-                             "expected a tolerance, such as 0.1 mm or 0.5 %, not '",
-                             flk_word_of(t, a), "'", (char *)NULL);
+                             "a tolerance in per cent is of a value other than 0", (char *)NULL);
             return 0;
         }
         v->tolerance *= fabs(v->first.number) / 100;
@@ -396,6 +417,14 @@ static setting *find_key(parser *p, const named_value *named, key_info *key, vec
     text name = named->name;
     setting *s;
 
+    if (!memchr(name.start, '.', name.length)) {
+        char word[WORD_SIZE];
+
+        flk_mistake_note(&p->d->mistakes, named->s.place, "unknown key '", flk_word_of(name, word),
+                         "' in [sweep]; a quantity is named with its section, such as crank.length",
+                         (char *)NULL);
+        return NULL;
+    }
     *part = part_of(&name);
     if (*part == PART_NONE)
         return find_quantity(p, name, named->s.place, named->s.value, key);

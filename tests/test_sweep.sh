@@ -278,13 +278,13 @@ toleranced='crank.length = 20 mm +- 1 mm'
 bad 1 "unknown key 'lenght' in [crank]; did you mean 'length'?" 'crank.lenght = 1 mm, 2 mm'
 bad 1 "unknown section 'crnk'; did you mean 'crank'?" 'crnk.length = 1 mm, 2 mm'
 bad 1 'there is no [point Q] in the deck' 'point Q.at = 1 mm'
-bad 1 "'mechanism' is no quantity that can be varied" 'mechanism = 1'
+bad 1 "unknown key 'mechanism' in [sweep]" 'mechanism = 1'
 bad 1 "'crank.cg' has parts: vary its .x, .y, .size or .angle" 'crank.cg = 30 mm, 40 mm'
 bad 1 "'crank.length' has no parts that can be varied" 'crank.length.x = 30 mm, 40 mm'
 bad 1 "'load W.force' is not given: only a part of it varies" 'load W.force.size = 1 N, 2 N'
 bad 1 "'1 kg' is a mass; expected an angle" 'crank.cg.angle = 1 kg, 2 kg'
 bad 2 "'crank.cg.y' and another part: vary x and y, or size and angle" 'crank.cg.size = 1 mm, 2 mm' 'crank.cg.y = 3 mm, 4 mm'
-for key in title mechanism table.columns sweep.samples expect.x units.length; do
+for key in table.columns sweep.samples expect.x units.length; do
     sweep "$key = 1, 2"
     run 2 t.deck
     nothing
@@ -292,6 +292,11 @@ for key in title mechanism table.columns sweep.samples expect.x units.length; do
 done
 bad 1 "'1 kg' is a mass; expected a length" 'crank.length = 1 kg, 2 kg'
 bad 1 'expected a length' 'crank.length = 18 mm, , 20 mm'
+bad 1 "unknown key 'length' in [sweep]; a quantity is named with its section" 'length = 18 mm, 20 mm'
+bad 1 "expected a tolerance, such as 0.1 mm or 0.5 %, not ''" 'crank.length = 18 mm +-' 'samples = 2'
+bad 1 'a tolerance is of one value, not of a list or a range' 'crank.length = 18 mm, 20 mm +- 1 mm' 'samples = 2'
+bad 1 'a tolerance is of one value, not of a list or a range' 'crank.length = 18 mm to 20 mm step 1 mm +- 1 mm' 'samples = 2'
+bad 1 'a tolerance in per cent is of a value other than 0' 'ground.angle = 0 deg +- 1 %' 'samples = 2'
 bad 1 'a range needs its step' 'crank.length = 18 mm to 22 mm'
 bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step 0 mm'
 bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step -1 mm'
