@@ -15,6 +15,8 @@
 #include "number.h"
 #include "reader.h"
 
+#define STANDARD_GRAVITY 9.81 /* m/s2, as the sources have it */
+
 /* A value in SI units, or what it is when the deck does not set it. */
 static double value_or(parser *p, key_code key, double otherwise)
 {
@@ -76,7 +78,8 @@ static void require(parser *p, key_code key)
 */
 static void build_swing(parser *p, const setting *period, const setting *pin, fourlink_link *link)
 {
-    double g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81), turns = period->si[0] / (2 * M_PI);
+    double g = value_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
+           turns = period->si[0] / (2 * M_PI);
     double x = 0, y = 0, h, L;
     char number[NUMBER_SIZE], word[WORD_SIZE];
 
@@ -93,7 +96,7 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
         y = pin->si[1];
     }
     if (g <= 0)
-        g = 9.81; /* switched off in the machine, not in the test */
+        g = STANDARD_GRAVITY; /* switched off in the machine, not in the test */
     h = gsl_hypot(x - link->cg.x, y - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
@@ -147,6 +150,12 @@ static void build_link(parser *p, key_code length, int number)
                          (char *)NULL);
 }
 
+/* 1 if quantities have no value because their [sweep] has a mistake: nothing can be said of them. */
+static int lacks_values(parser *p)
+{
+    return flk_find_use(p, SECTION_SWEEP) && !p->d->sweep.n_designs;
+}
+
 /* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
 ** in line (two right triangles with the cathetus e):
 **
@@ -160,7 +169,7 @@ static void build_stroke(parser *p)
     const setting *s = flk_find(p, KEY_CRANK_STROKE);
     double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
 
-    if (!s || l <= 0)
+    if (!s || l <= 0 || lacks_values(p))
         return;
     if (flk_find(p, KEY_CRANK_LENGTH))
         flk_mistake_note(&p->d->mistakes, s->place,
@@ -238,6 +247,24 @@ static const char *in_unit_of(parser *p, const setting *s, double length, char o
     return out;
 }
 
+/* 1 if a mistake about a key of the section has been noted: no other is to follow from it. */
+static int is_mistaken(parser *p, section_code section)
+{
+    const section_use *use = flk_find_use(p, section);
+    int first = flk_first_key(section), n = flk_key_count(section), k;
+    size_t i;
+
+    for (k = first; use && k < first + n; k++) {
+        text_place place = flk_setting_of(p, use, (key_code)k)->place;
+
+        for (i = 0; place.source && i < p->d->mistakes.count; i++)
+            if (p->d->mistakes.list[i].place.source == place.source &&
+                p->d->mistakes.list[i].place.line == place.line)
+                return 1;
+    }
+    return 0;
+}
+
 /* The links reach at some angle if no link is longer than the other three together; of a
 ** slider-crank, if crank and rod together reach the line of stroke. */
 static void check_reach(parser *p)
@@ -249,6 +276,10 @@ static void check_reach(parser *p)
     int i, longest = 0;
     double sum = 0;
 
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+        if (!(design->link[i].length > 0) &&
+            (design->kind == FOURLINK_FOUR_BAR || i == FOURLINK_CRANK || i == FOURLINK_COUPLER))
+            return; /* told already */
     if (design->kind == FOURLINK_SLIDER_CRANK) {
         const setting *s = flk_find(p, KEY_GROUND_OFFSET);
 
@@ -294,7 +325,7 @@ static void build_mechanism(parser *p)
         build_link(p, KEY_CRANK_LENGTH, FOURLINK_CRANK);
         design->link[FOURLINK_FOLLOWER].mass = value_or(p, KEY_PISTON_MASS, 0);
     }
-    g = value_or(p, KEY_GRAVITY_ACCELERATION, 9.81);
+    g = value_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction = value_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - value_or(p, KEY_GROUND_ANGLE, 0);
     flk_direction_of(direction, &design->gravity.x, &design->gravity.y);
     design->gravity.x *= g;
@@ -302,9 +333,10 @@ static void build_mechanism(parser *p)
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         if (design->link[i].mass > 0 || design->link[i].inertia > 0)
             p->d->has_forces = 1;
+    if (!lacks_values(p))
+        check_reach(p);
     if (p->d->mistakes.count)
         return;
-    check_reach(p);
     i = fourlink_prepare(design, &p->d->mechanism);
     if (i != FOURLINK_OK)
         flk_mistake_note(&p->d->mistakes, flk_find_use(p, SECTION_CRANK)->place,
@@ -322,7 +354,7 @@ static void build_curve(parser *p, const setting *s, curve *result)
     size_t n = s->n_points, i;
     double period = p->d->cycle, *x, *y;
 
-    if (!c || p->d->mistakes.count)
+    if (!c || !(period > 0))
         return;
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < LEAST_STEP) {
@@ -403,7 +435,7 @@ static void build_series(parser *p)
 {
     const setting *s = flk_find(p, KEY_TOP_SERIES);
 
-    if (!s || p->d->mistakes.count)
+    if (!s)
         return;
     p->d->approximation = (fourlink_approximation)s->word;
     if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
@@ -656,7 +688,7 @@ static void build_motion(parser *p)
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (run_up)
         build_run_up(p, run_up);
-    if (p->d->mistakes.count)
+    if (is_mistaken(p, SECTION_MOTION) || lacks_values(p))
         return;
     status = fourlink_motion_range(motion, &range);
     if (status == FOURLINK_BAD_RANGE) {

@@ -279,6 +279,7 @@ static size_t count(text t, int c)
 static void load_curve(parser *p, setting *s, quantity q, text name)
 {
     char word[WORD_SIZE], file[1024];
+    size_t before = p->d->mistakes.count;
     unsigned long length;
     const char *data;
     text contents;
@@ -300,6 +301,8 @@ static void load_curve(parser *p, setting *s, quantity q, text name)
     s->curve = flk_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
     if (s->curve)
         s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
+    if (p->d->mistakes.count > before)
+        s->curve = NULL;
 }
 
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
@@ -329,12 +332,15 @@ static void read_curve(parser *p, setting *s, quantity q)
         item = flk_text_trim(item);
         if (!item.length && !rest.start)
             break; /* a comma at the very end */
-        if (!read_point(p, s, item, q, &s->curve[s->n_points]))
+        if (!read_point(p, s, item, q, &s->curve[s->n_points])) {
+            s->curve = NULL;
             return;
+        }
         if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
             s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
             flk_mistake_note(&p->d->mistakes, s->place,
                              "the values of a curve have either all a unit or none", (char *)NULL);
+            s->curve = NULL;
             return;
         }
         s->n_points++;

@@ -580,6 +580,28 @@ static void test_engine(void **unused)
     flk_deck_free(&d);
 }
 
+/* All mistakes of a deck in one run, wherever they stand; and none that only follows from another. */
+static void test_all_mistakes(void **unused)
+{
+    static const long lines[] = {3, 6, 10, 11, 14, 15};
+    const char *contents = "mechanism = slider-crank\n[ground]\noffset = 300 mm\n" /* 3 */
+                           "[crank]\nlength = 50 mm\nspeeed = 1\n"                 /* 6 */
+                           "[rod]\nlength = 200 mm\n[gas]\nbore = -1 cm\n"         /* 10 */
+                           "indicator = 0 1, 90 2, 80 3\n"                         /* 11 */
+                           "[motion]\nrun_up = 90 deg\nspeed = 1 kg\n"             /* 14 */
+                           "interval = 0\n";                                       /* 15 */
+    size_t i;
+    deck d;
+
+    (void)unused;
+    assert_int_equal(flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d), 0);
+    flk_mistakes_sort(&d.mistakes);
+    assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
+    for (i = 0; i < d.mistakes.count; i++)
+        assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
+    flk_deck_free(&d);
+}
+
 static void test_mistakes_of_files(void **unused)
 {
     static const struct {
@@ -1324,29 +1346,18 @@ static void handler(const char *reason, const char *file, int line, int code)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_mistake),
-        cmocka_unit_test(test_blamed_line),
-        cmocka_unit_test(test_all_in_one_run),
-        cmocka_unit_test(test_four_bar),
-        cmocka_unit_test(test_slider_crank),
-        cmocka_unit_test(test_engine),
-        cmocka_unit_test(test_mistakes_of_files),
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_units),
-        cmocka_unit_test(test_layout),
-        cmocka_unit_test(test_joined_lines),
-        cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_vectors),
-        cmocka_unit_test(test_gravity),
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_mistaken_changes),
-        cmocka_unit_test(test_random_bytes),
-        cmocka_unit_test(test_mutations),
-        cmocka_unit_test(test_large),
-        cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_no_text),
-        cmocka_unit_test(test_cut_short),
-        cmocka_unit_test(test_mutations_of_an_engine),
+        cmocka_unit_test(test_every_mistake),    cmocka_unit_test(test_blamed_line),
+        cmocka_unit_test(test_all_in_one_run),   cmocka_unit_test(test_four_bar),
+        cmocka_unit_test(test_slider_crank),     cmocka_unit_test(test_engine),
+        cmocka_unit_test(test_all_mistakes),     cmocka_unit_test(test_mistakes_of_files),
+        cmocka_unit_test(test_defaults),         cmocka_unit_test(test_units),
+        cmocka_unit_test(test_layout),           cmocka_unit_test(test_joined_lines),
+        cmocka_unit_test(test_long_title),       cmocka_unit_test(test_vectors),
+        cmocka_unit_test(test_gravity),          cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_mistaken_changes), cmocka_unit_test(test_random_bytes),
+        cmocka_unit_test(test_mutations),        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_left_out),         cmocka_unit_test(test_no_text),
+        cmocka_unit_test(test_cut_short),        cmocka_unit_test(test_mutations_of_an_engine),
         cmocka_unit_test(test_odd_curves),
     };
 

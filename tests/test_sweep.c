@@ -379,8 +379,6 @@ static const struct {
      "unknown key 'mechanism' in [sweep]; a quantity is named with its section, such as "
      "crank.length"},
     {"crank.cg = 1 mm, 2 mm", 16, "'crank.cg' has parts: vary its .x, .y, .size or .angle"},
-    {"gas.indicator = 1 bar to 2 bar step 1 bar", 16,
-     "'gas.indicator' is no quantity that can be varied"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 0.5", 17, "expected a whole number, not '0.5'"},
     {"table.columns = mu", 16, "'table.columns' is no quantity that can be varied"},
     {"sweep.samples = 1, 2", 16, "'sweep.samples' is no quantity that can be varied"},
