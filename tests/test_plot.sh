@@ -78,9 +78,6 @@ cannot "Klein's construction is for a slider-crank" klein "$fourbar"
 for kind in forces turning-moment polar; do
     cannot 'there are no forces to draw: the deck has no masses and no loads' $kind "$alvi"
 done
-for kind in motion forces; do
-    cannot 'curves need a range of crank angles' $kind "$fourbar" --set='motion.at=40 deg'
-done
 moment='the turning moment needs a crank that turns fully, at constant speed'
 cannot "$moment" turning-moment "$data/me3491-exercise-1.deck"
 cannot "$moment" turning-moment "$fourbar" --set=motion.speed=0
@@ -199,7 +196,7 @@ arrows() {
             line[++n] = $NF "\t" a[1] " " a[2] " " b[1] " " b[2]}
         /^set label .* at graph/ {words = $0; sub(/^set label ./, "", words); sub(/. at graph.*/, "", words)
             line[++n] = "note\t" words}
-        /^set title / {title = $0; sub(/^set title ./, "", title); sub(/.$/, "", title); gsub(/\047\047/, "\047", title)
+        /^set title / {title = $0; sub(/^set title ./, "", title); sub(/" offset [^"]*$/, "", title); gsub(/\047\047/, "\047", title)
             for (i = 1; i <= n; i++) print title "\t" line[i]; n = 0}' "$1"
 }
 # number COLUMN: of the one row in csv
@@ -453,7 +450,7 @@ check 'the engine has no rocker' none rocker engine-vectors.svg
 run 0 --plot=x.png "$fourbar"
 quiet
 magic x.png 8 '137 80 78 71 13 10 26 10'
-check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 96'
+check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 30'
 check 'x.png: its end' test "$(tail -c 8 x.png | head -c 4)" = IEND
 run 0 --plot=x.PDF --branch=open "$fourbar"
 quiet
@@ -563,6 +560,8 @@ curves() {
     }
     /<path .*translate\(/ && !/gridline/ {
         line = $0; sub(/.* d=.M/, "", line); split(line, w, /[ ,L]+/)
+        length_of_tic = w[1] - w[3] + w[2] - w[4]
+        if (length_of_tic * length_of_tic > 400) next   # the frame, before a label
         x_or_y = w[2] == w[4] ? 2 : w[1] == w[3] ? 1 : 0
         at = x_or_y == 2 ? w[2] : w[1]
         getline
@@ -607,7 +606,7 @@ for branch in open crossed; do
     compare motion $number d 721 60 $branch theta2 omega4
     compare motion $number e 721 60 $branch theta2 alpha3
     compare motion $number f 721 60 $branch theta2 alpha4
-    number=4 # behind the first curve come the marks and the numbers of its extremes
+    number=2
 done
 # the comparison can fail
 check 'another column is another curve' not follows d 1 721 60 open theta2 omega3
@@ -628,7 +627,7 @@ done
 curves coupler-point-polar.svg >curves
 compare polar 1 a 721 60 open F12_along F12_across
 compare polar 1 f 721 60 open F14_along F14_across
-compare polar 4 f 721 60 crossed F14_along F14_across
+compare polar 3 f 721 60 crossed F14_along F14_across
 for panel in a b c d e f; do
     equal $panel
 done
@@ -655,9 +654,9 @@ csv theta2,x,v,a,omega3,F12,F34,N,Ts "$engine"
 curves engine-motion.svg >curves
 compare engine 1 b 721 60 open theta2 x
 compare engine 1 d 721 60 open theta2 v
-compare engine 4 d 721 60 crossed theta2 v
+compare engine 2 d 721 60 crossed theta2 v
 compare engine 1 f 721 60 open theta2 a
-compare engine 4 c 721 60 crossed theta2 omega3
+compare engine 2 c 721 60 crossed theta2 omega3
 curves engine-forces.svg >curves
 compare engine 1 a 721 60 open theta2 F12
 compare engine 4 a 721 60 open theta2 N
@@ -863,7 +862,7 @@ draws 'mechanism motion forces polar vectors'
 odd 'no force at all' "$all" "$fourbar" --set=motion.speed=0 --set=gravity.acceleration=0 --set='load push.force=(0, 0) N'
 draws 'mechanism motion forces polar vectors'
 odd 'one instant' "$all" "$data/me3491-example-1.deck"
-draws 'mechanism turning-moment vectors klein'
+draws 'mechanism motion forces turning-moment polar vectors klein'
 odd 'a run-up' 'mechanism motion forces polar vectors' "$fourbar" --set=motion.speed=0 \
     --set='motion.acceleration=20 rad/s2' --set='motion.run_up=180 deg'
 draws 'mechanism motion forces polar vectors'
@@ -894,6 +893,7 @@ check "nothing is drawn out of reach:$drawn_kinds" test -z "$drawn_kinds"
 odd 'a crank that cannot turn fully' animation "$data/me3491-exercise-1.deck"
 draws animation
 odd 'one instant' animation "$data/me3491-example-1.deck"
+draws animation
 run 1 --plot=x.gif --set='crank.length=40 mm' --set='rocker.length=40 mm' --set='coupler.length=80 mm' "$fourbar"
 check "pictures of the parallelogram: $(frames x.gif)" test "$(frames x.gif)" -gt 50
 
