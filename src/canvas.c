@@ -8,7 +8,7 @@
 #include "format.h"
 #include "print.h"
 
-#define HEAD (3 * CANVAS_LINE)    /* title and source */
+#define HEAD (4 * CANVAS_LINE)    /* title and source */
 #define LEFT (10 * CANVAS_LETTER) /* numbers and name of the axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
@@ -165,8 +165,9 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
 
 void canvas_key(const canvas *c)
 {
-    put(c, "set key at graph 0.5, graph ", 1 + 0.75 * CANVAS_LINE / c->box_height,
-        " center center horizontal\n");
+    double line = c->is_text ? 1.7 * CANVAS_LINE : CANVAS_LINE; /* the terminal rounds down */
+
+    put(c, "set key at graph 0.5, graph ", 1 + line / c->box_height, " center center horizontal\n");
 }
 
 void canvas_grid(const canvas *c)

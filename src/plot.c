@@ -62,9 +62,10 @@ static void lay_out(canvas *c, FILE *out, const deck *d, const plot_request *req
         rows = d->open && d->crossed ? 2 : 1;
     if (request->kind == PLOT_VECTORS && !d->has_forces)
         rows = 1;
-    if (plot_table[request->kind].needs & PLOT_DRAWING) {
-        beside = (lines_beside(d, request->kind == PLOT_VECTORS) + 5) * CANVAS_LINE - height;
-    }
+    if (plot_table[request->kind].needs & PLOT_DRAWING)
+        beside = (lines_beside(d, request->kind == PLOT_VECTORS) + 5) *
+                     (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
+                 height;
     canvas_open(c, out, is_text, plot_table[request->kind].columns, rows,
                 plot_table[request->kind].width, height, beside > 0 ? beside : 0);
 }
