@@ -146,7 +146,7 @@ static box drawn(const sketch *s)
 
 void sketch_place(sketch *s, double width, double height)
 {
-    double border = 3 * CANVAS_LETTER, first;
+    double border = 3 * CANVAS_LETTER, first, scale;
     int round, i;
     box b;
 
@@ -166,8 +166,10 @@ void sketch_place(sketch *s, double width, double height)
         if (round < ROUNDS - 1)
             s->scale = GSL_MIN_DBL(scale_for(s, &b, width, height), 3 * first);
     }
+    scale = scale_for(s, &b, width, height); /* if the texts have not come to rest */
     s->x_min = b.x_min * s->scale;
     s->x_max = b.x_max * s->scale;
     s->y_min = b.y_min * s->scale;
     s->y_max = b.y_max * s->scale;
+    s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
 }
