@@ -17,6 +17,9 @@
 #define SUPPORT 1.3
 #define HATCH 0.65
 
+/* Names are narrower than numbers, after which the width of a letter is. */
+#define NARROW 0.8
+
 #define MOST_TITLES 18 /* in the key: gnuplot gives it the height of the axes */
 #define TICS 7         /* letters between two of them, at least */
 
@@ -174,6 +177,7 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     new->dx = dx;
     new->dy = dy;
     print_join(new->words, sizeof new->words, words, (char *)NULL);
+    new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     s->n_labels++;
 }
 
@@ -299,7 +303,7 @@ static void put_labels(const sketch *s)
 
     for (i = 0; i < s->n_labels; i++) {
         const sketch_label *label = &s->labels[i];
-        double half = canvas_width_of(label->words) / 2;
+        double half = label->half;
         int side = label->middle.x > half ? 1 : label->middle.x < -half ? -1 : 0;
 
         fputs("set label ", s->out);

@@ -36,6 +36,7 @@ typedef enum pen {
 typedef struct sketch_label {
     fourlink_vector at;
     double dx, dy;          /* the direction, of any length */
+    double half;            /* of its width, in pixels */
     fourlink_vector middle; /* of the text, in pixels from the place */
     char words[SKETCH_WORDS];
 } sketch_label;

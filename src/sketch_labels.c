@@ -16,17 +16,17 @@
 #define DIRECTIONS 16
 #define RINGS 3
 #define ROUNDS 5
-#define GAP 8.0    /* pixels, from a place to its text */
+#define GAP 10.0   /* pixels, from a place to its text */
 #define BORDER 8.0 /* pixels, from what is drawn to the axes */
 
-/* In pixels. */
+/* In pixels; of a text, with half a letter at either end. */
 typedef struct box {
     double x_min, x_max, y_min, y_max;
 } box;
 
 static box box_of(const sketch *s, const sketch_label *label)
 {
-    double w = canvas_width_of(label->words) / 2, h = 0.45 * CANVAS_LINE;
+    double w = label->half + CANVAS_LETTER / 2, h = 0.45 * CANVAS_LINE;
     double x = label->at.x / s->scale + label->middle.x,
            y = label->at.y / s->scale + label->middle.y;
     box b;
@@ -92,7 +92,7 @@ static void place(sketch *s, int k)
 {
     sketch_label *label = &s->labels[k];
     double wanted = atan2(label->dy, label->dx), least = GSL_POSINF;
-    double w = canvas_width_of(label->words) / 2, h = 0.45 * CANVAS_LINE;
+    double w = label->half, h = 0.45 * CANVAS_LINE;
     fourlink_vector best = {0, 0};
     int ring, i;
 
