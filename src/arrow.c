@@ -14,10 +14,13 @@
 /* Below this fraction of the largest an arrow would be a head without a tail. */
 #define SMALLEST 0.02
 
+#define LONGEST_NAME 24 /* letters */
+
 char *arrow_words(const deck *d, const char *name, double si, quantity q, char out[ARROW_WORDS])
 {
-    char number[FORMAT_SIZE];
+    char number[FORMAT_SIZE], fitting[ARROW_WORDS];
 
+    name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
     return print_join(out, ARROW_WORDS, name, name[0] ? " " : "",
                       format_general(flk_unit_from_si(si, d->units[q].unit), 5, number), " ",
                       d->units[q].name, (char *)NULL);
@@ -98,7 +101,7 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const deck *d, double scale
         end.x = x->at.x + scale * x->F.x;
         end.y = x->at.y + scale * x->F.y;
         sketch_arrow(s, x->p, x->at, end);
-        sketch_text(s, end, 0.8 * x->F.x / size, 0.8 * x->F.y / size, x->name);
+        sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
 }
 
@@ -106,12 +109,15 @@ void arrow_draw_torque(sketch *s, const deck *d, pen p, const char *name, fourli
                        double torque)
 {
     char words[ARROW_WORDS];
-    double side = p == PEN_FORCE ? -1 : 1; /* of the letters */
+    double side = p == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
+    fourlink_vector below = at;
 
     if (torque == 0)
         return;
-    sketch_torque(s, p, at, 0.07 * s->size, torque);
-    sketch_text(s, at, 2.8 * side, -1.6 * side, name);
+    below.x += 0.86 * radius * side;
+    below.y -= 0.5 * radius * side;
+    sketch_torque(s, p, at, radius, torque);
+    sketch_text(s, below, side, -0.6 * side, name);
     sketch_note(s, arrow_words(d, name, torque, QUANTITY_TORQUE, words));
 }
 
@@ -128,7 +134,7 @@ void arrow_draw_load_torques(sketch *s, const analysis *a, const result *r, int 
 void arrow_draw_scale(sketch *s, const deck *d, quantity q, double scale, double largest)
 {
     const unit *u = &d->units[q].unit;
-    double bar = flk_unit_to_si(sketch_round(flk_unit_from_si(largest, *u)), *u);
+    double bar = flk_unit_to_si(sketch_round(flk_unit_from_si(largest, *u) / 2.5), *u);
     fourlink_vector from, to;
     char words[ARROW_WORDS];
 

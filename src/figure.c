@@ -13,6 +13,10 @@
 
 #define STEPS 180 /* of a path */
 
+/* Half of the piston's sides, as fractions of the drawing. */
+#define PISTON_X 0.055
+#define PISTON_Y 0.035
+
 double figure_length(const deck *d, double si)
 {
     return flk_unit_from_si(si, d->units[QUANTITY_LENGTH].unit);
@@ -70,38 +74,44 @@ static fourlink_vector tracer(const deck *d, const fourlink_state *state, const 
     return figure_of_link(d, state, point->link, &point->at);
 }
 
-void figure_open(sketch *s, FILE *out, analysis *a, fourlink_branch branch, int all_of_it)
+/* All positions of a branch; of a piston with room for its guide. */
+static void include_all(sketch *s, analysis *a, fourlink_branch branch, double margin)
 {
-    sketch whole;
     size_t i;
     int k;
     result r;
 
-    sketch_open(s, out, 1);
-    whole = *s;
     for (k = 0; k <= STEPS; k++)
         if (sample(a, branch, k, &r)) {
             figure_pins pins = figure_place(a->d, &r.state);
+            fourlink_vector near = pins.C, far = pins.C;
 
-            sketch_include(&whole, pins.A);
-            sketch_include(&whole, pins.B);
-            sketch_include(&whole, pins.C);
-            sketch_include(&whole, pins.D);
+            near.x -= margin;
+            far.x += margin;
+            sketch_include(s, pins.A);
+            sketch_include(s, pins.B);
+            sketch_include(s, near);
+            sketch_include(s, far);
+            sketch_include(s, pins.D);
             for (i = 0; i < a->d->n_points; i++)
-                sketch_include(&whole, tracer(a->d, &r.state, &a->d->points[i]));
+                sketch_include(s, tracer(a->d, &r.state, &a->d->points[i]));
         }
-    whole.size = whole.x_max - whole.x_min;
-    if (whole.y_max - whole.y_min > whole.size)
-        whole.size = whole.y_max - whole.y_min;
-    if (all_of_it)
-        *s = whole;
-    else
-        s->size = whole.size;
 }
 
-/* Half of the piston's sides. */
-#define PISTON_X 0.055
-#define PISTON_Y 0.035
+void figure_open(sketch *s, canvas *c, analysis *a, fourlink_branch branch, int all_of_it)
+{
+    sketch_open(s, c, 1);
+    include_all(s, a, branch, 0);
+    s->size = GSL_MAX_DBL(s->x_max - s->x_min, s->y_max - s->y_min);
+    if (all_of_it) {
+        if (a->d->design.kind == FOURLINK_SLIDER_CRANK)
+            include_all(s, a, branch, 2 * PISTON_X * s->size);
+        s->is_fixed = 1;
+    } else {
+        s->x_min = s->y_min = GSL_POSINF;
+        s->x_max = s->y_max = GSL_NEGINF;
+    }
+}
 
 void figure_frame(sketch *s, const deck *d, const fourlink_state *state)
 {
@@ -137,6 +147,11 @@ static void put_rectangle(sketch *s, pen p, fourlink_vector c, double x, double 
         sketch_line(s, p, corner[i], corner[i + 1]);
 }
 
+void figure_piston(sketch *s, fourlink_vector at)
+{
+    put_rectangle(s, PEN_FOLLOWER, at, PISTON_X * s->size, PISTON_Y * s->size);
+}
+
 void figure_outline(sketch *s, pen p, const deck *d, const fourlink_state *state)
 {
     figure_pins pins = figure_place(d, state);
@@ -170,7 +185,7 @@ void figure_links(sketch *s, const deck *d, const fourlink_state *state)
         sketch_line(s, PEN_FOLLOWER, pins.D, pins.C);
         sketch_pin(s, pins.D);
     } else {
-        put_rectangle(s, PEN_FOLLOWER, pins.C, PISTON_X * s->size, PISTON_Y * s->size);
+        figure_piston(s, pins.C);
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (d->design.link[link].mass > 0)
@@ -180,16 +195,51 @@ void figure_links(sketch *s, const deck *d, const fourlink_state *state)
     sketch_pin(s, pins.C);
 }
 
-/* Letters stand on the side of a pin that is away from the links. */
+static double direction(double from_x, double from_y, double *y)
+{
+    double length = gsl_hypot(from_x, from_y);
+
+    *y = length > 0 ? from_y / length : 0;
+    return length > 0 ? from_x / length : 0;
+}
+
+void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
+                   const char *letter)
+{
+    double up_x, up_y, dx, dy;
+
+    dx = direction(pin.x - x.x, pin.y - x.y, &up_x);
+    dx += direction(pin.x - y.x, pin.y - y.y, &up_y);
+    dy = up_x + up_y;
+    sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
+}
+
 void figure_letters(sketch *s, const deck *d, const fourlink_state *state)
 {
     figure_pins pins = figure_place(d, state);
 
-    sketch_text(s, pins.A, -1.1, 0.3, "A");
-    sketch_text(s, pins.B, -0.9, 0.9, "B");
-    sketch_text(s, pins.C, 0.9, 0.9, "C");
-    if (d->design.kind == FOURLINK_FOUR_BAR)
-        sketch_text(s, pins.D, 1.1, 0.3, "D");
+    figure_letter(s, pins.A, pins.B, pins.B, "A");
+    figure_letter(s, pins.B, pins.A, pins.C, "B");
+    if (d->design.kind == FOURLINK_FOUR_BAR) {
+        figure_letter(s, pins.C, pins.B, pins.D, "C");
+        figure_letter(s, pins.D, pins.C, pins.C, "D");
+    } else {
+        figure_letter(s, pins.C, pins.B, pins.B, "C");
+    }
+}
+
+void figure_slope(sketch *s, const deck *d)
+{
+    const deck_unit *u = &d->units[QUANTITY_ANGLE];
+    fourlink_vector g = d->design.gravity;
+    double slope = atan2(-g.x, -g.y);
+    char words[120], number[FORMAT_SIZE];
+
+    if (fabs(slope) < 1e-9 || (g.x == 0 && g.y == 0))
+        return;
+    sketch_note(s, print_join(words, sizeof words, "x rises at ",
+                              format_general(flk_unit_from_si(slope, u->unit), 5, number), " ",
+                              u->name, (char *)NULL));
 }
 
 /* An angle: a ray along x, an arc, and the angle in the deck's unit. */

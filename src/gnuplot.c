@@ -66,17 +66,18 @@ static int start(FILE *script, FILE *complaints, pid_t *child)
     return ends[0];
 }
 
-/* How many bytes there were. */
-static unsigned long copy(int from, FILE *to)
+/* How many bytes there were; -1 and errno if they could not be written. */
+static long copy(int from, FILE *to)
 {
-    unsigned long copied = 0;
+    long copied = 0;
     char part[8192];
     ssize_t n;
 
     while ((n = read(from, part, sizeof part)) > 0 || (n < 0 && errno == EINTR))
         if (n > 0) {
-            fwrite(part, 1, (size_t)n, to); /* output_close tells whether all of it arrived */
-            copied += (unsigned long)n;
+            if (fwrite(part, 1, (size_t)n, to) != (size_t)n)
+                return -1;
+            copied += (long)n;
         }
     return copied;
 }
@@ -94,7 +95,7 @@ gnuplot_result gnuplot_run(FILE *script, FILE *picture)
 {
     FILE *complaints = tmpfile();
     int status = 0, pipe_end, reason;
-    unsigned long copied;
+    long copied;
     pid_t child, ended;
 
     if (!complaints)
@@ -107,11 +108,12 @@ gnuplot_result gnuplot_run(FILE *script, FILE *picture)
         return GNUPLOT_ERRNO;
     }
     copied = copy(pipe_end, picture);
+    reason = errno;
     close(pipe_end);
     while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
         ;
-    if (ended < 0) {
-        reason = errno;
+    if (ended < 0 || copied < 0) {
+        reason = copied < 0 ? reason : errno;
         fclose(complaints);
         errno = reason;
         return GNUPLOT_ERRNO;

@@ -6,15 +6,19 @@
 
 #include "format.h"
 #include "plot.h"
+#include "print.h"
 #include "sketch.h"
 
-#define PLOT_NAME(code, name, width, height, per_branch, needs) name,
+#define PLOT_NAME(code, name, columns, rows, width, height, needs) name,
 const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 
-#define PLOT_INFO(code, name, width, height, per_branch, needs) {width, height, per_branch, needs},
+#define PLOT_INFO(code, name, columns, rows, width, height, needs) \
+    {columns, rows, width, height, needs},
 static const struct {
-    int width, height, per_branch, needs;
+    int columns, rows, width, height, needs;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
+
+#define TEXT_HEIGHT 26 /* lines of a panel in a text terminal */
 
 /* By plot_file. */
 static const char *const endings[] = {".svg", ".png", ".pdf", ".txt", ".gif"};
@@ -32,14 +36,45 @@ plot_file plot_file_of(const char *name)
     return (plot_file)i;
 }
 
-static void put_terminal(FILE *out, const deck *d, const plot_request *request)
+/* At most so many lines stand beside a drawing: angles, forces, torques, and the paths in its key; of
+** free bodies for each link. */
+static int lines_beside(const deck *d, int each_link)
 {
-    int width = plot_table[request->kind].width, height = plot_table[request->kind].height;
+    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link;
+    unsigned long i;
 
-    if (plot_table[request->kind].per_branch && d->open && d->crossed)
-        height *= 2;
+    for (i = 0; i < d->n_loads; i++)
+        lines[d->loads[i].link] += d->loads[i].torque != 0 || d->variations[i].torque.n > 0 ? 2 : 1;
+    for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
+        sum += lines[link];
+        most = lines[link] > most ? lines[link] : most;
+    }
+    return each_link ? 7 + most : 16 + sum + (int)d->n_points;
+}
+
+static void lay_out(canvas *c, FILE *out, const deck *d, const plot_request *request)
+{
+    int is_text = request->file == PLOT_TXT, rows = plot_table[request->kind].rows;
+    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : plot_table[request->kind].height,
+           beside = 0;
+
+    if (rows == 0)
+        rows = d->open && d->crossed ? 2 : 1;
     if (request->kind == PLOT_VECTORS && !d->has_forces)
-        height = height / 3 + 40;
+        rows = 1;
+    if (plot_table[request->kind].needs & PLOT_DRAWING)
+        beside = (lines_beside(d, request->kind == PLOT_VECTORS) + 5) *
+                     (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
+                 height;
+    canvas_open(c, out, is_text, plot_table[request->kind].columns, rows,
+                plot_table[request->kind].width, height, beside > 0 ? beside : 0);
+}
+
+static void put_terminal(const canvas *c, const plot_request *request)
+{
+    FILE *out = c->out;
+    int width = (int)c->width, height = (int)c->height;
+
     switch (request->file) {
     case PLOT_PNG:
         fprintf(out, "set terminal pngcairo size %d,%d font 'sans,11' noenhanced\n", width, height);
@@ -49,7 +84,8 @@ static void put_terminal(FILE *out, const deck *d, const plot_request *request)
                 width / 100, width % 100, height / 100, height % 100);
         break;
     case PLOT_TXT:
-        fprintf(out, "set terminal dumb nofeed size %d,%d noenhanced\n", width / 8, height / 16);
+        fprintf(out, "set terminal dumb nofeed size %d,%d noenhanced\n", CANVAS_TEXT_WIDTH,
+                (int)(height / CANVAS_LINE));
         break;
     case PLOT_GIF:
         fprintf(out, "set terminal gif %s size %d,%d font 'sans,11' noenhanced\n",
@@ -64,7 +100,7 @@ static void put_terminal(FILE *out, const deck *d, const plot_request *request)
     if (request->picture) {
         /* not a pipe, and not a home folder, whatever it begins with */
         fputs(request->picture[0] == '/' ? "set output " : "set output './' . ", out);
-        sketch_quote(out, request->picture);
+        canvas_quote(out, request->picture);
         putc('\n', out);
     }
 }
@@ -78,23 +114,25 @@ static const char *const style_of_pen[PEN_COUNT] = {
     "lw 4 lc rgb '#D55E00'",          /* coupler */
     "lw 3 lc rgb '#009E73'",          /* rocker, piston */
     "lw 1.5 lc rgb '#CC79A7'",        /* paths */
-    "lw 1 lc rgb '#DDDDDD'",          /* other positions */
+    "lw 1 lc rgb '#DDDDDD'",          /* positions on the way */
     "lw 2 lc rgb '#000000'",          /* pin forces */
     "lw 2 lc rgb '#E69F00'",          /* loads */
     "lw 1 dt (4,4) lc rgb '#777777'", /* construction */
-    "lw 3 lc rgb '#CC79A7'"           /* results */
+    "lw 3 lc rgb '#CC79A7'",          /* results */
+    "lw 1.5 lc rgb '#777777'"         /* other positions */
 };
 
-static void put_head(FILE *out, const deck *d, const plot_request *request)
+static void put_head(const canvas *c, const deck *d, const plot_request *request, const char *held)
 {
+    char rest[200];
     int i;
 
-    fprintf(out, "# %s of a deck, by fourlink %s: for gnuplot 5 or later\n",
+    fprintf(c->out, "# %s of a deck, by fourlink %s: for gnuplot 5 or later\n",
             plot_names[request->kind], fourlink_version());
-    fputs("set encoding utf8\n", out);
-    put_terminal(out, d, request);
+    fputs("set encoding utf8\n", c->out);
+    put_terminal(c, request);
     for (i = 1; i < PEN_COUNT; i++)
-        fprintf(out, "set style line %d %s\n", i, style_of_pen[i]);
+        fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
     fputs("set linetype 1 lw 2 dt 1 lc rgb '#0072B2'\n"
           "set linetype 2 lw 2 dt (10,5) lc rgb '#D55E00'\n"
           "set linetype 3 lw 2 dt (3,3) lc rgb '#009E73'\n"
@@ -102,27 +140,12 @@ static void put_head(FILE *out, const deck *d, const plot_request *request)
           "set linetype 5 lw 2 dt (6,3,2,3,2,3) lc rgb '#CC79A7'\n"
           "set linetype 6 lw 2 dt (2,6) lc rgb '#E69F00'\n"
           "set key noautotitle\n"
-          "set style textbox opaque noborder\n"
-          "source = ",
-          out);
-    sketch_quote(out, request->deck_name);
-    fprintf(out, " . '%s  |  fourlink %s'\ntitle = ",
-            d->sweep.n_variables ? ", first design of its sweep" : "", fourlink_version());
-    sketch_quote(out, d->title[0] ? d->title : request->deck_name);
-    putc('\n', out);
-}
-
-void plot_panels(FILE *out, int rows, int columns)
-{
-    fprintf(out, "set multiplot layout %d,%d title title . \"\\n\" . source . \"\\n\"\n", rows,
-            columns);
-}
-
-void plot_source(FILE *out)
-{
-    fputs("set label title at screen 0.01,0.015 left font ',9' front\n"
-          "set label source at screen 0.99,0.015 right font ',9' front\n",
-          out);
+          "set style textbox opaque margins 0.3,0.3 noborder\n",
+          c->out);
+    canvas_name(c, d->title[0] ? d->title : request->deck_name, request->deck_name,
+                print_join(rest, sizeof rest,
+                           d->sweep.n_variables ? ", first design of its sweep" : "", held,
+                           "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
 /* The crank angles of --plot-at, separated by commas. */
@@ -175,56 +198,93 @@ int plot_position(analysis *a, fourlink_branch branch, const plot_request *reque
     return r->status == FOURLINK_OK ? FOURLINK_OK : status;
 }
 
-static int write_kind(FILE *out, analysis *a, const plot_request *request, const char **why)
+static int write_kind(canvas *on, analysis *a, const plot_request *request, const char **why)
 {
     switch (request->kind) {
     case PLOT_MOTION:
-        return plot_motion(out, a, why);
+        return plot_motion(on, a, why);
     case PLOT_FORCES:
-        return plot_forces(out, a, why);
+        return plot_forces(on, a, why);
     case PLOT_TURNING:
-        return plot_turning(out, a, why);
+        return plot_turning(on, a, why);
     case PLOT_POLAR:
-        return plot_polar(out, a, why);
+        return plot_polar(on, a, why);
     case PLOT_VECTORS:
-        return plot_vectors(out, a, request, why);
+        return plot_vectors(on, a, request, why);
     case PLOT_KLEIN:
-        return plot_klein(out, a, request, why);
+        return plot_klein(on, a, request, why);
     case PLOT_ANIMATION:
-        return plot_animation(out, a, why);
+        return plot_animation(on, a, why);
     case PLOT_MECHANISM:
     default:
-        return plot_mechanism(out, a, request, why);
+        return plot_mechanism(on, a, request, why);
     }
+}
+
+/* A cycle in place of a deck's one instant, of which speed and acceleration are held; words that tell so. */
+static const char *hold_instant(deck *d)
+{
+    fourlink_motion *motion = &d->motion;
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
+
+    motion->from = 0;
+    motion->to = turn < 0 ? -cycle : cycle;
+    motion->interval = cycle / 72;
+    motion->hold = 1;
+    d->one_instant = 0;
+    return motion->acceleration != 0 ? ", speed and acceleration held" : ", speed held";
+}
+
+static const char *missing(const deck *d, plot_kind kind)
+{
+    int needs = plot_table[kind].needs;
+
+    if ((needs & PLOT_FORCES_OF_DECK) && !d->has_forces)
+        return "there are no forces to draw: the deck has no masses and no loads";
+    if ((needs & PLOT_SLIDER_CRANK) && d->design.kind != FOURLINK_SLIDER_CRANK)
+        return "Klein's construction is for a slider-crank";
+    if ((needs & PLOT_DRAWING) && (d->n_loads > PLOT_LOADS || d->n_points > PLOT_POINTS))
+        return "a drawing takes 40 loads and 24 points at most";
+    return NULL;
+}
+
+/* 1; 0 and the reason, or null for one that has been told. */
+static int write_script(FILE *out, deck *d, plot_request *request, const char **why)
+{
+    deck cycle = *d;
+    const char *held = "";
+    int written = 0;
+    analysis a;
+    canvas c;
+
+    *why = missing(d, request->kind);
+    if (*why)
+        return 0;
+    if (d->one_instant && (plot_table[request->kind].needs & PLOT_RANGE))
+        held = hold_instant(&cycle);
+    *why = "not enough memory";
+    if (!analysis_open(&a, &cycle, (d->has_forces ? NEED_FORCES : 0) | NEED_EXTRAS))
+        return 0;
+    lay_out(&c, out, d, request);
+    put_head(&c, d, request, held);
+    if (!request->at || read_angles(d, &a, request))
+        written = write_kind(&c, &a, request, why);
+    else
+        *why = NULL;
+    analysis_close(&a);
+    return written;
 }
 
 int plot_write(FILE *out, deck *d, plot_request *request)
 {
-    int needs = plot_table[request->kind].needs, written = 0;
-    const char *why = "not enough memory";
+    const char *why = NULL;
     text_place place;
-    analysis a;
+    int written = write_script(out, d, request, &why);
 
-    place.source = "--plot-kind";
+    place.source = request->n_angles ? "--plot-at" : "--plot-kind";
     place.line = 0;
-    if ((needs & PLOT_FORCES_OF_DECK) && !d->has_forces)
-        why = "there are no forces to draw: the deck has no masses and no loads";
-    else if ((needs & PLOT_SLIDER_CRANK) && d->design.kind != FOURLINK_SLIDER_CRANK)
-        why = "Klein's construction is for a slider-crank";
-    else if ((needs & PLOT_DRAWING) && (d->n_loads > PLOT_LOADS || d->n_points > PLOT_POINTS))
-        why = "a drawing takes 40 loads and 24 points at most";
-    else if (analysis_open(&a, d, (d->has_forces ? NEED_FORCES : 0) | NEED_EXTRAS)) {
-        put_head(out, d, request);
-        if (request->at && !read_angles(d, &a, request)) {
-            analysis_close(&a);
-            return 0;
-        }
-        written = write_kind(out, &a, request, &why);
-        analysis_close(&a);
-    }
-    if (request->n_angles)
-        place.source = "--plot-at";
-    if (!written)
+    if (!written && why)
         flk_mistake_note(&d->mistakes, place, why, (char *)NULL);
     return written;
 }

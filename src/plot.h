@@ -8,26 +8,27 @@
 #include <stdio.h>
 
 #include "analysis.h"
+#include "canvas.h"
 
-/* name, width and height of the picture in pixels, 1 if that height is for each branch, what it needs of
-** the deck */
-#define PLOT_LIST(X)                                                \
-    X(MECHANISM, "mechanism", 900, 560, 1, PLOT_DRAWING)            \
-    X(MOTION, "motion", 1000, 900, 0, 0)                            \
-    X(FORCES, "forces", 1000, 420, 1, PLOT_FORCES_OF_DECK)          \
-    X(TURNING, "turning-moment", 1000, 460, 1, PLOT_FORCES_OF_DECK) \
-    X(POLAR, "polar", 1100, 800, 0, PLOT_FORCES_OF_DECK)            \
-    X(VECTORS, "vectors", 1500, 1250, 0, PLOT_DRAWING)              \
-    X(KLEIN, "klein", 1100, 700, 0, PLOT_SLIDER_CRANK)              \
-    X(ANIMATION, "animation", 800, 560, 0, PLOT_DRAWING)
+/* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what
+** it needs of the deck */
+#define PLOT_LIST(X)                                                      \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING)               \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE)                       \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE) \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK)    \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE)   \
+    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING)                   \
+    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK)                 \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE)
 
-enum { PLOT_FORCES_OF_DECK = 1, PLOT_SLIDER_CRANK = 2, PLOT_DRAWING = 4 };
+enum { PLOT_FORCES_OF_DECK = 1, PLOT_SLIDER_CRANK = 2, PLOT_DRAWING = 4, PLOT_RANGE = 8 };
 
 /* What a drawing has room for. */
 #define PLOT_LOADS 40
 #define PLOT_POINTS 24
 
-#define PLOT_CODE(code, name, width, height, per_branch, needs) PLOT_##code,
+#define PLOT_CODE(code, name, columns, rows, width, height, needs) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
 /* By plot_kind; ended by a null pointer. */
@@ -62,19 +63,14 @@ typedef struct plot_request {
 int plot_write(FILE *out, deck *d, plot_request *request);
 
 /* The kinds, each in a file of its own; 0: `why` is the reason why there is nothing to draw. */
-int plot_mechanism(FILE *out, analysis *a, const plot_request *request, const char **why);
-int plot_animation(FILE *out, analysis *a, const char **why);
-int plot_motion(FILE *out, analysis *a, const char **why);
-int plot_forces(FILE *out, analysis *a, const char **why);
-int plot_turning(FILE *out, analysis *a, const char **why);
-int plot_polar(FILE *out, analysis *a, const char **why);
-int plot_vectors(FILE *out, analysis *a, const plot_request *request, const char **why);
-int plot_klein(FILE *out, analysis *a, const plot_request *request, const char **why);
-
-/* Panels in so many rows and columns, under title and source; or title and source at the foot
-** of a picture without panels. */
-void plot_panels(FILE *out, int rows, int columns);
-void plot_source(FILE *out);
+int plot_mechanism(canvas *on, analysis *a, const plot_request *request, const char **why);
+int plot_animation(canvas *on, analysis *a, const char **why);
+int plot_motion(canvas *on, analysis *a, const char **why);
+int plot_forces(canvas *on, analysis *a, const char **why);
+int plot_turning(canvas *on, analysis *a, const char **why);
+int plot_polar(canvas *on, analysis *a, const char **why);
+int plot_vectors(canvas *on, analysis *a, const plot_request *request, const char **why);
+int plot_klein(canvas *on, analysis *a, const plot_request *request, const char **why);
 
 /* Compute the position to draw on a branch: the first of the request, or else of the deck's one
 ** instant, or else a sixth into the motion, or the first row that the links reach.  A status. */

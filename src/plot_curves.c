@@ -16,6 +16,7 @@
 #include "turning.h"
 
 #define STEPS 720
+#define AREA_STEPS 100 /* of an area of the turning moment */
 
 static void put_pair(FILE *out, double x, double y)
 {
@@ -33,12 +34,39 @@ static void sample(analysis *a, fourlink_branch branch, int k, result *r)
     analysis_at(a, branch, &r->row.crank, r);
 }
 
-/* The least and the greatest value of curves. */
+/* The least and the greatest value of curves: of all, and of those away from dead positions. */
 typedef struct extent {
     double low, high;
+    double sound_low, sound_high;
+    double mu; /* rad, the least transmission angle */
 } extent;
 
-static const extent nothing = {GSL_POSINF, GSL_NEGINF};
+static const extent nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
+
+/* rad, transmission angles: below the first a dead position is near, where values say little but that
+** they grow; above the second it is far.  Curves that are so many times higher near it go on beyond the
+** picture. */
+#define NEAR 0.2
+#define SOUND 0.6
+#define HIGHER 3
+
+static void extend(extent *e, double value, double mu)
+{
+    e->low = GSL_MIN_DBL(e->low, value);
+    e->high = GSL_MAX_DBL(e->high, value);
+    e->mu = GSL_MIN_DBL(e->mu, mu);
+    if (mu > SOUND) {
+        e->sound_low = GSL_MIN_DBL(e->sound_low, value);
+        e->sound_high = GSL_MAX_DBL(e->sound_high, value);
+    }
+}
+
+/* 1 if the picture ends before the curves do. */
+static int is_cut(const extent *e)
+{
+    return e->mu < NEAR && e->sound_high > e->sound_low &&
+           e->high - e->low > HIGHER * (e->sound_high - e->sound_low);
+}
 
 /* Two columns over the motion as $NAME_BRANCH; breaks where the links do not reach.  Angles go on past
 ** half a turn.  How many points. */
@@ -61,28 +89,9 @@ static int put_data(FILE *out, analysis *a, fourlink_branch branch, const char *
         if (column_quantity(y) == QUANTITY_ANGLE && !gsl_isnan(last))
             value += turn * floor((last - value) / turn + 0.5);
         last = value;
-        e->low = value < e->low ? value : e->low;
-        e->high = value > e->high ? value : e->high;
+        extend(e, value, r.state.mu);
         put_pair(out, column_value(x, &r), value);
         n++;
-    }
-    fputs("EOD\n", out);
-    return n;
-}
-
-/* The extremes of a column on a branch, as $NAME_BRANCH_extremes; what is rounding beside the other is 0. */
-static int put_extremes(FILE *out, analysis *a, fourlink_branch branch, const column *c)
-{
-    extreme found[2];
-    int n = 0, i;
-
-    n += extreme_find(a, c, branch, 1, &found[n]) == EXTREME_FOUND;
-    n += extreme_find(a, c, branch, -1, &found[n]) == EXTREME_FOUND;
-    fprintf(out, "$%s_%s_extremes << EOD\n", c->name, branch_name(branch));
-    for (i = 0; i < n; i++) {
-        double other = fabs(found[n - 1 - i].value);
-
-        put_pair(out, found[i].angle, fabs(found[i].value) < 1e-12 * other ? 0 : found[i].value);
     }
     fputs("EOD\n", out);
     return n;
@@ -93,91 +102,146 @@ static int find_column(const analysis *a, const char *name, column *c)
     return column_find(a->d, flk_text_of(name), c);
 }
 
-static void put_axis(FILE *out, const char *axis, const char *name, const char *unit_name)
+/* A step of the numbers on the axis of crank angles, for `width` pixels: in degrees, parts of a turn. */
+static double step_of_angles(const deck_unit *u, double span, double width)
 {
-    char words[200];
+    static const double parts[] = {5, 10, 15, 30, 45, 60, 90, 180, 360, 720};
+    double least = 6 * CANVAS_LETTER * span / width;
+    size_t i;
 
-    fprintf(out, "set %slabel ", axis);
-    sketch_quote(out, print_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL));
-    putc('\n', out);
+    if (strcmp(u->name, "deg") == 0)
+        for (i = 0; i < sizeof parts / sizeof parts[0]; i++)
+            if (parts[i] >= least)
+                return least < 2 ? sketch_round(least) : parts[i];
+    return sketch_round(least);
 }
 
-static void put_angle_axis(FILE *out, const analysis *a)
+static void put_angle_axis(const canvas *on, const analysis *a)
 {
-    const deck_unit *u = &a->d->units[QUANTITY_ANGLE];
     double from = a->d->motion.from, to = analysis_end(a);
-    char low[FORMAT_SIZE], high[FORMAT_SIZE];
+    double step = step_of_angles(&a->d->units[QUANTITY_ANGLE], fabs(to - from), on->box_width);
+    char low[FORMAT_SIZE], high[FORMAT_SIZE], number[FORMAT_SIZE];
 
-    put_axis(out, "x", "theta2", u->name);
-    fprintf(out, "set xrange [%s:%s]\n", format_general(from, 8, low), format_general(to, 8, high));
-    if (strcmp(u->name, "deg") == 0 && fabs(to - from) >= 180 && fabs(to - from) <= 720)
-        fputs(fabs(to - from) > 360 ? "set xtics 90\n" : "set xtics 30\n", out);
+    fprintf(on->out, "set xrange [%s:%s]\nset xtics %s\n", format_general(from, 8, low),
+            format_general(to, 8, high), format_general(step, 6, number));
 }
 
-/* gnuplot has its own opinion of a range without extent. */
-static void put_range(FILE *out, const extent *e)
+/* With room for the numbers of the extremes.  gnuplot has its own opinion of a range without extent. */
+static void put_range(const canvas *on, const extent *e)
 {
-    double size = fabs(e->low) > fabs(e->high) ? fabs(e->low) : fabs(e->high);
-    char low[FORMAT_SIZE], high[FORMAT_SIZE];
+    double low = is_cut(e) ? e->sound_low : e->low, high = is_cut(e) ? e->sound_high : e->high;
+    double size = GSL_MAX_DBL(fabs(low), fabs(high)), room;
+    double part = 1.8 * CANVAS_LINE / on->box_height;
+    char number[FORMAT_SIZE], other[FORMAT_SIZE];
 
-    if (e->high - e->low > 1e-9 * size || e->high < e->low)
-        fputs("set yrange [*:*]\n", out);
-    else
-        fprintf(out, "set yrange [%s:%s]\n", format_general(e->low - (size > 0 ? size : 1), 8, low),
-                format_general(e->high + (size > 0 ? size : 1), 8, high));
+    if (low > high)
+        return;
+    room = (high - low) * part / (1 - 2 * part);
+    if (high - low <= 1e-9 * size || size == 0)
+        room = size > 0 ? size : 1;
+    fprintf(on->out, "set yrange [%s:%s]\n", format_general(low - room, 8, number),
+            format_general(high + room, 8, other));
+    if (is_cut(e))
+        fputs("set label 'beyond the frame near a dead position' at graph 0.5, graph 1 center "
+              "front offset 0,-0.8\n",
+              on->out);
 }
 
-static void begin_panel(FILE *out, const analysis *a)
+static void begin_panel(canvas *on, const analysis *a)
 {
-    fputs("unset label; unset arrow; unset title\n"
-          "set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n"
-          "set offsets graph 0, graph 0, graph 0.08, graph 0.08\n",
-          out);
-    put_angle_axis(out, a);
+    fputs("unset label; unset arrow\n", on->out);
+    canvas_panel(on, 3, 2 * CANVAS_LETTER);
+    canvas_key(on);
+    canvas_grid(on);
+    put_angle_axis(on, a);
+}
+
+/* The marked extremes of a panel. */
+typedef struct marks {
+    double x[4], y[4]; /* fractions of the panel */
+    int n;
+} marks;
+
+/* An extreme's value, above a maximum, below a minimum; not over one that stands there. */
+static void put_extreme(FILE *out, const analysis *a, const extreme *found, int sign, double height,
+                        marks *m)
+{
+    double from = a->d->motion.from;
+    double x = (found->angle - from) / (analysis_end(a) - from), y = found->value / height;
+    char angle[FORMAT_SIZE], value[FORMAT_SIZE], words[FORMAT_SIZE];
+    int i;
+
+    for (i = 0; i < m->n; i++)
+        if (fabs(x - m->x[i]) < 0.15 && fabs(y - m->y[i]) < 0.1)
+            return;
+    m->x[m->n] = x;
+    m->y[m->n++] = y;
+    fputs("set label ", out);
+    canvas_quote(out, format_general(found->value, 4, words));
+    fprintf(out, " at %s,%s %s front boxed point pt 7 ps 0.6 lc rgb 'black' offset %d,%s\n",
+            format_general(found->angle, 8, angle), format_general(found->value, 8, value),
+            x < 0.1   ? "left"
+            : x > 0.9 ? "right"
+                      : "center",
+            x < 0.1   ? 1
+            : x > 0.9 ? -1
+                      : 0,
+            sign > 0 ? "1" : "-1");
+}
+
+/* The extremes of a column on a branch within the picture; what is rounding beside the other is 0. */
+static void put_extremes(FILE *out, analysis *a, fourlink_branch branch, const column *c,
+                         const extent *e, marks *m)
+{
+    extreme found[2];
+    int there[2], i;
+
+    for (i = 0; i < 2; i++)
+        there[i] = extreme_find(a, c, branch, i ? -1 : 1, &found[i]) == EXTREME_FOUND;
+    for (i = 0; i < 2; i++) {
+        if (!there[i] ||
+            (is_cut(e) && (found[i].value < e->sound_low || found[i].value > e->sound_high)))
+            continue;
+        if (there[1 - i] && fabs(found[i].value) < 1e-12 * fabs(found[1 - i].value))
+            found[i].value = 0;
+        put_extreme(out, a, &found[i], i ? -1 : 1,
+                    is_cut(e) ? e->sound_high - e->sound_low : e->high - e->low, m);
+    }
 }
 
 /* A column over the crank angle, of all branches, with its extremes. */
-static int put_panel(FILE *out, analysis *a, const char *name)
+static int put_panel(canvas *on, analysis *a, const char *name)
 {
     fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i, drawn = 0, extremes[2] = {0, 0}, points[2];
+    int n = print_branches_of(a->d, branches), i, drawn = 0, points[2];
     extent e = nothing;
+    marks m;
     column x, y;
 
+    begin_panel(on, a);
     if (!find_column(a, "theta2", &x) || !find_column(a, name, &y))
         return 0;
-    begin_panel(out, a);
-    for (i = 0; i < n; i++) {
-        points[i] = put_data(out, a, branches[i], name, &x, &y, &e);
+    m.n = 0;
+    for (i = 0; i < n; i++)
+        points[i] = put_data(on->out, a, branches[i], name, &x, &y, &e);
+    for (i = 0; i < n; i++)
         if (points[i])
-            extremes[i] = put_extremes(out, a, branches[i], &y);
-    }
-    put_axis(out, "y", name, y.unit);
-    put_range(out, &e);
+            put_extremes(on->out, a, branches[i], &y, &e, &m);
+    canvas_titles(on, "", "theta2", x.unit, name, y.unit);
+    put_range(on, &e);
     for (i = 0; i < n; i++)
         if (points[i]) {
             const char *branch = branch_name(branches[i]);
 
-            fprintf(out, "%s $%s_%s using 1:2 with lines lt %d title '%s'", drawn ? "," : "plot",
-                    name, branch, i + 1, branch);
-            if (extremes[i])
-                fprintf(out,
-                        ", $%s_%s_extremes using 1:2 with points pt 7 ps 0.6 lc rgb 'black', "
-                        "'' using 1:2:(sprintf('%%.4g', $2)) with labels font ',9' offset 0,0.6",
-                        name, branch);
+            fprintf(on->out, "%s $%s_%s using 1:2 with lines lt %d title '%s'",
+                    drawn ? "," : "plot", name, branch, i + 1, branch);
             drawn = 1;
         }
-    fputs(drawn ? "\n" : "set multiplot next\n", out);
+    putc('\n', on->out);
     return drawn;
 }
 
-static int has_range(const analysis *a, const char **why)
-{
-    *why = "curves need a range of crank angles; the deck has one instant";
-    return a->range.n_rows > 1;
-}
-
-int plot_motion(FILE *out, analysis *a, const char **why)
+int plot_motion(canvas *on, analysis *a, const char **why)
 {
     static const char *const four_bar[] = {"theta3", "theta4", "omega3",
                                            "omega4", "alpha3", "alpha4"};
@@ -185,40 +249,37 @@ int plot_motion(FILE *out, analysis *a, const char **why)
     const char *const *names = a->d->design.kind == FOURLINK_FOUR_BAR ? four_bar : slider_crank;
     int i, drawn = 0;
 
-    if (!has_range(a, why))
-        return 0;
-    plot_panels(out, 3, 2);
-    fputs("set key above\n", out);
+    canvas_begin(on);
+    fputs("set format '%g'\n", on->out);
     for (i = 0; i < 6; i++)
-        drawn += put_panel(out, a, names[i]);
-    fputs("unset multiplot\n", out);
+        drawn += put_panel(on, a, names[i]);
+    canvas_end(on);
     *why = "the links reach at no angle of the motion";
     return drawn > 0;
 }
 
 /* Columns of one unit in one panel. */
-static void put_columns(FILE *out, analysis *a, fourlink_branch branch, const char *const *names)
+static void put_columns(canvas *on, analysis *a, fourlink_branch branch, const char *const *names)
 {
+    FILE *out = on->out;
     int i, drawn = 0;
     extent e = nothing;
     column x, y;
 
+    begin_panel(on, a);
     find_column(a, "theta2", &x);
-    begin_panel(out, a);
-    fputs("set title ", out);
-    sketch_quote(out, branch_name(branch));
-    putc('\n', out);
     for (i = 0; names[i]; i++)
         if (find_column(a, names[i], &y)) {
             put_data(out, a, branch, names[i], &x, &y, &e);
-            put_axis(out, "y", names[1] ? "force" : names[i], y.unit);
+            canvas_titles(on, branch_name(branch), "theta2", x.unit, names[1] ? "force" : names[i],
+                          y.unit);
         }
-    put_range(out, &e);
+    put_range(on, &e);
     for (i = 0; names[i]; i++)
         if (find_column(a, names[i], &y)) {
             fprintf(out, "%s $%s_%s using 1:2 with lines lt %d title ", drawn ? "," : "plot",
                     names[i], branch_name(branch), i + 1);
-            sketch_quote(out, names[i]);
+            canvas_quote(out, names[i]);
             drawn = 1;
         }
     putc('\n', out);
@@ -238,24 +299,22 @@ static int reaches(analysis *a, fourlink_branch branch)
     return 0;
 }
 
-int plot_forces(FILE *out, analysis *a, const char **why)
+int plot_forces(canvas *on, analysis *a, const char **why)
 {
     static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};
     static const char *const torque[] = {"Ts", NULL};
     fourlink_branch branches[2];
     int n = print_branches_of(a->d, branches), i, drawn = 0;
 
-    if (!has_range(a, why))
-        return 0;
-    plot_panels(out, n, 2);
-    fputs("set key above\n", out);
+    canvas_begin(on);
+    fputs("set format '%g'\n", on->out);
     for (i = 0; i < n; i++)
         if (reaches(a, branches[i])) {
-            put_columns(out, a, branches[i], pins);
-            put_columns(out, a, branches[i], torque);
+            put_columns(on, a, branches[i], pins);
+            put_columns(on, a, branches[i], torque);
             drawn++;
         }
-    fputs("unset multiplot\n", out);
+    canvas_end(on);
     *why = "the links reach at no angle of the motion";
     return drawn > 0;
 }
@@ -268,84 +327,140 @@ static double cycle_angle(const deck *d, double theta2)
     return flk_unit_from_si(theta2, d->units[QUANTITY_ANGLE].unit);
 }
 
-/* The turning moment -Ts over one cycle, its mean, and the areas between them with their energies. */
-static void put_turning(FILE *out, analysis *a, fourlink_branch branch, const turning *t)
+/* Where the turning moment is farthest from its mean in an area: angle and moment, as they are drawn. */
+static void find_peak(analysis *a, fourlink_branch branch, const turning_area *area, double mean,
+                      double *angle, double *moment)
 {
-    const deck *d = a->d;
-    const deck_unit *angle = &d->units[QUANTITY_ANGLE], *energy = &d->units[QUANTITY_ENERGY];
-    double mean = flk_unit_from_si(t->mean_torque, d->units[QUANTITY_TORQUE].unit), cycle;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    double farthest = -1;
+    fourlink_crank crank;
+    result r;
     int k;
 
-    cycle = flk_unit_from_si(d->cycle, angle->unit);
-    fputs("unset label; set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n", out);
-    fputs("set title ", out);
-    sketch_quote(
-        out,
-        print_join(words, sizeof words, branch_name(branch), ": mean ",
-                   format_general(mean, 5, number), " ", d->units[QUANTITY_TORQUE].name,
-                   ", fluctuation of energy ",
-                   format_general(flk_unit_from_si(t->energy_fluctuation, energy->unit), 5, other),
-                   " ", energy->name, (char *)NULL));
-    putc('\n', out);
-    put_axis(out, "x", "theta2", angle->name);
-    put_axis(out, "y", "turning moment -Ts", d->units[QUANTITY_TORQUE].name);
-    fprintf(out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.1, graph 0.1\n",
-            format_general(d->motion.speed < 0 ? -cycle : cycle, 8, number));
-    if (strcmp(angle->name, "deg") == 0)
-        fputs(cycle > 360 ? "set xtics 60\n" : "set xtics 30\n", out);
-    fprintf(out, "mean = %s\n", format_general(mean, 17, number));
+    crank.omega2 = a->d->motion.speed;
+    crank.alpha2 = 0;
+    for (k = 0; k <= AREA_STEPS; k++) {
+        crank.theta2 = area->from + (area->to - area->from) * k / AREA_STEPS;
+        analysis_at(a, branch, &crank, &r);
+        if (r.status == FOURLINK_OK && fabs(-r.forces.Ts - mean) > farthest) {
+            farthest = fabs(-r.forces.Ts - mean);
+            *angle = cycle_angle(a->d, crank.theta2);
+            *moment = flk_unit_from_si(-r.forces.Ts, a->d->units[QUANTITY_TORQUE].unit);
+        }
+    }
+}
+
+/* The energies of the areas, each above or below its curve, if it does not run into the one before it. */
+static void put_areas(const canvas *on, analysis *a, fourlink_branch branch, const turning *t)
+{
+    const deck *d = a->d;
+    double pixel = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit) / on->box_width;
+    double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, angle = 0, moment = 0, half, first;
+    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    int k, is_above;
+
+    first = cycle_angle(d, 0);
     for (k = 0; k < t->n_areas; k++) {
         const turning_area *area = &t->area[k];
 
         if (fabs(area->energy) < 0.02 * t->energy_fluctuation)
             continue;
-        fputs("set label ", out);
-        sketch_quote(
-            out, print_join(words, sizeof words,
-                            format_general(flk_unit_from_si(area->energy, energy->unit), 4, number),
-                            " ", energy->name, (char *)NULL));
-        fprintf(out, " at %s, mean center front offset 0,%s\n",
-                format_general(cycle_angle(d, (area->from + area->to) / 2), 8, number),
-                (area->energy > 0) == (d->motion.speed > 0) ? "1" : "-1");
+        find_peak(a, branch, area, t->mean_torque, &angle, &moment);
+        is_above = (area->energy > 0) == (d->motion.speed > 0);
+        format_general(flk_unit_from_si(area->energy, d->units[QUANTITY_ENERGY].unit), 5, number);
+        print_join(words, sizeof words, number, " ", d->units[QUANTITY_ENERGY].name, (char *)NULL);
+        half = pixel * canvas_width_of(words) / 2;
+        angle = GSL_MAX_DBL(angle, first + half);
+        angle = GSL_MIN_DBL(angle, first + pixel * on->box_width - half);
+        if (angle - half < free_from[is_above])
+            continue;
+        free_from[is_above] = angle + half;
+        fputs("set label ", on->out);
+        canvas_quote(on->out, words);
+        fprintf(on->out, " at %s,%s center front offset 0,%s\n", format_general(angle, 8, number),
+                format_general(moment, 8, other), is_above ? "1" : "-1");
     }
-    fprintf(out, "$turning_%s << EOD\n", branch_name(branch));
-    for (k = 0; k <= STEPS; k++) {
-        fourlink_crank crank;
-        result r;
-
-        crank.theta2 = d->cycle * k / STEPS;
-        crank.omega2 = d->motion.speed;
-        crank.alpha2 = 0;
-        analysis_at(a, branch, &crank, &r);
-        if (r.status == FOURLINK_OK)
-            put_pair(out, cycle_angle(d, crank.theta2),
-                     flk_unit_from_si(-r.forces.Ts, d->units[QUANTITY_TORQUE].unit));
-    }
-    fprintf(out,
-            "EOD\nplot $turning_%s using 1:2 with filledcurves above y=mean fs solid 0.35 lc rgb "
-            "'#56B4E9' title 'above the mean', \\\n"
-            "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' title "
-            "'below', \\\n"
-            "     '' using 1:2 with lines lt 4 dt 1 title '-Ts', \\\n"
-            "     mean with lines lt 2 title 'mean'\n",
-            branch_name(branch));
 }
 
-int plot_turning(FILE *out, analysis *a, const char **why)
+static void put_moment(FILE *out, analysis *a, fourlink_branch branch)
+{
+    fourlink_crank crank;
+    result r;
+    int k;
+
+    crank.omega2 = a->d->motion.speed;
+    crank.alpha2 = 0;
+    fprintf(out, "$turning_%s << EOD\n", branch_name(branch));
+    for (k = 0; k <= STEPS; k++) {
+        crank.theta2 = a->d->cycle * k / STEPS;
+        analysis_at(a, branch, &crank, &r);
+        if (r.status == FOURLINK_OK)
+            put_pair(out, cycle_angle(a->d, crank.theta2),
+                     flk_unit_from_si(-r.forces.Ts, a->d->units[QUANTITY_TORQUE].unit));
+    }
+    fputs("EOD\n", out);
+}
+
+/* Areas are filled, but for a text terminal. */
+static void plot_moment(const canvas *on, const char *branch)
+{
+    fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
+    if (!on->is_text)
+        fputs(
+            "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above the "
+            "mean', \\\n"
+            "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' title "
+            "'below', \\\n"
+            "     '' using 1:2 ",
+            on->out);
+    fprintf(on->out,
+            "with lines lt %s title '-Ts', \\\n"
+            "     mean with lines lt 2 title 'mean'\n",
+            on->is_text ? "1" : "4 dt 1");
+}
+
+/* The turning moment -Ts over one cycle, its mean, and the areas between them with their energies. */
+static void put_turning(canvas *on, analysis *a, fourlink_branch branch, const turning *t)
+{
+    const deck *d = a->d;
+    const deck_unit *angle = &d->units[QUANTITY_ANGLE], *energy = &d->units[QUANTITY_ENERGY];
+    const deck_unit *torque = &d->units[QUANTITY_TORQUE];
+    double mean = flk_unit_from_si(t->mean_torque, torque->unit);
+    double cycle = flk_unit_from_si(d->cycle, angle->unit);
+    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+
+    fputs("unset label\n", on->out);
+    canvas_panel(on, 3, 2 * CANVAS_LETTER);
+    canvas_key(on);
+    canvas_grid(on);
+    print_join(words, sizeof words, branch_name(branch), ": mean ", format_general(mean, 5, number),
+               " ", torque->name, ", fluctuation of energy ",
+               format_general(flk_unit_from_si(t->energy_fluctuation, energy->unit), 5, other), " ",
+               energy->name, (char *)NULL);
+    canvas_titles(on, words, "theta2", angle->name, "turning moment -Ts", torque->name);
+    fprintf(on->out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n",
+            format_general(d->motion.speed < 0 ? -cycle : cycle, 8, number));
+    fprintf(on->out, "set xtics %s\nmean = %s\n",
+            format_general(step_of_angles(angle, cycle, on->box_width), 6, number),
+            format_general(mean, 17, other));
+    put_areas(on, a, branch, t);
+    put_moment(on->out, a, branch);
+    plot_moment(on, branch_name(branch));
+}
+
+int plot_turning(canvas *on, analysis *a, const char **why)
 {
     fourlink_branch branches[2];
     int n = print_branches_of(a->d, branches), i, drawn = 0;
     turning t;
 
-    plot_panels(out, n, 1);
-    fputs("set key above\n", out);
+    canvas_begin(on);
+    fputs("set format '%g'\n", on->out);
     for (i = 0; i < n; i++)
         if (turning_find(a, branches[i], &t)) {
-            put_turning(out, a, branches[i], &t);
+            put_turning(on, a, branches[i], &t);
             drawn++;
         }
-    fputs("unset multiplot\n", out);
+    canvas_end(on);
     *why = "the turning moment needs a crank that turns fully, at constant speed";
     return drawn > 0;
 }
@@ -359,96 +474,145 @@ typedef struct bearing {
 
 #define MARKS 12
 #define LETTERED 3 /* every third of them has its angle beside it */
+#define MOST_LETTERED (2 * MARKS / LETTERED)
 
-/* The crank angles along the curve, as $NAME_BRANCH_marks: each `step` of MARKS. */
-static void put_marks(FILE *out, analysis *a, fourlink_branch branch, const char *name, int step,
-                      const column *x, const column *y)
+/* A drawing of equal scale on both axes, and what is lettered in it. */
+typedef struct frame {
+    double x_min, x_max, y_min, y_max;
+    double scale; /* of a pixel */
+    double x[MOST_LETTERED], y[MOST_LETTERED];
+    int n;
+} frame;
+
+/* Room for the curves, and for 0, where there is no force. */
+static void find_frame(analysis *a, const fourlink_branch *branches, int n, const column *x,
+                       const column *y, frame *f)
 {
-    char number[FORMAT_SIZE];
+    extent ex = nothing, ey = nothing;
+    int i, k, cut;
     result r;
-    int k;
-
-    fprintf(out, "$%s_%s_marks%d << EOD\n", name, branch_name(branch), step);
-    for (k = 0; k < MARKS; k += step) {
-        sample(a, branch, k * (STEPS / MARKS), &r);
-        if (r.status != FOURLINK_OK)
-            continue;
-        fputs(format_general(column_value(x, &r), 8, number), out);
-        putc(' ', out);
-        fputs(format_general(column_value(y, &r), 8, number), out);
-        putc(' ', out);
-        fputs(format_general(r.row.angle, 4, number), out);
-        putc('\n', out);
-    }
-    fputs("EOD\n", out);
-}
-
-/* Axes of equal range around 0, where there is no force; positions near dead ones do not count. */
-static void put_square(FILE *out, analysis *a, const fourlink_branch *branches, int n,
-                       const column *x, const column *y)
-{
-    double largest = 0;
-    char number[FORMAT_SIZE];
-    result r;
-    int i, k;
 
     for (i = 0; i < n; i++)
         for (k = 0; k <= STEPS; k++) {
             sample(a, branches[i], k, &r);
-            if (r.status == FOURLINK_OK && r.state.mu > 0.1) {
-                double size = gsl_hypot(column_value(x, &r), column_value(y, &r));
-
-                largest = size > largest ? size : largest;
+            if (r.status == FOURLINK_OK) {
+                extend(&ex, column_value(x, &r), r.state.mu);
+                extend(&ey, column_value(y, &r), r.state.mu);
             }
         }
-    largest = largest > 0 ? 1.15 * largest : 1;
-    format_general(largest, 6, number);
-    fprintf(out, "set xrange [-%s:%s]; set yrange [-%s:%s]\n", number, number, number, number);
-    format_general(sketch_round(largest / 1.5), 6, number);
-    fprintf(out, "set xtics %s; set ytics %s\n", number, number);
+    cut = is_cut(&ex) || is_cut(&ey);
+    memset(f, 0, sizeof *f);
+    f->x_min = GSL_MIN_DBL(0, cut ? ex.sound_low : ex.low);
+    f->x_max = GSL_MAX_DBL(0, cut ? ex.sound_high : ex.high);
+    f->y_min = GSL_MIN_DBL(0, cut ? ey.sound_low : ey.low);
+    f->y_max = GSL_MAX_DBL(0, cut ? ey.sound_high : ey.high);
 }
 
-static int put_polar(FILE *out, analysis *a, const bearing *b)
+static void put_frame_axis(FILE *out, const char *axis, double low, double high, double length)
+{
+    char number[FORMAT_SIZE], other[FORMAT_SIZE];
+
+    fprintf(out, "set %srange [%s:%s]\n", axis,
+            format_general((low + high - length) / 2, 6, number),
+            format_general((low + high + length) / 2, 6, other));
+}
+
+static void put_frame(const canvas *on, frame *f)
+{
+    double border = 4 * CANVAS_LETTER; /* for the angles */
+    char number[FORMAT_SIZE];
+
+    f->scale = GSL_MAX_DBL((f->x_max - f->x_min) / (on->box_width - 2 * border),
+                           (f->y_max - f->y_min) / (on->box_height - 2 * border));
+    if (f->scale == 0)
+        f->scale = 1 / on->box_width;
+    put_frame_axis(on->out, "x", f->x_min, f->x_max, f->scale * on->box_width);
+    put_frame_axis(on->out, "y", f->y_min, f->y_max, f->scale * on->box_height);
+    format_general(sketch_round(8 * CANVAS_LETTER * f->scale), 6, number);
+    fprintf(on->out, "set tics %s\n", number);
+}
+
+/* A crank angle beside the curve, in its colour, unless another stands there. */
+static void put_angle(const canvas *on, const deck *d, frame *f, double x, double y, double angle,
+                      int line)
+{
+    const deck_unit *u = &d->units[QUANTITY_ANGLE];
+    int is_deg = strcmp(u->name, "deg") == 0, is_right = x > (f->x_min + f->x_max) / 2, i;
+    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[100];
+
+    if (x < f->x_min || x > f->x_max || y < f->y_min || y > f->y_max)
+        return;
+    for (i = 0; i < f->n; i++)
+        if (fabs(x - f->x[i]) < 5 * CANVAS_LETTER * f->scale &&
+            fabs(y - f->y[i]) < CANVAS_LINE * f->scale)
+            return;
+    f->x[f->n] = x;
+    f->y[f->n++] = y;
+    fputs("set label ", on->out);
+    canvas_quote(on->out,
+                 print_join(words, sizeof words, format_general(angle, 4, number),
+                            is_deg ? "\302\260" : " ", is_deg ? "" : u->name, (char *)NULL));
+    fprintf(on->out, " at %s,%s %s front tc lt %d offset %d,%s\n", format_general(x, 8, number),
+            format_general(y, 8, other), is_right ? "left" : "right", line, is_right ? 1 : -1,
+            y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");
+}
+
+/* The crank angles along the curve, as $NAME_BRANCH_marks. */
+static void put_marks(const canvas *on, analysis *a, fourlink_branch branch, const bearing *b,
+                      const column *x, const column *y, frame *f)
+{
+    result r;
+    int k;
+
+    fprintf(on->out, "$%s_%s_marks << EOD\n", b->name, branch_name(branch));
+    for (k = 0; k < MARKS; k++) {
+        sample(a, branch, k * (STEPS / MARKS), &r);
+        if (r.status == FOURLINK_OK)
+            put_pair(on->out, column_value(x, &r), column_value(y, &r));
+    }
+    fputs("EOD\n", on->out);
+    for (k = 0; k < MARKS; k += LETTERED) {
+        sample(a, branch, k * (STEPS / MARKS), &r);
+        if (r.status == FOURLINK_OK)
+            put_angle(on, a->d, f, column_value(x, &r), column_value(y, &r), r.row.angle,
+                      branch == FOURLINK_CROSSED && a->d->open ? 2 : 1);
+    }
+}
+
+static int put_polar(canvas *on, analysis *a, const bearing *b)
 {
     fourlink_branch branches[2];
     int n = print_branches_of(a->d, branches), i, drawn = 0, points[2];
     extent e = nothing;
     column x, y;
+    frame f;
 
+    fputs("unset label; unset arrow\n", on->out);
+    canvas_panel(on, 3, 2 * CANVAS_LETTER);
+    canvas_key(on);
     if (!find_column(a, b->along, &x) || !find_column(a, b->across, &y))
         return 0;
-    fputs("unset label; unset arrow\nset grid lt 1 lw 0.5 lc rgb '#DDDDDD'\nset size ratio -1\n"
-          "set zeroaxis lt 1 lw 1 lc rgb 'black'\n",
-          out);
-    fputs("set title ", out);
-    sketch_quote(out, b->words);
-    putc('\n', out);
-    put_axis(out, "x", b->along, x.unit);
-    put_axis(out, "y", b->across, y.unit);
-    put_square(out, a, branches, n, &x, &y);
+    canvas_titles(on, b->words, b->along, x.unit, b->across, y.unit);
+    find_frame(a, branches, n, &x, &y, &f);
+    put_frame(on, &f);
     for (i = 0; i < n; i++)
-        if ((points[i] = put_data(out, a, branches[i], b->name, &x, &y, &e)) > 0) {
-            put_marks(out, a, branches[i], b->name, 1, &x, &y);
-            put_marks(out, a, branches[i], b->name, LETTERED, &x, &y);
-        }
+        if ((points[i] = put_data(on->out, a, branches[i], b->name, &x, &y, &e)) > 0)
+            put_marks(on, a, branches[i], b, &x, &y, &f);
     for (i = 0; i < n; i++)
         if (points[i]) {
             const char *branch = branch_name(branches[i]);
 
-            fprintf(out,
-                    "%s $%s_%s using 1:2 with lines lt %d title '%s', $%s_%s_marks1 using 1:2 with "
+            fprintf(on->out,
+                    "%s $%s_%s using 1:2 with lines lt %d title '%s', $%s_%s_marks using 1:2 with "
                     "points pt 7 ps 0.5 lc rgb 'black'",
                     drawn ? "," : "plot", b->name, branch, i + 1, branch, b->name, branch);
-            if (!drawn)
-                fprintf(out, ", $%s_%s_marks%d using 1:2:3 with labels font ',9' offset 0,0.6",
-                        b->name, branch, LETTERED);
             drawn = 1;
         }
-    fputs(drawn ? "\n" : "set multiplot next\n", out);
+    putc('\n', on->out);
     return drawn;
 }
 
-int plot_polar(FILE *out, analysis *a, const char **why)
+int plot_polar(canvas *on, analysis *a, const char **why)
 {
 #define LINK_AXES(name) name, name "_along", name "_across"
     static const bearing four_bar[] = {
@@ -466,13 +630,14 @@ int plot_polar(FILE *out, analysis *a, const char **why)
         {"F34", "F34x", "F34y", "F34, rod on piston, in the piston's axes"}};
     int is_four_bar = a->d->design.kind == FOURLINK_FOUR_BAR, i, drawn = 0;
 
-    if (!has_range(a, why))
-        return 0;
-    fputs("set key above\n", out);
-    plot_panels(out, 2, 3);
+    canvas_begin(on);
+    canvas_grid(on);
+    fputs("set format '%g'; set size ratio -1\n"
+          "set zeroaxis lt 1 lw 1 lc rgb 'black'\n",
+          on->out);
     for (i = 0; i < (is_four_bar ? 6 : 5); i++)
-        drawn += put_polar(out, a, is_four_bar ? &four_bar[i] : &slider_crank[i]);
-    fputs("unset multiplot\n", out);
+        drawn += put_polar(on, a, is_four_bar ? &four_bar[i] : &slider_crank[i]);
+    canvas_end(on);
     *why = "the links reach at no angle of the motion";
     return drawn > 0;
 }

@@ -61,15 +61,62 @@ static void put_length(sketch *s, const deck *d, const char *name, double length
     sketch_note(s, arrow_words(d, name, length, QUANTITY_LENGTH, words));
 }
 
-int plot_klein(FILE *out, analysis *a, const plot_request *request, const char **why)
+/* The lines, and their letters, each on the side that is away from the middle of the rod. */
+static void draw_lines(sketch *s, const construction *k, double rod)
+{
+    fourlink_vector middle;
+
+    middle.x = (k->B.x + k->C.x) / 2;
+    middle.y = (k->B.y + k->C.y) / 2;
+    sketch_circle(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y));
+    sketch_circle(s, PEN_CONSTRUCTION, middle, rod / 2);
+    if (k->meet)
+        sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);
+    sketch_line(s, PEN_CONSTRUCTION, k->O, k->N);
+    sketch_line(s, PEN_CONSTRUCTION, k->B, k->M);
+    sketch_line(s, PEN_CRANK, k->O, k->B);
+    sketch_line(s, PEN_COUPLER, k->B, k->C);
+    sketch_line(s, PEN_RESULT, k->O, k->M);
+    sketch_line(s, PEN_RESULT, k->B, k->Q);
+    sketch_line(s, PEN_RESULT, k->Q, k->N);
+    sketch_line(s, PEN_FOLLOWER, k->N, k->O);
+    sketch_pin(s, k->O);
+    sketch_pin(s, k->B);
+    sketch_pin(s, k->C);
+    figure_letter(s, k->O, middle, k->B, "O");
+    figure_letter(s, k->B, middle, k->O, "B");
+    figure_letter(s, k->C, middle, middle, "C");
+    figure_letter(s, k->M, middle, k->O, "M");
+    figure_letter(s, k->Q, k->N, k->C, "Q");
+    figure_letter(s, k->N, k->Q, k->Q, "N");
+    if (k->meet) {
+        figure_letter(s, k->K, k->L, k->L, "K");
+        figure_letter(s, k->L, k->K, k->K, "L");
+    }
+}
+
+static void put_values(sketch *s, const deck *d, const fourlink_klein *lengths)
+{
+    put_length(s, d, "OM =", lengths->OM);
+    put_length(s, d, "BM =", lengths->BM);
+    put_length(s, d, "BQ =", lengths->BQ);
+    put_length(s, d, "QN =", lengths->QN);
+    put_length(s, d, "ON =", lengths->ON);
+    sketch_note(s, "v = omega2 OM");
+    sketch_note(s, "omega3 = omega2 BM / BC");
+    sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
+    sketch_note(s, "alpha3 = omega2^2 QN / BC");
+    sketch_note(s, "v and a count away from");
+    sketch_note(s, "the inner dead centre");
+    figure_slope(s, d);
+}
+
+int plot_klein(canvas *on, analysis *a, const plot_request *request, const char **why)
 {
     fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
-    const deck_unit *u = &a->d->units[QUANTITY_LENGTH];
     char words[FIGURE_TITLE + 30], title[FIGURE_TITLE];
-    fourlink_vector middle;
     fourlink_klein lengths;
     construction k;
-    double l, away, above;
     result r;
     sketch s;
     int status = plot_position(a, branch, request, &r);
@@ -80,52 +127,14 @@ int plot_klein(FILE *out, analysis *a, const plot_request *request, const char *
         *why = fourlink_status_text(status);
         return 0;
     }
-    plot_panels(out, 1, 1);
-    fputs("set rmargin 34\n", out);
+    canvas_begin(on);
     construct(a->d, &r.state, &k);
-    l = figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length);
-    figure_open(&s, out, a, branch, 0);
-    sketch_circle(&s, PEN_CONSTRUCTION, k.B, gsl_hypot(k.M.x - k.B.x, k.M.y - k.B.y));
-    middle.x = (k.B.x + k.C.x) / 2;
-    middle.y = (k.B.y + k.C.y) / 2;
-    sketch_circle(&s, PEN_CONSTRUCTION, middle, l / 2);
-    if (k.meet)
-        sketch_line(&s, PEN_CONSTRUCTION, k.K, k.L);
-    sketch_line(&s, PEN_CONSTRUCTION, k.O, k.N);
-    sketch_line(&s, PEN_CONSTRUCTION, k.B, k.M);
-    sketch_line(&s, PEN_CRANK, k.O, k.B);
-    sketch_line(&s, PEN_COUPLER, k.B, k.C);
-    sketch_line(&s, PEN_RESULT, k.O, k.M);
-    sketch_line(&s, PEN_RESULT, k.B, k.Q);
-    sketch_line(&s, PEN_RESULT, k.Q, k.N);
-    sketch_line(&s, PEN_FOLLOWER, k.N, k.O);
-    sketch_pin(&s, k.O);
-    sketch_pin(&s, k.B);
-    sketch_pin(&s, k.C);
-    away = k.C.x > 0 ? 1 : -1; /* from the crankshaft to the piston */
-    above = k.B.y >= 0 ? 1 : -1;
-    sketch_text(&s, k.O, -0.9 * away, -0.9 * above, "O");
-    sketch_text(&s, k.B, -0.9 * away, 0.9 * above, "B");
-    sketch_text(&s, k.C, 0.9 * away, -0.9 * above, "C");
-    sketch_text(&s, k.M, -0.9 * away, 0.6, "M");
-    sketch_text(&s, k.Q, 0.6 * away, 1.1 * above, "Q");
-    sketch_text(&s, k.N, 0.5 * away, -1.1 * above, "N");
-    if (k.meet) {
-        sketch_text(&s, k.K, 0.5, 0.9, "K");
-        sketch_text(&s, k.L, 0.5, -0.9, "L");
-    }
-    put_length(&s, a->d, "OM =", lengths.OM);
-    put_length(&s, a->d, "BM =", lengths.BM);
-    put_length(&s, a->d, "BQ =", lengths.BQ);
-    put_length(&s, a->d, "QN =", lengths.QN);
-    put_length(&s, a->d, "ON =", lengths.ON);
-    sketch_note(&s, "v = omega2 OM");
-    sketch_note(&s, "omega3 = omega2 BM / BC");
-    sketch_note(&s, "alpha2 = 0: a = omega2^2 ON");
-    sketch_note(&s, "alpha3 = omega2^2 QN / BC");
+    figure_open(&s, on, a, branch, 0);
+    draw_lines(&s, &k, figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length));
+    put_values(&s, a->d, &lengths);
     print_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
                (char *)NULL);
-    sketch_close(&s, words, u->name);
-    fputs("unset multiplot\n", out);
+    sketch_close(&s, words, a->d->units[QUANTITY_LENGTH].name);
+    canvas_end(on);
     return 1;
 }

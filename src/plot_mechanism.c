@@ -57,7 +57,7 @@ static void draw_ghosts(sketch *s, analysis *a, fourlink_branch branch)
     }
 }
 
-/* The other positions of the request, each with its angle at the crank pin. */
+/* The other positions of the request, thin, each with its angle at the crank pin. */
 static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const plot_request *request)
 {
     char words[200], number[FORMAT_SIZE];
@@ -69,8 +69,10 @@ static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const pl
         analysis_at(a, branch, &r.row.crank, &r);
         print_angle(r.row.angle, number);
         if (r.status == FOURLINK_OK) {
-            figure_links(s, a->d, &r.state);
-            sketch_text(s, figure_place(a->d, &r.state).B, -0.9, 0.9, number);
+            figure_pins pins = figure_place(a->d, &r.state);
+
+            figure_outline(s, PEN_OTHER, a->d, &r.state);
+            figure_letter(s, pins.B, pins.A, pins.A, number);
         } else {
             sketch_note(
                 s, print_join(words, sizeof words, number, ": none, see the table", (char *)NULL));
@@ -78,7 +80,23 @@ static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const pl
     }
 }
 
-int plot_mechanism(FILE *out, analysis *a, const plot_request *request, const char **why)
+static void draw(sketch *s, analysis *a, const plot_request *request, result *r)
+{
+    if (request->n_angles == 0 && request->file != PLOT_TXT)
+        draw_ghosts(s, a, r->branch);
+    figure_paths(s, a, r->branch, NULL);
+    figure_frame(s, a->d, &r->state);
+    draw_others(s, a, r->branch, request);
+    plot_position(a, r->branch, request, r); /* its loads again */
+    figure_links(s, a->d, &r->state);
+    figure_letters(s, a->d, &r->state);
+    figure_angles(s, a->d, &r->state);
+    figure_slope(s, a->d);
+    if (a->d->has_forces)
+        draw_forces(s, a, r);
+}
+
+int plot_mechanism(canvas *on, analysis *a, const plot_request *request, const char **why)
 {
     fourlink_branch branches[2];
     int n = print_branches_of(a->d, branches), i, drawn = 0;
@@ -86,8 +104,7 @@ int plot_mechanism(FILE *out, analysis *a, const plot_request *request, const ch
     result r;
     sketch s;
 
-    plot_panels(out, n, 1);
-    fputs("set key bottom right\nset rmargin 20\n", out);
+    canvas_begin(on);
     for (i = 0; i < n; i++) {
         int status = plot_position(a, branches[i], request, &r);
 
@@ -95,26 +112,16 @@ int plot_mechanism(FILE *out, analysis *a, const plot_request *request, const ch
             *why = fourlink_status_text(status);
             continue;
         }
-        figure_open(&s, out, a, branches[i], 0);
-        if (request->n_angles == 0 && request->file != PLOT_TXT)
-            draw_ghosts(&s, a, branches[i]);
-        figure_paths(&s, a, branches[i], NULL);
-        figure_frame(&s, a->d, &r.state);
-        draw_others(&s, a, branches[i], request);
-        plot_position(a, branches[i], request, &r); /* its loads again */
-        figure_links(&s, a->d, &r.state);
-        figure_letters(&s, a->d, &r.state);
-        figure_angles(&s, a->d, &r.state);
-        if (a->d->has_forces)
-            draw_forces(&s, a, &r);
+        figure_open(&s, on, a, branches[i], 0);
+        draw(&s, a, request, &r);
         sketch_close(&s, figure_title(a->d, &r, title), a->d->units[QUANTITY_LENGTH].name);
         drawn++;
     }
-    fputs("unset multiplot\n", out);
+    canvas_end(on);
     return drawn > 0;
 }
 
-int plot_animation(FILE *out, analysis *a, const char **why)
+int plot_animation(canvas *on, analysis *a, const char **why)
 {
     fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
     char title[FIGURE_TITLE];
@@ -122,10 +129,6 @@ int plot_animation(FILE *out, analysis *a, const char **why)
     result r;
     sketch s;
 
-    if (a->range.n_rows < 2) {
-        *why = "an animation needs a range of crank angles; the deck has one instant";
-        return 0;
-    }
     for (k = 0; k < FRAMES; k++) {
         analysis_spread(a, k, FRAMES, &r.row);
         analysis_at(a, branch, &r.row.crank, &r);
@@ -133,13 +136,13 @@ int plot_animation(FILE *out, analysis *a, const char **why)
             *why = fourlink_status_text(r.status);
             continue;
         }
-        figure_open(&s, out, a, branch, 1);
-        plot_source(out);
+        figure_open(&s, on, a, branch, 1);
+        canvas_heading(on);
         figure_paths(&s, a, branch, &r.row.angle);
         figure_frame(&s, a->d, &r.state);
         figure_links(&s, a->d, &r.state);
         figure_letters(&s, a->d, &r.state);
-        fputs("set key bottom right\n", out);
+        figure_slope(&s, a->d);
         sketch_close(&s, figure_title(a->d, &r, title), a->d->units[QUANTITY_LENGTH].name);
         drawn++;
     }

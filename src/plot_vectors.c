@@ -16,7 +16,10 @@
 #include "print.h"
 
 /* Of these small drawings. */
-#define LETTER 0.055
+#define LETTER 0.045
+
+/* Below this fraction of the largest a side is shorter than the head of an arrow. */
+#define SHORTEST 0.01
 
 static const fourlink_vector zero = {0, 0};
 
@@ -36,6 +39,7 @@ typedef struct polygon {
     quantity q;
     side sides[MOST_SIDES];
     int n;
+    fourlink_vector middle;
 } polygon;
 
 static fourlink_vector in_unit(const polygon *p, fourlink_vector si)
@@ -72,12 +76,12 @@ static fourlink_vector put_side(polygon *p, pen kind, const char *name, fourlink
     return new->to;
 }
 
-static void open_polygon(polygon *p, FILE *out, const deck *d, quantity q)
+static void open_polygon(polygon *p, canvas *c, const deck *d, quantity q)
 {
     p->d = d;
     p->q = q;
     p->n = 0;
-    sketch_open(&p->s, out, 1);
+    sketch_open(&p->s, c, 1);
     p->s.letter = LETTER;
 }
 
@@ -86,21 +90,29 @@ static double length_of(const side *x)
     return gsl_hypot(x->to.x - x->from.x, x->to.y - x->from.y);
 }
 
-/* Draw the sides; each has its name on the side that is away from the middle of the polygon. */
-static void draw_sides(polygon *p)
+static void find_size(polygon *p)
 {
-    fourlink_vector middle = zero;
-    char words[ARROW_WORDS];
     int i;
 
     p->s.size = 0;
+    p->middle = zero;
     for (i = 0; i < p->n; i++) {
         p->s.size = GSL_MAX_DBL(p->s.size, length_of(&p->sides[i]));
-        middle.x += (p->sides[i].from.x + p->sides[i].to.x) / (2 * p->n);
-        middle.y += (p->sides[i].from.y + p->sides[i].to.y) / (2 * p->n);
+        p->middle.x += (p->sides[i].from.x + p->sides[i].to.x) / (2 * p->n);
+        p->middle.y += (p->sides[i].from.y + p->sides[i].to.y) / (2 * p->n);
     }
     if (p->s.size == 0)
         p->s.size = 1;
+}
+
+/* Draw the sides; each has its name on the side that is away from the middle of the polygon.  One too
+** short for a head has no name. */
+static void draw_sides(polygon *p)
+{
+    char words[ARROW_WORDS];
+    int i;
+
+    find_size(p);
     for (i = 0; i < p->n; i++) {
         const side *x = &p->sides[i];
         double length = length_of(x), nx, ny, out;
@@ -110,14 +122,22 @@ static void draw_sides(polygon *p)
         sketch_note(&p->s,
                     arrow_words(p->d, x->name, flk_unit_to_si(length, p->d->units[p->q].unit), p->q,
                                 words));
-        if (length < 0.01 * p->s.size)
+        if (length < SHORTEST * p->s.size) {
+            sketch_line(&p->s, x->p, x->from, x->to);
             continue;
+        }
         sketch_arrow(&p->s, x->p, x->from, x->to);
         nx = -(x->to.y - x->from.y) / length;
         ny = (x->to.x - x->from.x) / length;
-        out = nx * (x->from.x - middle.x) + ny * (x->from.y - middle.y) < 0 ? -1 : 1;
-        sketch_text(&p->s, midpoint(x->from, x->to), 1.1 * out * nx, 1.1 * out * ny, x->name);
+        out = nx * (x->from.x - p->middle.x) + ny * (x->from.y - p->middle.y) < 0 ? -1 : 1;
+        sketch_text(&p->s, midpoint(x->from, x->to), out * nx, out * ny, x->name);
     }
+}
+
+/* The letter of a corner, away from the middle. */
+static void put_letter(polygon *p, fourlink_vector at, const char *letter)
+{
+    sketch_text(&p->s, at, at.x - p->middle.x, at.y - p->middle.y, letter);
 }
 
 /* Motion of pin C: of link 3 at its end. */
@@ -130,7 +150,7 @@ static void motion_of_C(const deck *d, const fourlink_state *state, fourlink_vec
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
 
-static void put_velocities(FILE *out, const deck *d, const result *r)
+static void put_velocities(canvas *on, const deck *d, const result *r)
 {
     fourlink_vector b, c, v_C, v_CB;
     polygon p;
@@ -138,14 +158,14 @@ static void put_velocities(FILE *out, const deck *d, const result *r)
     motion_of_C(d, &r->state, &v_C, NULL);
     v_CB.x = v_C.x - r->state.link[FOURLINK_COUPLER].velocity.x;
     v_CB.y = v_C.y - r->state.link[FOURLINK_COUPLER].velocity.y;
-    open_polygon(&p, out, d, QUANTITY_SPEED);
+    open_polygon(&p, on, d, QUANTITY_SPEED);
     b = put_side(&p, PEN_CRANK, "vB", zero, in_unit(&p, r->state.link[FOURLINK_COUPLER].velocity));
     put_side(&p, PEN_FOLLOWER, "vC", zero, in_unit(&p, v_C));
     c = put_side(&p, PEN_COUPLER, "vCB", b, in_unit(&p, v_CB));
     draw_sides(&p);
-    sketch_text(&p.s, zero, -0.8, -0.8, "o");
-    sketch_text(&p.s, b, 0.8, 0.8, "b");
-    sketch_text(&p.s, c, 0.8, -0.8, "c");
+    put_letter(&p, zero, "o");
+    put_letter(&p, b, "b");
+    put_letter(&p, c, "c");
     sketch_close(&p.s, "velocity polygon", d->units[p.q].name);
 }
 
@@ -162,14 +182,14 @@ static void parts_of(const deck *d, const fourlink_state *state, int link, fourl
     tangential->y = l->alpha * length * l->axis.x;
 }
 
-static void put_accelerations(FILE *out, const deck *d, const result *r)
+static void put_accelerations(canvas *on, const deck *d, const result *r)
 {
     fourlink_vector n[5], t[5], a_C, b, c;
     polygon p;
     int i;
 
     motion_of_C(d, &r->state, NULL, &a_C);
-    open_polygon(&p, out, d, QUANTITY_ACCELERATION);
+    open_polygon(&p, on, d, QUANTITY_ACCELERATION);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
         parts_of(d, &r->state, i, &n[i], &t[i]);
         n[i] = in_unit(&p, n[i]);
@@ -186,9 +206,9 @@ static void put_accelerations(FILE *out, const deck *d, const result *r)
     draw_sides(&p);
     sketch_line(&p.s, PEN_CONSTRUCTION, zero, c);
     sketch_line(&p.s, PEN_CONSTRUCTION, b, c);
-    sketch_text(&p.s, zero, -0.8, -0.8, "o'");
-    sketch_text(&p.s, b, 0.8, 0.8, "b'");
-    sketch_text(&p.s, c, 0.8, -0.8, "c'");
+    put_letter(&p, zero, "o'");
+    put_letter(&p, b, "b'");
+    put_letter(&p, c, "c'");
     sketch_close(&p.s, "acceleration polygon", d->units[p.q].name);
 }
 
@@ -229,8 +249,69 @@ static const char *name_of_link(const deck *d, int link)
                                       : (four_bar ? "rocker" : "piston");
 }
 
+/* Thin lines from the pins to a point of the link that is off its line. */
+static void draw_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
+{
+    double along = gsl_hypot(second.x - first.x, second.y - first.y);
+    double ways =
+        gsl_hypot(at.x - first.x, at.y - first.y) + gsl_hypot(at.x - second.x, at.y - second.y);
+
+    if (ways > along * (1 + 1e-9)) {
+        sketch_line(s, PEN_CONSTRUCTION, first, at);
+        sketch_line(s, PEN_CONSTRUCTION, second, at);
+    }
+}
+
+/* The body of a link between its pins, out to where it is loaded, with its centre of mass at G. */
+static void draw_body(sketch *s, const analysis *a, const result *r, int link,
+                      fourlink_vector first, fourlink_vector second, fourlink_vector G)
+{
+    static const char *const letters[3][2] = {{"A", "B"}, {"B", "C"}, {"C", "D"}};
+    const deck *d = a->d;
+    int is_piston = first.x == second.x && first.y == second.y;
+    unsigned long i;
+
+    if (is_piston)
+        figure_piston(s, first);
+    else
+        sketch_line(s, (pen)link, first, second);
+    for (i = 0; i < a->n_loads; i++)
+        if (a->loads[i].link == link)
+            draw_off(s, first, second, figure_of_link(d, &r->state, link, &a->loads[i].at));
+    if (d->design.link[link].mass > 0) {
+        draw_off(s, first, second, G);
+        sketch_centre(s, G);
+    }
+    sketch_pin(s, first);
+    figure_letter(s, first, second, second, letters[link - 2][0]);
+    if (!is_piston) {
+        sketch_pin(s, second);
+        figure_letter(s, second, first, first, letters[link - 2][1]);
+    }
+}
+
+/* Forces and torques on it. */
+static void draw_loads(sketch *s, const analysis *a, const result *r, int link,
+                       fourlink_vector first, fourlink_vector G, double size)
+{
+    const deck *d = a->d;
+    arrow_list arrows;
+
+    collect(a, r, link, &arrows);
+    if (arrow_largest(&arrows) > 0)
+        arrow_draw(&arrows, s, d, 0.8 * size / arrow_largest(&arrows));
+    arrow_draw_load_torques(s, a, r, link);
+    if (link == FOURLINK_CRANK)
+        arrow_draw_torque(s, d, PEN_FORCE, "Ts", zero, r->forces.Ts);
+    if (r->state.link[link].alpha != 0 && d->design.link[link].inertia > 0)
+        arrow_draw_torque(s, d, PEN_RESULT, "-I alpha", G,
+                          -d->design.link[link].inertia * r->state.link[link].alpha);
+    if (link == FOURLINK_FOLLOWER)
+        arrow_draw_torque(s, d, PEN_FORCE, "M14", first, r->forces.M14);
+}
+
 /* A link cut free, with all that acts on it. */
-static void put_free_body(FILE *out, const analysis *a, const result *r, int link)
+static void put_free_body(canvas *on, const analysis *a, const result *r, int link)
 {
     const deck *d = a->d;
     figure_pins pins = figure_place(d, &r->state);
@@ -241,46 +322,23 @@ static void put_free_body(FILE *out, const analysis *a, const result *r, int lin
                              : link == FOURLINK_COUPLER            ? pins.C
                              : d->design.kind == FOURLINK_FOUR_BAR ? pins.D
                                                                    : pins.C;
-    static const char *const letters[3][2] = {{"A", "B"}, {"B", "C"}, {"C", "D"}};
     fourlink_vector G = figure_of_link(d, &r->state, link, &d->design.link[link].cg);
-    arrow_list arrows;
-    double size, scale = 0;
+    double size = gsl_hypot(second.x - first.x, second.y - first.y);
     char words[ARROW_WORDS];
     sketch s;
 
-    collect(a, r, link, &arrows);
-    size = gsl_hypot(second.x - first.x, second.y - first.y);
     if (size == 0)
         size = figure_length(d, d->design.link[FOURLINK_CRANK].length);
-    sketch_open(&s, out, 1.4 * size);
+    sketch_open(&s, on, 1.4 * size);
     s.letter = LETTER;
-    sketch_line(&s, (pen)link, first, second);
-    if (d->design.link[link].mass > 0)
-        sketch_centre(&s, G);
-    sketch_pin(&s, first);
-    sketch_text(&s, first, -0.9, -0.9, letters[link - 2][0]);
-    if (first.x != second.x || first.y != second.y) {
-        sketch_pin(&s, second);
-        sketch_text(&s, second, 0.9, -0.9, letters[link - 2][1]);
-    }
-    if (arrow_largest(&arrows) > 0) {
-        scale = 0.8 * size / arrow_largest(&arrows);
-        arrow_draw(&arrows, &s, d, scale);
-    }
-    arrow_draw_load_torques(&s, a, r, link);
-    if (link == FOURLINK_CRANK)
-        arrow_draw_torque(&s, d, PEN_FORCE, "Ts", zero, r->forces.Ts);
-    if (r->state.link[link].alpha != 0 && d->design.link[link].inertia > 0)
-        arrow_draw_torque(&s, d, PEN_RESULT, "-I alpha", G,
-                          -d->design.link[link].inertia * r->state.link[link].alpha);
-    if (link == FOURLINK_FOLLOWER)
-        arrow_draw_torque(&s, d, PEN_FORCE, "M14", first, r->forces.M14);
+    draw_body(&s, a, r, link, first, second, G);
+    draw_loads(&s, a, r, link, first, G, size);
     print_join(words, sizeof words, "free body of the ", name_of_link(d, link), (char *)NULL);
     sketch_close(&s, words, d->units[QUANTITY_LENGTH].name);
 }
 
 /* The same forces one after the other: the polygon closes. */
-static void put_force_polygon(FILE *out, const analysis *a, const result *r, int link)
+static void put_force_polygon(canvas *on, const analysis *a, const result *r, int link)
 {
     arrow_list arrows;
     fourlink_vector at = zero;
@@ -289,7 +347,7 @@ static void put_force_polygon(FILE *out, const analysis *a, const result *r, int
     int i;
 
     collect(a, r, link, &arrows);
-    open_polygon(&p, out, a->d, QUANTITY_FORCE);
+    open_polygon(&p, on, a->d, QUANTITY_FORCE);
     for (i = 0; i < arrows.n; i++)
         at = put_side(&p, arrows.list[i].p, arrows.list[i].name, at, in_unit(&p, arrows.list[i].F));
     draw_sides(&p);
@@ -297,21 +355,22 @@ static void put_force_polygon(FILE *out, const analysis *a, const result *r, int
     sketch_close(&p.s, words, a->d->units[QUANTITY_FORCE].name);
 }
 
-static void put_mechanism(FILE *out, analysis *a, const result *r)
+static void put_mechanism(canvas *on, analysis *a, const result *r)
 {
     char title[FIGURE_TITLE];
     sketch s;
 
-    figure_open(&s, out, a, r->branch, 0);
+    figure_open(&s, on, a, r->branch, 0);
     s.letter = LETTER;
     figure_frame(&s, a->d, &r->state);
     figure_links(&s, a->d, &r->state);
     figure_letters(&s, a->d, &r->state);
     figure_angles(&s, a->d, &r->state);
+    figure_slope(&s, a->d);
     sketch_close(&s, figure_title(a->d, r, title), a->d->units[QUANTITY_LENGTH].name);
 }
 
-int plot_vectors(FILE *out, analysis *a, const plot_request *request, const char **why)
+int plot_vectors(canvas *on, analysis *a, const plot_request *request, const char **why)
 {
     fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
     int status, link;
@@ -322,17 +381,16 @@ int plot_vectors(FILE *out, analysis *a, const plot_request *request, const char
         *why = fourlink_status_text(status);
         return 0;
     }
-    plot_panels(out, a->d->has_forces ? 3 : 1, 3);
-    fputs("set rmargin 19\nset lmargin 9\n", out);
-    put_mechanism(out, a, &r);
-    put_velocities(out, a->d, &r);
-    put_accelerations(out, a->d, &r);
+    canvas_begin(on);
+    put_mechanism(on, a, &r);
+    put_velocities(on, a->d, &r);
+    put_accelerations(on, a->d, &r);
     if (a->d->has_forces) {
         for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-            put_free_body(out, a, &r, link);
+            put_free_body(on, a, &r, link);
         for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-            put_force_polygon(out, a, &r, link);
+            put_force_polygon(on, a, &r, link);
     }
-    fputs("unset multiplot\n", out);
+    canvas_end(on);
     return 1;
 }

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "canvas.h"
 #include "fourlink.h"
 
 /* Line styles, defined in plot.c at the head of every script. */
@@ -16,30 +17,58 @@ typedef enum pen {
     PEN_COUPLER = 3,
     PEN_FOLLOWER = 4,
     PEN_PATH,
-    PEN_GHOST,        /* other positions */
+    PEN_GHOST,        /* positions on the way */
     PEN_FORCE,        /* pin forces */
     PEN_LOAD,         /* loads and weights */
     PEN_CONSTRUCTION, /* auxiliary lines */
     PEN_RESULT,       /* what a construction is made for */
+    PEN_OTHER,        /* other positions */
     PEN_COUNT
 } pen;
 
 #define SKETCH_CURVES 32
+#define SKETCH_NOTES 120
+#define SKETCH_LABELS 120
+#define SKETCH_OBSTACLES 2000
+#define SKETCH_WORDS 100
+
+/* A text that is put beside a place when all else is drawn: on that side, or where there is room. */
+typedef struct sketch_label {
+    fourlink_vector at;
+    double dx, dy;          /* the direction, of any length */
+    double half;            /* of its width, in pixels */
+    fourlink_vector middle; /* of the text, in pixels from the place */
+    char words[SKETCH_WORDS];
+} sketch_label;
+
+/* What a text should not cover, and how bad that would be. */
+typedef struct sketch_obstacle {
+    fourlink_vector from, to;
+    double weight;
+} sketch_obstacle;
 
 typedef struct sketch {
+    canvas *c;
     FILE *out;
     double x_min, x_max, y_min, y_max; /* what is drawn so far */
+    int is_fixed;                      /* 1: that is all, whatever is drawn */
     double size;                       /* of the whole */
     double letter;                     /* height of a letter, a fraction of it; pins follow */
-    int n_notes, n_curves;
+    double scale;                      /* of what is closed: its unit, for a pixel */
+    int n_notes, n_labels, n_obstacles, n_curves;
+    char notes[SKETCH_NOTES][SKETCH_WORDS];
+    sketch_label labels[SKETCH_LABELS];
+    sketch_obstacle obstacles[SKETCH_OBSTACLES];
+    fourlink_vector last; /* of a curve */
+    int n_points;
     pen curve_pen[SKETCH_CURVES];
     char curve_title[SKETCH_CURVES][80]; /* for the key; "": not in it */
 } sketch;
 
-/* Begin a drawing of about this size. */
-void sketch_open(sketch *s, FILE *out, double size);
+/* Begin a drawing of about this size in the next panel. */
+void sketch_open(sketch *s, canvas *c, double size);
 
-/* Leave room for a place. */
+/* Leave room for a place; once all is included, for nothing more. */
 void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
@@ -55,7 +84,7 @@ void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double 
 /* A torque about a point: an arc with a head, counter-clockwise for sign > 0. */
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign);
 
-/* A text whose middle is beside the point, in the direction (dx, dy), by lengths of a letter. */
+/* A text beside a point, in the direction (dx, dy) if there is room. */
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
 /* A line of text beside the drawing, one below the other. */
@@ -79,10 +108,10 @@ void sketch_end(sketch *s);
 /* Finish: axes of equal scale around all that was drawn. */
 void sketch_close(sketch *s, const char *title, const char *unit_name);
 
-/* Text within quotes of gnuplot. */
-void sketch_quote(FILE *out, const char *words);
+/* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
+void sketch_place(sketch *s, double width, double height);
 
-/* 1, 2 or 5 times a power of ten, at most x. */
+/* 1, 2 or 5 times a power of ten, at least x. */
 double sketch_round(double x);
 
 #endif
