@@ -836,8 +836,8 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 */
 FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_problem *problem);
 
-/* The loads of a deck at one crank angle: curves are followed, windows looked at, and the gas pushes
-** the piston.
+/* The loads of a deck at one crank angle: curves are followed, smoothly between their points (Steffen's
+** interpolation), windows looked at, and the gas pushes the piston.
 **
 ** Given:
 **    deck       from fourlink_deck_read

@@ -9,7 +9,6 @@
 #include <gsl/gsl_math.h>
 
 #include "analysis.h"
-#include "schema.h"
 
 const char *branch_name(fourlink_branch branch)
 {
@@ -91,6 +90,15 @@ double analysis_end(const analysis *a)
 
     fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
     return a->range.stops ? a->range.stop_angle : last.angle;
+}
+
+int analysis_is_periodic(const analysis *a)
+{
+    const deck *d = a->d;
+
+    return d->one_revolution && d->motion.run_up <= 0 && !a->range.stops &&
+           (d->motion.acceleration == 0 || d->motion.hold) &&
+           d->mechanism.change_stretched == d->mechanism.change_folded;
 }
 
 void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row)

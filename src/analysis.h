@@ -56,6 +56,9 @@ void analysis_at(analysis *a, fourlink_branch branch, const fourlink_crank *cran
 /* The last crank angle of the motion, in the deck's unit. */
 double analysis_end(const analysis *a);
 
+/* 1 if the motion is one revolution whose ends are one position, at one speed. */
+int analysis_is_periodic(const analysis *a);
+
 /* The row that is k of so many equal steps into the motion. */
 void analysis_spread(const analysis *a, int k, int steps, fourlink_row *row);
 

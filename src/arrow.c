@@ -21,9 +21,9 @@ char *arrow_words(const deck *d, const char *name, double si, quantity q, char o
     char number[FORMAT_SIZE], fitting[ARROW_WORDS];
 
     name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
-    return print_join(out, ARROW_WORDS, name, name[0] ? " " : "",
-                      format_general(flk_unit_from_si(si, d->units[q].unit), 5, number), " ",
-                      d->units[q].name, (char *)NULL);
+    return flk_text_join(out, ARROW_WORDS, name, name[0] ? " " : "",
+                         format_general(flk_unit_from_si(si, d->units[q].unit), 5, number), " ",
+                         d->units[q].name, (char *)NULL);
 }
 
 void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, double x, double y)
@@ -36,7 +36,7 @@ void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, 
     new->F.x = x;
     new->F.y = y;
     new->p = p;
-    print_join(new->name, sizeof new->name, name, (char *)NULL);
+    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     arrows->n++;
 }
 

@@ -6,7 +6,7 @@
 
 #include "canvas.h"
 #include "format.h"
-#include "print.h"
+#include "text.h"
 
 #define HEAD (4 * CANVAS_LINE)    /* title and source */
 #define LEFT (10 * CANVAS_LETTER) /* numbers and name of the axis */
@@ -51,11 +51,11 @@ char *canvas_shorten(const char *words, int letters, int keep_end, char *out, si
     size_t n = 0;
 
     if (surplus <= 0)
-        return print_join(out, size, words, (char *)NULL);
+        return flk_text_join(out, size, words, (char *)NULL);
     if (keep_end) {
         for (surplus++; *words && (surplus > 0 || !begins_letter(*words)); words++)
             surplus -= begins_letter(*words);
-        return print_join(out, size, SHORTENED, words, (char *)NULL);
+        return flk_text_join(out, size, SHORTENED, words, (char *)NULL);
     }
     for (; n + 8 < size && words[n] && (letters > 1 || !begins_letter(words[n])); n++) {
         letters -= begins_letter(words[n]);
@@ -138,7 +138,7 @@ static void put_axis(FILE *out, const char *axis, const char *name, const char *
     char words[200];
 
     fprintf(out, "set %slabel ", axis);
-    canvas_quote(out, print_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL));
+    canvas_quote(out, flk_text_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL));
     putc('\n', out);
 }
 
@@ -149,11 +149,11 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
     int letters = (int)((c->left + c->box_width + c->right) / CANVAS_LETTER) - 2;
     char words[300], fitting[300];
 
-    print_join(words, sizeof words, title, (char *)NULL);
+    flk_text_join(words, sizeof words, title, (char *)NULL);
     put_axis(c->out, "x", x, x_unit);
     if (c->is_text)
-        print_join(words, sizeof words, title, title[0] ? ", " : "", y, " (", y_unit, ")",
-                   (char *)NULL);
+        flk_text_join(words, sizeof words, title, title[0] ? ", " : "", y, " (", y_unit, ")",
+                      (char *)NULL);
     else
         put_axis(c->out, "y", y, y_unit);
     fputs("set title ", c->out);

@@ -14,8 +14,8 @@ void csv_heading(row_buffer *row, text name, const char *unit_name)
 {
     char whole[400], field[500];
 
-    row_field(row, print_join(field, sizeof field, flk_text_copy(name, whole, sizeof whole), " (",
-                              unit_name, ")", (char *)NULL));
+    row_field(row, flk_text_join(field, sizeof field, flk_text_copy(name, whole, sizeof whole),
+                                 " (", unit_name, ")", (char *)NULL));
 }
 
 void csv_put_label_names(row_buffer *row, const deck *d, const csv_labels *labels)

@@ -78,6 +78,8 @@ typedef struct deck_sweep {
     deck_names output; /* empty: rows of each design */
 } deck_sweep;
 
+enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
+
 /* A deck; hosts of the library have it as fourlink_deck, without its members. */
 typedef struct fourlink_deck deck;
 
@@ -87,7 +89,7 @@ struct fourlink_deck {
     fourlink_mechanism mechanism; /* the design, prepared */
     fourlink_motion motion;       /* angles in the deck's unit of angle */
     int one_instant;              /* 1: motion.at */
-    int one_revolution;           /* 1: the last row repeats the first */
+    int one_revolution;           /* 1: from the first row to the last */
     double cycle;                 /* rad, the period of curves and of the turning moment */
     fourlink_load *loads;
     deck_load *variations; /* for each load */
@@ -101,7 +103,7 @@ struct fourlink_deck {
     size_t n_expectations;
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
     deck_sweep sweep;
-    int solver; /* SOLVER_MATRIX, SOLVER_DYAD (schema.h); 0 if the deck does not say */
+    int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if the deck does not say */
     int open, crossed;
     deck_names columns;
     int digits;
@@ -126,14 +128,14 @@ typedef struct deck_change {
 **    changes     assignments that replace or add to those of the deck
 **    design      which design of its [sweep], from 0: the deck is read with the values of that one
 ** Returned:
-**    d           the deck; to be given to deck_free also where it is full of mistakes
+**    d           the deck; to be given to flk_deck_free also where it is full of mistakes
 ** Returned (function value):
 **    1 the deck is in order, 0 see d->mistakes, -1 out of memory
 */
 int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
                   const deck_change *changes, size_t n_changes, unsigned long design, deck *d);
 
-/* Add the [expect] and [misprint] sections of another text to a deck.  As deck_read. */
+/* Add the [expect] and [misprint] sections of another text to a deck.  As flk_deck_read. */
 int flk_deck_add_expectations(const char *name, text contents, deck *d);
 
 /* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the

@@ -225,8 +225,7 @@ static void set_range(search *s)
     const deck *d = s->a->d;
     double end = analysis_end(s->a);
 
-    s->periodic = d->one_revolution && d->motion.run_up <= 0 && !s->a->range.stops &&
-                  (d->motion.acceleration == 0 || d->motion.hold);
+    s->periodic = analysis_is_periodic(s->a);
     s->first = d->motion.from < end ? d->motion.from : end;
     s->last = d->motion.from < end ? end : d->motion.from;
     s->degree = M_PI / 180 / d->motion.angle_unit;

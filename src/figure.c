@@ -74,28 +74,40 @@ static fourlink_vector tracer(const deck *d, const fourlink_state *state, const 
     return figure_of_link(d, state, point->link, &point->at);
 }
 
-/* All positions of a branch; of a piston with room for its guide. */
+/* One position; of a piston with room for its guide. */
+static void include_position(sketch *s, const deck *d, const fourlink_state *state, double margin)
+{
+    figure_pins pins = figure_place(d, state);
+    fourlink_vector near = pins.C, far = pins.C;
+    size_t i;
+
+    near.x -= margin;
+    far.x += margin;
+    sketch_include(s, pins.A);
+    sketch_include(s, pins.B);
+    sketch_include(s, near);
+    sketch_include(s, far);
+    sketch_include(s, pins.D);
+    for (i = 0; i < d->n_points; i++)
+        sketch_include(s, tracer(d, state, &d->points[i]));
+}
+
+/* All positions of a branch. */
 static void include_all(sketch *s, analysis *a, fourlink_branch branch, double margin)
 {
-    size_t i;
+    unsigned long i;
     int k;
     result r;
 
     for (k = 0; k <= STEPS; k++)
-        if (sample(a, branch, k, &r)) {
-            figure_pins pins = figure_place(a->d, &r.state);
-            fourlink_vector near = pins.C, far = pins.C;
-
-            near.x -= margin;
-            far.x += margin;
-            sketch_include(s, pins.A);
-            sketch_include(s, pins.B);
-            sketch_include(s, near);
-            sketch_include(s, far);
-            sketch_include(s, pins.D);
-            for (i = 0; i < a->d->n_points; i++)
-                sketch_include(s, tracer(a->d, &r.state, &a->d->points[i]));
-        }
+        if (sample(a, branch, k, &r))
+            include_position(s, a->d, &r.state, margin);
+    /* that of a motion which the samples miss */
+    for (i = 0; i < a->range.n_rows && s->x_max < s->x_min; i++) {
+        analysis_row(a, branch, i, &r);
+        if (r.status == FOURLINK_OK)
+            include_position(s, a->d, &r.state, margin);
+    }
 }
 
 void figure_open(sketch *s, canvas *c, analysis *a, fourlink_branch branch, int all_of_it)
@@ -237,9 +249,9 @@ void figure_slope(sketch *s, const deck *d)
 
     if (fabs(slope) < 1e-9 || (g.x == 0 && g.y == 0))
         return;
-    sketch_note(s, print_join(words, sizeof words, "x rises at ",
-                              format_general(flk_unit_from_si(slope, u->unit), 5, number), " ",
-                              u->name, (char *)NULL));
+    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ",
+                                 format_general(flk_unit_from_si(slope, u->unit), 5, number), " ",
+                                 u->name, (char *)NULL));
 }
 
 /* An angle: a ray along x, an arc, and the angle in the deck's unit. */
@@ -257,10 +269,10 @@ static void put_angle(sketch *s, const deck *d, fourlink_vector at, double angle
         sketch_arc(s, PEN_CONSTRUCTION, at, radius * s->size, 0, angle);
     else
         sketch_arc(s, PEN_CONSTRUCTION, at, radius * s->size, angle, 0);
-    print_join(words, sizeof words, name, " = ",
-               format_general(flk_unit_from_si(angle, u->unit), 4, number),
-               strcmp(u->name, "deg") == 0 ? "\302\260" : " ",
-               strcmp(u->name, "deg") == 0 ? "" : u->name, (char *)NULL);
+    flk_text_join(words, sizeof words, name, " = ",
+                  format_general(flk_unit_from_si(angle, u->unit), 4, number),
+                  strcmp(u->name, "deg") == 0 ? "\302\260" : " ",
+                  strcmp(u->name, "deg") == 0 ? "" : u->name, (char *)NULL);
     at.x += radius * s->size * cos(half);
     at.y += radius * s->size * sin(half);
     sketch_note(s, words);
@@ -287,7 +299,7 @@ static void put_path(sketch *s, analysis *a, fourlink_branch branch, const deck_
     int k, drawn = 0;
     result r;
 
-    print_join(title, sizeof title, "path of ", point ? point->name : "C", (char *)NULL);
+    flk_text_join(title, sizeof title, "path of ", point ? point->name : "C", (char *)NULL);
     sketch_curve(s, point ? PEN_PATH : PEN_CONSTRUCTION, title);
     for (k = 0; k <= STEPS; k++) {
         if (sample(a, branch, k, &r)) {
@@ -319,8 +331,8 @@ char *figure_title(const deck *d, const result *r, char out[FIGURE_TITLE])
 {
     char number[FORMAT_SIZE];
 
-    print_join(out, FIGURE_TITLE, branch_name(r->branch),
-               ", theta2 = ", format_general(r->row.angle, 7, number), " ",
-               d->units[QUANTITY_ANGLE].name, (char *)NULL);
+    flk_text_join(out, FIGURE_TITLE, branch_name(r->branch),
+                  ", theta2 = ", format_general(r->row.angle, 7, number), " ",
+                  d->units[QUANTITY_ANGLE].name, (char *)NULL);
     return out;
 }

@@ -143,9 +143,9 @@ static void put_head(const canvas *c, const deck *d, const plot_request *request
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
     canvas_name(c, d->title[0] ? d->title : request->deck_name, request->deck_name,
-                print_join(rest, sizeof rest,
-                           d->sweep.n_variables ? ", first design of its sweep" : "", held,
-                           "  |  fourlink ", fourlink_version(), (char *)NULL));
+                flk_text_join(rest, sizeof rest,
+                              d->sweep.n_variables ? ", first design of its sweep" : "", held,
+                              "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
 /* The crank angles of --plot-at, separated by commas. */

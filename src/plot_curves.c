@@ -68,29 +68,59 @@ static int is_cut(const extent *e)
            e->high - e->low > HIGHER * (e->sound_high - e->sound_low);
 }
 
-/* Two columns over the motion as $NAME_BRANCH; breaks where the links do not reach.  Angles go on past
-** half a turn.  How many points. */
+/* Where a curve can be drawn. */
+static int is_sound(const result *r)
+{
+    return r->status == FOURLINK_OK && !(r->state.mu < 1e-3);
+}
+
+/* The value of an angle goes on from the one before it, past half a turn. */
+static double go_on(double value, double last, double turn)
+{
+    return turn > 0 && !gsl_isnan(last) ? value + turn * floor((last - value) / turn + 0.5) : value;
+}
+
+/* The sample behind the last gap of a revolution, and the value from which an angle goes on there, so that
+** it is the same at both ends; -1 if there is none. */
+static int behind_gap(analysis *a, fourlink_branch branch, const column *y, double turn,
+                      double *last)
+{
+    result r;
+    int k;
+
+    sample(a, branch, 0, &r);
+    if (!(turn > 0) || !analysis_is_periodic(a) || !is_sound(&r))
+        return -1;
+    *last = column_value(y, &r);
+    for (k = STEPS; k >= 0; k--) {
+        sample(a, branch, k, &r);
+        if (!is_sound(&r))
+            return k + 1;
+        *last = go_on(column_value(y, &r), *last, turn);
+    }
+    return -1;
+}
+
+/* Two columns over the motion as $NAME_BRANCH; breaks where the links do not reach.  How many points. */
 static int put_data(FILE *out, analysis *a, fourlink_branch branch, const char *name,
                     const column *x, const column *y, extent *e)
 {
-    double turn = 2 * M_PI * y->scale, last = GSL_NAN, value;
-    int k, n = 0;
+    double turn = column_quantity(y) == QUANTITY_ANGLE ? 2 * M_PI * y->scale : 0;
+    double last = GSL_NAN, behind = GSL_NAN;
+    int k, n = 0, from = behind_gap(a, branch, y, turn, &behind);
     result r;
 
     fprintf(out, "$%s_%s << EOD\n", name, branch_name(branch));
     for (k = 0; k <= STEPS; k++) {
         sample(a, branch, k, &r);
-        if (r.status != FOURLINK_OK || r.state.mu < 1e-3) {
+        if (!is_sound(&r)) {
             putc('\n', out);
             last = GSL_NAN; /* behind a gap an angle starts anew */
             continue;
         }
-        value = column_value(y, &r);
-        if (column_quantity(y) == QUANTITY_ANGLE && !gsl_isnan(last))
-            value += turn * floor((last - value) / turn + 0.5);
-        last = value;
-        extend(e, value, r.state.mu);
-        put_pair(out, column_value(x, &r), value);
+        last = go_on(column_value(y, &r), k == from ? behind : last, turn);
+        extend(e, last, r.state.mu);
+        put_pair(out, column_value(x, &r), last);
         n++;
     }
     fputs("EOD\n", out);
@@ -367,7 +397,8 @@ static void put_areas(const canvas *on, analysis *a, fourlink_branch branch, con
         find_peak(a, branch, area, t->mean_torque, &angle, &moment);
         is_above = (area->energy > 0) == (d->motion.speed > 0);
         format_general(flk_unit_from_si(area->energy, d->units[QUANTITY_ENERGY].unit), 5, number);
-        print_join(words, sizeof words, number, " ", d->units[QUANTITY_ENERGY].name, (char *)NULL);
+        flk_text_join(words, sizeof words, number, " ", d->units[QUANTITY_ENERGY].name,
+                      (char *)NULL);
         half = pixel * canvas_width_of(words) / 2;
         angle = GSL_MAX_DBL(angle, first + half);
         angle = GSL_MIN_DBL(angle, first + pixel * on->box_width - half);
@@ -432,10 +463,10 @@ static void put_turning(canvas *on, analysis *a, fourlink_branch branch, const t
     canvas_panel(on, 3, 2 * CANVAS_LETTER);
     canvas_key(on);
     canvas_grid(on);
-    print_join(words, sizeof words, branch_name(branch), ": mean ", format_general(mean, 5, number),
-               " ", torque->name, ", fluctuation of energy ",
-               format_general(flk_unit_from_si(t->energy_fluctuation, energy->unit), 5, other), " ",
-               energy->name, (char *)NULL);
+    flk_text_join(words, sizeof words, branch_name(branch), ": mean ",
+                  format_general(mean, 5, number), " ", torque->name, ", fluctuation of energy ",
+                  format_general(flk_unit_from_si(t->energy_fluctuation, energy->unit), 5, other),
+                  " ", energy->name, (char *)NULL);
     canvas_titles(on, words, "theta2", angle->name, "turning moment -Ts", torque->name);
     fprintf(on->out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n",
             format_general(d->motion.speed < 0 ? -cycle : cycle, 8, number));
@@ -550,8 +581,8 @@ static void put_angle(const canvas *on, const deck *d, frame *f, double x, doubl
     f->y[f->n++] = y;
     fputs("set label ", on->out);
     canvas_quote(on->out,
-                 print_join(words, sizeof words, format_general(angle, 4, number),
-                            is_deg ? "\302\260" : " ", is_deg ? "" : u->name, (char *)NULL));
+                 flk_text_join(words, sizeof words, format_general(angle, 4, number),
+                               is_deg ? "\302\260" : " ", is_deg ? "" : u->name, (char *)NULL));
     fprintf(on->out, " at %s,%s %s front tc lt %d offset %d,%s\n", format_general(x, 8, number),
             format_general(y, 8, other), is_right ? "left" : "right", line, is_right ? 1 : -1,
             y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");

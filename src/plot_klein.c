@@ -132,8 +132,8 @@ int plot_klein(canvas *on, analysis *a, const plot_request *request, const char 
     figure_open(&s, on, a, branch, 0);
     draw_lines(&s, &k, figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length));
     put_values(&s, a->d, &lengths);
-    print_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
-               (char *)NULL);
+    flk_text_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
+                  (char *)NULL);
     sketch_close(&s, words, a->d->units[QUANTITY_LENGTH].name);
     canvas_end(on);
     return 1;

@@ -74,8 +74,8 @@ static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const pl
             figure_outline(s, PEN_OTHER, a->d, &r.state);
             figure_letter(s, pins.B, pins.A, pins.A, number);
         } else {
-            sketch_note(
-                s, print_join(words, sizeof words, number, ": none, see the table", (char *)NULL));
+            sketch_note(s, flk_text_join(words, sizeof words, number, ": none, see the table",
+                                         (char *)NULL));
         }
     }
 }

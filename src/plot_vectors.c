@@ -72,7 +72,7 @@ static fourlink_vector put_side(polygon *p, pen kind, const char *name, fourlink
     new->from = from;
     new->to = sum(from, v);
     new->p = kind;
-    print_join(new->name, sizeof new->name, name, (char *)NULL);
+    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     return new->to;
 }
 
@@ -333,7 +333,7 @@ static void put_free_body(canvas *on, const analysis *a, const result *r, int li
     s.letter = LETTER;
     draw_body(&s, a, r, link, first, second, G);
     draw_loads(&s, a, r, link, first, G, size);
-    print_join(words, sizeof words, "free body of the ", name_of_link(d, link), (char *)NULL);
+    flk_text_join(words, sizeof words, "free body of the ", name_of_link(d, link), (char *)NULL);
     sketch_close(&s, words, d->units[QUANTITY_LENGTH].name);
 }
 
@@ -351,7 +351,7 @@ static void put_force_polygon(canvas *on, const analysis *a, const result *r, in
     for (i = 0; i < arrows.n; i++)
         at = put_side(&p, arrows.list[i].p, arrows.list[i].name, at, in_unit(&p, arrows.list[i].F));
     draw_sides(&p);
-    print_join(words, sizeof words, "forces on the ", name_of_link(a->d, link), (char *)NULL);
+    flk_text_join(words, sizeof words, "forces on the ", name_of_link(a->d, link), (char *)NULL);
     sketch_close(&p.s, words, a->d->units[QUANTITY_FORCE].name);
 }
 

@@ -2,29 +2,12 @@
 **
 ** print.c - what the formats share: branches, reasons, fields, rows, the head of a table.
 */
-#include <stdarg.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "format.h"
 #include "print.h"
-
-char *print_join(char *out, size_t size, ...)
-{
-    const char *piece;
-    size_t used = 0;
-    va_list pieces;
-
-    out[0] = '\0';
-    va_start(pieces, size);
-    while ((piece = va_arg(pieces, const char *)) != NULL) {
-        flk_text_copy(flk_text_of(piece), out + used, size - used);
-        used += strlen(out + used);
-    }
-    va_end(pieces);
-    return out;
-}
 
 int print_branches_of(const deck *d, fourlink_branch branches[2])
 {

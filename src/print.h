@@ -10,9 +10,6 @@
 #include "analysis.h"
 #include "format.h"
 
-/* Put texts together, up to a null pointer, as far as they fit into `size` bytes. */
-char *print_join(char *out, size_t size, ...);
-
 /* The branches of a deck in the order of printing; how many. */
 int print_branches_of(const deck *d, fourlink_branch branches[2]);
 

@@ -2,6 +2,7 @@
 **
 ** schema.c - the sections and keys that a deck can have, and what may stand behind each.
 */
+#include "deck.h"
 #include "schema.h"
 
 #define SECTION_INFO(code, name, repeats, kinds) {name, repeats, kinds},

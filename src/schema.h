@@ -159,9 +159,6 @@ extern const key_info flk_key_table[];
 
 enum { PIN_ORIGIN, PIN_END, PIN_POINT };
 
-/* How forces are solved for; 0: the deck does not say. */
-enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
-
 enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
 
 /* The words that keys of FORM_WORD take, with their values. */

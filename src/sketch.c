@@ -8,8 +8,8 @@
 #include <gsl/gsl_math.h>
 
 #include "format.h"
-#include "print.h"
 #include "sketch.h"
+#include "text.h"
 
 /* Heights of a letter, and that, as a fraction of the drawing's size. */
 #define LETTER 0.028
@@ -176,7 +176,7 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
     new->at = at;
     new->dx = dx;
     new->dy = dy;
-    print_join(new->words, sizeof new->words, words, (char *)NULL);
+    flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     s->n_labels++;
 }
@@ -184,7 +184,7 @@ void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char
 void sketch_note(sketch *s, const char *words)
 {
     if (s->n_notes < SKETCH_NOTES)
-        print_join(s->notes[s->n_notes++], SKETCH_WORDS, words, (char *)NULL);
+        flk_text_join(s->notes[s->n_notes++], SKETCH_WORDS, words, (char *)NULL);
 }
 
 void sketch_centre(sketch *s, fourlink_vector at)
@@ -234,7 +234,7 @@ void sketch_curve(sketch *s, pen p, const char *title)
 {
     s->curve_pen[s->n_curves] = p;
     if (s->n_curves < MOST_TITLES)
-        print_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
+        flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
     fprintf(s->out, "$curve%d << EOD\n", s->n_curves++);
     s->n_points = 0;
 }

@@ -19,7 +19,6 @@
 #include "fact.h"
 #include "format.h"
 #include "print.h"
-#include "schema.h"
 #include "sweep.h"
 #include "table.h"
 
@@ -291,7 +290,7 @@ static void put_value(row_buffer *row, const deck *d, const sweep_output *x, int
     } else if (x->has_value && !x->words) {
         put_number(row, d, x->value);
     } else if (x->has_value) {
-        print_join(quoted, sizeof quoted, "\"", x->words, "\"", (char *)NULL);
+        flk_text_join(quoted, sizeof quoted, "\"", x->words, "\"", (char *)NULL);
         row_text(row, "  ", 2);
         row_right(row, quoted, strlen(quoted), WIDTH - 2);
     } else {

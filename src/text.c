@@ -170,11 +170,31 @@ const char *flk_hint_end(const char *nearest)
 
 #define MOST_MISTAKES 100
 
+static void join(char *out, size_t size, va_list pieces)
+{
+    const char *piece;
+    size_t used = 0;
+
+    out[0] = '\0';
+    while ((piece = va_arg(pieces, const char *)) != NULL) {
+        flk_text_copy(flk_text_of(piece), out + used, size - used);
+        used += strlen(out + used);
+    }
+}
+
+char *flk_text_join(char *out, size_t size, ...)
+{
+    va_list pieces;
+
+    va_start(pieces, size);
+    join(out, size, pieces);
+    va_end(pieces);
+    return out;
+}
+
 void flk_mistake_note(mistakes *m, text_place place, ...)
 {
     struct mistake *new;
-    const char *piece;
-    size_t used = 0;
     va_list pieces;
 
     if (m->count == m->capacity && m->count < MOST_MISTAKES) {
@@ -194,10 +214,7 @@ void flk_mistake_note(mistakes *m, text_place place, ...)
     new = &m->list[m->count++];
     new->place = place;
     va_start(pieces, place);
-    while ((piece = va_arg(pieces, const char *)) != NULL) {
-        flk_text_copy(flk_text_of(piece), new->message + used, sizeof new->message - used);
-        used += strlen(new->message + used);
-    }
+    join(new->message, sizeof new->message, pieces);
     va_end(pieces);
 }
 

@@ -19,7 +19,10 @@ text flk_text_trim(text t);
 /* Without the byte order mark of UTF-8 at its start. */
 text flk_text_without_mark(text t);
 
-/* 1 if the first character is one of a word (letter, digit, _ or a byte of UTF-8). */
+/* Pieces of text, up to a null pointer, one behind the other, cut off where `size` ends. */
+char *flk_text_join(char *out, size_t size, ...);
+
+/* 1 for a character of a word (letter, digit, _ or a byte of UTF-8). */
 int flk_text_is_word(int c);
 
 /* Equal but for the case of ASCII letters. */
