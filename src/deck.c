@@ -137,15 +137,16 @@ static void build_link(parser *p, key_code length, int number)
     if ((s || period) && !flk_find(p, mass))
         flk_mistake_note(&p->d->mistakes, s ? s->place : period->place, "the ",
                          s ? "radius of gyration" : "swing_period", " needs a mass", (char *)NULL);
-    if (s) {
+    if (s)
         link->inertia = link->mass * s->si[0] * s->si[0]; /* I = m k^2 */
-        if (link->inertia > FOURLINK_NUMBER_MAX)
-            flk_mistake_note(&p->d->mistakes, s->place, "the moment of inertia of this radius of ",
-                             "gyration is beyond what the program computes with", (char *)NULL);
-    }
     if (period && period->si[0] > 0)
         build_swing(p, period, flk_find(p, swing_pin), link);
-    else if (!period && (s = flk_find(p, swing_pin)) != NULL)
+    if ((s || period) && link->inertia > FOURLINK_NUMBER_MAX)
+        flk_mistake_note(&p->d->mistakes, s ? s->place : period->place,
+                         "the moment of inertia that follows is beyond what the program computes "
+                         "with",
+                         (char *)NULL);
+    if (!period && (s = flk_find(p, swing_pin)) != NULL)
         flk_mistake_note(&p->d->mistakes, s->place, "a swing_pin needs a swing_period",
                          (char *)NULL);
 }

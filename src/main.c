@@ -13,6 +13,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "clash.h"
 #include "files.h"
 #include "gnuplot.h"
 #include "options.h"
@@ -89,7 +90,7 @@ static const char *read_named_file(void *host, const char *file_name, unsigned l
         return NULL;
     }
     strcpy(f->name, file_name);
-    j->names_output |= files_is_output(j->o, path);
+    j->names_output |= clash_is_output(j->o, path);
     f->contents = files_read_path(path, &f->length);
     f->next = j->files;
     j->files = f;
@@ -166,20 +167,28 @@ static int read_first_design(const options *o, text all, job *j)
     return status;
 }
 
-/* What has no place beside a sweep, or without one. */
-static int check_sweep(const options *o, const job *j)
+/* What the options ask of a deck, and it has not; 1 if there is no such thing. */
+static int check_options(const options *o, const job *j)
 {
-    const char *why = NULL;
+    const char *why = NULL, *name = j->name;
 
-    if (!j->contents && o->parts)
+    if (o->check && !j->deck.n_expectations) {
+        why = "nothing to check: there is no [expect] or [misprint]";
+        name = o->check_file ? o->check_file : j->name;
+    } else if (o->matrix && !j->deck.has_forces) {
+        why = "--matrix needs masses or loads, which the deck has not";
+    } else if (o->format == FORMAT_PAPER && j->deck.design.kind != FOURLINK_FOUR_BAR) {
+        why = "--format=paper is for the paper's mechanism, a four-bar";
+    } else if (!j->contents && o->parts) {
         why = "--part needs a [sweep], which the deck has not";
-    else if (j->contents && o->n_decks > 1)
+    } else if (j->contents && o->n_decks > 1) {
         why = "a [sweep] is worked on alone, not with other decks";
-    else if (j->contents && (o->check || o->matrix || o->summary || o->format == FORMAT_PAPER))
+    } else if (j->contents && (o->check || o->matrix || o->summary || o->format == FORMAT_PAPER)) {
         why = "a [sweep] is printed in the formats table and csv; --check, --matrix and --summary "
               "are for one design";
+    }
     if (why)
-        fprintf(stderr, "%s:1: error: %s\n", j->name, why);
+        fprintf(stderr, "%s:1: error: %s\n", name, why);
     return !why;
 }
 
@@ -232,22 +241,7 @@ static int read_job(const char *path, const options *o, text answers, job *j)
         print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
         return EXIT_USAGE;
     }
-    if (o->check && !j->deck.n_expectations) {
-        fprintf(stderr, "%s:1: error: nothing to check: there is no [expect] or [misprint]\n",
-                o->check_file ? o->check_file : j->name);
-        return EXIT_USAGE;
-    }
-    if (o->matrix && !j->deck.has_forces) {
-        fprintf(stderr, "%s:1: error: --matrix needs masses or loads, which the deck has not\n",
-                j->name);
-        return EXIT_USAGE;
-    }
-    if (o->format == FORMAT_PAPER && j->deck.design.kind != FOURLINK_FOUR_BAR) {
-        fprintf(stderr, "%s:1: error: --format=paper is for the paper's mechanism, a four-bar\n",
-                j->name);
-        return EXIT_USAGE;
-    }
-    if (!check_sweep(o, j))
+    if (!check_options(o, j))
         return EXIT_USAGE;
     j->usable = 1;
     return 0;
@@ -554,9 +548,9 @@ int main(int argc, char **argv)
         printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
                fourlink_version());
         status = finish_text();
-    } else if ((input = files_input_among_outputs(&o)) != NULL) {
+    } else if ((input = clash_input_among_outputs(&o)) != NULL) {
         status = complain("cannot write", input, "it is an input");
-    } else if ((input = files_output_given_twice(&o)) != NULL) {
+    } else if ((input = clash_output_given_twice(&o)) != NULL) {
         status = complain("cannot write", input, "two results would be written to it");
     } else {
         status = run(&o);

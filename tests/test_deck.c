@@ -239,6 +239,8 @@ static const mistaken all_mistaken[] = {
      "a run-up ends one revolution after its angle: it takes no 'to'"},
     {FOUR_BAR "mass = 1 kg\nswing_period = 2 s\n", 11,
      "a swing_period needs a swing_pin: origin, end or a point of the link"},
+    {FOUR_BAR "mass = 1e20 kg\nswing_pin = end\nswing_period = 1e10 s\n", 12,
+     "the moment of inertia that follows is beyond what the program computes with"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
     {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
