@@ -19,7 +19,7 @@ static double ratio(double x, double y)
     return (x < 0) == (y < 0) ? bound : -bound;
 }
 
-/* Instantaneous centres.  I13, of link 3 against the ground: its velocity there is 0,
+/* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its velocity there is 0,
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
@@ -76,8 +76,11 @@ static offset_force inertia_of(const fourlink_mechanism *mechanism, const fourli
     return F;
 }
 
-/* Shaking force F21 + F41, and moment about A of it, of the reaction to the driving torque and of the
-** guide's couple. */
+/* Shaking force and moment: what the machine exerts on the ground, by Newton's third law,
+**
+**    Fs = F21 + F41 = -(F12 + F14),   Ms = -(AD x F14) - Ts - M14
+**
+** the moment about A. */
 void extras_of_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                       const fourlink_forces *f, extras *e)
 {

@@ -105,14 +105,20 @@ static double in_unit(const teller *t, double si, quantity q)
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
+/* A fact of the table with its value. */
+static void set_value(const teller *t, fact_code code, double si, fact *f)
+{
+    begin(t, f, fact_table[code].name, fact_table[code].meaning);
+    f->q = fact_table[code].q;
+    f->value = in_unit(t, si, f->q);
+    f->unit = t->d->units[f->q].name;
+}
+
 static void tell(const teller *t, fact_code code, double si)
 {
     fact f;
 
-    begin(t, &f, fact_table[code].name, fact_table[code].meaning);
-    f.q = fact_table[code].q;
-    f.value = in_unit(t, si, f.q);
-    f.unit = t->d->units[f.q].name;
+    set_value(t, code, si, &f);
     t->take(&f, t->data);
 }
 
@@ -121,10 +127,7 @@ static void tell_at(const teller *t, fact_code code, double si, double theta2)
 {
     fact f;
 
-    begin(t, &f, fact_table[code].name, fact_table[code].meaning);
-    f.q = fact_table[code].q;
-    f.value = in_unit(t, si, f.q);
-    f.unit = t->d->units[f.q].name;
+    set_value(t, code, si, &f);
     f.has_angle = 1;
     f.theta2 = in_unit(t, theta2, QUANTITY_ANGLE);
     t->take(&f, t->data);

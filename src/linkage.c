@@ -93,7 +93,7 @@ static double clamp(double x)
     return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* u1 and u2 of fourbar.c are positive where
+/* The crank angles at which the triangle BCD exists: u1 and u2 of fourbar.c are positive where
 **
 **    cos^2(theta2/2) > -stretched / 4ad,   sin^2(theta2/2) > -folded / 4ad
 */
@@ -158,7 +158,7 @@ static double one_turn(double angle)
     return angle < 0 ? angle + 2 * M_PI : angle;
 }
 
-/* The angle opposite the side z of a triangle x, y, z. */
+/* The angle opposite the side z of a triangle x, y, z, by the law of cosines. */
 static double angle_in_triangle(double x, double y, double z)
 {
     return acos(clamp((x * x + y * y - z * z) / (2 * x * y)));

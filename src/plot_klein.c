@@ -29,23 +29,24 @@ static fourlink_vector along(fourlink_vector from, double distance, fourlink_vec
     return from;
 }
 
-static void construct(const deck *d, const fourlink_state *state, construction *k)
+/* The points, from the lengths of fourlink_klein_construction; K and L are on the chord, BQ from B, of the
+** circle about B with the radius BM. */
+static void construct(const deck *d, const fourlink_state *state, const fourlink_klein *lengths,
+                      construction *k)
 {
     figure_pins pins = figure_place(d, state);
     fourlink_vector u = state->link[FOURLINK_COUPLER].axis, across;
-    double l = figure_length(d, d->design.link[FOURLINK_COUPLER].length), BM, BQ, half;
+    double BM = figure_length(d, lengths->BM), BQ = figure_length(d, lengths->BQ), half;
 
     k->O = pins.A;
     k->B = pins.B;
     k->C = pins.C;
-    BM = -pins.B.x / u.x; /* along the rod, to x = 0 */
     k->M = along(pins.B, BM, u);
-    BQ = BM * BM / l;
     k->Q = along(pins.B, BQ, u);
     across.x = -u.y;
     across.y = u.x;
-    k->N = along(k->Q, -k->Q.y / across.y, across); /* to y = 0 */
-    k->meet = fabs(BM) <= l;
+    k->N = along(k->Q, -figure_length(d, lengths->QN), across);
+    k->meet = fabs(BM) >= BQ;
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
     k->K = along(k->Q, half, across);
     k->L = along(k->Q, -half, across);
@@ -128,7 +129,7 @@ int plot_klein(canvas *on, analysis *a, const plot_request *request, const char 
         return 0;
     }
     canvas_begin(on);
-    construct(a->d, &r.state, &k);
+    construct(a->d, &r.state, &lengths, &k);
     figure_open(&s, on, a, branch, 0);
     draw_lines(&s, &k, figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length));
     put_values(&s, a->d, &lengths);

@@ -237,6 +237,7 @@ void sketch_curve(sketch *s, pen p, const char *title)
         flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
     fprintf(s->out, "$curve%d << EOD\n", s->n_curves++);
     s->n_points = 0;
+    s->is_empty = 1;
 }
 
 void sketch_point(sketch *s, fourlink_vector at)
@@ -248,6 +249,7 @@ void sketch_point(sketch *s, fourlink_vector at)
         s->last = at;
     }
     s->n_points++;
+    s->is_empty = 0;
     put(s->out, at.x);
     putc(' ', s->out);
     put(s->out, at.y);
@@ -263,6 +265,8 @@ void sketch_break(sketch *s)
 void sketch_end(sketch *s)
 {
     fputs("EOD\n", s->out);
+    if (s->is_empty) /* gnuplot has a word for those */
+        s->n_curves--;
 }
 
 /* Values and key stand at the right of the axes. */

@@ -59,8 +59,8 @@ typedef struct sketch {
     char notes[SKETCH_NOTES][SKETCH_WORDS];
     sketch_label labels[SKETCH_LABELS];
     sketch_obstacle obstacles[SKETCH_OBSTACLES];
-    fourlink_vector last; /* of a curve */
-    int n_points;
+    fourlink_vector last;   /* of a curve */
+    int n_points, is_empty; /* of the curve that is being put */
     pen curve_pen[SKETCH_CURVES];
     char curve_title[SKETCH_CURVES][80]; /* for the key; "": not in it */
 } sketch;

@@ -424,6 +424,59 @@ for change in 'motion.speed=0' 'motion.speed=1e29 rad/s' 'crank.length=2 m' 'gro
     check "nan or inf: -S -s $change" none -Eiw -e '[-+]?(nan|inf|infinity)' out
 done
 
+# An angle of [expect] is another position in another turn where a cycle takes two, or where one change
+# point lets the links come back on the other side.
+cat >four-stroke.deck <<'DECK'
+mechanism = slider-crank
+[crank]
+length = 5 cm
+[rod]
+length = 20 cm
+[gas]
+bore = 100 mm
+indicator = 0 deg 1 bar, 20 deg 30 bar, 180 deg 1 bar, 380 deg 2 bar, 540 deg 1 bar
+[motion]
+speed = 10 rad/s
+cycle = 720 deg
+to = 720 deg
+[expect]
+at = 20 deg
+gas_force = 23561.94 N # 30 bar on pi/4 (10 cm)^2
+[expect]
+at = 380 deg
+gas_force = 1570.796 N # 2 bar
+[expect]
+at = 740 deg
+gas_force = 23561.94 N
+DECK
+run 0 --check four-stroke.deck
+run 2 --check -s motion.to=360 four-stroke.deck
+says 'does not reach'
+cat >change-point.deck <<'DECK'
+mechanism = four-bar
+[ground]
+length = 60 mm
+[crank]
+length = 50 mm
+[coupler]
+length = 70 mm
+[rocker]
+length = 40 mm
+[motion]
+speed = 1 rad/s
+to = 720 deg
+[table]
+branch = open
+columns = theta2, theta4
+DECK
+run 1 -f csv change-point.deck # the change points themselves have no row
+for angle in 40 400; do
+    value=$(awk -F, -v x=$angle '$2 == x {print $3}' out)
+    printf '[expect]\nat = %s deg\nbranch = open\ntheta4 = %.6f deg\n' $angle "$value" >>change-point.deck
+done
+check 'two positions' test "$(sed -n 's/^theta4 = //p' change-point.deck | sort -u | wc -l)" -eq 2
+run 0 --check change-point.deck
+
 # The facts stand in --list, behind the columns.
 run 0 --list "$alvi"
 for fact in type K theta2_from mu_min theta4_max swing time_ratio; do

@@ -876,6 +876,24 @@ odd 'without masses' "$all" "$alvi"
 draws 'mechanism motion vectors'
 odd 'an offset engine, crossed' 'mechanism motion polar vectors klein' "$engine" --set='ground.offset=60 mm' --branch=crossed
 draws 'mechanism motion polar vectors klein'
+cat >narrow.deck <<'DECK' # reached within 0.8 deg of 360 deg, between the samples of a drawing
+mechanism = four-bar
+[ground]
+length = 100 mm
+[crank]
+length = 50 mm
+[coupler]
+length = 30 mm
+[rocker]
+length = 20.003 mm
+[motion]
+speed = 1 rad/s
+from = 0.9 deg
+to = 360.9 deg
+interval = 0.1 deg
+DECK
+odd 'a narrow reach' 'mechanism vectors' narrow.deck
+draws 'mechanism vectors'
 odd 'a rod as long as the crank' 'mechanism motion polar klein' "$engine" --set='rod.length=150 mm'
 draws 'mechanism motion polar klein'
 sed 's/^stroke = 300 mm/length = 150 mm/' "$engine" >short.deck
