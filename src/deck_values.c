@@ -496,6 +496,24 @@ static void set_area(deck *d)
     area->unit.down = length->unit.down * length->unit.down;
 }
 
+static void set_unit(deck *d, quantity q, text name, unit u)
+{
+    name_unit(name, d->units[q].name);
+    d->units[q].unit = u;
+    if (q == QUANTITY_LENGTH)
+        set_area(d);
+}
+
+/* origin, end, or a point */
+static void read_pin(parser *p, setting *s, quantity q)
+{
+    s->word = flk_text_equal(s->value, "origin") ? PIN_ORIGIN
+              : flk_text_equal(s->value, "end")  ? PIN_END
+                                                 : PIN_POINT;
+    if (s->word == PIN_POINT)
+        read_vector(p, s, q, 0);
+}
+
 static void read_value(parser *p, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
@@ -520,14 +538,8 @@ static void read_value(parser *p, key_code code, setting *s)
         read_word(p, code, s);
         return;
     case FORM_UNIT:
-        if (!read_unit(p, s, t, key->q, &s->unit)) {
-            return;
-        } else {
-            name_unit(t, p->d->units[key->q].name);
-            p->d->units[key->q].unit = s->unit;
-            if (key->q == QUANTITY_LENGTH)
-                set_area(p->d);
-        }
+        if (read_unit(p, s, t, key->q, &s->unit))
+            set_unit(p->d, key->q, t, s->unit);
         return;
     case FORM_QUANTITY:
         flk_read_quantity(p, s, t, key->q, &s->si[0]);
@@ -539,11 +551,7 @@ static void read_value(parser *p, key_code code, setting *s)
         read_vector(p, s, key->q, 0);
         return;
     case FORM_PIN:
-        s->word = flk_text_equal(t, "origin") ? PIN_ORIGIN
-                  : flk_text_equal(t, "end")  ? PIN_END
-                                              : PIN_POINT;
-        if (s->word == PIN_POINT)
-            read_vector(p, s, key->q, 0);
+        read_pin(p, s, key->q);
         return;
     case FORM_CURVE:
         read_curve(p, s, key->q);

@@ -135,50 +135,68 @@ static void skip(text *t)
 
 #define MOST_FACTORS 8
 
+/* An exponent, with or without ^; 1 where there is none.  0 if it is none of those that units have. */
+static int read_exponent(text *t)
+{
+    int marked = t->length && t->start[0] == '^', exponent;
+
+    if (marked)
+        skip(t);
+    if (!t->length || t->start[0] < '0' || t->start[0] > '9')
+        return marked ? 0 : 1;
+    exponent = t->start[0] - '0';
+    skip(t);
+    return exponent > 4 || (t->length && flk_text_is_word(t->start[0])) ? 0 : exponent;
+}
+
+/* Multiply by a unit to a power, positive or negative. */
+static void multiply(unit *u, const named_unit *by, int exponent)
+{
+    int i, n = exponent < 0 ? -exponent : exponent;
+
+    for (i = 0; i < n; i++) {
+        u->up *= exponent > 0 ? by->up : by->down;
+        u->down *= exponent > 0 ? by->down : by->up;
+    }
+    u->dim.m += exponent * by->dim.m;
+    u->dim.kg += exponent * by->dim.kg;
+    u->dim.s += exponent * by->dim.s;
+    u->dim.rad += exponent * by->dim.rad;
+}
+
+/* The name at the start of `t`, which is taken off; empty if there is none. */
+static text take_name(text *t)
+{
+    text name = *t;
+
+    while (t->length && flk_text_is_word(t->start[0]) &&
+           (t->start == name.start || t->start[0] < '0' || t->start[0] > '9'))
+        skip(t);
+    name.length -= t->length;
+    return name;
+}
+
 int flk_unit_read(text t, unit *result, text *bad)
 {
     unit u = {1, 1, {0, 0, 0, 0}};
-    int sign = 1, factors = 0;
+    int sign = 1, factors = 0, exponent;
 
     t = flk_text_trim(t);
     *bad = t;
     while (t.length) {
         const named_unit *known;
-        text name = t;
-        int exponent = 1, i;
+        text name = take_name(&t);
 
-        while (t.length && flk_text_is_word(t.start[0]) &&
-               (t.start == name.start ? 1 : t.start[0] < '0' || t.start[0] > '9'))
-            skip(&t);
-        name.length -= t.length;
-        *bad = name;
-        if (!name.length || (known = find(name)) == NULL) {
-            if (!name.length)
-                *bad = t;
+        *bad = name.length ? name : t;
+        if (!name.length || (known = find(name)) == NULL)
             return 0;
-        }
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
             return 0; /* 1/s, but no 1 mm */
-        if (t.length && t.start[0] == '^')
-            skip(&t);
-        if (t.length && '0' <= t.start[0] && t.start[0] <= '9') {
-            exponent = t.start[0] - '0';
-            skip(&t);
-            if (exponent < 1 || exponent > 4 || (t.length && flk_text_is_word(t.start[0])))
-                return 0;
-        } else if (t.start[-1] == '^') {
-            return 0; /* nothing after it */
-        }
-        for (i = 0; i < exponent; i++) {
-            u.up *= sign > 0 ? known->up : known->down;
-            u.down *= sign > 0 ? known->down : known->up;
-        }
-        u.dim.m += sign * exponent * known->dim.m;
-        u.dim.kg += sign * exponent * known->dim.kg;
-        u.dim.s += sign * exponent * known->dim.s;
-        u.dim.rad += sign * exponent * known->dim.rad;
-
+        exponent = read_exponent(&t);
+        if (!exponent)
+            return 0;
+        multiply(&u, known, sign * exponent);
         if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
             return 0;
         sign = 1;

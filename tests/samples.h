@@ -105,4 +105,15 @@ static inline void list(const fourlink_forces *f, double arm, double value[N_FOR
     value[9] = f->Ts / arm;
 }
 
+static inline void assert_finite(const fourlink_forces *f)
+{
+    double value[N_FORCES];
+    int i;
+
+    list(f, 1, value);
+    for (i = 0; i < N_FORCES; i++)
+        assert_true(isfinite(value[i]));
+    assert_true(isfinite(f->Ts_work) && isfinite(f->residual));
+}
+
 #endif
