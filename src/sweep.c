@@ -456,15 +456,16 @@ static void on_signal(int number)
 }
 
 /* What is told while it lasts, where someone looks at it. */
-static void tell_progress(unsigned long done, unsigned long of, time_t *last)
+static void tell_progress(unsigned long done, unsigned long of, time_t start, time_t *last)
 {
+    double share = (double)done / (double)of;
     time_t now = time(NULL);
 
     if (now == *last)
         return;
     *last = now;
-    fprintf(stderr, "\rfourlink: %lu of %lu designs, %.0f %%", done, of,
-            100.0 * (double)done / (double)of);
+    fprintf(stderr, "\rfourlink: %lu of %lu designs, %.0f %%, %.0f s to go    ", done, of,
+            100 * share, difftime(now, start) * (1 / share - 1));
 }
 
 /* Where part k of n ends: k D / n, rounded down.  n is at most 10^6: the product is exact. */
@@ -512,13 +513,13 @@ sweep_result sweep_print(FILE *out, const deck *d, const sweep_request *request,
     }
     for (i = from; i < to && enough && !stopped_by && !ferror(out); i++) {
         enough = print_design(out, request, i, d, &outputs, &columns, failed);
-        if (watched && time(NULL) > start) {
-            tell_progress(i + 1 - from, to - from, &last);
+        if (watched && time(NULL) > start + 1) {
+            tell_progress(i + 1 - from, to - from, start, &last);
             told = 1;
         }
     }
     if (told)
-        fprintf(stderr, "\r%60s\r", "");
+        fprintf(stderr, "\r%75s\r", "");
     for (i = 0; i < 3; i++)
         sigaction(signals[i], &old[i], NULL);
     columns_free(&columns);
