@@ -9,7 +9,7 @@
 #include "text.h"
 
 #define HEAD (4 * CANVAS_LINE)    /* title and source */
-#define LEFT (10 * CANVAS_LETTER) /* numbers and name of the axis */
+#define LEFT (12 * CANVAS_LETTER) /* numbers and name of the axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 

@@ -3,7 +3,6 @@
 ** figure.c - a mechanism at one position, drawn to scale in the deck's unit of length.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -259,7 +258,7 @@ static void put_angle(sketch *s, const deck *d, fourlink_vector at, double angle
                       const char *name)
 {
     const deck_unit *u = &d->units[QUANTITY_ANGLE];
-    char words[120], number[FORMAT_SIZE];
+    char words[PRINT_MARK + 20], number[PRINT_MARK];
     fourlink_vector ray = at;
     double half = angle / 2;
 
@@ -270,9 +269,7 @@ static void put_angle(sketch *s, const deck *d, fourlink_vector at, double angle
     else
         sketch_arc(s, PEN_CONSTRUCTION, at, radius * s->size, angle, 0);
     flk_text_join(words, sizeof words, name, " = ",
-                  format_general(flk_unit_from_si(angle, u->unit), 4, number),
-                  strcmp(u->name, "deg") == 0 ? "\302\260" : " ",
-                  strcmp(u->name, "deg") == 0 ? "" : u->name, (char *)NULL);
+                  print_mark(d, flk_unit_from_si(angle, u->unit), number), (char *)NULL);
     at.x += radius * s->size * cos(half);
     at.y += radius * s->size * sin(half);
     sketch_note(s, words);

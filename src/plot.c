@@ -80,7 +80,9 @@ static void put_terminal(const canvas *c, const plot_request *request)
         fprintf(out, "set terminal pngcairo size %d,%d font 'sans,11' noenhanced\n", width, height);
         break;
     case PLOT_PDF:
-        fprintf(out, "set terminal pdfcairo size %d.%02din,%d.%02din font 'sans,9' noenhanced\n",
+        fprintf(out,
+                "set terminal pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 "
+                "noenhanced\n",
                 width / 100, width % 100, height / 100, height % 100);
         break;
     case PLOT_TXT:

@@ -173,7 +173,7 @@ static void put_range(const canvas *on, const extent *e)
             format_general(high + room, 8, other));
     if (is_cut(e))
         fputs("set label 'beyond the frame near a dead position' at graph 0.5, graph 1 center "
-              "front offset 0,-0.8\n",
+              "front boxed offset 0,-0.8\n",
               on->out);
 }
 
@@ -432,17 +432,18 @@ static void put_moment(FILE *out, analysis *a, fourlink_branch branch)
 }
 
 /* Areas are filled, but for a text terminal. */
-static void plot_moment(const canvas *on, const char *branch)
+/* A clockwise crank gives energy to the flywheel where the moment is below its mean. */
+static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
 {
     fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
     if (!on->is_text)
-        fputs(
-            "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above the "
-            "mean', \\\n"
-            "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' title "
-            "'below', \\\n"
-            "     '' using 1:2 ",
-            on->out);
+        fprintf(on->out,
+                "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above the "
+                "mean%s', \\\n"
+                "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
+                "title 'below%s', \\\n"
+                "     '' using 1:2 ",
+                is_clockwise ? ": given up" : "", is_clockwise ? ": taken up (clockwise)" : "");
     fprintf(on->out,
             "with lines lt %s title '-Ts', \\\n"
             "     mean with lines lt 2 title 'mean'\n",
@@ -475,7 +476,7 @@ static void put_turning(canvas *on, analysis *a, fourlink_branch branch, const t
             format_general(mean, 17, other));
     put_areas(on, a, branch, t);
     put_moment(on->out, a, branch);
-    plot_moment(on, branch_name(branch));
+    plot_moment(on, branch_name(branch), d->motion.speed < 0);
 }
 
 int plot_turning(canvas *on, analysis *a, const char **why)
@@ -550,7 +551,7 @@ static void put_frame_axis(FILE *out, const char *axis, double low, double high,
 
 static void put_frame(const canvas *on, frame *f)
 {
-    double border = 4 * CANVAS_LETTER; /* for the angles */
+    double border = 6 * CANVAS_LETTER; /* for the angles */
     char number[FORMAT_SIZE];
 
     f->scale = GSL_MAX_DBL((f->x_max - f->x_min) / (on->box_width - 2 * border),
@@ -567,9 +568,8 @@ static void put_frame(const canvas *on, frame *f)
 static void put_angle(const canvas *on, const deck *d, frame *f, double x, double y, double angle,
                       int line)
 {
-    const deck_unit *u = &d->units[QUANTITY_ANGLE];
-    int is_deg = strcmp(u->name, "deg") == 0, is_right = x > (f->x_min + f->x_max) / 2, i;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[100];
+    int is_right = x > (f->x_min + f->x_max) / 2, i;
+    char number[FORMAT_SIZE], other[FORMAT_SIZE], mark[PRINT_MARK];
 
     if (x < f->x_min || x > f->x_max || y < f->y_min || y > f->y_max)
         return;
@@ -580,9 +580,7 @@ static void put_angle(const canvas *on, const deck *d, frame *f, double x, doubl
     f->x[f->n] = x;
     f->y[f->n++] = y;
     fputs("set label ", on->out);
-    canvas_quote(on->out,
-                 flk_text_join(words, sizeof words, format_general(angle, 4, number),
-                               is_deg ? "\302\260" : " ", is_deg ? "" : u->name, (char *)NULL));
+    canvas_quote(on->out, print_mark(d, angle, mark));
     fprintf(on->out, " at %s,%s %s front tc lt %d offset %d,%s\n", format_general(x, 8, number),
             format_general(y, 8, other), is_right ? "left" : "right", line, is_right ? 1 : -1,
             y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");
@@ -619,7 +617,7 @@ static int put_polar(canvas *on, analysis *a, const bearing *b)
     frame f;
 
     fputs("unset label; unset arrow\n", on->out);
-    canvas_panel(on, 3, 2 * CANVAS_LETTER);
+    canvas_panel(on, 3, 4 * CANVAS_LETTER);
     canvas_key(on);
     if (!find_column(a, b->along, &x) || !find_column(a, b->across, &y))
         return 0;
@@ -663,9 +661,10 @@ int plot_polar(canvas *on, analysis *a, const char **why)
 
     canvas_begin(on);
     canvas_grid(on);
-    fputs("set format '%g'; set size ratio -1\n"
-          "set zeroaxis lt 1 lw 1 lc rgb 'black'\n",
-          on->out);
+    fprintf(on->out,
+            "set format '%%g'; set size ratio -1\n"
+            "set zeroaxis lt %d lw 1 lc rgb 'black'\n",
+            on->is_text ? -1 : 1);
     for (i = 0; i < (is_four_bar ? 6 : 5); i++)
         drawn += put_polar(on, a, is_four_bar ? &four_bar[i] : &slider_crank[i]);
     canvas_end(on);

@@ -60,7 +60,7 @@ static void draw_ghosts(sketch *s, analysis *a, fourlink_branch branch)
 /* The other positions of the request, thin, each with its angle at the crank pin. */
 static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const plot_request *request)
 {
-    char words[200], number[FORMAT_SIZE];
+    char words[200], number[FORMAT_SIZE], letter[PRINT_MARK];
     result r;
     int k;
 
@@ -72,7 +72,7 @@ static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const pl
             figure_pins pins = figure_place(a->d, &r.state);
 
             figure_outline(s, PEN_OTHER, a->d, &r.state);
-            figure_letter(s, pins.B, pins.A, pins.A, number);
+            figure_letter(s, pins.B, pins.A, pins.A, print_mark(a->d, r.row.angle, letter));
         } else {
             sketch_note(s, flk_text_join(words, sizeof words, number, ": none, see the table",
                                          (char *)NULL));

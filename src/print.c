@@ -25,6 +25,16 @@ const char *print_angle(double angle, char out[FORMAT_SIZE])
     return format_general(angle, 12, out);
 }
 
+char *print_mark(const deck *d, double angle, char out[PRINT_MARK])
+{
+    const char *name = d->units[QUANTITY_ANGLE].name;
+    int is_deg = strcmp(name, "deg") == 0;
+    char number[FORMAT_SIZE];
+
+    return flk_text_join(out, PRINT_MARK, format_general(angle, 4, number),
+                         is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+}
+
 const char *print_stop(const analysis *a, char out[FORMAT_SIZE + 80])
 {
     char number[FORMAT_SIZE];

@@ -16,6 +16,10 @@ int print_branches_of(const deck *d, fourlink_branch branches[2]);
 /* An angle of the motion, with no more decimals than it needs. */
 const char *print_angle(double angle, char out[FORMAT_SIZE]);
 
+/* A crank angle, in the deck's unit, for a picture: 60Â°, or 1.047 rad. */
+#define PRINT_MARK (FORMAT_SIZE + DECK_NAME_SIZE)
+char *print_mark(const deck *d, double angle, char out[PRINT_MARK]);
+
 /* The reason for which a crank stops, "" if it does not. */
 const char *print_stop(const analysis *a, char out[FORMAT_SIZE + 80]);
 

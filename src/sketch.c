@@ -18,7 +18,7 @@
 #define HATCH 0.65
 
 /* Names are narrower than numbers, after which the width of a letter is. */
-#define NARROW 0.8
+#define NARROW 0.9
 
 #define MOST_TITLES 18 /* in the key: gnuplot gives it the height of the axes */
 #define TICS 7         /* letters between two of them, at least */
@@ -108,7 +108,10 @@ void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    put_arrow(s, p, from, to, "head filled size graph 0.025,18 front");
+    /* in text what is in front would hide the letters */
+    put_arrow(s, p, from, to,
+              s->c->is_text ? "head filled size graph 0.025,18"
+                            : "head filled size graph 0.025,18 front");
 }
 
 /* As a polygon: the circles of gnuplot know no dashes. */

@@ -1079,6 +1079,6 @@ check 'a level line of stroke' none 'x rises' engine-mechanism.svg
 run 0 --plot-script=x.gp --branch=open --plot-at='40 deg, 100 deg, 200 deg' "$fourbar"
 check 'one crank is thick' test "$(grep -c ' nohead ls 2$' x.gp)" -eq 1
 check 'the others are thin' test "$(grep -c ' nohead ls 11$' x.gp)" -eq 6
-check 'their angles' grep -q '^set label "200" at' x.gp
+check 'their angles' grep -q '^set label "200°" at' x.gp
 
 finish
