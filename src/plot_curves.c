@@ -438,12 +438,12 @@ static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
     fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
     if (!on->is_text)
         fprintf(on->out,
-                "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above the "
-                "mean%s', \\\n"
+                "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above"
+                "%s', \\\n"
                 "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
                 "title 'below%s', \\\n"
                 "     '' using 1:2 ",
-                is_clockwise ? ": given up" : "", is_clockwise ? ": taken up (clockwise)" : "");
+                is_clockwise ? ": given up" : "", is_clockwise ? ": taken up" : "");
     fprintf(on->out,
             "with lines lt %s title '-Ts', \\\n"
             "     mean with lines lt 2 title 'mean'\n",

@@ -430,7 +430,7 @@ shows coupler-point-mechanism.svg 'open, theta2 = 60 deg' 'crossed, theta2 = 60 
 shows coupler-point-motion.svg open crossed 'theta2 (deg)' 'theta3 (deg)' 'theta4 (deg)' 'omega3 (rad/s)' \
     'omega4 (rad/s)' 'alpha3 (rad/s2)' 'alpha4 (rad/s2)'
 shows coupler-point-forces.svg open crossed F12 F23 F34 F14 Ts 'force (N)' 'Ts (N.m)' 'theta2 (deg)'
-shows coupler-point-turning-moment.svg 'theta2 (deg)' 'turning moment -Ts (N.m)' -Ts mean 'above the mean' below
+shows coupler-point-turning-moment.svg 'theta2 (deg)' 'turning moment -Ts (N.m)' -Ts mean above below
 shows coupler-point-polar.svg open crossed 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
     'F43_across (N)' 'F34_along (N)' 'F14_along (N)' 'F14_across (N)' "F14, ground on rocker, in the rocker's axes"
 shows coupler-point-vectors.svg 'open, theta2 = 60 deg' 'velocity polygon' 'acceleration polygon' \
