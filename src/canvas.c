@@ -9,6 +9,7 @@
 #include "text.h"
 
 #define HEAD (4 * CANVAS_LINE)    /* title and source */
+#define CANVAS_WORDS 1200         /* bytes of a title, letters of which may have four */
 #define LEFT (12 * CANVAS_LETTER) /* numbers and name of the axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
@@ -57,7 +58,8 @@ char *canvas_shorten(const char *words, int letters, int keep_end, char *out, si
             surplus -= begins_letter(*words);
         return flk_text_join(out, size, SHORTENED, words, (char *)NULL);
     }
-    for (; n + 8 < size && words[n] && (letters > 1 || !begins_letter(words[n])); n++) {
+    for (; n + 5 < size && words[n] && ((letters > 1 && n + 9 < size) || !begins_letter(words[n]));
+         n++) {
         letters -= begins_letter(words[n]);
         out[n] = words[n];
     }
@@ -81,7 +83,7 @@ void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, doubl
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest)
 {
     int letters = (int)(c->width / CANVAS_LETTER) - 2;
-    char words[300];
+    char words[CANVAS_WORDS];
 
     fputs("title = ", c->out);
     canvas_quote(c->out, canvas_shorten(title, letters, 0, words, sizeof words));
@@ -147,7 +149,7 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
                    const char *y, const char *y_unit)
 {
     int letters = (int)((c->left + c->box_width + c->right) / CANVAS_LETTER) - 2;
-    char words[300], fitting[300];
+    char words[CANVAS_WORDS], fitting[CANVAS_WORDS];
 
     flk_text_join(words, sizeof words, title, (char *)NULL);
     put_axis(c->out, "x", x, x_unit);

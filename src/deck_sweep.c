@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 
@@ -596,44 +597,49 @@ void flk_read_sweep(parser *p, unsigned long design)
     free(list);
 }
 
-/* Put the value of a part into its vector. */
-static void set_part(vector_part part, double value, double v[2])
+/* Put the parts that vary into a vector: x and y, or size and angle, each from the deck where it does not
+** vary. */
+static void set_parts_of(parser *p, size_t place)
 {
-    double size = sqrt(v[0] * v[0] + v[1] * v[1]), angle = atan2(v[1], v[0]), x, y;
+    const deck_sweep *sweep = &p->d->sweep;
+    double *v = p->settings[place].si, x, y;
+    double part[PART_ANGLE + 1];
+    int is_polar = 0;
+    size_t i;
 
-    switch (part) {
-    case PART_X:
-        v[0] = value;
-        return;
-    case PART_Y:
-        v[1] = value;
-        return;
-    case PART_SIZE:
-        size = value;
-        break;
-    default:
-        angle = value;
-        break;
-    }
-    flk_direction_of(angle, &x, &y);
-    v[0] = size * x;
-    v[1] = size * y;
+    part[PART_X] = v[0];
+    part[PART_Y] = v[1];
+    part[PART_SIZE] = gsl_hypot(v[0], v[1]);
+    part[PART_ANGLE] = atan2(v[1], v[0]);
+    for (i = 0; i < sweep->n_variables; i++)
+        if (sweep->variables[i].part != PART_NONE && sweep->variables[i].setting == place) {
+            part[sweep->variables[i].part] = p->parts[i].si[0];
+            is_polar = sweep->variables[i].part >= PART_SIZE;
+        }
+    flk_direction_of(part[PART_ANGLE], &x, &y);
+    v[0] = is_polar ? part[PART_SIZE] * x : part[PART_X];
+    v[1] = is_polar ? part[PART_SIZE] * y : part[PART_Y];
 }
 
 void flk_set_parts(parser *p)
 {
     const deck_sweep *sweep = &p->d->sweep;
-    size_t i;
+    size_t i, k;
 
     for (i = 0; i < sweep->n_variables && sweep->n_designs; i++) {
         setting *s = &p->parts[i];
         const deck_variable *v = &sweep->variables[i];
 
-        if (v->part == PART_NONE)
-            continue;
-        if (s->is_given ? flk_read_given(p, s, v->q)
-                        : flk_read_quantity(p, s, s->value, v->q, &s->si[0]))
-            set_part((vector_part)v->part, s->si[0], p->settings[v->setting].si);
+        if (v->part != PART_NONE && s->is_given)
+            flk_read_given(p, s, v->q);
+        else if (v->part != PART_NONE)
+            flk_read_quantity(p, s, s->value, v->q, &s->si[0]);
+    }
+    for (i = 0; i < sweep->n_variables && sweep->n_designs; i++) {
+        for (k = 0; k < i && sweep->variables[k].setting != sweep->variables[i].setting; k++)
+            ;
+        if (k == i && sweep->variables[i].part != PART_NONE) /* the first of its vector */
+            set_parts_of(p, sweep->variables[i].setting);
     }
 }
 

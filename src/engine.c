@@ -96,8 +96,9 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    T_correction = dT cos(theta) / sqrt(n^2 - sin^2(theta)) = dT dphi/dtheta
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
 **
-** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is theta2 - theta3, phi'' is -alpha3, dphi/dtheta
-** is -k3, and cos(phi) is cos(theta3), -cos(theta3) on the crossed branch; the weight of m_a works along the path of the crank pin.
+** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is
+** theta2 - theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), on the crossed
+** branch -cos(theta3); the weight of m_a works along the path of the crank pin.
 ** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
 */
 int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_state *state,

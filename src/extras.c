@@ -19,7 +19,8 @@ static double ratio(double x, double y)
     return (x < 0) == (y < 0) ? bound : -bound;
 }
 
-/* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its velocity there is 0,
+/* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
+** velocity there is 0,
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **

@@ -124,14 +124,9 @@ static void refine(search *s, double low, double middle, double high, extreme *b
     keep_best(best, here.value, here.angle);
 }
 
-/* The limit of the column where the links stop reaching, between two angles, at the first of which it has
-** a value.  1, or 0 if it grows beyond all bounds there.
-**
-** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
-** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
-static int limit_at_edge(search *s, double good, double bad, extreme *limit)
+/* The last angle at which the column has a value, from one at which it has towards one at which not. */
+static double edge(search *s, double good, double bad)
 {
-    double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
     int i;
 
     for (i = 0; i < 100; i++) {
@@ -142,9 +137,24 @@ static int limit_at_edge(search *s, double good, double bad, extreme *limit)
         else
             good = middle;
     }
+    return good;
+}
+
+/* The limit of the column where the links stop reaching, between two angles, at the first of which it has
+** a value.  1, or 0 if it grows beyond all bounds there.
+**
+** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
+** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
+static int limit_at_edge(search *s, double good, double bad, extreme *limit)
+{
+    double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
+
+    good = edge(s, good, bad);
     v1 = value_at(good + x, s);
     v2 = value_at(good + 4 * x, s);
     limit->value = 2 * v1 - v2;
+    if (fabs(limit->value) < 1e-4 * fabs(v1))
+        limit->value = 0; /* of a transmission angle nothing else is left */
     limit->angle = good;
     if (gsl_isnan(limit->value)) {
         limit->value = value_at(good, s);
@@ -324,7 +334,7 @@ static void refine_peak(search *s, double step, const extreme *peak, extreme *be
 {
     double x = peak->angle, low = x - step, high = x + step;
 
-    s->last_value = peak->value;
+    follow(s, peak->value); /* the scan may have ended in a gap */
     keep_best(best, peak->value, x);
     if (low < s->first && !s->periodic) { /* at an end: is there a minimum just inside it? */
         low = s->first;
@@ -334,7 +344,11 @@ static void refine_peak(search *s, double step, const extreme *peak, extreme *be
         high = s->last;
         x = s->last - 1e-3 * step;
     }
-    if (!column_of_rounding(s->c) && value_at(x, s) < value_at(low, s) &&
+    if (gsl_isnan(value_at(low, s)))
+        low = edge(s, x, low);
+    if (gsl_isnan(value_at(high, s)))
+        high = edge(s, x, high);
+    if (low < x && x < high && !column_of_rounding(s->c) && value_at(x, s) < value_at(low, s) &&
         value_at(x, s) < value_at(high, s))
         refine(s, low, x, high, best);
 }

@@ -61,6 +61,7 @@ static double intervals(double span, double interval)
 int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 {
     double span, stop, n, turning;
+    fourlink_row last;
     int stops;
 
     if (!motion || !range)
@@ -91,6 +92,8 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
         n = intervals(span, motion->interval);
     if (n >= MAX_ROWS || n >= (double)ULONG_MAX)
         return FOURLINK_TOO_MANY_ROWS;
+    if (fourlink_motion_at(motion, stops ? motion->from : last_angle(motion), &last) != FOURLINK_OK)
+        return FOURLINK_BAD_NUMBER; /* a crank so slow that its time is infinite */
     range->n_rows = (unsigned long)n + 1;
     range->stops = stops;
     range->stop_angle = stops ? motion->from + direction(motion) * stop : 0;

@@ -585,6 +585,32 @@ static void test_extremes_of_an_angle_over_a_gap(void **unused)
     }
 }
 
+/* Peaks of a motion that ends in a gap, one of them between the last sample and the gap: by dense samples. */
+static void test_extremes_of_angles_beside_gaps(void **unused)
+{
+    static const struct {
+        double a, b, c, d;
+        const char *motion;
+        double least; /* of theta4, open, deg */
+    } cases[] = {{0.218389, 0.075088, 0.363783, 0.117999,
+                  "speed = -37 rad/s\nfrom = -90 deg\nto = -450 deg\n", -225.538742},
+                 {0.284458, 0.14085, 0.369833, 0.0607668, "speed = 6 rad/s\n", 25.94287}};
+    size_t i;
+    loaded l;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        load(four_bar(cases[i].a, cases[i].b, cases[i].c, cases[i].d,
+                      print("[motion]\n%s", cases[i].motion)),
+             &l);
+        assert_near(extreme_of(&l, "theta4", FOURLINK_OPEN, -1).value, cases[i].least, 1e-5);
+        unload(&l);
+    }
+    load(slider_crank(0.256, 0.057, 0, "[motion]\nspeed = 27 rad/s\nto = 160 deg\n"), &l);
+    assert_near(extreme_of(&l, "theta3", FOURLINK_CROSSED, -1).value, 180, 1e-6);
+    unload(&l);
+}
+
 /* A horizontal engine: with s = sin^2(theta2), n = l / r, the speed of the piston is greatest where
 ** s^3 - n^2 s^2 - n^4 s + n^4 = 0. */
 static void check_engine_in_closed_form(int what)
@@ -2265,6 +2291,7 @@ int main(void)
         cmocka_unit_test(test_angles_of_extremes_of_torques),
         cmocka_unit_test(test_extremes_of_a_drag_link),
         cmocka_unit_test(test_extremes_of_an_angle_over_a_gap),
+        cmocka_unit_test(test_extremes_of_angles_beside_gaps),
         cmocka_unit_test(test_extremes_of_an_engine_in_closed_form),
         cmocka_unit_test(test_angles_of_extremes_of_an_engine_in_closed_form),
         cmocka_unit_test(test_extremes_and_limits_agree),

@@ -551,6 +551,8 @@ static void test_no_row_of_no_motion(void **unused)
     motion.run_up = 90;
     motion.acceleration = 0;
     assert_int_equal(fourlink_motion_at(&motion, 10, &row), FOURLINK_NO_RUN_UP);
+    motion = degrees(0, 360, 10, 1e-310, 0); /* its time would be infinite */
+    assert_no_range(&motion, FOURLINK_BAD_NUMBER);
     motion = degrees(0, 360, 10, NAN, 1);
     assert_int_equal(fourlink_motion_at(&motion, 10, &row), FOURLINK_BAD_NUMBER);
     assert_memory_equal(&row, &before, sizeof row);

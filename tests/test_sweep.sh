@@ -105,6 +105,18 @@ for force in 5 6; do
     done
 done
 
+# size and angle in any order, of a point that the deck does not give
+{ base && printf '%s\n' '[sweep]' 'rocker.cg.angle = 0 deg, 90 deg' 'rocker.cg.size = 10 mm, -10 mm' 'output = max(Ts)'; } |
+    sed '/^\[load/,/^torque/d' >t.deck
+run 0 -f csv -b open t.deck
+sed 1d out | cut -d, -f5 >swept
+for point in '(10, 0)' '(-10, 0)' '(0, 10)' '(0, -10)'; do
+    sed '/^\[load/,/^torque/d' single.deck >one.deck
+    "$fourlink" -S -f csv -b open -c Ts -s "rocker.cg=$point mm" one.deck | sed -n 's/^max(Ts),\([^,]*\),.*/\1/p'
+done >single
+check 'size and angle, either first' test "$(awk '{printf "%.10g ", $1}' swept)" = "$(awk '{printf "%.10g ", $1}' single)"
+check 'four of them' test "$(sort -u swept | wc -l)" -eq 4
+
 outputs='max(Ts), min(omega4), mu_min, theta4_max, swing, type, max(P.x), mean_torque'
 sweep 'crank.length = 18 mm to 22 mm step 2 mm' 'load W.torque = -2 N m, 3 N m' "output = $outputs"
 run 0 -f csv t.deck
@@ -358,12 +370,10 @@ check 'the last design' grep -q '^5000,0.02,open,58[.0-9]*,ok' out
 { printf 'mechanism = slider-crank\n[crank]\nlength = 5 cm\n[rod]\nlength = 20 cm\n[piston]\nmass = 1 kg\n'
     printf '[gas]\nbore = 10 cm\nindicator = file card.txt\n[motion]\nspeed = 10 rad/s\n'
     printf '[sweep]\ncrank.length = 2 cm to 9 cm in 4000\noutput = max(gas_force)\n'; } >card.deck
-printf '0 1e5\n180 3e5\n' >card.txt
-"$fourlink" -f csv card.deck >pipe.csv 2>err &
-pid=$!
-sleep 0.2
-echo nonsense >card.txt
-wait $pid
+mkfifo card.txt # which has its contents once
+printf '0 1e5\n180 3e5\n' >card.txt &
+run 0 -f csv card.deck
+mv out pipe.csv
 check 'the file was read once' test "$(grep -c ',ok' pipe.csv)" -eq 8000
 
 reason='the crank, 300 mm, is longer than the other three together, 202 mm: they cannot be assembled'
