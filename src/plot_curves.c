@@ -431,8 +431,8 @@ static void put_moment(FILE *out, analysis *a, fourlink_branch branch)
     fputs("EOD\n", out);
 }
 
-/* Areas are filled, but for a text terminal. */
-/* A clockwise crank gives energy to the flywheel where the moment is below its mean. */
+/* Areas are filled, but for a text terminal.  A clockwise crank gives energy to the flywheel where the
+** moment is below its mean. */
 static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
 {
     fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
