@@ -499,8 +499,8 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 ** 2) What the next two functions fill is not yet to be used.
 ** 3) FOURLINK_BAD_KIND is that of a mechanism which was not prepared.
 ** Reference:
-**    Alvi, eqs. 1 to 3, by circles in place of Freudenstein's equation (the source file fourbar.c);
-**    ME3491, and DFA eq. 1 (slidercrank.c).
+**    Alvi, eqs. 1 to 3, by circles in place of Freudenstein's equation (the source file four_bar.c);
+**    ME3491, and DFA eq. 1 (slider_crank.c).
 */
 FOURLINK_API int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                    double theta2, fourlink_state *state);
@@ -572,7 +572,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 ** 3) The state is taken as the functions above left it.  One that they did not fill gives forces
 **    without meaning, or FOURLINK_BAD_NUMBER or FOURLINK_SINGULAR if they are no numbers.
 ** Reference:
-**    ME3491, eqs. 3 to 15, corrected; see kinetostatics.c.
+**    ME3491, eqs. 3 to 15, corrected; see nine_equations.c.
 */
 FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                 const fourlink_load *loads, unsigned long n_loads,
@@ -591,7 +591,7 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
 **    time this is a small part of the general solution of fourlink_solve, each a check on the other.
 ** 2) FOURLINK_SINGULAR is judged by the state's `sine`.
 ** Reference:
-**    The equations are those of fourlink_solve; see dyad.c.
+**    The equations are those of fourlink_solve; see closed_form.c.
 */
 FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
                                      const fourlink_state *state, const fourlink_load *loads,

@@ -19,9 +19,9 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
 
-#include "format.h"
+#include "base/format.h"
 #include "fourlink.h"
-#include "print.h"
+#include "tables/print.h"
 
 #define ANGLES 360
 #define COLUMNS 20

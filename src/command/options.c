@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** options.c - the command line.
+*/
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/number.h"
+#include "options.h"
+
+const char *const options_help[] = {
+    "Usage: fourlink [OPTION]... [DECK]...",
+    "",
+    "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
+    "Reads the decks, or standard input where none is named, or for -.",
+    "",
+    "  -f, --format=table|csv|paper      how the rows are written (default: table)",
+    "  -o, --output=FILE                 write to FILE, all at once, or not at all",
+    "  -b, --branch=open|crossed|both    which way of assembly (default: both)",
+    "  -i, --interval=QUANTITY           the interval of the crank angle, such as '10 deg'",
+    "  -c, --columns=NAME,NAME,...|all   the columns; --list tells their names",
+    "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
+    "                                    change the deck: --set 'motion.speed=100 rpm'",
+    "  -C, --check[=FILE]                compare with the values that the deck, or FILE, expects",
+    "  -m, --matrix                      the nine equations, A x = b, at each row",
+    "  -S, --summary                     facts of the mechanism, extremes, turning moment",
+    "  -p, --plot=FILE                   draw a picture too: .svg .png .pdf .txt .gif",
+    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment, "
+    "polar,",
+    "                                    vectors, klein, animation (default for .gif)",
+    "      --plot-at=ANGLE,ANGLE,...     the crank angles to draw, such as '40 deg'",
+    "      --plot-script=FILE            write the script for gnuplot, to be changed and run by "
+    "you",
+    "  -P, --part=K/N                    the K-th of N parts of the deck's [sweep]",
+    "  -l, --list                        the columns and facts of the deck, and what they mean",
+    "  -h, --help                        this text",
+    "  -V, --version                     the version",
+    "",
+    "Exit status: 0 all well; 1 some rows could not be computed; 2 usage or a bad deck;",
+    "3 reading or writing failed.",
+    NULL};
+
+/* In place of a letter, of options that have none. */
+enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT };
+
+/* How an option is kept: as a flag or text of its own, or as a change to the deck. */
+typedef struct option_info {
+    char letter;
+    const char *name;
+    int takes_value; /* 2: one may follow behind '=' */
+    const char *key; /* not null: the key of the deck that it sets */
+} option_info;
+
+static const option_info table[] = {{'f', "format", 1, NULL},
+                                    {'o', "output", 1, NULL},
+                                    {'b', "branch", 1, "table.branch"},
+                                    {'i', "interval", 1, "motion.interval"},
+                                    {'c', "columns", 1, "table.columns"},
+                                    {'s', "set", 1, NULL},
+                                    {'m', "matrix", 0, NULL},
+                                    {'C', "check", 2, NULL},
+                                    {'S', "summary", 0, NULL},
+                                    {'p', "plot", 1, NULL},
+                                    {PLOT_KIND, "plot-kind", 1, NULL},
+                                    {PLOT_AT, "plot-at", 1, NULL},
+                                    {PLOT_SCRIPT, "plot-script", 1, NULL},
+                                    {'P', "part", 1, NULL},
+                                    {'l', "list", 0, NULL},
+                                    {'h', "help", 0, NULL},
+                                    {'V', "version", 0, NULL}};
+
+#define TABLE_COUNT (sizeof table / sizeof table[0])
+
+static int say(char message[400], const char *a, const char *b, const char *c)
+{
+    char word[200];
+
+    strcpy(message, a);
+    strcat(message, flk_text_copy(flk_text_of(b), word, sizeof word));
+    strcat(message, c);
+    return 0;
+}
+
+/* The value of an option that was given without one. */
+static const char no_value[] = "";
+
+static int set_format(options *o, const char *value, char message[400])
+{
+    static const char *const names[] = {"table", "csv", "paper", NULL};
+    int i;
+
+    for (i = 0; names[i]; i++)
+        if (strcmp(value, names[i]) == 0) {
+            o->format = (table_format)i;
+            return 1;
+        }
+    return say(message, "--format must be table, csv or paper, not '", value, "'");
+}
+
+/* K/N */
+static int set_part(options *o, const char *value, char message[400])
+{
+    text rest = flk_text_of(value), k;
+    double part = 0, parts = 0;
+
+    flk_text_split(&rest, '/', &k);
+    if (!rest.start || flk_number_read(&k, &part) != NUMBER_OK || k.length ||
+        flk_number_read(&rest, &parts) != NUMBER_OK || rest.length || part != floor(part) ||
+        parts != floor(parts) || part < 1 || parts < 1 || parts > 1e6)
+        return say(message, "--part is K/N, the K-th of N parts, such as 1/4, not '", value, "'");
+    if (part > parts)
+        return say(message, "--part=", value, ": the first number is from 1 to the second");
+    o->part = (unsigned long)part;
+    o->parts = (unsigned long)parts;
+    return 1;
+}
+
+static int set_plot_kind(options *o, const char *value, char message[400])
+{
+    const char *nearest;
+    int i;
+
+    for (i = 0; plot_names[i]; i++)
+        if (strcmp(value, plot_names[i]) == 0) {
+            o->plot_kind = (plot_kind)i;
+            return 1;
+        }
+    nearest = flk_text_nearest(flk_text_of(value), plot_names);
+    say(message, "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, ",
+        "klein or animation, not '", "");
+    flk_text_copy(flk_text_of(value), message + strlen(message), 60);
+    strcat(message, "'");
+    if (nearest) {
+        strcat(message, flk_hint(nearest));
+        strcat(message, nearest);
+        strcat(message, flk_hint_end(nearest));
+    }
+    return 0;
+}
+
+static int set_plot(options *o, const char *value, char message[400])
+{
+    o->plot = value;
+    o->plot_file = plot_file_of(value);
+    if (o->plot_file == PLOT_FILE_COUNT)
+        return say(message, "the name of a picture ends in .svg, .png, .pdf, .txt or .gif, not '",
+                   value, "'");
+    return 1;
+}
+
+static void add_change(options *o, const char *option, const char *assignment)
+{
+    o->changes[o->n_changes].option = option;
+    o->changes[o->n_changes].assignment = assignment;
+    o->n_changes++;
+}
+
+static int set(options *o, const option_info *info, const char *value, char message[400])
+{
+    static const char *const sources[] = {"--branch", "--interval", "--columns"};
+    char *assignment;
+
+    if (info->key) {
+        assignment = malloc(strlen(info->key) + strlen(value) + 2);
+        if (!assignment)
+            return -1;
+        strcpy(assignment, info->key);
+        strcat(assignment, "=");
+        strcat(assignment, value);
+        o->storage[o->n_storage++] = assignment;
+        add_change(o, sources[info->letter == 'b' ? 0 : info->letter == 'i' ? 1 : 2], assignment);
+        return 1;
+    }
+    switch (info->letter) {
+    case 'f':
+        return set_format(o, value, message);
+    case 'o':
+        o->output = strcmp(value, "-") == 0 ? NULL : value;
+        return 1;
+    case 's':
+        add_change(o, "--set", value);
+        return 1;
+    case 'P':
+        return set_part(o, value, message);
+    case 'p':
+        return set_plot(o, value, message);
+    case PLOT_KIND:
+        return set_plot_kind(o, value, message);
+    case PLOT_AT:
+        o->plot_at = value;
+        return 1;
+    case PLOT_SCRIPT:
+        o->plot_script = value;
+        return 1;
+    case 'C':
+        if (value[0] == '\0' && value != no_value)
+            return say(message, "--check= needs the name of a file", "", "");
+        o->check_file = *value ? value : NULL;
+        return o->check = 1;
+    case 'm':
+        return o->matrix = 1;
+    case 'S':
+        return o->summary = 1;
+    case 'l':
+        return o->list = 1;
+    case 'h':
+        return o->help = 1;
+    case 'V':
+    default:
+        return o->version = 1;
+    }
+}
+
+/* --name, --name=value, --name value */
+static int read_long(options *o, const char *word, const char *next, int *used_next,
+                     char message[400])
+{
+    const char *equals = strchr(word, '='), *known[TABLE_COUNT + 1], *nearest;
+    text name = flk_text_of(word);
+    size_t i;
+
+    if (equals)
+        name.length = (size_t)(equals - word);
+    for (i = 0; i < TABLE_COUNT; i++) {
+        known[i] = table[i].name;
+        if (strlen(table[i].name) == name.length &&
+            memcmp(table[i].name, name.start, name.length) == 0)
+            break;
+    }
+    if (i == TABLE_COUNT) {
+        char hint[100] = "'", copy[100];
+
+        known[i] = NULL;
+        nearest = flk_text_nearest(name, known);
+        if (nearest) {
+            strcat(hint, "; did you mean '--");
+            strcat(hint, nearest);
+            strcat(hint, "'?");
+        }
+        return say(message, "unknown option '--", flk_text_copy(name, copy, sizeof copy), hint);
+    }
+    if (!table[i].takes_value)
+        return equals ? say(message, "--", table[i].name, " takes no value")
+                      : set(o, &table[i], "", message);
+    if (equals)
+        return set(o, &table[i], equals + 1, message);
+    if (table[i].takes_value == 2)
+        return set(o, &table[i], no_value, message);
+    if (!next)
+        return say(message, "--", table[i].name, " needs a value");
+    *used_next = 1;
+    return set(o, &table[i], next, message);
+}
+
+/* -x, -xy, -ovalue, -o value */
+static int read_short(options *o, const char *word, const char *next, int *used_next,
+                      char message[400])
+{
+    char letter[3] = "-?";
+    size_t i;
+
+    for (; *word; word++) {
+        for (i = 0; i < TABLE_COUNT; i++)
+            if (table[i].letter == *word && *word > PLOT_SCRIPT)
+                break;
+        letter[1] = *word;
+        if (i == TABLE_COUNT)
+            return say(message, "unknown option '", letter, "'");
+        if (table[i].takes_value == 1) {
+            if (!word[1] && !next)
+                return say(message, letter, " needs a value", "");
+            *used_next = !word[1];
+            return set(o, &table[i], word[1] ? word + 1 : next, message);
+        }
+        set(o, &table[i], no_value, message);
+    }
+    return 1;
+}
+
+/* Options that belong together. */
+static int check_plot(options *o, char message[400])
+{
+    int wanted = o->plot || o->plot_script;
+
+    if (!wanted && (o->plot_at || o->plot_kind != PLOT_COUNT))
+        return say(message, o->plot_at ? "--plot-at" : "--plot-kind",
+                   " needs --plot or --plot-script", "");
+    if (!wanted)
+        return 1;
+    if (o->n_decks > 1)
+        return say(message, "a picture is of one deck, not of several", "", "");
+    if (!o->plot)
+        o->plot_file = PLOT_SVG;
+    if (o->plot_kind == PLOT_COUNT)
+        o->plot_kind = o->plot_file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
+    if (o->plot_at && o->plot_kind != PLOT_MECHANISM && o->plot_kind != PLOT_VECTORS &&
+        o->plot_kind != PLOT_KLEIN)
+        return say(message, "--plot-at is for the kinds mechanism, vectors and klein, not for ",
+                   plot_names[o->plot_kind], "");
+    if (o->plot_kind == PLOT_ANIMATION && o->plot && o->plot_file != PLOT_GIF)
+        return say(message, "an animation needs a name that ends in .gif, not '", o->plot, "'");
+    if (o->plot_kind == PLOT_ANIMATION)
+        o->plot_file = PLOT_GIF;
+    return 1;
+}
+
+int options_read(int argc, char **argv, options *o, char message[400])
+{
+    int i, done = 0, status;
+    size_t room = (size_t)argc + 1;
+
+    memset(o, 0, sizeof *o);
+    o->plot_kind = PLOT_COUNT;
+    o->changes = malloc(room * sizeof *o->changes);
+    o->decks = malloc(room * sizeof *o->decks);
+    o->storage = malloc(room * sizeof *o->storage);
+    if (!o->changes || !o->decks || !o->storage)
+        return -1;
+    for (i = 1; i < argc; i++) {
+        const char *word = argv[i], *next = i + 1 < argc ? argv[i + 1] : NULL;
+        int used_next = 0;
+
+        if (done || word[0] != '-' || !word[1]) {
+            o->decks[o->n_decks++] = word;
+            continue;
+        }
+        if (strcmp(word, "--") == 0) {
+            done = 1;
+            continue;
+        }
+        if (word[1] == '-')
+            status = read_long(o, word + 2, next, &used_next, message);
+        else
+            status = read_short(o, word + 1, next, &used_next, message);
+        if (status != 1)
+            return status;
+        i += used_next;
+    }
+    if (o->check + o->summary + o->matrix + o->list > 1)
+        return say(message, "--check, --summary, --matrix and --list exclude each other", "", "");
+    if ((o->summary || o->check) && o->format == FORMAT_PAPER)
+        return say(message, "--summary and --check are printed in the formats table and csv", "",
+                   "");
+    if (o->matrix && o->format != FORMAT_TABLE)
+        return say(message, "--matrix is printed in the format table only", "", "");
+    if (!o->n_decks)
+        o->decks[o->n_decks++] = "-";
+    return check_plot(o, message);
+}
+
+void options_free(options *o)
+{
+    size_t i;
+
+    for (i = 0; i < o->n_storage; i++)
+        free(o->storage[i]);
+    free(o->storage);
+    free(o->changes);
+    free((void *)o->decks);
+}

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** deck.h - the input deck: text in, a problem to solve out, or its mistakes.
+*/
+#ifndef FOURLINK_DECK_H
+#define FOURLINK_DECK_H
+
+#include "curve.h"
+#include "fourlink.h"
+#include "base/units.h"
+
+#define DECK_NAME_SIZE 64
+
+/* A unit in which a quantity is printed, and in which bare numbers of it are read. */
+typedef struct deck_unit {
+    char name[DECK_NAME_SIZE];
+    unit unit;
+} deck_unit;
+
+/* A list of names in a deck, such as columns, and where it stands. */
+typedef struct deck_names {
+    text names;
+    text_place place;
+} deck_names;
+
+/* The gas in the cylinder; area 0: there is none. */
+typedef struct deck_gas {
+    double area, back_area; /* m2, of the piston on the cover side and on the crank side */
+    double pressure;        /* Pa, on the cover side */
+    curve indicator;        /* Pa over the crank angle in rad, in place of pressure */
+    double back_pressure;   /* Pa, on the crank side */
+} deck_gas;
+
+/* Beside a load: its name, and what changes with the crank angle. */
+typedef struct deck_load {
+    const char *name; /* of [load NAME]; "": it has none */
+    curve torque;     /* over the crank angle, if it has such a curve */
+    int is_windowed;  /* 1: it acts between two crank angles only, in every cycle */
+    double from, to;  /* rad */
+} deck_load;
+
+#define DECK_POINT_COLUMNS 8
+
+/* A tracer point. */
+typedef struct deck_point {
+    const char *name;
+    int link;
+    fourlink_vector at;                     /* m, in the link's own axes */
+    char *column_names[DECK_POINT_COLUMNS]; /* NAME.x ... */
+} deck_point;
+
+/* A value that a source printed. */
+typedef struct deck_expectation {
+    text_place place;
+    text name, value; /* a column or a fact; what was printed */
+    text tolerance;   /* empty: half of the last printed digit */
+    text_place tolerance_place;
+    int misprint; /* 1: known to be wrong */
+    int has_at;
+    double at; /* crank angle in the deck's unit */
+    fourlink_branch branch;
+} deck_expectation;
+
+/* A quantity of the deck that a sweep varies. */
+typedef struct deck_variable {
+    text name; /* crank.length */
+    quantity q;
+    double value;   /* of this design, in the deck's unit of the quantity */
+    size_t setting; /* for the reader: where it is set, */
+    int part;       /* and which part of it, if it is one of a vector's */
+} deck_variable;
+
+/* [sweep]; without variables there is none. */
+typedef struct deck_sweep {
+    deck_variable *variables;
+    size_t n_variables;
+    unsigned long n_designs;
+    deck_names output; /* empty: rows of each design */
+} deck_sweep;
+
+enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
+
+/* A deck; hosts of the library have it as fourlink_deck, without its members. */
+typedef struct fourlink_deck deck;
+
+struct fourlink_deck {
+    char title[256];
+    fourlink_design design;
+    fourlink_mechanism mechanism; /* the design, prepared */
+    fourlink_motion motion;       /* angles in the deck's unit of angle */
+    int one_instant;              /* 1: motion.at */
+    int one_revolution;           /* 1: from the first row to the last */
+    double cycle;                 /* rad, the period of curves and of the turning moment */
+    fourlink_load *loads;
+    deck_load *variations; /* for each load */
+    unsigned long n_loads;
+    deck_point *points;
+    size_t n_points;
+    deck_gas gas;
+    int has_forces; /* 1: the deck has masses, loads or gas */
+    fourlink_approximation approximation;
+    deck_expectation *expectations;
+    size_t n_expectations;
+    double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
+    deck_sweep sweep;
+    int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if the deck does not say */
+    int open, crossed;
+    deck_names columns;
+    int digits;
+    deck_unit units[QUANTITY_COUNT];
+
+    mistakes mistakes;    /* none: the deck is in order */
+    struct kept *storage; /* the texts that names and places point to */
+};
+
+/* A change to a deck from outside it: [SECTION[ NAME].]KEY=VALUE. */
+typedef struct deck_change {
+    const char *option; /* for messages, such as "--set" */
+    const char *assignment;
+} deck_change;
+
+/* Read a deck.
+**
+** Given:
+**    name        for messages: the file's name
+**    contents    the deck's text
+**    load, host  for files that the deck names, see fourlink.h; null: it may name none
+**    changes     assignments that replace or add to those of the deck
+**    design      which design of its [sweep], from 0: the deck is read with the values of that one
+** Returned:
+**    d           the deck; to be given to flk_deck_free also where it is full of mistakes
+** Returned (function value):
+**    1 the deck is in order, 0 see d->mistakes, -1 out of memory
+*/
+int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
+                  const deck_change *changes, size_t n_changes, unsigned long design, deck *d);
+
+/* Add the [expect] and [misprint] sections of another text to a deck.  As flk_deck_read. */
+int flk_deck_add_expectations(const char *name, text contents, deck *d);
+
+/* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
+** deck if it is none of that quantity. */
+int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
+                           double *digit);
+
+void flk_deck_free(deck *d);
+
+#endif

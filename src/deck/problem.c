@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** problem.c - a deck for the programs that embed the library: the problem it poses, its loads at a
+** crank angle, its points.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "deck.h"
+#include "mechanics/mechanics.h"
+
+static void copy_mistakes(const mistakes *list, unsigned long max, fourlink_mistake *out)
+{
+    unsigned long i;
+
+    for (i = 0; i < max && i < list->count; i++) {
+        const struct mistake *m = &list->list[i];
+
+        flk_text_copy(flk_text_of(m->place.source), out[i].file, sizeof out[i].file);
+        out[i].line = m->place.line;
+        memcpy(out[i].message, m->message, sizeof out[i].message);
+    }
+}
+
+int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
+                       void *host, unsigned long max_mistakes, fourlink_deck **result,
+                       fourlink_mistake *list, unsigned long *n_mistakes)
+{
+    deck *d;
+    text t;
+    int status;
+
+    if (!contents || !result || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    d = malloc(sizeof *d);
+    if (!d)
+        return FOURLINK_NO_MEMORY;
+    t.start = contents;
+    t.length = length;
+    status = flk_deck_read("", t, load, host, NULL, 0, 0, d);
+    if (status > 0) {
+        *result = d;
+        return FOURLINK_OK;
+    }
+    if (status == 0) {
+        copy_mistakes(&d->mistakes, max_mistakes, list);
+        if (n_mistakes)
+            *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
+    }
+    fourlink_deck_free(d);
+    return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
+}
+
+void fourlink_deck_free(fourlink_deck *d)
+{
+    if (d)
+        flk_deck_free(d);
+    free(d);
+}
+
+int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
+{
+    if (!d || !problem)
+        return FOURLINK_NULL;
+    memset(problem, 0, sizeof *problem);
+    memcpy(problem->title, d->title, sizeof problem->title);
+    problem->mechanism = d->mechanism;
+    problem->motion = d->motion;
+    problem->cycle = d->cycle;
+    problem->open = d->open;
+    problem->crossed = d->crossed;
+    problem->has_forces = d->has_forces;
+    problem->approximation = d->approximation;
+    problem->has_gas = d->gas.area > 0;
+    problem->n_loads = d->n_loads + (problem->has_gas ? 1 : 0);
+    problem->n_points = (unsigned long)d->n_points;
+    problem->flywheel_fluctuation = d->flywheel_fluctuation;
+    problem->flywheel_inertia = d->flywheel_inertia;
+    return FOURLINK_OK;
+}
+
+/* The force of the gas on the piston, towards the crank positive: p1 A1 - p2 A2 (ME3491). */
+static double gas_force(const deck_gas *gas, double theta2)
+{
+    double p1 = gas->indicator.n ? flk_curve_value(&gas->indicator, theta2) : gas->pressure;
+
+    return p1 * gas->area - gas->back_pressure * gas->back_area;
+}
+
+/* A load at this crank angle: its curve is followed, and outside its window it is nothing. */
+static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
+                     double theta2, fourlink_load *now)
+{
+    *now = *load;
+    if (variation->torque.n)
+        now->torque = flk_curve_value(&variation->torque, theta2);
+    if (variation->is_windowed) {
+        double after = theta2 - variation->from;
+
+        after -= cycle * floor(after / cycle + 1e-12);
+        if (after > variation->to - variation->from + 1e-12 * cycle)
+            now->force.x = now->force.y = now->torque = 0;
+    }
+}
+
+int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
+                        fourlink_load *loads, double *gas)
+{
+    double force = 0;
+    unsigned long i;
+
+    if (!d || (!loads && (d->n_loads || d->gas.area > 0)))
+        return FOURLINK_NULL;
+    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+        return FOURLINK_BAD_BRANCH;
+    if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    for (i = 0; i < d->n_loads; i++)
+        set_load(&d->loads[i], &d->variations[i], d->cycle, theta2, &loads[i]);
+    if (d->gas.area > 0) {
+        force = gas_force(&d->gas, theta2);
+        memset(&loads[i], 0, sizeof loads[i]);
+        loads[i].link = FOURLINK_FOLLOWER;
+        loads[i].force.x = -(double)branch * force;
+    }
+    if (gas)
+        *gas = force;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **name, int *link,
+                        fourlink_vector *at)
+{
+    if (!d || !link || !at)
+        return FOURLINK_NULL;
+    if (i >= d->n_points)
+        return FOURLINK_NO_SUCH_POINT;
+    if (name)
+        *name = d->points[i].name;
+    *link = d->points[i].link;
+    *at = d->points[i].at;
+    return FOURLINK_OK;
+}

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** schema.h - the sections and keys that a deck can have, and what may stand behind each.
+*/
+#ifndef FOURLINK_SCHEMA_H
+#define FOURLINK_SCHEMA_H
+
+#include "fourlink.h"
+#include "base/units.h"
+
+/* name, may repeat, mechanisms */
+#define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
+#define SECTION_LIST(X)                           \
+    X(TOP, "", 0, ANY_KIND)                       \
+    X(UNITS, "units", 0, ANY_KIND)                \
+    X(GROUND, "ground", 0, ANY_KIND)              \
+    X(CRANK, "crank", 0, ANY_KIND)                \
+    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR)   \
+    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR)     \
+    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK)       \
+    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK) \
+    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK)       \
+    X(MOTION, "motion", 0, ANY_KIND)              \
+    X(GRAVITY, "gravity", 0, ANY_KIND)            \
+    X(LOAD, "load", 1, ANY_KIND)                  \
+    X(POINT, "point", 1, ANY_KIND)                \
+    X(TABLE, "table", 0, ANY_KIND)                \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND)          \
+    X(SWEEP, "sweep", 0, ANY_KIND)                \
+    X(EXPECT, "expect", 1, ANY_KIND)              \
+    X(MISPRINT, "misprint", 1, ANY_KIND)
+
+/* What a value is. */
+typedef enum value_form {
+    FORM_TEXT,     /* as it stands, or in double quotes */
+    FORM_WORD,     /* one of a list of words */
+    FORM_UNIT,     /* a unit of the quantity */
+    FORM_QUANTITY, /* a number with a unit */
+    FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N */
+    FORM_POINT,    /* the same for a point of a link; an angle of 0 may be left out */
+    FORM_PIN,      /* origin, end, or as FORM_POINT */
+    FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
+    FORM_COUNT,    /* a whole number */
+    FORM_NAMES     /* names separated by commas or blanks */
+} value_form;
+
+typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
+
+#define LINK_KEYS(X, S)                                                    \
+    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND)           \
+    X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)             \
+    X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)   \
+    X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
+    X(S, CG, "cg", POINT, LENGTH, ANY, ANY_KIND)                           \
+    X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
+    X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
+
+/* Sections that take names of their own beside their keys: columns and facts, or keys of the deck. */
+#define TAKES_NAMES(section) \
+    ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP)
+
+/* Beside these, any column or fact. */
+#define EXPECT_KEYS(X, S)                               \
+    X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)      \
+    X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND) \
+    X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)
+
+/* section, key, its name, form, quantity, sign, mechanisms */
+#define KEY_LIST(X)                                                                          \
+    X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                      \
+    X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                              \
+    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                       \
+    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND)                                    \
+    X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                  \
+    X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                     \
+    X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                        \
+    X(UNITS, TIME, "time", UNIT, TIME, ANY, ANY_KIND)                                        \
+    X(UNITS, SPEED, "speed", UNIT, SPEED, ANY, ANY_KIND)                                     \
+    X(UNITS, ACCELERATION, "acceleration", UNIT, ACCELERATION, ANY, ANY_KIND)                \
+    X(UNITS, ANGULAR_SPEED, "angular_speed", UNIT, ANGULAR_SPEED, ANY, ANY_KIND)             \
+    X(UNITS, ANGULAR_ACCELERATION, "angular_acceleration", UNIT, ANGULAR_ACCELERATION, ANY,  \
+      ANY_KIND)                                                                              \
+    X(UNITS, INERTIA, "inertia", UNIT, INERTIA, ANY, ANY_KIND)                               \
+    X(UNITS, FORCE, "force", UNIT, FORCE, ANY, ANY_KIND)                                     \
+    X(UNITS, TORQUE, "torque", UNIT, TORQUE, ANY, ANY_KIND)                                  \
+    X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND)                            \
+    X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND)                                     \
+    X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND)                                  \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR)               \
+    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                \
+    X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                \
+    LINK_KEYS(X, CRANK)                                                                      \
+    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)            \
+    LINK_KEYS(X, COUPLER)                                                                    \
+    LINK_KEYS(X, ROCKER)                                                                     \
+    LINK_KEYS(X, ROD)                                                                        \
+    X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                          \
+    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                               \
+    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                          \
+    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                           \
+    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                \
+    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)               \
+    X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                        \
+    X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND)   \
+    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                  \
+    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
+    X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                     \
+    X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                           \
+    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
+    X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                         \
+    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND)                                     \
+    X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND) \
+    X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND)                       \
+    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                       \
+    X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                    \
+    X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                          \
+    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                  \
+    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND)                                     \
+    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                    \
+    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                        \
+    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                      \
+    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                         \
+    X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                  \
+    X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
+    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \
+    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)            \
+    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                   \
+    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                          \
+    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                            \
+    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                 \
+    EXPECT_KEYS(X, EXPECT)                                                                   \
+    EXPECT_KEYS(X, MISPRINT)
+
+#define SECTION_CODE(code, name, repeats, kinds) SECTION_##code,
+typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;
+
+#define KEY_CODE(section, code, name, form, quantity, sign, kinds) KEY_##section##_##code,
+typedef enum key_code { KEY_LIST(KEY_CODE) KEY_COUNT } key_code;
+
+typedef struct section_info {
+    const char *name;
+    int repeats, kinds;
+} section_info;
+
+/* By section_code; ended by a null name. */
+extern const section_info flk_section_table[];
+
+typedef struct key_info {
+    section_code section;
+    const char *name;
+    value_form form;
+    quantity q;
+    value_sign sign;
+    int kinds;
+} key_info;
+
+/* By key_code. */
+extern const key_info flk_key_table[];
+
+enum { PIN_ORIGIN, PIN_END, PIN_POINT };
+
+enum { BRANCH_OPEN = 1, BRANCH_CROSSED = 2, BRANCH_BOTH = 3 };
+
+/* The words that keys of FORM_WORD take, with their values. */
+typedef struct word_info {
+    key_code key;
+    const char *word;
+    int value;
+} word_info;
+
+/* Ended by a null word. */
+extern const word_info flk_word_table[];
+
+/* The first key of a section, and how many it has. */
+int flk_first_key(section_code section);
+int flk_key_count(section_code section);
+
+/* The section of that name, SECTION_COUNT if there is none. */
+section_code flk_find_section(text name);
+
+const char *flk_kind_words(fourlink_kind kind);
+
+#endif

@@ -1,0 +1,601 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** values.c - second pass over a deck: the texts of its settings to values in SI units.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+static int is_blank(int c)
+{
+    return c == ' ' || c == '\t';
+}
+
+char *flk_value_of(const setting *s, char out[WORD_SIZE])
+{
+    text rest = s->value;
+    char number[NUMBER_SIZE];
+    double written;
+    size_t used;
+
+    if (!s->is_given || flk_number_read(&rest, &written) != NUMBER_OK)
+        return flk_word_of(s->value, out);
+    used = strlen(strcpy(out, flk_number_write(s->number, 9, number)));
+    flk_text_copy(rest, out + used, WORD_SIZE - used); /* with its unit */
+    return out;
+}
+
+static void note_expected(parser *p, const setting *s, const char *expected, const char *example)
+{
+    char word[WORD_SIZE];
+
+    flk_mistake_note(&p->d->mistakes, s->place, "expected ", expected, example ? ", such as " : "",
+                     example ? example : "", ", not '", flk_word_of(s->value, word), "'",
+                     (char *)NULL);
+}
+
+/* The name of a quantity of this dimension, or null. */
+static const char *words_of(dimension dim)
+{
+    int q;
+
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        if (flk_dimension_equal(dim, flk_quantities[q].dim))
+            return flk_quantities[q].words;
+    return NULL;
+}
+
+/* The number at the front of `rest`; 0 and a mistake if there is none. */
+static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
+{
+    char word[WORD_SIZE];
+
+    flk_word_of(s->value, word);
+    *rest = flk_text_trim(*rest);
+    switch (flk_number_read(rest, number)) {
+    case NUMBER_OK:
+        return 1;
+    case NUMBER_NOT_FINITE:
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "' is not a finite number",
+                         (char *)NULL);
+        return 0;
+    case NUMBER_HEX:
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': numbers are decimal",
+                         (char *)NULL);
+        return 0;
+    case NUMBER_COMMA:
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word,
+                         "': the decimal mark is a point, not a comma", (char *)NULL);
+        return 0;
+    case NUMBER_TOO_LONG:
+        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': a number of too many digits",
+                         (char *)NULL);
+        return 0;
+    case NUMBER_NONE:
+    default:
+        note_expected(p, s, flk_quantities[q].words, flk_quantities[q].example);
+        return 0;
+    }
+}
+
+/* The unit that is all of `t`, or where t is empty that of the deck. */
+static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
+{
+    char word[WORD_SIZE], value[WORD_SIZE];
+    const char *nearest, *words;
+    text bad;
+
+    t = flk_text_trim(t);
+    if (!t.length) {
+        *u = p->d->units[q].unit;
+        return 1;
+    }
+    flk_word_of(s->value, value);
+    if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
+        if (flk_text_same(t, "1"))
+            bad = t;
+        nearest = flk_unit_nearest(bad, bad.length == t.length ? &flk_quantities[q].dim : NULL);
+        if (nearest && flk_text_same(bad, nearest))
+            nearest = NULL;
+        if (flk_text_equal(bad, "clockwise") || flk_text_equal(bad, "cw") ||
+            flk_text_equal(bad, "counterclockwise") || flk_text_equal(bad, "ccw")) {
+            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
+                             "': counter-clockwise is positive, clockwise negative", (char *)NULL);
+            return 0;
+        }
+        if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
+            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
+                             "': a comment needs a blank before it", (char *)NULL);
+            return 0;
+        }
+        flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '",
+                         flk_word_of(bad.length ? bad : t, word), "' in '", value, "'",
+                         flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
+                         (char *)NULL);
+        return 0;
+    }
+    if (!flk_dimension_equal(u->dim, flk_quantities[q].dim)) {
+        words = words_of(u->dim);
+        if (words)
+            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is ", words, "; expected ",
+                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
+                             (char *)NULL);
+        else
+            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is not ",
+                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
+                             (char *)NULL);
+        return 0;
+    }
+    return 1;
+}
+
+/* Beyond 1e9 rad the digits of an angle are those of its revolutions. */
+#define ANGLE_MAX 1e9
+
+static int check_size(parser *p, const setting *s, quantity q, double si)
+{
+    char word[WORD_SIZE];
+    double max = q == QUANTITY_ANGLE    ? ANGLE_MAX
+                 : q == QUANTITY_LENGTH ? FOURLINK_LENGTH_MAX
+                                        : FOURLINK_NUMBER_MAX;
+
+    if (-max <= si && si <= max)
+        return 1;
+    flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
+                     "' is beyond what the program computes with", (char *)NULL);
+    return 0;
+}
+
+int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+{
+    double number;
+    unit u;
+
+    if (!read_number(p, s, &t, q, &number) || !read_unit(p, s, t, q, &u))
+        return 0;
+    s->number = number;
+    s->unit = u;
+    *si = flk_unit_to_si(number, u);
+    return check_size(p, s, q, *si);
+}
+
+int flk_read_given(parser *p, setting *s, quantity q)
+{
+    s->si[0] = flk_unit_to_si(s->number, s->unit);
+    return check_size(p, s, q, s->si[0]);
+}
+
+void flk_direction_of(double angle, double *x, double *y)
+{
+    double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
+
+    *x = cos(angle);
+    *y = sin(angle);
+    if (fabs(quarters - whole) < 1e-14 && fabs(whole) < 1e6) {
+        static const double exact[4] = {1, 0, -1, 0};
+        int i = (int)whole % 4;
+
+        i = i < 0 ? i + 4 : i;
+        *x = exact[i];
+        *y = exact[(i + 3) % 4];
+    }
+}
+
+/* Where a number starts behind a blank, as the value of "20 deg 32 bar"; the text's length if none does. */
+static size_t second_number(text t)
+{
+    size_t i;
+
+    for (i = 1; i < t.length; i++)
+        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+            break;
+    return t.length ? i : 0;
+}
+
+/* The next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
+static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
+{
+    double x, y;
+    unit ux, uy;
+    text angle;
+    size_t i;
+
+    if (!read_number(p, s, &t, QUANTITY_ANGLE, &x))
+        return 0;
+    i = second_number(t);
+    if (i >= t.length) {
+        note_expected(p, s, "an angle and a value",
+                      q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m");
+        return 0;
+    }
+    angle = t;
+    angle.length = i;
+    t.start += i;
+    t.length -= i;
+    if (!read_unit(p, s, angle, QUANTITY_ANGLE, &ux) || !read_number(p, s, &t, q, &y) ||
+        !read_unit(p, s, t, q, &uy))
+        return 0;
+    result->x = flk_unit_to_si(x, ux);
+    result->y = flk_unit_to_si(y, uy);
+    result->place = s->place;
+    result->has_unit = flk_text_trim(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, uy);
+    return check_size(p, s, QUANTITY_ANGLE, result->x) && check_size(p, s, q, result->y);
+}
+
+/* Two columns of bare numbers in the deck's units, separated by blanks or a comma. */
+static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
+                              text contents)
+{
+    char *file = flk_keep(p, name.length + 1);
+    setting row = *s;
+    text line;
+    size_t n = 0;
+
+    if (!file)
+        return 0;
+    memcpy(file, name.start, name.length);
+    file[name.length] = '\0';
+    row.place.source = file;
+    row.place.line = 0;
+    contents = flk_text_without_mark(contents);
+    while (flk_text_split(&contents, '\n', &line)) {
+        const char *comma;
+
+        row.place.line++;
+        row.value = flk_without_comment(line);
+        if (!row.value.length)
+            continue;
+        comma = memchr(row.value.start, ',', row.value.length);
+        if (comma) {
+            char *copy = flk_keep(p, row.value.length + 1);
+
+            if (!copy)
+                return 0;
+            memcpy(copy, row.value.start, row.value.length);
+            copy[comma - row.value.start] = ' ';
+            row.value.start = copy;
+        }
+        n += read_point(p, &row, row.value, q, &points[n]) != 0;
+    }
+    return n;
+}
+
+static size_t count(text t, int c)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < t.length; i++)
+        n += t.start[i] == c;
+    return n;
+}
+
+/* file NAME */
+static void load_curve(parser *p, setting *s, quantity q, text name)
+{
+    char word[WORD_SIZE], file[1024];
+    size_t before = p->d->mistakes.count;
+    unsigned long length;
+    const char *data;
+    text contents;
+
+    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
+        name.start++;
+        name.length -= 2;
+    }
+    data = NULL;
+    if (p->load && name.length && name.length < sizeof file)
+        data = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
+    if (!data) {
+        flk_mistake_note(&p->d->mistakes, s->place, "cannot read the file '",
+                         flk_word_of(name, word), "'", (char *)NULL);
+        return;
+    }
+    contents.start = data;
+    contents.length = length;
+    s->curve = flk_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
+    if (s->curve)
+        s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
+    if (p->d->mistakes.count > before)
+        s->curve = NULL;
+}
+
+/* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
+static void read_curve(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, item = rest;
+    double number;
+
+    if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && strchr(" \t", rest.start[4])) {
+        item = rest;
+        item.start += 5;
+        item.length -= 5;
+        load_curve(p, s, q, flk_text_trim(item));
+        return;
+    }
+    if (flk_number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
+        flk_read_quantity(p, s, rest, q, &number);
+        return;
+    }
+    if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
+        q != QUANTITY_PRESSURE) {
+        flk_read_quantity(p, s, rest, q, &s->si[0]);
+        return;
+    }
+    s->curve = flk_keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
+    while (s->curve && flk_text_split(&rest, ',', &item)) {
+        item = flk_text_trim(item);
+        if (!item.length && !rest.start)
+            break; /* a comma at the very end */
+        if (!read_point(p, s, item, q, &s->curve[s->n_points])) {
+            s->curve = NULL;
+            return;
+        }
+        if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
+            s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
+            flk_mistake_note(&p->d->mistakes, s->place,
+                             "the values of a curve have either all a unit or none", (char *)NULL);
+            s->curve = NULL;
+            return;
+        }
+        s->n_points++;
+    }
+}
+
+/* (10, 5) mm */
+static void read_components(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, inside, x;
+    unit u;
+    int i;
+
+    rest.start++;
+    rest.length--;
+    flk_text_split(&rest, ')', &inside);
+    if (!rest.start || count(inside, ',') != 1) {
+        note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+        return;
+    }
+    if (!read_unit(p, s, rest, q, &u))
+        return;
+    for (i = 0; i < 2; i++) {
+        double number;
+
+        flk_text_split(&inside, ',', &x);
+        if (!read_number(p, s, &x, q, &number))
+            return;
+        if (flk_text_trim(x).length) {
+            note_expected(p, s, "two components",
+                          q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+            return;
+        }
+        s->si[i] = flk_unit_to_si(number, u);
+        if (!check_size(p, s, q, s->si[i]))
+            return;
+    }
+}
+
+/* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
+static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
+{
+    text t = s->value, part;
+    double size, angle = 0, x, y;
+    size_t i;
+
+    if (t.length && t.start[0] == '(') {
+        read_components(p, s, q);
+        return;
+    }
+    if (memchr(t.start, ',', t.length)) {
+        note_expected(p, s, needs_angle ? "a force with its direction" : "a point",
+                      needs_angle ? "50 N at 30 deg or (43, 25) N"
+                                  : "10 mm at 5 deg or (10, 5) mm");
+        return;
+    }
+    part = t;
+    for (i = 1; i + 3 < t.length; i++)
+        if (is_blank(t.start[i - 1]) && t.start[i] == 'a' && t.start[i + 1] == 't' &&
+            is_blank(t.start[i + 2]))
+            break;
+    if (t.length > 3 && is_blank(t.start[t.length - 3]) && t.start[t.length - 2] == 'a' &&
+        t.start[t.length - 1] == 't') {
+        note_expected(p, s, "an angle after 'at'", NULL);
+        return;
+    }
+    if (i + 3 < t.length) {
+        part.length = i - 1;
+        t.start += i + 3;
+        t.length -= i + 3;
+        if (!flk_read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
+            return;
+    } else if (needs_angle) {
+        note_expected(p, s, "a force with its direction", "50 N at 30 deg or (43, 25) N");
+        return;
+    }
+    if (!flk_read_quantity(p, s, part, q, &size))
+        return;
+    flk_direction_of(angle, &x, &y);
+    s->si[0] = size * x;
+    s->si[1] = size * y;
+}
+
+static void read_word(parser *p, key_code key, setting *s)
+{
+    const char *known[16];
+    char list[200] = "", word[WORD_SIZE];
+    size_t i, n = 0;
+    const char *nearest;
+
+    for (i = 0; flk_word_table[i].word; i++)
+        if (flk_word_table[i].key == key) {
+            if (flk_text_equal(s->value, flk_word_table[i].word)) {
+                s->word = flk_word_table[i].value;
+                return;
+            }
+            known[n++] = flk_word_table[i].word;
+        }
+    known[n] = NULL;
+    for (i = 0; i < n; i++) {
+        strcat(list, i == 0 ? "" : i + 1 < n ? ", " : " or ");
+        strcat(list, known[i]);
+    }
+    nearest = flk_text_nearest(s->value, known);
+    flk_mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '",
+                     flk_word_of(s->value, word), "'", flk_hint(nearest), flk_hint_word(nearest),
+                     flk_hint_end(nearest), (char *)NULL);
+}
+
+static void check_sign(parser *p, const key_info *key, const setting *s)
+{
+    char word[WORD_SIZE];
+
+    if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
+        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must be positive, not ",
+                         flk_value_of(s, word), (char *)NULL);
+    else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
+        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name,
+                         " must not be negative, not ", flk_value_of(s, word), (char *)NULL);
+    else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
+             (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
+        flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
+                         "' is beyond what the program computes with", (char *)NULL);
+}
+
+/* The name of a unit for tables: in one word, kgf.m for "kgf m". */
+static void name_unit(text t, char name[DECK_NAME_SIZE])
+{
+    char *c, *end = name;
+
+    flk_text_copy(t, name, DECK_NAME_SIZE);
+    for (c = name; *c; c++)
+        if (*c != ' ' && *c != '\t')
+            *end++ = *c;
+        else if (end > name && flk_text_is_word(end[-1]) && flk_text_is_word(c[strspn(c, " \t")]))
+            *end++ = '.';
+    *end = '\0';
+}
+
+/* Areas are in the square of the unit of length, but for one with an exponent of its own. */
+static void set_area(deck *d)
+{
+    const deck_unit *length = &d->units[QUANTITY_LENGTH];
+    deck_unit *area = &d->units[QUANTITY_AREA];
+    size_t n = strlen(length->name), i;
+
+    for (i = 0; i < n; i++)
+        if (!flk_text_is_word(length->name[i]) || n > 8)
+            return;
+    strcpy(area->name, length->name);
+    strcat(area->name, "2");
+    area->unit.up = length->unit.up * length->unit.up;
+    area->unit.down = length->unit.down * length->unit.down;
+}
+
+static void set_unit(deck *d, quantity q, text name, unit u)
+{
+    name_unit(name, d->units[q].name);
+    d->units[q].unit = u;
+    if (q == QUANTITY_LENGTH)
+        set_area(d);
+}
+
+/* origin, end, or a point */
+static void read_pin(parser *p, setting *s, quantity q)
+{
+    s->word = flk_text_equal(s->value, "origin") ? PIN_ORIGIN
+              : flk_text_equal(s->value, "end")  ? PIN_END
+                                                 : PIN_POINT;
+    if (s->word == PIN_POINT)
+        read_vector(p, s, q, 0);
+}
+
+static void read_value(parser *p, key_code code, setting *s)
+{
+    const key_info *key = &flk_key_table[code];
+    size_t before = p->d->mistakes.count;
+    text t = s->value;
+
+    if (s->is_void)
+        return;
+    if (s->is_given) {
+        if (flk_read_given(p, s, key->q))
+            check_sign(p, key, s);
+        return;
+    }
+    switch (key->form) {
+    case FORM_TEXT:
+        if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+            s->value.start++;
+            s->value.length -= 2;
+        }
+        return;
+    case FORM_WORD:
+        read_word(p, code, s);
+        return;
+    case FORM_UNIT:
+        if (read_unit(p, s, t, key->q, &s->unit))
+            set_unit(p->d, key->q, t, s->unit);
+        return;
+    case FORM_QUANTITY:
+        flk_read_quantity(p, s, t, key->q, &s->si[0]);
+        break;
+    case FORM_VECTOR:
+        read_vector(p, s, key->q, 1);
+        return;
+    case FORM_POINT:
+        read_vector(p, s, key->q, 0);
+        return;
+    case FORM_PIN:
+        read_pin(p, s, key->q);
+        return;
+    case FORM_CURVE:
+        read_curve(p, s, key->q);
+        return;
+    case FORM_COUNT:
+        if (!read_number(p, s, &t, key->q, &s->si[0]))
+            return;
+        if (t.length || s->si[0] != floor(s->si[0]))
+            note_expected(p, s, "a whole number", NULL);
+        break;
+    case FORM_NAMES:
+    default:
+        return;
+    }
+    if (p->d->mistakes.count == before)
+        check_sign(p, key, s);
+}
+
+void flk_read_section(parser *p, const section_use *use)
+{
+    int first = flk_first_key(use->section), n = flk_key_count(use->section), k;
+
+    for (k = first; k < first + n; k++) {
+        setting *s = flk_setting_of(p, use, (key_code)k);
+
+        if (s->place.source)
+            read_value(p, (key_code)k, s);
+    }
+}
+
+void flk_read_units(parser *p)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == SECTION_UNITS)
+            flk_read_section(p, &p->uses[i]);
+}
+
+void flk_read_values(parser *p)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section != SECTION_UNITS && p->uses[i].section != SECTION_SWEEP)
+            flk_read_section(p, &p->uses[i]);
+}

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** engine.c - what textbooks compute for a slider-crank: the series, the two masses of the rod, the
+** analytical engine method, Klein's construction.
+*/
+#include <math.h>
+
+#include "mechanics.h"
+
+/* The series (DFA eqs. 1 to 4, and the rod's), with n = l/r and the crank angle theta counted from the
+** inner dead centre, which on the crossed branch is at 180 deg:
+**
+**    x = r (1 - cos(theta) + sin^2(theta) / 2n)
+**    v = r omega (sin(theta) + sin(2 theta) / 2n)
+**    a = r omega^2 (cos(theta) + cos(2 theta) / n) + r alpha (sin(theta) + sin(2 theta) / 2n)
+**    dphi/dt = omega cos(theta) / n,   d2phi/dt2 = -omega^2 sin(theta) / n + alpha cos(theta) / n
+**
+** The terms with alpha, the acceleration of the crank, are the series' own derivative; the sources have
+** constant speed.  For an endless rod, simple harmonic motion, the terms with n vanish.  The rod's
+** angle is theta3 = -phi.
+*/
+int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             fourlink_series *series)
+{
+    const fourlink_link_state *crank;
+    double r, n, s, c, s2, c2, w, al;
+
+    if (!mechanism || !state || !series)
+        return FOURLINK_NULL;
+    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_NOT_AN_ENGINE;
+    if (mechanism->design.offset != 0)
+        return FOURLINK_NO_SERIES;
+    crank = &state->link[2];
+    r = mechanism->design.link[2].length;
+    n = mechanism->design.link[3].length / r;
+    s = (double)state->branch * crank->axis.y;
+    c = (double)state->branch * crank->axis.x;
+    s2 = 2 * s * c;
+    c2 = (c - s) * (c + s);
+    w = crank->omega;
+    al = crank->alpha;
+    series->x = r * (1 - c + s * s / (2 * n));
+    series->v = r * w * (s + s2 / (2 * n));
+    series->a = r * w * w * (c + c2 / n) + r * al * (s + s2 / (2 * n));
+    series->omega3 = -w * c / n;
+    series->alpha3 = w * w * s / n - al * c / n;
+    series->x_harmonic = r * (1 - c);
+    series->v_harmonic = r * w * s;
+    series->a_harmonic = r * w * w * c + r * al * s;
+    return FOURLINK_OK;
+}
+
+/* The rod as two masses, b from the gudgeon pin to G (ME3491; DFA, its misprint l1 l2 mended):
+**
+**    m_a = m b / l at the crank pin,  m_b = m (l - b) / l at the gudgeon pin
+**
+** have the mass and centre of mass of the rod, and more inertia.  The true pair (ME3491):
+**
+**    m_g = m d / (b + d) at the gudgeon pin,  m_d = m b / (b + d) at d beyond G,  d = k^2 / b
+*/
+int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
+{
+    const fourlink_link *link;
+    double m, l;
+
+    if (!mechanism || !rod)
+        return FOURLINK_NULL;
+    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_NOT_AN_ENGINE;
+    link = &mechanism->design.link[3];
+    m = link->mass;
+    l = link->length;
+    if (m > 0 && fabs(link->cg.y) > 1e-12 * l)
+        return FOURLINK_ROD_OFF_LINE;
+    rod->n = l / mechanism->design.link[2].length;
+    rod->k = m > 0 ? sqrt(link->inertia / m) : 0;
+    rod->b = m > 0 ? l - link->cg.x : 0;
+    rod->m_a = m * rod->b / l;
+    rod->m_b = m - rod->m_a;
+    rod->d = rod->b != 0 ? rod->k * rod->k / rod->b : 0;
+    rod->L = rod->b != 0 ? rod->b + rod->d : 0;
+    rod->m_d = rod->L != 0 ? m * rod->b / rod->L : 0;
+    rod->m_g = rod->L != 0 ? m * rod->d / rod->L : 0;
+    return FOURLINK_OK;
+}
+
+/* The engine method (DFA; ME3491).  With F the piston effort, towards the crank, of a machine with its
+** crank angle counted from the inner dead centre and no offset,
+**
+**    F = p1 A1 - p2 A2 - (m_p + m_b) a  +- weight of m_p + m_b along the stroke
+**    rod force F / cos(phi),  side thrust F tan(phi)
+**    crank effort F sin(theta + phi) / cos(phi),  radial force F cos(theta + phi) / cos(phi)
+**    correction couple dT = m b (l - L) phi'',  L = b + k^2 / b
+**    T_piston = crank effort r = F r [sin(theta) + sin(2 theta) / 2 sqrt(n^2 - sin^2(theta))]
+**    T_correction = dT cos(theta) / sqrt(n^2 - sin^2(theta)) = dT dphi/dtheta
+**    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
+**
+** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is
+** theta2 - theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), on the crossed
+** branch -cos(theta3); the weight of m_a works along the path of the crank pin.
+** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
+*/
+int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                           double gas_force, const fourlink_load *loads, unsigned long n_loads,
+                           fourlink_approximation approximation, fourlink_engine *engine)
+{
+    const fourlink_link_state *crank, *link3;
+    const fourlink_vector *gravity;
+    double side, reciprocating, a, alpha3, r, F, cos_phi, excess;
+    fourlink_rod rod;
+    fourlink_series series;
+    unsigned long i;
+    int status;
+
+    if (!mechanism || !state || !engine)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(gas_force, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (approximation != FOURLINK_EXACT && approximation != FOURLINK_SERIES_PISTON &&
+        approximation != FOURLINK_SERIES_ALL)
+        return FOURLINK_BAD_APPROXIMATION;
+    status = fourlink_rod_masses(mechanism, &rod);
+    if (status == FOURLINK_OK)
+        status = flk_check_loads(loads, n_loads);
+    if (status != FOURLINK_OK)
+        return status;
+    crank = &state->link[2];
+    link3 = &state->link[3];
+    a = state->a;
+    alpha3 = link3->alpha;
+    if (approximation != FOURLINK_EXACT) {
+        status = fourlink_textbook_series(mechanism, state, &series);
+        if (status != FOURLINK_OK)
+            return status;
+        a = series.a;
+        if (approximation == FOURLINK_SERIES_ALL)
+            alpha3 = series.alpha3;
+    }
+    gravity = &mechanism->design.gravity;
+    side = (double)state->branch; /* the piston is at +x or -x: towards the crank is -side */
+    r = mechanism->design.link[2].length;
+    reciprocating = mechanism->design.link[4].mass + rod.m_b;
+    cos_phi = side * link3->axis.x; /* negative behind a change point */
+
+    engine->gas_force = gas_force;
+    engine->inertia_force = -reciprocating * a;
+    F = gas_force + engine->inertia_force - side * reciprocating * gravity->x;
+    for (i = 0; i < n_loads; i++)
+        if (loads[i].link == FOURLINK_FOLLOWER)
+            F -= side * loads[i].force.x;
+    engine->piston_effort = F;
+    engine->rod_force = F / cos_phi;
+    engine->side_thrust = -F * link3->axis.y / cos_phi;
+    engine->crank_effort = -F * FLK_CROSS(crank->axis, link3->axis) / cos_phi;
+    engine->radial_force = F * FLK_DOT(crank->axis, link3->axis) / cos_phi;
+    excess = mechanism->design.link[3].mass * rod.b * (mechanism->design.link[3].length - rod.b) -
+             mechanism->design.link[3].inertia;
+    engine->correction_couple = -excess * alpha3;
+    engine->T_piston = engine->crank_effort * r;
+    engine->T_correction = -engine->correction_couple * link3->k;
+    engine->T_weight_a = rod.m_a * FLK_DOT(*gravity, link3->k_origin);
+    engine->T_inertia_a = -rod.m_a * r * r * crank->alpha;
+    engine->T_engine =
+        engine->T_piston + engine->T_correction + engine->T_weight_a + engine->T_inertia_a;
+    return FOURLINK_OK;
+}
+
+/* Klein's construction, point by point, O the origin, B the crank pin, P the piston, u = (P - B) / l:
+**
+**    M = B + m u with M_x = 0:           m = -B_x / u_x, so BM = |m|
+**    circle about B, radius |m|, and circle on BP as diameter: their common chord is at right angles
+**    to BP and cuts it at Q,             BQ = m^2 / l
+**    N on the chord with N_y = O_y = 0:  N = B + BQ u + t (-u_y, u_x)
+**
+** The triangle OBM is the velocity polygon, turned by a right angle, with omega2 for its scale; the
+** quadrangle OBQN is that of the accelerations, turned half round, with omega2^2.
+*/
+int fourlink_klein_construction(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                fourlink_klein *klein)
+{
+    fourlink_vector B, u;
+    double l, m, q, t, side;
+
+    if (!mechanism || !state || !klein)
+        return FOURLINK_NULL;
+    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_NOT_AN_ENGINE;
+    B = state->link[3].origin;
+    u = state->link[3].axis;
+    l = mechanism->design.link[3].length;
+    side = (double)state->branch;
+    m = -B.x / u.x;
+    q = m * m / l;
+    t = -(B.y + q * u.y) / u.x;
+    klein->OM = side * (B.y + m * u.y);
+    klein->BM = m;
+    klein->BQ = q;
+    klein->QN = -t;
+    klein->ON = side * (B.x + q * u.x - t * u.y);
+    return FOURLINK_OK;
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** free_body.h - the three moving links, cut free, and the check by virtual work: what both solutions
+** of the nine equations have in common.
+**
+** They are static functions in a header so that the compiler sees each solution in one piece: most of
+** closed_form.c's time goes into them.
+*/
+#ifndef FOURLINK_FREE_BODY_H
+#define FOURLINK_FREE_BODY_H
+
+#include <float.h>
+#include <math.h>
+
+#include "mechanics.h"
+
+/* One moving link, cut free. */
+typedef struct flk_body {
+    fourlink_vector arm;   /* m, from the link's origin to its centre of mass G */
+    fourlink_vector force; /* N, m a_G - W - (sum of forces) */
+    double moment;         /* N m, I alpha - (sum of moments about G) */
+    double work;           /* N m, power of loads, weight and inertia, unit crank speed */
+    double largest;        /* N m, the largest term of it, components taken apart */
+} flk_body;
+
+static double flk_larger(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+/* The size of the terms of u . v, of which nothing but rounding may be left. */
+static double flk_dot_size(fourlink_vector u, fourlink_vector v)
+{
+    return fabs(u.x * v.x) + fabs(u.y * v.y);
+}
+
+/* Derivative by theta2 of the point at arm r from the link's origin: its velocity for a unit crank
+** speed. */
+static fourlink_vector flk_unit_velocity(const fourlink_link_state *link, fourlink_vector r)
+{
+    fourlink_vector k;
+
+    k.x = link->k_origin.x - link->k * r.y;
+    k.y = link->k_origin.y + link->k * r.x;
+    return k;
+}
+
+static void flk_apply_load(const fourlink_load *load, const fourlink_link_state *link,
+                           flk_body *body)
+{
+    fourlink_vector F = load->force, r, k;
+    double by_force, by_torque = load->torque * link->k;
+
+    FLK_TURN(r, link, load->at);
+    if (load->frame == FOURLINK_FRAME_LINK)
+        FLK_TURN(F, link, load->force);
+    k = flk_unit_velocity(link, r);
+    by_force = FLK_DOT(F, k);
+    r.x -= body->arm.x;
+    r.y -= body->arm.y;
+    body->force.x -= F.x;
+    body->force.y -= F.y;
+    body->moment -= load->torque + FLK_CROSS(r, F);
+    body->work += by_force + by_torque;
+    body->largest = flk_larger(body->largest, flk_larger(flk_dot_size(F, k), fabs(by_torque)));
+}
+
+/* Right-hand sides (ME3491 eqs. 1 to 11) and terms of virtual work.  The coupler's a_G has the
+** acceleration of B, which the ME3491 program leaves out. */
+static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *link,
+                         const fourlink_vector *gravity, flk_body *body)
+{
+    double omega2 = link->omega * link->omega, turning = data->inertia * link->alpha;
+    double by_weight, by_inertia, by_turning;
+    fourlink_vector r, a, k;
+
+    FLK_TURN(r, link, data->cg);
+    k = flk_unit_velocity(link, r);
+    a.x = link->acceleration.x - omega2 * r.x - link->alpha * r.y;
+    a.y = link->acceleration.y - omega2 * r.y + link->alpha * r.x;
+    by_weight = data->mass * FLK_DOT(*gravity, k);
+    by_inertia = data->mass * FLK_DOT(a, k);
+    by_turning = turning * link->k;
+    body->arm = r;
+    body->force.x = data->mass * (a.x - gravity->x);
+    body->force.y = data->mass * (a.y - gravity->y);
+    body->moment = turning;
+    body->work = by_weight - by_inertia - by_turning;
+    body->largest = flk_larger(
+        data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
+}
+
+/* Links 2, 3, 4 cut free, with loads that are in order. */
+static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_load *loads, unsigned long n_loads, flk_body body[3])
+{
+    unsigned long n;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        flk_cut_link(&mechanism->design.link[i + 2], &state->link[i + 2],
+                     &mechanism->design.gravity, &body[i]);
+    for (n = 0; n < n_loads; n++)
+        flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
+}
+
+/* Virtual work: with the velocities of a unit crank speed,
+**
+**    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
+**
+** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine.
+*/
+static void flk_virtual_work(const flk_body body[3], fourlink_forces *forces)
+{
+    double largest = fabs(forces->Ts);
+    int i;
+
+    forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
+    for (i = 0; i < 3; i++)
+        largest = flk_larger(body[i].largest, largest);
+    forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
+}
+
+/* 0 for a state whose speeds or accelerations are no numbers: they are in every term of the balance. */
+static int flk_is_finite(const fourlink_forces *forces)
+{
+    return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);
+}
+
+#endif

@@ -1,0 +1,316 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** mechanism.c - what both mechanisms have in common: checking a design, the crank, points of links,
+** and the steps of an analysis.
+*/
+#include <math.h>
+#include <stddef.h>
+
+#include "mechanics.h"
+
+static int check_vector(const fourlink_vector *v, double max)
+{
+    return FLK_WITHIN(v->x, max) && FLK_WITHIN(v->y, max);
+}
+
+static int check_link(const fourlink_link *link)
+{
+    if (!FLK_WITHIN(link->mass, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(link->inertia, FOURLINK_NUMBER_MAX) ||
+        !check_vector(&link->cg, FOURLINK_LENGTH_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (link->mass < 0 || link->inertia < 0)
+        return FOURLINK_BAD_MASS;
+    return FOURLINK_OK;
+}
+
+static int check_length(double length)
+{
+    if (!FLK_WITHIN(length, FOURLINK_LENGTH_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (length <= 0)
+        return FOURLINK_BAD_LENGTH;
+    return length < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_NUMBER : FOURLINK_OK;
+}
+
+int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism)
+{
+    int i, status;
+
+    if (!design || !mechanism)
+        return FOURLINK_NULL;
+    if (design->kind != FOURLINK_FOUR_BAR && design->kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_BAD_KIND;
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        int has_length =
+            design->kind == FOURLINK_FOUR_BAR || i == FOURLINK_CRANK || i == FOURLINK_COUPLER;
+
+        if (has_length && (status = check_length(design->link[i].length)) != FOURLINK_OK)
+            return status;
+        if (i != FOURLINK_GROUND && (status = check_link(&design->link[i])) != FOURLINK_OK)
+            return status;
+    }
+    if (!FLK_WITHIN(design->offset, FOURLINK_LENGTH_MAX) ||
+        !check_vector(&design->gravity, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+
+    mechanism->design = *design;
+    mechanism->dead_centre = 0;
+    if (design->kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_prepare(mechanism);
+    else
+        flk_slidercrank_prepare(mechanism);
+    return FOURLINK_OK;
+}
+
+/* The crank turns about A, which is at rest; its other pin B is the origin of link 3.  The half
+** angle serves the mechanisms' tests of reach as well. */
+static void place_crank(double a, double theta2, double half_sine, double half_cosine,
+                        fourlink_state *state)
+{
+    static const fourlink_vector zero = {0, 0};
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+
+    crank->theta = theta2;
+    crank->k = 1;
+    crank->axis.x = (half_cosine - half_sine) * (half_cosine + half_sine);
+    crank->axis.y = 2 * half_sine * half_cosine;
+    crank->origin = zero;
+    crank->k_origin = zero;
+    crank->velocity = zero;
+    crank->acceleration = zero;
+    coupler->origin.x = a * crank->axis.x;
+    coupler->origin.y = a * crank->axis.y;
+}
+
+/* The sine and cosine of half the crank angle, and from them the sine of the position, on the branch
+** asked for; or why there is none. */
+typedef struct half_angle {
+    double half_sine, half_cosine, sine;
+} half_angle;
+
+static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                      half_angle *at)
+{
+    int status;
+
+    if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+        return FOURLINK_BAD_BRANCH;
+    at->half_sine = sin(0.5 * theta2);
+    at->half_cosine = cos(0.5 * theta2);
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        status = flk_fourbar_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
+    else if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
+        status = flk_slidercrank_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
+    else
+        status = FOURLINK_BAD_KIND;
+    if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
+        at->sine = -at->sine;
+    return status;
+}
+
+static void place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                  const half_angle *at, fourlink_state *state)
+{
+    place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, at->half_sine,
+                at->half_cosine, state);
+    state->branch = branch;
+    state->sine = at->sine;
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_position(mechanism, state);
+    else
+        flk_slidercrank_position(mechanism, state);
+}
+
+static void measure_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_angles(state);
+    else
+        flk_slidercrank_angles(state);
+}
+
+/* omega x r for the pin B of the crank */
+static void move(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
+{
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double a = mechanism->design.link[FOURLINK_CRANK].length;
+
+    crank->omega = omega2;
+    coupler->k_origin.x = -a * crank->axis.y;
+    coupler->k_origin.y = a * crank->axis.x;
+    coupler->velocity.x = coupler->k_origin.x * omega2;
+    coupler->velocity.y = coupler->k_origin.y * omega2;
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_velocity(mechanism, state);
+    else
+        flk_slidercrank_velocity(mechanism, state);
+}
+
+/* alpha x r - omega^2 r for the pin B of the crank */
+static void accelerate(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
+{
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double t = mechanism->design.link[FOURLINK_CRANK].length * alpha2;
+    double n = mechanism->design.link[FOURLINK_CRANK].length * crank->omega * crank->omega;
+
+    crank->alpha = alpha2;
+    coupler->acceleration.x = -t * crank->axis.y - n * crank->axis.x;
+    coupler->acceleration.y = t * crank->axis.x - n * crank->axis.y;
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        flk_fourbar_acceleration(mechanism, state);
+    else
+        flk_slidercrank_acceleration(mechanism, state);
+}
+
+int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
+                      fourlink_state *state)
+{
+    half_angle at;
+    int status;
+
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    status = find_reach(mechanism, branch, theta2, &at);
+    if (status != FOURLINK_OK)
+        return status;
+    place(mechanism, branch, theta2, &at, state);
+    measure_angles(mechanism, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
+{
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    move(mechanism, omega2, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
+{
+    if (!mechanism || !state)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    accelerate(mechanism, alpha2, state);
+    return FOURLINK_OK;
+}
+
+/* A point P of a rigid body with origin O, arm r = P - O:
+**
+**    v_P = v_O + omega x r,   a_P = a_O + alpha x r - omega^2 r
+*/
+int fourlink_point(const fourlink_state *state, int link, const fourlink_vector *at,
+                   fourlink_vector *position, fourlink_vector *velocity,
+                   fourlink_vector *acceleration)
+{
+    const fourlink_link_state *body;
+    fourlink_vector r;
+
+    if (!state || !at)
+        return FOURLINK_NULL;
+    if (link < FOURLINK_CRANK || link > FOURLINK_FOLLOWER)
+        return FOURLINK_BAD_LINK;
+    if (!check_vector(at, FOURLINK_LENGTH_MAX))
+        return FOURLINK_BAD_NUMBER;
+    body = &state->link[link];
+    FLK_TURN(r, body, *at);
+    if (position) {
+        position->x = body->origin.x + r.x;
+        position->y = body->origin.y + r.y;
+    }
+    if (velocity) {
+        velocity->x = body->velocity.x - body->omega * r.y;
+        velocity->y = body->velocity.y + body->omega * r.x;
+    }
+    if (acceleration) {
+        double n = body->omega * body->omega;
+
+        acceleration->x = body->acceleration.x - body->alpha * r.y - n * r.x;
+        acceleration->y = body->acceleration.y + body->alpha * r.x - n * r.y;
+    }
+    return FOURLINK_OK;
+}
+
+/* The motion of every link, but for the angles; the state is written to only if all is in order, the
+** loads included. */
+static int analyse_motion(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          const fourlink_crank *crank, const fourlink_load *loads,
+                          unsigned long n_loads, fourlink_state *state)
+{
+    half_angle at;
+    int status = find_reach(mechanism, branch, crank->theta2, &at);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (!FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(crank->alpha2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    status = flk_check_loads(loads, n_loads);
+    if (status != FOURLINK_OK)
+        return status;
+    place(mechanism, branch, crank->theta2, &at, state);
+    move(mechanism, crank->omega2, state);
+    accelerate(mechanism, crank->alpha2, state);
+    return FOURLINK_OK;
+}
+
+/* The matrix may turn out to be singular when the state is known: so that is kept back. */
+int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                     const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,
+                     fourlink_state *state, fourlink_forces *forces)
+{
+    fourlink_state result;
+    int status;
+
+    if (!mechanism || !crank || !state)
+        return FOURLINK_NULL;
+    if (!forces)
+        return fourlink_analyse_dyad(mechanism, branch, crank, NULL, 0, state, NULL);
+    status = analyse_motion(mechanism, branch, crank, loads, n_loads, &result);
+    if (status == FOURLINK_OK)
+        status = fourlink_solve(mechanism, &result, loads, n_loads, forces);
+    if (status != FOURLINK_OK)
+        return status;
+    measure_angles(mechanism, &result);
+    *state = result;
+    return FOURLINK_OK;
+}
+
+/* Here nothing can fail once the position is found: its sine is not 0. */
+int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                          const fourlink_crank *crank, const fourlink_load *loads,
+                          unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
+{
+    int status;
+
+    if (!mechanism || !crank || !state)
+        return FOURLINK_NULL;
+    status = analyse_motion(mechanism, branch, crank, loads, forces ? n_loads : 0, state);
+    if (status != FOURLINK_OK)
+        return status;
+    if (forces)
+        flk_dyad(mechanism, state, loads, n_loads, forces);
+    measure_angles(mechanism, state);
+    return FOURLINK_OK;
+}
+
+int fourlink_analyse_design(const fourlink_design *design, fourlink_branch branch,
+                            const fourlink_crank *crank, const fourlink_load *loads,
+                            unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
+{
+    fourlink_mechanism mechanism;
+    int status = fourlink_prepare(design, &mechanism);
+
+    if (status == FOURLINK_OK)
+        status = fourlink_analyse(&mechanism, branch, crank, loads, n_loads, state, forces);
+    return status;
+}

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** motion.c - the crank positions to visit.
+**
+** The paper's three kinds of motion (Alvi, section 5, the program): one revolution at constant
+** speed; a run-up from rest at constant acceleration, then one revolution at the speed reached; one
+** instant.  And, beyond it, any range from - to at constant acceleration.
+*/
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics.h"
+
+/* Beyond this many rows a row's number is no exact floating-point number. */
+#define MAX_ROWS 1e15
+
+/* Where the rows end, in the motion's unit. */
+static double last_angle(const fourlink_motion *motion)
+{
+    double revolution = 2 * M_PI / motion->angle_unit;
+
+    if (motion->run_up > 0)
+        return motion->acceleration > 0 ? motion->from + motion->run_up + revolution
+                                        : motion->from - motion->run_up - revolution;
+    return motion->to;
+}
+
+/* The direction in which the range runs, +1 or -1. */
+static double direction(const fourlink_motion *motion)
+{
+    return last_angle(motion) < motion->from ? -1 : 1;
+}
+
+/* Angle through which the crank turns before it comes to rest, in its direction of rotation and the
+** motion's unit: omega2^2 = speed^2 + 2 acceleration s vanishes.  Negative: it does not come to
+** rest.
+*/
+static double stopping_angle(const fourlink_motion *motion)
+{
+    double s;
+
+    if (motion->hold || motion->run_up > 0 || motion->acceleration * motion->speed >= 0)
+        return -1;
+    s = motion->speed * (motion->speed / (2 * motion->acceleration));
+    return fabs(s) / motion->angle_unit;
+}
+
+/* The number of intervals in a span, the last of which may be short.  A span that is a whole number
+** of them but for rounding has no sliver at its end. */
+static double intervals(double span, double interval)
+{
+    double n = span / interval, whole = floor(n + 0.5);
+    double rounding = 8e-16 * whole > 1e-9 ? 8e-16 * whole : 1e-9;
+
+    return fabs(n - whole) <= rounding && whole > 0 ? whole : ceil(n);
+}
+
+int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
+{
+    double span, stop, n, turning;
+    fourlink_row last;
+    int stops;
+
+    if (!motion || !range)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(motion->angle_unit, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->from, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->to, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->interval, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->run_up, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->speed, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(motion->acceleration, FOURLINK_NUMBER_MAX) || motion->angle_unit <= 0)
+        return FOURLINK_BAD_NUMBER;
+    if (motion->interval <= 0)
+        return FOURLINK_BAD_INTERVAL;
+    if (motion->run_up > 0 && motion->acceleration == 0)
+        return FOURLINK_NO_RUN_UP;
+    turning = motion->speed != 0 ? motion->speed : motion->acceleration;
+    if (motion->run_up <= 0 && !motion->hold && motion->acceleration != 0 &&
+        motion->from != motion->to && turning * direction(motion) < 0)
+        return FOURLINK_BAD_RANGE;
+
+    span = fabs(last_angle(motion) - motion->from);
+    stop = stopping_angle(motion);
+    stops = stop >= 0 && stop < span * (1 - 1e-12);
+    if (stops)
+        n = floor(stop / motion->interval * (1 + 1e-12));
+    else
+        n = intervals(span, motion->interval);
+    if (n >= MAX_ROWS || n >= (double)ULONG_MAX)
+        return FOURLINK_TOO_MANY_ROWS;
+    if (fourlink_motion_at(motion, stops ? motion->from : last_angle(motion), &last) != FOURLINK_OK)
+        return FOURLINK_BAD_NUMBER; /* a crank so slow that its time is infinite */
+    range->n_rows = (unsigned long)n + 1;
+    range->stops = stops;
+    range->stop_angle = stops ? motion->from + direction(motion) * stop : 0;
+    return FOURLINK_OK;
+}
+
+/* Speed, acceleration and time after the crank has turned through s:
+**
+**    omega2^2 = speed^2 + 2 acceleration s,   t = 2 s / (speed + omega2)
+*/
+static void accelerate(double speed, double acceleration, double s, fourlink_row *row)
+{
+    double square = speed * speed + 2 * acceleration * s;
+    double omega2 = square > 0 ? sqrt(square) : 0;
+
+    if (speed < 0 || (speed == 0 && acceleration < 0))
+        omega2 = -omega2;
+    row->crank.omega2 = omega2;
+    row->crank.alpha2 = acceleration;
+    row->time = speed + omega2 != 0 ? 2 * s / (speed + omega2) : 0;
+}
+
+int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row)
+{
+    fourlink_row at;
+    double s, end;
+
+    if (!motion || !row)
+        return FOURLINK_NULL;
+    if (motion->run_up > 0 && motion->acceleration == 0)
+        return FOURLINK_NO_RUN_UP;
+    at.angle = angle;
+    at.crank.theta2 = angle * motion->angle_unit;
+    s = (angle - motion->from) * motion->angle_unit;
+    if (motion->run_up > 0) {
+        end = direction(motion) * motion->run_up * motion->angle_unit;
+        if (fabs(s) < fabs(end) * (1 - 1e-12)) {
+            accelerate(0, motion->acceleration, s, &at);
+        } else {
+            accelerate(0, motion->acceleration, end, &at);
+            at.crank.alpha2 = 0;
+            at.time += (s - end) / at.crank.omega2;
+        }
+    } else if (motion->hold) {
+        at.crank.omega2 = motion->speed;
+        at.crank.alpha2 = motion->acceleration;
+        at.time = motion->acceleration == 0 && motion->speed != 0 ? s / motion->speed : 0;
+    } else {
+        accelerate(motion->speed, motion->acceleration, s, &at);
+    }
+    if (!FLK_WITHIN(at.crank.theta2 + at.crank.omega2 + at.crank.alpha2 + at.time, DBL_MAX))
+        return FOURLINK_BAD_NUMBER;
+    *row = at;
+    return FOURLINK_OK;
+}
+
+int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range, unsigned long i,
+                        fourlink_row *row)
+{
+    if (!motion || !range || !row)
+        return FOURLINK_NULL;
+    if (i >= range->n_rows)
+        return FOURLINK_NO_SUCH_ROW;
+    if (i > 0 && i == range->n_rows - 1 && !range->stops)
+        return fourlink_motion_at(motion, last_angle(motion), row);
+    return fourlink_motion_at(motion,
+                              motion->from + direction(motion) * (double)i * motion->interval, row);
+}

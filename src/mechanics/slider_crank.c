@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** slider_crank.c - position, velocity and acceleration of a slider-crank.
+**
+** Links: crank r = AB, rod l = BC, piston at C on the line of stroke y = e.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics.h"
+
+/* Reach.  The rod bridges the height r sin(theta2) - e of the crank pin over the line of stroke.
+** With X the piston's coordinate along that line and w = X - r cos(theta2) = l cos(theta3),
+**
+**    w^2 = l^2 - (r sin(theta2) - e)^2 = u1 u2
+**    u1 = l - (r sin(theta2) - e) = [l + e - r] + r (1 - sin(theta2))
+**    u2 = l + (r sin(theta2) - e) = [l - e - r] + r (1 + sin(theta2))
+**
+** and 1 -+ sin(theta2) = (cos(theta2/2) -+ sin(theta2/2))^2.  Where a bracket, `stretched` or
+** `folded`, is 0 the mechanism has a change point, at +90 deg or at -90 deg, and the root of u1 or
+** u2 goes smoothly through 0 and changes sign there.
+*/
+void flk_slidercrank_prepare(fourlink_mechanism *mechanism)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double r = link[2].length, l = link[3].length, e = mechanism->design.offset;
+    double stretched = l + e - r, folded = l - e - r;
+    double reach2 = (r + l - e) * (r + l + e);
+    /* u1 + u2 = 2 l: where one of them is 0, sine^2 = u1 u2 / l^2 is 2 / l times the other */
+    double tolerance = 0.5 * FLK_DEAD * l + FLK_ROUNDING * (r + l + fabs(e));
+
+    mechanism->change_stretched = fabs(stretched) <= tolerance;
+    mechanism->change_folded = fabs(folded) <= tolerance;
+    mechanism->stretched = mechanism->change_stretched ? 0 : stretched;
+    mechanism->folded = mechanism->change_folded ? 0 : folded;
+    mechanism->dead_centre = reach2 > 0 ? sqrt(reach2) : 0;
+}
+
+int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
+                          double *sine)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double r = link[2].length, l = link[3].length;
+    double root1 = half_cosine - half_sine, root2 = half_cosine + half_sine;
+    double u1 = mechanism->stretched + r * root1 * root1;
+    double u2 = mechanism->folded + r * root2 * root2;
+    double sine2 = (u1 / l) * (u2 / l);
+
+    if (!(fabs((u1 + u2) / l - 2) < FLK_LOST))
+        return FOURLINK_LOST_IN_ROUNDING;
+    if (sine2 < -FLK_DEAD)
+        return FOURLINK_ROD_TOO_SHORT;
+    if (sine2 <= FLK_DEAD) {
+        if ((mechanism->change_stretched && u1 < u2) || (mechanism->change_folded && u2 < u1))
+            return FOURLINK_CHANGE_POINT;
+        return FOURLINK_DEAD_POSITION;
+    }
+    *sine = sqrt(sine2);
+    if (mechanism->change_stretched && root1 < 0)
+        *sine = -*sine;
+    if (mechanism->change_folded && root2 < 0)
+        *sine = -*sine;
+    return FOURLINK_OK;
+}
+
+/* Position (ME3491; DFA eq. 1 for e = 0):
+**
+**    sin(phi) = (r sin(theta2) - e) / l,   phi the obliquity of the rod
+**    sin(theta3) = -sin(phi),  X = r cos(theta2) + l cos(theta3)
+**    x = sqrt((r + l)^2 - e^2) -+ X,   the displacement from the inner dead centre (open, crossed)
+*/
+void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    double l = mechanism->design.link[3].length, e = mechanism->design.offset;
+    fourlink_link_state *rod = &state->link[3], *piston = &state->link[4];
+
+    rod->axis.x = state->sine;
+    rod->axis.y = (e - rod->origin.y) / l;
+    piston->theta = 0;
+    piston->axis.x = 1;
+    piston->axis.y = 0;
+    piston->origin.x = rod->origin.x + l * rod->axis.x;
+    piston->origin.y = e;
+    state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
+}
+
+void flk_slidercrank_angles(fourlink_state *state)
+{
+    fourlink_link_state *rod = &state->link[3];
+
+    rod->theta = flk_angle(&rod->axis);
+    state->phi = -rod->theta;
+    if (rod->axis.x < 0)
+        state->phi = rod->theta > 0 ? rod->theta - M_PI : rod->theta + M_PI;
+    state->mu = M_PI_2 - fabs(state->phi);
+}
+
+/* Velocity, from the derivative of the loop A-B-C, here for a unit crank speed:
+**
+**    k3 = -r cos(theta2) / (l cos(theta3)),   omega3 = k3 omega2
+**    dX/dtheta2 = -r sin(theta2) - k3 l sin(theta3),   dX/dt = -+v
+**
+** With e = 0, open: omega3 = -dphi/dt, dphi/dt = omega2 cos(theta2) / sqrt(n^2 - sin^2(theta2)),
+** n = l/r (ME3491).
+*/
+void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    const fourlink_link_state *crank = &state->link[2];
+    fourlink_link_state *rod = &state->link[3], *piston = &state->link[4];
+
+    rod->k = -r * crank->axis.x / (l * rod->axis.x);
+    rod->omega = rod->k * crank->omega;
+    piston->k = 0;
+    piston->omega = 0;
+    piston->k_origin.x = -r * crank->axis.y - rod->k * l * rod->axis.y;
+    piston->k_origin.y = 0;
+    piston->velocity.x = piston->k_origin.x * crank->omega;
+    piston->velocity.y = 0;
+    state->v = -(double)state->branch * piston->velocity.x;
+}
+
+/* Acceleration, from the second derivative of the loop:
+**
+**    alpha3 = [-r alpha2 cos(theta2) + r omega2^2 sin(theta2) + l omega3^2 sin(theta3)]
+**             / (l cos(theta3))
+**    d2X/dt2 = -r alpha2 sin(theta2) - r omega2^2 cos(theta2)
+**              - l alpha3 sin(theta3) - l omega3^2 cos(theta3),   d2X/dt2 = -+a
+*/
+void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    const fourlink_link_state *crank = &state->link[2];
+    fourlink_link_state *rod = &state->link[3], *piston = &state->link[4];
+    double r_t = r * crank->alpha, r_n = r * crank->omega * crank->omega;
+    double l_n = l * rod->omega * rod->omega;
+
+    rod->alpha =
+        (-r_t * crank->axis.x + r_n * crank->axis.y + l_n * rod->axis.y) / (l * rod->axis.x);
+    piston->alpha = 0;
+    piston->acceleration.x = -r_t * crank->axis.y - r_n * crank->axis.x -
+                             l * rod->alpha * rod->axis.y - l_n * rod->axis.x;
+    piston->acceleration.y = 0;
+    state->a = -(double)state->branch * piston->acceleration.x;
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** klein.c - Klein's construction for a slider-crank (ME3491, example 2, "Graphical method").
+**
+** M is where the line of the rod meets the perpendicular to the line of stroke through the crankshaft O.
+** The circle about B through M and the circle on the rod as diameter have a common chord; it meets the
+** rod in Q, and the parallel to the line of stroke through O in N.  Then, at constant speed,
+**
+**    v = omega2 OM,   v_CB = omega2 BM,   a = omega2^2 ON,   alpha3 = omega2^2 QN / l
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "arrow.h"
+#include "picture.h"
+#include "tables/print.h"
+
+typedef struct construction {
+    fourlink_vector O, B, C, M, Q, N;
+    fourlink_vector K, L; /* where the circles cut each other */
+    int meet;             /* 0: they do not, the rod being shorter than BM */
+} construction;
+
+static fourlink_vector along(fourlink_vector from, double distance, fourlink_vector unit_vector)
+{
+    from.x += distance * unit_vector.x;
+    from.y += distance * unit_vector.y;
+    return from;
+}
+
+/* The points, from the lengths of fourlink_klein_construction; K and L are on the chord, BQ from B, of the
+** circle about B with the radius BM. */
+static void construct(const deck *d, const fourlink_state *state, const fourlink_klein *lengths,
+                      construction *k)
+{
+    figure_pins pins = figure_place(d, state);
+    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, across;
+    double BM = figure_length(d, lengths->BM), BQ = figure_length(d, lengths->BQ), half;
+
+    k->O = pins.A;
+    k->B = pins.B;
+    k->C = pins.C;
+    k->M = along(pins.B, BM, u);
+    k->Q = along(pins.B, BQ, u);
+    across.x = -u.y;
+    across.y = u.x;
+    k->N = along(k->Q, -figure_length(d, lengths->QN), across);
+    k->meet = fabs(BM) >= BQ;
+    half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
+    k->K = along(k->Q, half, across);
+    k->L = along(k->Q, -half, across);
+}
+
+/* A length of the drawing; beside the rod's, rounding is 0. */
+static void put_length(sketch *s, const deck *d, const char *name, double length)
+{
+    char words[ARROW_WORDS];
+
+    if (fabs(length) < 1e-12 * d->design.link[FOURLINK_COUPLER].length)
+        length = 0;
+    sketch_note(s, arrow_words(d, name, length, QUANTITY_LENGTH, words));
+}
+
+/* The lines, and their letters, each on the side that is away from the middle of the rod. */
+static void draw_lines(sketch *s, const construction *k, double rod)
+{
+    fourlink_vector middle;
+
+    middle.x = (k->B.x + k->C.x) / 2;
+    middle.y = (k->B.y + k->C.y) / 2;
+    sketch_circle(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y));
+    sketch_circle(s, PEN_CONSTRUCTION, middle, rod / 2);
+    if (k->meet)
+        sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);
+    sketch_line(s, PEN_CONSTRUCTION, k->O, k->N);
+    sketch_line(s, PEN_CONSTRUCTION, k->B, k->M);
+    sketch_line(s, PEN_CRANK, k->O, k->B);
+    sketch_line(s, PEN_COUPLER, k->B, k->C);
+    sketch_line(s, PEN_RESULT, k->O, k->M);
+    sketch_line(s, PEN_RESULT, k->B, k->Q);
+    sketch_line(s, PEN_RESULT, k->Q, k->N);
+    sketch_line(s, PEN_FOLLOWER, k->N, k->O);
+    sketch_pin(s, k->O);
+    sketch_pin(s, k->B);
+    sketch_pin(s, k->C);
+    figure_letter(s, k->O, middle, k->B, "O");
+    figure_letter(s, k->B, middle, k->O, "B");
+    figure_letter(s, k->C, middle, middle, "C");
+    figure_letter(s, k->M, middle, k->O, "M");
+    figure_letter(s, k->Q, k->N, k->C, "Q");
+    figure_letter(s, k->N, k->Q, k->Q, "N");
+    if (k->meet) {
+        figure_letter(s, k->K, k->L, k->L, "K");
+        figure_letter(s, k->L, k->K, k->K, "L");
+    }
+}
+
+static void put_values(sketch *s, const deck *d, const fourlink_klein *lengths)
+{
+    put_length(s, d, "OM =", lengths->OM);
+    put_length(s, d, "BM =", lengths->BM);
+    put_length(s, d, "BQ =", lengths->BQ);
+    put_length(s, d, "QN =", lengths->QN);
+    put_length(s, d, "ON =", lengths->ON);
+    sketch_note(s, "v = omega2 OM");
+    sketch_note(s, "omega3 = omega2 BM / BC");
+    sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
+    sketch_note(s, "alpha3 = omega2^2 QN / BC");
+    sketch_note(s, "v and a count away from");
+    sketch_note(s, "the inner dead centre");
+    figure_slope(s, d);
+}
+
+int plot_klein(canvas *on, analysis *a, const plot_request *request, const char **why)
+{
+    fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    char words[FIGURE_TITLE + 30], title[FIGURE_TITLE];
+    fourlink_klein lengths;
+    construction k;
+    result r;
+    sketch s;
+    int status = plot_position(a, branch, request, &r);
+
+    if (status == FOURLINK_OK)
+        status = fourlink_klein_construction(&a->d->mechanism, &r.state, &lengths);
+    if (status != FOURLINK_OK) {
+        *why = fourlink_status_text(status);
+        return 0;
+    }
+    canvas_begin(on);
+    construct(a->d, &r.state, &lengths, &k);
+    figure_open(&s, on, a, branch, 0);
+    draw_lines(&s, &k, figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length));
+    put_values(&s, a->d, &lengths);
+    flk_text_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
+                  (char *)NULL);
+    sketch_close(&s, words, a->d->units[QUANTITY_LENGTH].name);
+    canvas_end(on);
+    return 1;
+}

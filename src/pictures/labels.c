@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** labels.c - where the texts of a drawing stand.
+**
+** Each in turn is tried around its place, in 16 directions at three distances, and stays where it costs
+** least: texts before it and thick lines cost most, the direction that was asked for costs nothing.  The
+** scale follows from what is drawn and the texts together; as the texts keep their size in pixels, a
+** few rounds find it.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "sketch.h"
+
+#define DIRECTIONS 16
+#define RINGS 3
+#define ROUNDS 5
+#define GAP 10.0   /* pixels, from a place to its text */
+#define BORDER 8.0 /* pixels, from what is drawn to the axes */
+
+/* In pixels; of a text, with half a letter at either end. */
+typedef struct box {
+    double x_min, x_max, y_min, y_max;
+} box;
+
+static box box_of(const sketch *s, const sketch_label *label)
+{
+    double w = label->half + CANVAS_LETTER / 2, h = 0.45 * CANVAS_LINE;
+    double x = label->at.x / s->scale + label->middle.x,
+           y = label->at.y / s->scale + label->middle.y;
+    box b;
+
+    b.x_min = x - w;
+    b.x_max = x + w;
+    b.y_min = y - h;
+    b.y_max = y + h;
+    return b;
+}
+
+static int overlap(const box *x, const box *y)
+{
+    return x->x_min < y->x_max && y->x_min < x->x_max && x->y_min < y->y_max && y->y_min < x->y_max;
+}
+
+/* Cut the part of a line from p in the direction d, from *from to *to, that is beyond one side. */
+static int clip(double p, double d, double low, double high, double *from, double *to)
+{
+    double first, last;
+
+    if (d == 0)
+        return p > low && p < high;
+    first = ((d > 0 ? low : high) - p) / d;
+    last = ((d > 0 ? high : low) - p) / d;
+    *from = GSL_MAX_DBL(*from, first);
+    *to = GSL_MIN_DBL(*to, last);
+    return *from < *to;
+}
+
+static int covers(const sketch *s, const box *b, const sketch_obstacle *o)
+{
+    double from = 0, to = 1, x = o->from.x / s->scale, y = o->from.y / s->scale;
+
+    return clip(x, o->to.x / s->scale - x, b->x_min, b->x_max, &from, &to) &&
+           clip(y, o->to.y / s->scale - y, b->y_min, b->y_max, &from, &to);
+}
+
+static int leaves(const sketch *s, const box *b)
+{
+    return b->x_min < s->x_min / s->scale - BORDER || b->x_max > s->x_max / s->scale + BORDER ||
+           b->y_min < s->y_min / s->scale - BORDER || b->y_max > s->y_max / s->scale + BORDER;
+}
+
+/* Of label k where it is now. */
+static double cost_of(const sketch *s, int k)
+{
+    box b = box_of(s, &s->labels[k]);
+    double cost = 0;
+    int i;
+
+    for (i = 0; i < k; i++) {
+        box other = box_of(s, &s->labels[i]);
+
+        cost += overlap(&b, &other) ? 100 : 0;
+    }
+    for (i = 0; i < s->n_obstacles; i++)
+        cost += covers(s, &b, &s->obstacles[i]) ? s->obstacles[i].weight : 0;
+    return cost + (s->is_fixed && leaves(s, &b) ? 20 : 0);
+}
+
+static void place(sketch *s, int k)
+{
+    sketch_label *label = &s->labels[k];
+    double wanted = atan2(label->dy, label->dx), least = GSL_POSINF;
+    double w = label->half, h = 0.45 * CANVAS_LINE;
+    fourlink_vector best = {0, 0};
+    int ring, i;
+
+    for (ring = 0; ring < RINGS; ring++)
+        for (i = 0; i < DIRECTIONS; i++) {
+            double off = 2 * M_PI * i / DIRECTIONS, cost = 2 * ring + 1.5 * (1 - cos(off));
+            double gap = GAP * (1 + 1.5 * ring);
+
+            if (cost >= least)
+                continue;
+            label->middle.x = (gap + w) * cos(wanted + off);
+            label->middle.y = (gap + h) * sin(wanted + off);
+            cost += cost_of(s, k);
+            if (cost < least) {
+                least = cost;
+                best = label->middle;
+            }
+        }
+    label->middle = best;
+}
+
+/* What a text needs beside the drawing. */
+static void include(const sketch *s, box *b, const sketch_label *label)
+{
+    box own = box_of(s, label);
+
+    b->x_min = GSL_MIN_DBL(b->x_min, own.x_min);
+    b->x_max = GSL_MAX_DBL(b->x_max, own.x_max);
+    b->y_min = GSL_MIN_DBL(b->y_min, own.y_min);
+    b->y_max = GSL_MAX_DBL(b->y_max, own.y_max);
+}
+
+static double scale_for(const sketch *s, const box *b, double width, double height)
+{
+    double wide = (b->x_max - b->x_min) * s->scale / (width - 2 * BORDER);
+    double high = (b->y_max - b->y_min) * s->scale / (height - 2 * BORDER);
+
+    return GSL_MAX_DBL(wide, high);
+}
+
+static box drawn(const sketch *s)
+{
+    box b;
+
+    b.x_min = s->x_min / s->scale;
+    b.x_max = s->x_max / s->scale;
+    b.y_min = s->y_min / s->scale;
+    b.y_max = s->y_max / s->scale;
+    return b;
+}
+
+void sketch_place(sketch *s, double width, double height)
+{
+    double border = 3 * CANVAS_LETTER, first, scale;
+    int round, i;
+    box b;
+
+    s->scale = 1;
+    b = drawn(s);
+    first = GSL_MAX_DBL((b.x_max - b.x_min) / (width - 2 * border),
+                        (b.y_max - b.y_min) / (height - 2 * border));
+    s->scale = first = first > 0 ? first : s->size / width;
+    for (round = 0; round < ROUNDS; round++) {
+        for (i = 0; i < s->n_labels; i++)
+            place(s, i);
+        if (s->is_fixed)
+            return;
+        b = drawn(s);
+        for (i = 0; i < s->n_labels; i++)
+            include(s, &b, &s->labels[i]);
+        if (round < ROUNDS - 1)
+            s->scale = GSL_MIN_DBL(scale_for(s, &b, width, height), 3 * first);
+    }
+    scale = scale_for(s, &b, width, height); /* if the texts have not come to rest */
+    s->x_min = b.x_min * s->scale;
+    s->x_max = b.x_max * s->scale;
+    s->y_min = b.y_min * s->scale;
+    s->y_max = b.y_max * s->scale;
+    s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
+}

@@ -1,0 +1,378 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sketch.c - a drawing to scale, as commands for gnuplot: lines, arrows, circles, texts, curves.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/format.h"
+#include "sketch.h"
+#include "base/text.h"
+
+/* Heights of a letter, and that, as a fraction of the drawing's size. */
+#define LETTER 0.028
+#define PIN 0.4
+#define SUPPORT 1.3
+#define HATCH 0.65
+
+/* Names are narrower than numbers, after which the width of a letter is. */
+#define NARROW 0.9
+
+#define MOST_TITLES 18 /* in the key: gnuplot gives it the height of the axes */
+#define TICS 7         /* letters between two of them, at least */
+
+/* So many points of a curve are an obstacle for texts. */
+#define OBSTACLE 4
+
+static void put(FILE *out, double x)
+{
+    char number[FORMAT_SIZE];
+
+    fputs(format_general(x, 7, number), out);
+}
+
+static void put_place(FILE *out, fourlink_vector p)
+{
+    put(out, p.x);
+    putc(',', out);
+    put(out, p.y);
+}
+
+void sketch_include(sketch *s, fourlink_vector p)
+{
+    if (s->is_fixed)
+        return;
+    s->x_min = p.x < s->x_min ? p.x : s->x_min;
+    s->x_max = p.x > s->x_max ? p.x : s->x_max;
+    s->y_min = p.y < s->y_min ? p.y : s->y_min;
+    s->y_max = p.y > s->y_max ? p.y : s->y_max;
+}
+
+static fourlink_vector beside(fourlink_vector p, double dx, double dy)
+{
+    p.x += dx;
+    p.y += dy;
+    return p;
+}
+
+double sketch_round(double x)
+{
+    double power = x > 0 ? pow(10, floor(log10(x))) : 1;
+
+    return (x <= power ? 1 : x <= 2 * power ? 2 : x <= 5 * power ? 5 : 10) * power;
+}
+
+void sketch_open(sketch *s, canvas *c, double size)
+{
+    memset(s, 0, sizeof *s);
+    s->c = c;
+    s->out = c->out;
+    s->size = size;
+    s->letter = LETTER;
+    s->x_min = s->y_min = GSL_POSINF;
+    s->x_max = s->y_max = GSL_NEGINF;
+    fputs("unset arrow; unset label; unset object\n", s->out);
+}
+
+static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
+{
+    sketch_obstacle *new = &s->obstacles[s->n_obstacles];
+
+    if (s->n_obstacles == SKETCH_OBSTACLES)
+        return;
+    new->from = from;
+    new->to = to;
+    new->weight = weight;
+    s->n_obstacles++;
+}
+
+static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
+{
+    sketch_include(s, from);
+    sketch_include(s, to);
+    fputs("set arrow from ", s->out);
+    put_place(s->out, from);
+    fputs(" to ", s->out);
+    put_place(s->out, to);
+    fprintf(s->out, " %s ls %d\n", kind, (int)p);
+    if (p != PEN_GHOST)
+        add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
+}
+
+void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
+{
+    put_arrow(s, p, from, to, "nohead");
+}
+
+void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
+{
+    /* in text what is in front would hide the letters */
+    put_arrow(s, p, from, to,
+              s->c->is_text ? "head filled size graph 0.025,18"
+                            : "head filled size graph 0.025,18 front");
+}
+
+/* As a polygon: the circles of gnuplot know no dashes. */
+void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
+{
+    int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
+    fourlink_vector last = centre, next;
+
+    for (i = 0; i <= n; i++) {
+        double angle = from + (to - from) * i / n;
+
+        next = beside(centre, radius * cos(angle), radius * sin(angle));
+        if (i > 0)
+            sketch_line(s, p, last, next);
+        last = next;
+    }
+}
+
+void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius)
+{
+    sketch_arc(s, p, centre, radius, 0, 2 * M_PI);
+}
+
+/* A disc, by its diameters. */
+static void add_disc(sketch *s, fourlink_vector at, double radius)
+{
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        double x = 1.2 * radius * cos(i * M_PI / 4), y = 1.2 * radius * sin(i * M_PI / 4);
+
+        add_obstacle(s, beside(at, -x, -y), beside(at, x, y), 5);
+    }
+}
+
+void sketch_pin(sketch *s, fourlink_vector at)
+{
+    sketch_include(s, at);
+    add_disc(s, at, PIN * s->letter * s->size);
+    fputs("set object circle at ", s->out);
+    put_place(s->out, at);
+    fputs(" size ", s->out);
+    put(s->out, PIN * s->letter * s->size);
+    fputs(" front fc rgb 'white' fs solid border lc rgb 'black' lw 1.5\n", s->out);
+}
+
+void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
+{
+    double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -0.3 : 0.3);
+    fourlink_vector tip, tail;
+
+    sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
+    tip = beside(centre, radius * cos(end), radius * sin(end));
+    tail = beside(centre, radius * cos(before), radius * sin(before));
+    sketch_arrow(s, p, tail, tip);
+}
+
+void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
+{
+    sketch_label *new = &s->labels[s->n_labels];
+
+    sketch_include(s, at);
+    if (s->n_labels == SKETCH_LABELS)
+        return;
+    new->at = at;
+    new->dx = dx;
+    new->dy = dy;
+    flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
+    new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
+    s->n_labels++;
+}
+
+void sketch_note(sketch *s, const char *words)
+{
+    if (s->n_notes < SKETCH_NOTES)
+        flk_text_join(s->notes[s->n_notes++], SKETCH_WORDS, words, (char *)NULL);
+}
+
+void sketch_centre(sketch *s, fourlink_vector at)
+{
+    double r = 0.7 * PIN * s->letter * s->size;
+    int i;
+
+    sketch_include(s, at);
+    add_disc(s, at, r);
+    for (i = 0; i < 4; i++) {
+        fputs("set object circle at ", s->out);
+        put_place(s->out, at);
+        fputs(" size ", s->out);
+        put(s->out, r);
+        fprintf(s->out, " arc [%d:%d] front fc rgb '%s' fs solid border lc rgb 'black'\n", 90 * i,
+                90 * i + 90, i % 2 ? "white" : "black");
+    }
+}
+
+void sketch_ground(sketch *s, double x1, double x2, double y, double side)
+{
+    double step = HATCH * s->letter * s->size, x;
+    fourlink_vector from, to;
+
+    from.x = x1;
+    to.x = x2;
+    from.y = to.y = y;
+    sketch_line(s, PEN_GROUND, from, to);
+    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step) {
+        from.x = x;
+        to = beside(from, -step, side * step);
+        put_arrow(s, PEN_CONSTRUCTION, from, to, "nohead");
+    }
+}
+
+void sketch_support(sketch *s, fourlink_vector at)
+{
+    double r = SUPPORT * s->letter * s->size;
+    fourlink_vector left = beside(at, -0.6 * r, -r), right = beside(at, 0.6 * r, -r);
+
+    sketch_line(s, PEN_GROUND, at, left);
+    sketch_line(s, PEN_GROUND, at, right);
+    sketch_ground(s, at.x - r, at.x + r, at.y - r, -1);
+}
+
+void sketch_curve(sketch *s, pen p, const char *title)
+{
+    s->curve_pen[s->n_curves] = p;
+    if (s->n_curves < MOST_TITLES)
+        flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
+    fprintf(s->out, "$curve%d << EOD\n", s->n_curves++);
+    s->n_points = 0;
+    s->is_empty = 1;
+}
+
+void sketch_point(sketch *s, fourlink_vector at)
+{
+    sketch_include(s, at);
+    if (s->n_points % OBSTACLE == 0) {
+        if (s->n_points > 0)
+            add_obstacle(s, s->last, at, 1);
+        s->last = at;
+    }
+    s->n_points++;
+    s->is_empty = 0;
+    put(s->out, at.x);
+    putc(' ', s->out);
+    put(s->out, at.y);
+    putc('\n', s->out);
+}
+
+void sketch_break(sketch *s)
+{
+    s->n_points = 0;
+    putc('\n', s->out);
+}
+
+void sketch_end(sketch *s)
+{
+    fputs("EOD\n", s->out);
+    if (s->is_empty) /* gnuplot has a word for those */
+        s->n_curves--;
+}
+
+/* Values and key stand at the right of the axes. */
+static double width_of_margin(const sketch *s)
+{
+    double width = CANVAS_LETTER, key;
+    int i;
+
+    for (i = 0; i < s->n_notes; i++)
+        width = GSL_MAX_DBL(width, canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
+    for (i = 0; i < s->n_curves; i++)
+        if (s->curve_title[i][0]) {
+            key = canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER;
+            width = GSL_MAX_DBL(width, key);
+        }
+    return width;
+}
+
+/* The key, and below it the notes. */
+static void put_margin(const sketch *s)
+{
+    int in_key = 0, i;
+
+    for (i = 0; i < s->n_curves; i++)
+        in_key += s->curve_title[i][0] != '\0';
+    for (i = 0; i < s->n_notes; i++) {
+        fputs("set label ", s->out);
+        canvas_quote(s->out, s->notes[i]);
+        fprintf(s->out, " at graph 1.02, graph 1 offset 0,%d left\n",
+                -i - (in_key ? in_key + 1 : 0));
+    }
+    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->out);
+}
+
+static void put_labels(const sketch *s)
+{
+    int i;
+
+    for (i = 0; i < s->n_labels; i++) {
+        const sketch_label *label = &s->labels[i];
+        double half = label->half;
+        int side = label->middle.x > half ? 1 : label->middle.x < -half ? -1 : 0;
+
+        fputs("set label ", s->out);
+        canvas_quote(s->out, label->words);
+        fputs(" at ", s->out);
+        put_place(s->out, beside(label->at, s->scale * (label->middle.x - side * half),
+                                 s->scale * label->middle.y));
+        fprintf(s->out, " %s front\n", side > 0 ? "left" : side < 0 ? "right" : "center");
+    }
+}
+
+static void put_range(const sketch *s, const char *axis, double middle, double length)
+{
+    fprintf(s->out, "set %srange [", axis);
+    put(s->out, middle - length / 2);
+    putc(':', s->out);
+    put(s->out, middle + length / 2);
+    fputs("]\n", s->out);
+}
+
+/* Tics of one step on both axes, so far apart that their numbers have room. */
+static void put_axes(const sketch *s)
+{
+    double step = sketch_round(TICS * CANVAS_LETTER * s->scale);
+
+    fputs("set format '%g'; set tics ", s->out);
+    put(s->out, step);
+    putc('\n', s->out);
+    put_range(s, "x", (s->x_min + s->x_max) / 2, s->scale * s->c->box_width);
+    put_range(s, "y", (s->y_min + s->y_max) / 2, s->scale * s->c->box_height);
+}
+
+static void put_curves(const sketch *s)
+{
+    int i;
+
+    fputs("plot ", s->out);
+    for (i = 0; i < s->n_curves; i++) {
+        fprintf(s->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
+                (int)s->curve_pen[i]);
+        if (s->curve_title[i][0]) {
+            fputs("title ", s->out);
+            canvas_quote(s->out, s->curve_title[i]);
+        } else {
+            fputs("notitle", s->out);
+        }
+    }
+    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->out);
+}
+
+void sketch_close(sketch *s, const char *title, const char *unit_name)
+{
+    if (!(s->x_min <= s->x_max)) { /* nothing was drawn */
+        s->x_min = s->y_min = -s->size;
+        s->x_max = s->y_max = s->size;
+    }
+    canvas_panel(s->c, 2, width_of_margin(s));
+    sketch_place(s, s->c->box_width, s->c->box_height);
+    put_labels(s);
+    put_margin(s);
+    fputs("set size ratio -1\n", s->out);
+    canvas_titles(s->c, title, "x", unit_name, "y", unit_name);
+    put_axes(s);
+    put_curves(s);
+}

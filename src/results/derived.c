@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** derived.c - what textbooks ask for beyond the nine unknowns.
+*/
+#include <stddef.h>
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "derived.h"
+
+/* x / y, which may be beyond all bounds at single positions, and is cut off there. */
+static double ratio(double x, double y)
+{
+    double bound = 1e15;
+
+    if (fabs(x) < bound * fabs(y))
+        return x / y;
+    return (x < 0) == (y < 0) ? bound : -bound;
+}
+
+/* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
+** velocity there is 0,
+**
+**    I13 = B + (-v_By, v_Bx) / omega3
+**
+** I24, of link 4 against the crank: on the x axis through A (four-bar), where both move alike,
+**
+**    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
+**
+** Mechanical advantage, from the power of a machine without losses: four-bar, torque on the load over
+** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
+** r omega2 / v.
+*/
+void extras_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state, extras *e)
+{
+    const fourlink_link *link = mechanism->design.link;
+    const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
+
+    e->condition = 1 / fabs(state->sine);
+    e->I13.x = coupler->origin.x - ratio(coupler->k_origin.y, coupler->k);
+    e->I13.y = coupler->origin.y + ratio(coupler->k_origin.x, coupler->k);
+    if (mechanism->design.kind == FOURLINK_FOUR_BAR) {
+        e->mechanical_advantage = ratio(1, follower->k);
+        e->I24.x = ratio(-link[1].length * follower->k, 1 - follower->k);
+        e->I24.y = 0;
+    } else {
+        e->mechanical_advantage =
+            ratio(-(double)state->branch * link[2].length, follower->k_origin.x);
+        e->I24.x = 0;
+        e->I24.y = -follower->k_origin.x;
+    }
+}
+
+static axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
+{
+    axial F;
+
+    F.along = Fx * link->axis.x + Fy * link->axis.y;
+    F.across = -Fx * link->axis.y + Fy * link->axis.x;
+    return F;
+}
+
+/* Equivalent offset inertia force (ME3491, fig. 2): F = -m a_G at the distance h = I alpha / (m a_G) from
+** G has the moment -I alpha about it if it passes on the left, looking along F. */
+static offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                               int i)
+{
+    const fourlink_link *link = &mechanism->design.link[i];
+    fourlink_vector a;
+    offset_force F;
+
+    fourlink_point(state, i, &link->cg, NULL, NULL, &a);
+    F.size = link->mass * gsl_hypot(a.x, a.y);
+    F.direction = atan2(-a.y + 0.0, -a.x + 0.0);
+    F.h = F.size > 0 ? ratio(link->inertia * state->link[i].alpha, F.size) : 0;
+    return F;
+}
+
+/* Shaking force and moment: what the machine exerts on the ground, by Newton's third law,
+**
+**    Fs = F21 + F41 = -(F12 + F14),   Ms = -(AD x F14) - Ts - M14
+**
+** the moment about A. */
+void extras_of_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                      const fourlink_forces *f, extras *e)
+{
+    const fourlink_vector *D = &state->link[4].origin;
+    int i;
+
+    e->Fsx = -f->F12x - f->F14x;
+    e->Fsy = -f->F12y - f->F14y;
+    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x);
+    e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
+    e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
+    e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);
+    e->F43 = in_axes(-f->F34x, -f->F34y, &state->link[3]);
+    e->F34 = in_axes(f->F34x, f->F34y, &state->link[4]);
+    e->F14 = in_axes(f->F14x, f->F14y, &state->link[4]);
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        e->inertia[i] = inertia_of(mechanism, state, i);
+}
+
+static void list_forces(const fourlink_forces *f, double length, double list[10])
+{
+    list[0] = f->F12x;
+    list[1] = f->F12y;
+    list[2] = f->F23x;
+    list[3] = f->F23y;
+    list[4] = f->F34x;
+    list[5] = f->F34y;
+    list[6] = f->F14x;
+    list[7] = f->F14y;
+    list[8] = f->M14 / length;
+    list[9] = f->Ts / length;
+}
+
+int extras_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_load *loads, unsigned long n_loads,
+                         const fourlink_forces *forces, extras *e)
+{
+    fourlink_mechanism weightless = *mechanism;
+    fourlink_state rest = *state;
+    fourlink_forces of_loads, of_inertia;
+    double length = mechanism->design.link[FOURLINK_CRANK].length, largest = 0, difference = 0;
+    double whole[10], part[10], other[10];
+    int status, i;
+
+    weightless.design.gravity.x = 0;
+    weightless.design.gravity.y = 0;
+    status = fourlink_velocity(mechanism, 0, &rest);
+    if (status == FOURLINK_OK)
+        status = fourlink_acceleration(mechanism, 0, &rest);
+    if (status == FOURLINK_OK)
+        status = fourlink_solve(mechanism, &rest, loads, n_loads, &of_loads);
+    if (status == FOURLINK_OK)
+        status = fourlink_solve(&weightless, state, NULL, 0, &of_inertia);
+    if (status != FOURLINK_OK)
+        return status;
+    list_forces(forces, length, whole);
+    list_forces(&of_loads, length, part);
+    list_forces(&of_inertia, length, other);
+    for (i = 0; i < 10; i++) {
+        if (fabs(part[i] + other[i] - whole[i]) > difference)
+            difference = fabs(part[i] + other[i] - whole[i]);
+        if (fabs(part[i]) > largest)
+            largest = fabs(part[i]);
+        if (fabs(other[i]) > largest)
+            largest = fabs(other[i]);
+    }
+    e->Ts_static = of_loads.Ts;
+    e->Ts_inertia = of_inertia.Ts;
+    e->superposition = largest > 0 ? difference / largest : 0;
+    return FOURLINK_OK;
+}

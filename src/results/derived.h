@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** derived.h - what textbooks ask for beyond the nine unknowns.
+*/
+#ifndef FOURLINK_DERIVED_H
+#define FOURLINK_DERIVED_H
+
+#include "fourlink.h"
+
+/* A force in a link's own axes: along its line, and across it to the left. */
+typedef struct axial {
+    double along, across; /* N */
+} axial;
+
+/* Offset inertia force of a link (ME3491, fig. 2). */
+typedef struct offset_force {
+    double size, direction; /* N, rad: -m a_G */
+    double h;               /* m, offset from G to the left of the force */
+} offset_force;
+
+typedef struct extras {
+    double Fsx, Fsy, Ms;          /* N, N m about A: of the mechanism on its frame */
+    axial F12, F32;               /* N, on the crank */
+    axial F23, F43;               /* N, on coupler or rod */
+    axial F34, F14;               /* N, on link 4 */
+    offset_force inertia[5];      /* by link number */
+    double mechanical_advantage;  /* 1 */
+    double condition;             /* 1 */
+    fourlink_vector I13, I24;     /* m, instantaneous centres */
+    double Ts_static, Ts_inertia; /* N m, of loads and weights at rest, and of inertia alone */
+    double superposition;         /* 1, the largest difference of all nine unknowns between their
+                                        sum and the whole, relative to the largest force */
+} extras;
+
+/* The part that follows from the motion alone. */
+void extras_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state, extras *e);
+
+/* The part that follows from the forces. */
+void extras_of_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                      const fourlink_forces *forces, extras *e);
+
+/* Loads and inertia separately.  A status of the library. */
+int extras_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_load *loads, unsigned long n_loads,
+                         const fourlink_forces *forces, extras *e);
+
+#endif

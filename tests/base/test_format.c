@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_format.c - numbers to text: the C library's printf is the judge of every byte; rows of them.
+*/
+#include <float.h>
+
+#include "check.h"
+#include "base/format.h"
+#include "locales.h"
+#include "base/number.h"
+#include "tables/print.h"
+
+#define MANY 100000
+#define MOST_DECIMALS 20
+
+static void compare(const char *form, int precision, double value, const char *out)
+{
+    char expected[FORMAT_SIZE], *comma;
+
+    snprintf(expected, sizeof expected, form, precision, value);
+    comma = strchr(expected, ',');
+    if (comma)
+        *comma = '.';
+    if (strcmp(out, expected) != 0)
+        fail_msg("%s with %d of %a: '%s', expected '%s'", form, precision, value, out, expected);
+}
+
+static void check_fixed(double value, int decimals)
+{
+    char out[FORMAT_SIZE];
+
+    compare("%.*f", decimals, value, format_fixed(value, decimals, out));
+    compare("%.*f", decimals, -value, format_fixed(-value, decimals, out));
+}
+
+static void check_exponent(double value, int decimals)
+{
+    char out[FORMAT_SIZE];
+
+    compare("%.*e", decimals, value, format_exponent(value, decimals, out));
+}
+
+static void check_general(double value, int digits)
+{
+    char out[FORMAT_SIZE];
+
+    compare("%.*g", digits, value, format_general(value, digits, out));
+}
+
+/* A few of the forms. */
+static void check_some(double value, uint64_t *seed)
+{
+    static const int usual[] = {17, 12, 6};
+
+    check_fixed(value, (int)uniform(seed, 0, MOST_DECIMALS + 1));
+    check_exponent(-value, (int)uniform(seed, 0, MOST_DECIMALS + 1));
+    check_general(value, usual[(int)uniform(seed, 0, 3)]);
+    check_general(-value, (int)uniform(seed, 0, MOST_DECIMALS + 1));
+}
+
+static void check_all(double value)
+{
+    int i;
+
+    for (i = 0; i <= MOST_DECIMALS; i++) {
+        check_fixed(value, i);
+        check_exponent(value, i);
+        check_exponent(-value, i);
+        check_general(value, i);
+        check_general(-value, i);
+    }
+}
+
+static void check_neighbours(double value, uint64_t *seed)
+{
+    check_some(value, seed);
+    check_some(nextafter(value, HUGE_VAL), seed);
+    check_some(nextafter(value, -HUGE_VAL), seed);
+}
+
+/* Sizes from 1 to 2^53, none more often than the others. */
+static double integer_of_any_size(uint64_t *seed)
+{
+    return floor(exp2(uniform(seed, 0, 53)));
+}
+
+static void check_examples(void)
+{
+    char out[FORMAT_SIZE];
+
+    assert_string_equal(format_fixed(1234567.5, 2, out), "1234567.50");
+    assert_string_equal(format_fixed(-0.125, 3, out), "-0.125");
+    assert_string_equal(format_fixed(0.125, 2, out), "0.12");
+    assert_string_equal(format_fixed(0.375, 2, out), "0.38");
+    assert_string_equal(format_fixed(2.5, 0, out), "2");
+    assert_string_equal(format_fixed(3.5, 0, out), "4");
+    assert_string_equal(format_fixed(2, 0, out), "2");
+    assert_string_equal(format_fixed(999.99996, 4, out), "1000.0000");
+    assert_string_equal(format_fixed(-0.0, 2, out), "-0.00");
+    assert_string_equal(format_exponent(0.00015, 1, out), "1.5e-04");
+    assert_string_equal(format_exponent(-1e30, 0, out), "-1e+30");
+    assert_string_equal(format_general(0.1, 17, out), "0.10000000000000001");
+    assert_string_equal(format_general(1e-9, 6, out), "1e-09");
+    assert_string_equal(format_general(12345678, 6, out), "1.23457e+07");
+    assert_string_equal(format_general(999999.5, 6, out), "1e+06");
+    assert_string_equal(format_general(0.00001, 6, out), "1e-05");
+    assert_string_equal(format_general(0.000123, 6, out), "0.000123");
+    assert_string_equal(format_general(66, 12, out), "66");
+    assert_int_equal(strlen(format_fixed(-DBL_MAX, 17, out)), 1 + 309 + 1 + 17);
+    assert_true(out[310] == '.');
+}
+
+static void test_examples(void **unused)
+{
+    (void)unused;
+    check_examples();
+}
+
+static void test_examples_comma_locale(void **found)
+{
+    need_comma_locale(found);
+    check_examples();
+}
+
+/* Powers of ten and of two, and the numbers beside them. */
+static void test_ends_of_ranges(void **unused)
+{
+    static const double values[] = {
+        0,        1e-5, 9.9999e-5, 0.5,     1,          9.5,        99.5,
+        9.9995,   1e9,  1e10,      1e17,    2147483647, 4294967295, 12345678901234568e1,
+        DBL_MIN,  1e40, 1e-45,     DBL_MAX, 1e100,      1e-100,     4.9406564584124654e-324,
+        INFINITY, NAN};
+    int power, i;
+    size_t k;
+
+    (void)unused;
+    for (k = 0; k < sizeof values / sizeof values[0]; k++)
+        check_all(values[k]);
+    for (power = -60; power <= 60; power++) {
+        double ten = pow(10, power), two = exp2(power);
+
+        for (i = -3; i <= 3; i++) {
+            check_all(ten * (1 + i * DBL_EPSILON));
+            check_all(two * (1 + i * DBL_EPSILON));
+        }
+    }
+    for (i = -20; i <= 20; i++) {
+        check_all(9007199254740992.0 + i);
+        check_all(9007199254740992.0 / 2 + i * 0.5);
+        check_all(9007199254740992.0 / 4 + i * 0.25);
+        check_all(1e9 + i * 0.5);
+        check_all(i * DBL_MIN * DBL_EPSILON);
+    }
+}
+
+static void test_random_bits(void **unused)
+{
+    uint64_t seed = 3;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < MANY; i++) {
+        uint64_t bits = (uint64_t)uniform(&seed, 0, 4294967296.0) << 32;
+        double value;
+
+        bits |= (uint64_t)uniform(&seed, 0, 4294967296.0);
+        memcpy(&value, &bits, sizeof value);
+        check_some(value, &seed);
+    }
+}
+
+static void check_sizes(void)
+{
+    uint64_t seed = 20240517;
+    int i;
+
+    for (i = 0; i < 2 * MANY; i++) {
+        check_some(pow(10, uniform(&seed, -47, 42)), &seed);
+        check_fixed(pow(10, uniform(&seed, -8, 10)), (int)uniform(&seed, 0, 11));
+    }
+}
+
+static void test_sizes(void **unused)
+{
+    (void)unused;
+    check_sizes();
+}
+
+static void test_sizes_comma_locale(void **found)
+{
+    need_comma_locale(found);
+    check_sizes();
+}
+
+/* Halves, exactly: an odd number over 2^(d+1) is one with d decimals.  With enough decimals before
+** them they are halves in 17 digits too. */
+static void test_ties(void **unused)
+{
+    uint64_t seed = 11;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < MANY; i++) {
+        int decimals = i % 20;
+        double odd = 2 * floor(integer_of_any_size(&seed) / 2) + 1;
+        double value = ldexp(odd, -decimals - 1);
+
+        check_fixed(value, decimals);
+        check_fixed(nextafter(value, 0), decimals);
+        check_fixed(nextafter(value, HUGE_VAL), decimals);
+        check_general(value, 1 + decimals % 17);
+        check_general(value, 17);
+        check_exponent(odd * 5, 1 + decimals % 15);
+    }
+}
+
+/* As near to halves as doubles are: k.5 / 10^d, and the numbers beside them. */
+static void test_near_ties(void **unused)
+{
+    uint64_t seed = 23;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < MANY / 2; i++) {
+        int decimals = (int)uniform(&seed, 0, 19);
+        double value = (integer_of_any_size(&seed) + 0.5) / pow(10, decimals);
+
+        check_fixed(value, decimals);
+        check_fixed(nextafter(value, 0), decimals);
+        check_fixed(nextafter(value, HUGE_VAL), decimals);
+        check_neighbours(value, &seed);
+        check_neighbours(value * 1e20, &seed);
+        check_neighbours(value * 1e-20, &seed);
+    }
+}
+
+/* Decimals of few digits, as they stand in decks: many zeros to leave out. */
+static void test_short_numbers(void **unused)
+{
+    uint64_t seed = 5;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < MANY; i++) {
+        double value = floor(pow(10, uniform(&seed, 0, 6))), power = pow(10, i % 21);
+
+        check_some(value * power, &seed);
+        check_some(value / power, &seed);
+    }
+}
+
+/* 17 digits bring a number back. */
+static void check_back(void)
+{
+    uint64_t seed = 7;
+    int i;
+
+    for (i = 0; i < MANY; i++) {
+        double value = uniform(&seed, -1, 1) * pow(10, uniform(&seed, -300, 300)), again = 0;
+        char out[FORMAT_SIZE];
+        text rest = flk_text_of(format_general(value, 17, out));
+
+        assert_int_equal(flk_number_read(&rest, &again), NUMBER_OK);
+        assert_int_equal(rest.length, 0);
+        assert_true(again == value);
+    }
+}
+
+static void test_back(void **unused)
+{
+    (void)unused;
+    check_back();
+}
+
+static void test_back_comma_locale(void **found)
+{
+    need_comma_locale(found);
+    check_back();
+}
+
+/* A row of the buffer has the bytes that fields written one by one have, also where it is longer than
+** the buffer. */
+static void test_rows(void **unused)
+{
+    static char longest[10000];
+    static const char *const texts[] = {"", "-0.125", "a, \"b\"", "a field of some length",
+                                        longest};
+    FILE *expected = tmpfile(), *out = tmpfile();
+    uint64_t seed = 13;
+    int i, k, c;
+
+    (void)unused;
+    assert_non_null(expected);
+    assert_non_null(out);
+    memset(longest, 'x', sizeof longest - 1);
+    for (i = 0; i < 500; i++) {
+        int fields = (int)uniform(&seed, 0, i % 20 == 0 ? 1000 : 10);
+        row_buffer row;
+
+        row_start(&row, out);
+        for (k = 0; k < fields; k++) {
+            const char *s = texts[(int)uniform(&seed, 0, i % 10 == 0 ? 5 : 4)];
+            size_t width = (size_t)uniform(&seed, 0, k % 50 == 49 ? 9000 : 30);
+
+            print_right(expected, s, width);
+            row_right(&row, s, strlen(s), width);
+            print_field(expected, s);
+            row_field(&row, s);
+        }
+        putc('\n', expected);
+        row_text(&row, "\n", 1);
+        row_end(&row);
+    }
+    assert_true(ftell(out) > 500000);
+    rewind(expected);
+    rewind(out);
+    do {
+        c = getc(expected);
+        assert_int_equal(getc(out), c);
+    } while (c != EOF);
+    fclose(expected);
+    fclose(out);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        C_LOCALE(test_examples),
+        COMMA_LOCALE(test_examples_comma_locale),
+        C_LOCALE(test_ends_of_ranges),
+        C_LOCALE(test_random_bits),
+        C_LOCALE(test_sizes),
+        COMMA_LOCALE(test_sizes_comma_locale),
+        C_LOCALE(test_ties),
+        C_LOCALE(test_near_ties),
+        C_LOCALE(test_short_numbers),
+        C_LOCALE(test_back),
+        COMMA_LOCALE(test_back_comma_locale),
+        C_LOCALE(test_rows),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_units.c - every unit against its published value, and what is no unit.
+*/
+#include <stdlib.h>
+
+#include "check.h"
+#include "base/units.h"
+
+#define PI 3.14159265358979323846
+
+/* Values of NIST SP 811, appendix B; those of the inch-pound system are exact by definition (1 in =
+** 25.4 mm, 1 lb = 0.45359237 kg, g = 9.80665 m/s2) and are written with all the digits of a double.
+*/
+static const struct {
+    const char *name;
+    double si;
+    dimension dim;
+} units[] = {
+    {"m", 1, {1, 0, 0, 0}},
+    {"mm", 0.001, {1, 0, 0, 0}},
+    {"cm", 0.01, {1, 0, 0, 0}},
+    {"km", 1000, {1, 0, 0, 0}},
+    {"in", 0.0254, {1, 0, 0, 0}},
+    {"ft", 0.3048, {1, 0, 0, 0}},
+    {"kg", 1, {0, 1, 0, 0}},
+    {"g", 0.001, {0, 1, 0, 0}},
+    {"t", 1000, {0, 1, 0, 0}},
+    {"lb", 0.45359237, {0, 1, 0, 0}},
+    {"oz", 0.028349523125, {0, 1, 0, 0}},
+    {"slug", 14.593902937206364829, {0, 1, 0, 0}},
+    {"blob", 175.12683524647637795, {0, 1, 0, 0}},
+    {"s", 1, {0, 0, 1, 0}},
+    {"ms", 0.001, {0, 0, 1, 0}},
+    {"min", 60, {0, 0, 1, 0}},
+    {"h", 3600, {0, 0, 1, 0}},
+    {"rad", 1, {0, 0, 0, 1}},
+    {"mrad", 0.001, {0, 0, 0, 1}},
+    {"deg", 0.017453292519943295769, {0, 0, 0, 1}},
+    {"rev", 6.2831853071795864769, {0, 0, 0, 1}},
+    {"rpm", 0.10471975511965977462, {0, 0, -1, 1}},
+    {"N", 1, {1, 1, -2, 0}},
+    {"kN", 1e3, {1, 1, -2, 0}},
+    {"MN", 1e6, {1, 1, -2, 0}},
+    {"lbf", 4.4482216152605, {1, 1, -2, 0}},
+    {"kgf", 9.80665, {1, 1, -2, 0}},
+    {"ozf", 0.27801385095378125, {1, 1, -2, 0}},
+    {"kip", 4448.2216152605, {1, 1, -2, 0}},
+    {"J", 1, {2, 1, -2, 0}},
+    {"kJ", 1e3, {2, 1, -2, 0}},
+    {"W", 1, {2, 1, -3, 0}},
+    {"kW", 1e3, {2, 1, -3, 0}},
+    {"hp", 745.69987158227022, {2, 1, -3, 0}},
+    {"Pa", 1, {-1, 1, -2, 0}},
+    {"kPa", 1e3, {-1, 1, -2, 0}},
+    {"MPa", 1e6, {-1, 1, -2, 0}},
+    {"GPa", 1e9, {-1, 1, -2, 0}},
+    {"bar", 1e5, {-1, 1, -2, 0}},
+    {"psi", 6894.7572931683613367, {-1, 1, -2, 0}},
+    {"atm", 101325, {-1, 1, -2, 0}},
+    /* compound */
+    {"N/mm2", 1e6, {-1, 1, -2, 0}},
+    {"N/mm^2", 1e6, {-1, 1, -2, 0}},
+    {"kgf/cm2", 98066.5, {-1, 1, -2, 0}},
+    {"lbf/in2", 6894.7572931683613367, {-1, 1, -2, 0}},
+    {"kg m2", 1, {2, 1, 0, 0}},
+    {"kg.m2", 1, {2, 1, 0, 0}},
+    {"kg*m^2", 1, {2, 1, 0, 0}},
+    {"kg * m^2", 1, {2, 1, 0, 0}},
+    {"kg\tm2", 1, {2, 1, 0, 0}},
+    {"kg m m", 1, {2, 1, 0, 0}},
+    {"g.mm2", 1e-9, {2, 1, 0, 0}},
+    {"lb in2", 2.926396534292e-4, {2, 1, 0, 0}},
+    {"lb ft2", 0.04214011009380480, {2, 1, 0, 0}},
+    {"slug.ft2", 1.3558179483314004, {2, 1, 0, 0}},
+    {"lbf in s2", 0.1129848290276167, {2, 1, 0, 0}},
+    {"m/s", 1, {1, 0, -1, 0}},
+    {"km/h", 1 / 3.6, {1, 0, -1, 0}},
+    {"ft/min", 0.00508, {1, 0, -1, 0}},
+    {"m/s^2", 1, {1, 0, -2, 0}},
+    {"m/s2", 1, {1, 0, -2, 0}},
+    {"m/s/s", 1, {1, 0, -2, 0}},
+    {"in/s2", 0.0254, {1, 0, -2, 0}},
+    {"rad/s", 1, {0, 0, -1, 1}},
+    {"deg/s", 0.017453292519943295769, {0, 0, -1, 1}},
+    {"rev/min", 0.10471975511965977462, {0, 0, -1, 1}},
+    {"rad/s2", 1, {0, 0, -2, 1}},
+    {"rad / s2", 1, {0, 0, -2, 1}},
+    {"rpm/s", 0.10471975511965977462, {0, 0, -2, 1}},
+    {"N m", 1, {2, 1, -2, 0}},
+    {"N.mm", 1e-3, {2, 1, -2, 0}},
+    {"kN m", 1e3, {2, 1, -2, 0}},
+    {"lbf.in", 0.1129848290276167, {2, 1, -2, 0}},
+    {"lbf ft", 1.3558179483314004, {2, 1, -2, 0}},
+    {"ozf in", 0.0070615518142260438, {2, 1, -2, 0}},
+    {"N m/s", 1, {2, 1, -3, 0}},
+    {"ft lbf/s", 1.3558179483314004, {2, 1, -3, 0}},
+    {"m4", 1, {4, 0, 0, 0}},
+    {"mm^3", 1e-9, {3, 0, 0, 0}},
+    {"1/s", 1, {0, 0, -1, 0}},
+    {"1", 1, {0, 0, 0, 0}},
+    {" N ", 1, {1, 1, -2, 0}},
+    {"J/kg s2/m2", 1, {0, 0, 0, 0}}, /* '/' divides by one factor only */
+};
+
+static void test_values(void **unused)
+{
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof units / sizeof units[0]; i++) {
+        unit u;
+        text bad;
+
+        print_message("%s\n", units[i].name);
+        assert_true(flk_unit_read(flk_text_of(units[i].name), &u, &bad));
+        assert_close(flk_unit_to_si(1, u), units[i].si, 5e-16);
+        assert_int_equal(u.dim.m, units[i].dim.m);
+        assert_int_equal(u.dim.kg, units[i].dim.kg);
+        assert_int_equal(u.dim.s, units[i].dim.s);
+        assert_int_equal(u.dim.rad, units[i].dim.rad);
+    }
+}
+
+/* The unit, its dimension that of a quantity. */
+static void check_is(const char *name, quantity q, int expected)
+{
+    unit u;
+    text bad;
+
+    print_message("%s\n", name);
+    assert_true(flk_unit_read(flk_text_of(name), &u, &bad));
+    assert_int_equal(flk_dimension_equal(u.dim, flk_quantities[q].dim), expected);
+}
+
+static void test_dimensions(void **unused)
+{
+    static const char *const no_speed[] = {"Hz",  "1/s",    "N m/s", "m/s",
+                                           "rad", "rad/s2", "1/min", "W"};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof no_speed / sizeof no_speed[0]; i++)
+        check_is(no_speed[i], QUANTITY_ANGULAR_SPEED, 0);
+    check_is("rpm", QUANTITY_ANGULAR_SPEED, 1);
+    check_is("mrad/ms", QUANTITY_ANGULAR_SPEED, 1);
+    check_is("rad/s2", QUANTITY_ANGULAR_ACCELERATION, 1);
+    check_is("1/s2", QUANTITY_ANGULAR_ACCELERATION, 0);
+    check_is("N m", QUANTITY_TORQUE, 1);
+    check_is("N m/rad", QUANTITY_TORQUE, 0);
+    check_is("lbf", QUANTITY_MASS, 0);
+    check_is("lb", QUANTITY_MASS, 1);
+    check_is("kgf", QUANTITY_FORCE, 1);
+    check_is("kg", QUANTITY_FORCE, 0);
+    check_is("1", QUANTITY_ANGLE, 0);
+    check_is("N/mm2", QUANTITY_PRESSURE, 1);
+    check_is("N mm2", QUANTITY_PRESSURE, 0);
+    check_is("hp", QUANTITY_POWER, 1);
+    check_is("kW h", QUANTITY_ENERGY, 1);
+    check_is("slug in2", QUANTITY_INERTIA, 1);
+}
+
+static void test_quantities(void **unused)
+{
+    int q;
+
+    (void)unused;
+    for (q = 0; q < QUANTITY_COUNT; q++) {
+        char *end;
+        unit u;
+        text bad;
+
+        print_message("%s\n", flk_quantities[q].name);
+        assert_true(flk_unit_read(flk_text_of(flk_quantities[q].unit), &u, &bad));
+        assert_true(flk_dimension_equal(u.dim, flk_quantities[q].dim));
+        if (q == QUANTITY_ANGLE)
+            assert_close(flk_unit_to_si(180, u), PI, 1e-16);
+        else
+            assert_true(flk_unit_to_si(1, u) == 1);
+        assert_true(strtod(flk_quantities[q].example, &end) >
+                    0); /* messages offer it as an example */
+        if (q != QUANTITY_NUMBER) {
+            assert_true(flk_unit_read(flk_text_of(end), &u, &bad));
+            assert_true(flk_dimension_equal(u.dim, flk_quantities[q].dim));
+        }
+    }
+}
+
+static void test_refused(void **unused)
+{
+    /* what is refused, and the part of it that is to blame, if that is one word */
+    static const struct {
+        const char *text, *bad;
+    } refused[] = {
+        {"", NULL},
+        {"  ", NULL},
+        {"mN", "mN"},
+        {"Mm", "Mm"},
+        {"KG", "KG"},
+        {"RPM", "RPM"},
+        {"Deg", "Deg"},
+        {"pa", "pa"},
+        {"mpa", "mpa"},
+        {"n", "n"},
+        {"NM", "NM"},
+        {"S", "S"},
+        {"inch", "inch"},
+        {"lbs", "lbs"},
+        {"m5x", NULL},
+        {"m^", NULL},
+        {"m^x", NULL},
+        {"m5", NULL},
+        {"m^5", NULL},
+        {"m0", NULL},
+        {"m^0", NULL},
+        {"m22", NULL},
+        {"m^-1", NULL},
+        {"m-1", NULL},
+        {"m ^2", NULL},
+        {"m^^2", NULL},
+        {"N/", NULL},
+        {"N*", NULL},
+        {"N.", NULL},
+        {"N /", NULL},
+        {"/s", NULL},
+        {"*m", NULL},
+        {".m", NULL},
+        {"rad//s", NULL},
+        {"N**m", NULL},
+        {"N..m", NULL},
+        {"N./m", NULL},
+        {"N,m", NULL},
+        {"(N)", NULL},
+        {"N-m", NULL},
+        {"m+m", NULL},
+        {"2 m", NULL},
+        {"2m", NULL},
+        {"N furlong", "furlong"},
+        {"furlong/s", "furlong"},
+        {"N\302\267m", "N\302\267m"},
+        {"\302\260", "\302\260"},
+        {"\302\265m", "\302\265m"},
+        {"m\302\262", "m\302\262"},
+        {"%", NULL},
+        {"mm#", NULL},
+        {"Nm", "Nm"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        unit u;
+        text bad;
+
+        print_message("'%s'\n", refused[i].text);
+        assert_false(flk_unit_read(flk_text_of(refused[i].text), &u, &bad));
+        if (refused[i].bad) {
+            assert_int_equal(bad.length, strlen(refused[i].bad));
+            assert_memory_equal(bad.start, refused[i].bad, bad.length);
+        }
+    }
+}
+
+/* A text is not ended by a null character: what stands after it does not count. */
+static void test_stops_at_the_end(void **unused)
+{
+    text t = {"mm2 kg", 2}, bad;
+    unit u;
+
+    (void)unused;
+    assert_true(flk_unit_read(t, &u, &bad));
+    assert_int_equal(u.dim.m, 1);
+    assert_int_equal(u.dim.kg, 0);
+    t.length = 1;
+    assert_true(flk_unit_read(t, &u, &bad));
+    assert_true(flk_unit_to_si(1, u) == 1);
+}
+
+/* A product of so many factors that its value has no number is no unit; as 0, infinity or NaN it
+** would come out in the tables. */
+static void test_no_overflow(void **unused)
+{
+    static const char *const factors[] = {" km4", " mm4", "/km4", "/mm4", " GPa4", "/GPa4"};
+    char name[2000];
+    size_t i, j;
+
+    (void)unused;
+    for (i = 0; i < sizeof factors / sizeof factors[0]; i++)
+        for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
+            unit u;
+            text bad;
+            int k;
+
+            strcpy(name, "m");
+            for (k = 0; k < 100; k++)
+                strcat(name, factors[k < 50 ? i : j]);
+            print_message("%.30s ...%s\n", name, factors[j]);
+            if (flk_unit_read(flk_text_of(name), &u, &bad)) {
+                assert_true(flk_unit_to_si(1, u) > 0);
+                assert_true(flk_unit_to_si(1, u) <= 1e300);
+                assert_true(u.down / u.up > 0);
+                assert_true(u.down / u.up <= 1e300);
+            }
+        }
+}
+
+/* A decimal fraction of a metre written in millimetres is the same number. */
+static void test_rounded_once(void **unused)
+{
+    unit mm, cm, deg;
+    text bad;
+    int k;
+
+    (void)unused;
+    assert_true(flk_unit_read(flk_text_of("mm"), &mm, &bad));
+    assert_true(flk_unit_read(flk_text_of("cm"), &cm, &bad));
+    assert_true(flk_unit_read(flk_text_of("deg"), &deg, &bad));
+    assert_true(flk_unit_to_si(66, mm) == 0.066);
+    for (k = 1; k < 20000; k++) {
+        char metres[40];
+
+        sprintf(metres, "%d.%03d", k / 1000, k % 1000);
+        assert_true(flk_unit_to_si(k, mm) == strtod(metres, NULL));
+        sprintf(metres, "%d.%02d", k / 100, k % 100);
+        assert_true(flk_unit_to_si(k, cm) == strtod(metres, NULL));
+    }
+    assert_true(flk_unit_to_si(180, deg) == PI);
+    assert_true(flk_unit_to_si(90, deg) == PI / 2);
+    assert_true(flk_unit_to_si(360, deg) == 2 * PI);
+}
+
+static void test_nearest(void **unused)
+{
+    static const char *const cases[][2] = {
+        {"RPM", "rpm"},  {"Mm", "mm"},      {"mn", "MN"},   {"mpa", "MPa"}, {"degr", "deg"},
+        {"psia", "psi"}, {"slugs", "slug"}, {"kpa", "kPa"}, {"lbs", "lb"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *nearest = flk_unit_nearest(flk_text_of(cases[i][0]), NULL);
+
+        print_message("%s\n", cases[i][0]);
+        assert_non_null(nearest);
+        assert_string_equal(nearest, cases[i][1]);
+    }
+    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_LENGTH].dim),
+                        "mm");
+    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_FORCE].dim),
+                        "MN");
+    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_LENGTH].dim),
+                        "mm");
+    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_TORQUE].dim),
+                        "N m");
+    assert_null(flk_unit_nearest(flk_text_of("furlong"), NULL));
+    assert_null(flk_unit_nearest(flk_text_of(""), NULL));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),           cmocka_unit_test(test_dimensions),
+        cmocka_unit_test(test_quantities),       cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_stops_at_the_end), cmocka_unit_test(test_no_overflow),
+        cmocka_unit_test(test_rounded_once),     cmocka_unit_test(test_nearest),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

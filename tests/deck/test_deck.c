@@ -1,0 +1,1368 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_deck.c - decks read into SI values; their mistakes, each with its line; hostile decks.
+*/
+#include <stdlib.h>
+
+#include <gsl/gsl_errno.h>
+
+#include "check.h"
+#include "deck/deck.h"
+
+/* Nine lines each: what a test adds stands at line 10. */
+#define FOUR_BAR             \
+    "mechanism = four-bar\n" \
+    "[ground]\n"             \
+    "length = 80 mm\n"       \
+    "[coupler]\n"            \
+    "length = 66 mm\n"       \
+    "[rocker]\n"             \
+    "length = 56 mm\n"       \
+    "[crank]\n"              \
+    "length = 20 mm\n"
+
+#define SLIDER_CRANK             \
+    "mechanism = slider-crank\n" \
+    "\n"                         \
+    "[rod]\n"                    \
+    "length = 1.2 m\n"           \
+    "[piston]\n"                 \
+    "mass = 50 kg\n"             \
+    "\n"                         \
+    "[crank]\n"                  \
+    "length = 300 mm\n"
+
+/* The files that the decks may name. */
+static const char *const files[][2] = {
+    {"card.txt", "# crank angle, pressure\n0 1\r\n\n 90.5\t32 # at the top\n180, 4e0\n270 ,2"},
+    {"two words.txt", "0 5\n100 6\n"},
+    {"empty.txt", "# nothing\n"},
+    {"wrong.txt", "0 1\n90 2\nlate 3\n"},
+    {"falling.txt", "0 1\n90 2\n45 3\n"},
+};
+
+static const char *load_file(void *host, const char *file_name, unsigned long *length)
+{
+    static char *copy; /* the last one: it has to last until the next call */
+    size_t i;
+
+    assert_ptr_equal(host, files);
+    free(copy);
+    copy = NULL;
+    for (i = 0; i < sizeof files / sizeof files[0]; i++)
+        if (strcmp(file_name, files[i][0]) == 0) {
+            *length = strlen(files[i][1]);
+            copy = malloc(*length); /* without a null character, as the loader promises none */
+            assert_non_null(copy);
+            return memcpy(copy, files[i][1], *length);
+        }
+    return NULL;
+}
+
+static int read_text(text contents, const deck_change *changes, size_t n, deck *d)
+{
+    return flk_deck_read("x.deck", contents, load_file, (void *)files, changes, n, 0, d);
+}
+
+static int read_changed(const char *contents, const deck_change *changes, size_t n, deck *d)
+{
+    int status = read_text(flk_text_of(contents), changes, n, d);
+    size_t i;
+
+    assert_int_equal(status, d->mistakes.count == 0);
+    for (i = 0; i < d->mistakes.count && i < 8; i++)
+        print_message("%s:%ld: %s\n", d->mistakes.list[i].place.source,
+                      d->mistakes.list[i].place.line, d->mistakes.list[i].message);
+    return status;
+}
+
+/* Read a deck that is in order. */
+static void read_good(const char *contents, deck *d)
+{
+    if (read_changed(contents, NULL, 0, d) != 1)
+        fail_msg("mistakes in\n%s", contents);
+}
+
+/* Read a deck that is in order with one change, which may be null. */
+static void read_with(const char *contents, const char *assignment, deck *d)
+{
+    deck_change change = {"--set", NULL};
+
+    change.assignment = assignment;
+    print_message("%s\n", assignment);
+    if (read_changed(contents, &change, 1, d) != 1)
+        fail_msg("mistakes with %s", assignment);
+}
+
+/* ---------------------------------------------------------------------------------- the mistakes
+ */
+
+typedef struct mistaken {
+    const char *contents;
+    long line;
+    const char *message;
+} mistaken;
+
+static const mistaken all_mistaken[] = {
+    /* sections and keys */
+    {FOUR_BAR "[grond]\nlength = 1\n", 10, "unknown section 'grond'; did you mean 'ground'?"},
+    {FOUR_BAR "[xyzzy]\n", 10, "unknown section 'xyzzy'"},
+    {FOUR_BAR "[]\n", 10, "unknown section ''"},
+    {FOUR_BAR "[crank]\n", 10, "a second [crank]; the first is at line 8"},
+    {FOUR_BAR "[motion\n", 10, "expected ']' at the end of the section's name"},
+    {FOUR_BAR "[motion fast]\n", 10, "[motion] takes no name, but has 'fast'"},
+    {FOUR_BAR "masss = 1 kg\n", 10, "unknown key 'masss' in [crank]; did you mean 'mass'?"},
+    {FOUR_BAR "lenght = 1 m\n", 10, "unknown key 'lenght' in [crank]; did you mean 'length'?"},
+    {FOUR_BAR "temperature = 1\n", 10, "unknown key 'temperature' in [crank]"},
+    {"speed = 3 rpm\n" FOUR_BAR, 1,
+     "unknown key 'speed' before the first section; it belongs to a section such as [motion]"},
+    {"titel = x\n" FOUR_BAR, 1,
+     "unknown key 'titel' before the first section; did you mean 'title'?"},
+    {FOUR_BAR "LENGTH = 1 m\n", 10, "'LENGTH' a second time; the first is at line 9"},
+    {FOUR_BAR "mass\n", 10, "expected 'key = value' or '[section]', not 'mass'"},
+    {FOUR_BAR "mass = # none\n", 10, "expected a value after 'mass ='"},
+    {FOUR_BAR "[rod]\nlength = 1 m\n", 10,
+     "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
+    {SLIDER_CRANK "[coupler]\nlength = 1 m\n", 10,
+     "a slider-crank has no [coupler]; its link 3 is the [rod]"},
+    {SLIDER_CRANK "[rocker]\n", 10, "a slider-crank has no [rocker]"},
+    {FOUR_BAR "[piston]\nmass = 1 kg\n", 10, "a four-bar linkage has no [piston]"},
+    {SLIDER_CRANK "[ground]\nlength = 1 m\n", 11, "the ground of a slider-crank has no length"},
+
+    /* the mechanism */
+    {"[ground]\nlength = 1 m\n", 1,
+     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+    {"", 1,
+     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+    {"title = x\nmechanism = fourbar\n", 2,
+     "expected four-bar or slider-crank, not 'fourbar'; did you mean 'four-bar'?"},
+    {"mechanism = scotch yoke\n", 1, "expected four-bar or slider-crank, not 'scotch yoke'"},
+    {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
+     "length = 66 mm\n[rocker]\nmass = 1 kg\n",
+     8, "[rocker] has no length"},
+    {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
+     "length = 66 mm\n",
+     7, "there is no [rocker] with a length in it"},
+    {"mechanism = slider-crank\n[crank]\nlength = 20 mm\n", 3,
+     "there is no [rod] with a length in it"},
+    {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
+     "length = 300 mm\n[rocker]\nlength = 56 mm\n",
+     7,
+     "the coupler, 300 mm, is longer than the other three together, 156 mm: they cannot be "
+     "assembled"},
+    {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
+     "the offset, -2 m, is more than crank and rod together, 1.5 m: the rod never reaches"},
+
+    /* numbers and units */
+    {FOUR_BAR "mass = heavy\n", 10, "expected a mass, such as 0.3 kg, not 'heavy'"},
+    {FOUR_BAR "mass = kg 3\n", 10, "expected a mass, such as 0.3 kg, not 'kg 3'"},
+    {FOUR_BAR "mass = 3 kgg\n", 10, "unknown unit 'kgg' in '3 kgg'; did you mean 'kg'?"},
+    {FOUR_BAR "mass = 3 KG\n", 10, "unknown unit 'KG' in '3 KG'; did you mean 'kg'?"},
+    {FOUR_BAR "mass = 3 furlong\n", 10, "unknown unit 'furlong' in '3 furlong'"},
+    {FOUR_BAR "inertia = 3 kg m2 wobbly\n", 10, "unknown unit 'wobbly' in '3 kg m2 wobbly'"},
+    {FOUR_BAR "mass = 3 mm\n", 10, "'3 mm' is a length; expected a mass, such as 0.3 kg"},
+    {FOUR_BAR "mass = 3 N\n", 10, "'3 N' is a force; expected a mass, such as 0.3 kg"},
+    {FOUR_BAR "mass = 3 kg2\n", 10, "'3 kg2' is not a mass, such as 0.3 kg"},
+    {FOUR_BAR "mass = 1,5 kg\n", 10, "'1,5 kg': the decimal mark is a point, not a comma"},
+    {FOUR_BAR "mass = inf\n", 10, "'inf' is not a finite number"},
+    {FOUR_BAR "mass = nan kg\n", 10, "'nan kg' is not a finite number"},
+    {FOUR_BAR "mass = 1e999 kg\n", 10, "'1e999 kg' is not a finite number"},
+    {FOUR_BAR "mass = 0x10 kg\n", 10, "'0x10 kg': numbers are decimal"},
+    {FOUR_BAR "mass = 1e31 kg\n", 10, "'1e31 kg' is beyond what the program computes with"},
+    {FOUR_BAR "mass = 1e300 t\n", 10, "'1e300 t' is beyond what the program computes with"},
+    {FOUR_BAR "[motion]\nspeed = 25 Hz\n", 11, "'25 Hz' is not an angular speed, such as 1000 rpm"},
+    {FOUR_BAR "[motion]\nspeed = 25 1/s\n", 11,
+     "'25 1/s' is not an angular speed, such as 1000 rpm"},
+    {FOUR_BAR "[motion]\nspeed = 3 N m/s\n", 11,
+     "'3 N m/s' is a power; expected an angular speed, such as 1000 rpm"},
+    {FOUR_BAR "[motion]\nspeed = 3 m/s\n", 11,
+     "'3 m/s' is a speed; expected an angular speed, such as 1000 rpm"},
+    {FOUR_BAR "[motion]\nspeed = 3 rad\n", 11,
+     "'3 rad' is an angle; expected an angular speed, such as 1000 rpm"},
+    {FOUR_BAR "[motion]\nacceleration = 3 rad/s\n", 11,
+     "'3 rad/s' is an angular speed; expected an angular acceleration, such as 5 rad/s2"},
+    {FOUR_BAR "[units]\nlength = mmm\n", 11, "unknown unit 'mmm' in 'mmm'; did you mean 'mm'?"},
+
+    /* signs and sizes */
+    {"mechanism = slider-crank\n[rod]\nlength = -1 m\n[crank]\nlength = 1 m\n", 3,
+     "the length must be positive, not -1 m"},
+    {"mechanism = slider-crank\n[rod]\nlength = 0\n[crank]\nlength = 1 m\n", 3,
+     "the length must be positive, not 0"},
+    {"mechanism = slider-crank\n[rod]\nlength = 1e-16 m\n[crank]\nlength = 1 m\n", 3,
+     "'1e-16 m' is beyond what the program computes with"},
+    {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative, not -1 g"},
+    {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative, not -1 kg m2"},
+    {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11,
+     "the gyration must not be negative, not -1 mm"},
+    {FOUR_BAR "[motion]\ninterval = 0\n", 11, "the interval must be positive, not 0"},
+    {FOUR_BAR "[motion]\ninterval = -5 deg\n", 11, "the interval must be positive, not -5 deg"},
+    {FOUR_BAR "[motion]\ninterval = 1e-30 deg\n", 11, "the range has too many rows"},
+    {FOUR_BAR "[motion]\ncycle = 0 deg\n", 11, "the cycle must be positive, not 0 deg"},
+    {FOUR_BAR "[gravity]\nacceleration = -9.81 m/s2\n", 11,
+     "the acceleration must not be negative, not -9.81 m/s2"},
+    {FOUR_BAR "[table]\ndigits = 0\n", 11, "the digits must be positive, not 0"},
+    {FOUR_BAR "[table]\ndigits = 18\n", 11, "digits must be 1 to 17, not 18"},
+    {FOUR_BAR "[table]\ndigits = 4.5\n", 11, "expected a whole number, not '4.5'"},
+    {FOUR_BAR "[table]\ndigits = 4 mm\n", 11, "expected a whole number, not '4 mm'"},
+
+    /* links, loads, motion */
+    {FOUR_BAR "gyration = 8 mm\n", 10, "the radius of gyration needs a mass"},
+    {FOUR_BAR "mass = 1 kg\ngyration = 8 mm\ninertia = 1 kg m2\n", 11,
+     "give one of gyration, inertia and swing_period, not several"},
+    {FOUR_BAR "mass = 1 kg\ncg = (1 mm, 2 mm)\n", 11,
+     "expected two components, such as (10, 5) mm, not '(1 mm, 2 mm)'"},
+    {FOUR_BAR "mass = 1 kg\ncg = (1, 2 mm\n", 11,
+     "expected two components, such as (10, 5) mm, not '(1, 2 mm'"},
+    {FOUR_BAR "mass = 1 kg\ncg = 5 mm at 3 mm\n", 11,
+     "'5 mm at 3 mm' is a length; expected an angle, such as 40 deg"},
+    {FOUR_BAR "mass = 1 kg\ncg = 5 kg at 3 deg\n", 11,
+     "'5 kg at 3 deg' is a mass; expected a length, such as 80 mm"},
+    {FOUR_BAR "[load]\nlink = coupler\nforce = 50 N\n", 12,
+     "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, not '50 N'"},
+    {FOUR_BAR "[load]\nlink = coupler\nforce = (3, 4) mm\n", 12,
+     "'(3, 4) mm' is a length; expected a force, such as 50 N"},
+    {FOUR_BAR "[load]\ntorque = 1 N m\n", 10, "[load] has no link: crank, coupler or rocker"},
+    {SLIDER_CRANK "[load]\ntorque = 1 N m\n", 10, "[load] has no link: crank, rod or piston"},
+    {FOUR_BAR "[load]\nlink = rod\ntorque = 1 N m\n", 11,
+     "a four-bar linkage has no rod: its links are crank, coupler and rocker"},
+    {SLIDER_CRANK "[load]\nlink = rocker\ntorque = 1 N m\n", 11,
+     "a slider-crank has no rocker: its links are crank, rod and piston"},
+    {FOUR_BAR "[load]\nlink = rocker\n", 10, "[load] has neither a force nor a torque"},
+    {FOUR_BAR "[load]\nlink = rocker\ntorque = 1 N m\nat = 3 mm\n", 13, "'at' is for a force"},
+    {FOUR_BAR "[motion]\nspeed = 1 rad/s\nacceleration = 1 rad/s2\nto = -90 deg\n", 13,
+     "the range runs against the rotation of the accelerated crank; turn it round, or give 'hold = "
+     "yes'"},
+    {FOUR_BAR "[motion]\nrun_up = 90 deg\n", 11, "a run-up from rest needs an acceleration"},
+    {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nspeed = 1 rpm\n", 13,
+     "a run-up starts from rest: it takes an acceleration and no speed"},
+    {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nto = 1 rev\n", 13,
+     "a run-up ends one revolution after its angle: it takes no 'to'"},
+    {FOUR_BAR "mass = 1 kg\nswing_period = 2 s\n", 11,
+     "a swing_period needs a swing_pin: origin, end or a point of the link"},
+    {FOUR_BAR "mass = 1e20 kg\nswing_pin = end\nswing_period = 1e10 s\n", 12,
+     "the moment of inertia that follows is beyond what the program computes with"},
+    {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
+    {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
+    {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
+     "a swing_period of 0.1 s is too short: even all mass in one point, 0.02 m from the pin, "
+     "swings "
+     "more slowly"},
+    {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
+    {"mechanism = slider-crank\n[rod]\nlength = 100 mm\n[crank]\nstroke = 250 mm\n", 5,
+     "this rod has no such stroke: the crank would be longer"},
+    /* the longest is 2 sqrt(100 (100 - 50)) mm = 141.42 mm */
+    {"mechanism = slider-crank\n[ground]\noffset = -50 mm\n[rod]\nlength = 100 mm\n[crank]\n"
+     "stroke = 141.43 mm\n",
+     7, "this rod and offset have no such stroke"},
+    {SLIDER_CRANK "stroke = 1 m\n", 10, "give either the length or the stroke, not both"},
+    {FOUR_BAR "[gas]\nbore = 1 m\npressure = 1 bar\n", 10, "a four-bar linkage has no [gas]"},
+    {SLIDER_CRANK "[gas]\npressure = 1 bar\n", 10, "[gas] has no bore"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\n", 10, "[gas] has neither a pressure nor an indicator"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2\npressure = 1 bar\n", 13,
+     "give either the pressure or the indicator, not both"},
+    {SLIDER_CRANK "[gas]\nbore = 1 cm\npressure = 1 bar\npiston_rod = 11 mm\n", 13,
+     "the piston_rod, 11 mm, is not thinner than the bore"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1 bar, 90 2 kg\n", 12,
+     "'0 1 bar, 90 2 kg' is a mass; expected a pressure, such as 2 N/mm2"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 mm 1 bar, 90 2\n", 12,
+     "'0 mm 1 bar, 90 2' is a length; expected an angle, such as 40 deg"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 80 3\n", 12,
+     "the angles of a curve must rise"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 90 3\n", 12,
+     "the angles of a curve must rise"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1,\n", 12, "a curve needs at least two points"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 400 3\n", 12,
+     "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is one of four "
+     "strokes"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 360 3\n", 12,
+     "the curve does not close: its last point is the first, one cycle on"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file missing.txt\n", 12,
+     "cannot read the file 'missing.txt'"},
+    {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file empty.txt\n", 12,
+     "a curve needs at least two points"},
+    {"mechanism = four-bar\nseries = all\n[ground]\nlength = 80 mm\n[coupler]\nlength = 66 mm\n"
+     "[rocker]\nlength = 56 mm\n[crank]\nlength = 20 mm\n",
+     2, "a four-bar linkage has no series"},
+    {"series = xyzzy\n" SLIDER_CRANK, 1, "expected none, piston or all, not 'xyzzy'"},
+    {SLIDER_CRANK "[flywheel]\ninertia = 1 kg m2\nfluctuation = 0.02\n", 11,
+     "give either the fluctuation or the inertia: the other follows"},
+    {SLIDER_CRANK "[flywheel]\nfluctuation = 0\n", 11, "the fluctuation must be positive, not 0"},
+    {FOUR_BAR "[motion]\nhold = perhaps\n", 11, "expected no or yes, not 'perhaps'"},
+    {FOUR_BAR "[table]\nbranch = opened\n", 11,
+     "expected open, crossed or both, not 'opened'; did you mean 'open'?"},
+};
+
+static void test_every_mistake(void **unused)
+{
+    size_t i, failed = 0;
+
+    (void)unused;
+    for (i = 0; i < sizeof all_mistaken / sizeof all_mistaken[0]; i++) {
+        const mistaken *x = &all_mistaken[i];
+        const struct mistake *first;
+        deck d;
+
+        read_changed(x->contents, NULL, 0, &d);
+        first = d.mistakes.list;
+        if (d.mistakes.count != 1 || strcmp(first->message, x->message) != 0 ||
+            first->place.line != x->line || strcmp(first->place.source, "x.deck") != 0) {
+            print_error("expected x.deck:%ld: %s\nand nothing else of\n%s\n", x->line, x->message,
+                        x->contents);
+            failed++;
+        }
+        flk_deck_free(&d);
+    }
+    assert_int_equal(failed, 0);
+}
+
+/* Decks that are wrong, whatever the message; the line that is to blame. */
+static const struct {
+    const char *contents;
+    long line;
+} blamed[] = {
+    /* a blank between digits is a slip of the hand, not 2 times "1 mm" */
+    {"mechanism = slider-crank\n[rod]\nlength = 2 1 mm\n[crank]\nlength = 1 mm\n", 3},
+    {FOUR_BAR "mass = 3 kg 1\n", 10},
+    {FOUR_BAR "mass = 3 kg^\n", 10},
+    {FOUR_BAR "mass = 1 kg\ncg = 1 mm at\n", 11},
+    {FOUR_BAR "mass = 3 kg/\n", 10},
+    {FOUR_BAR "mass = 1 kg\ncg = 1e20 m\n", 11},
+    {FOUR_BAR "mass = 1 kg\ncg = (0, 1e20) m\n", 11},
+    {FOUR_BAR "mass = 1e20 kg\ngyration = 1e14 m\n", 11},
+    {FOUR_BAR "[load]\nlink = rocker\nforce = 1 N at 0 deg\nat = 1e20 m\n", 13},
+    {FOUR_BAR "[motion]\nat = 1e30 rad\n", 11},
+    {FOUR_BAR "[motion]\nfrom = 1e30 rad\n", 11},
+    {SLIDER_CRANK "[ground]\noffset = 1e16 m\n", 11},
+    {FOUR_BAR "[load]\nlink = crank\ntorque = 0,5 N m\n", 12},
+    /* the end of a crank that is given by its stroke is at half of it: 0.1 s is too short */
+    {"mechanism = slider-crank\n[rod]\nlength = 1 m\n[crank]\nstroke = 600 mm\nmass = 1 kg\n"
+     "swing_pin = end\nswing_period = 0.1 s\n",
+     8},
+};
+
+static void test_blamed_line(void **unused)
+{
+    size_t i, failed = 0;
+
+    (void)unused;
+    for (i = 0; i < sizeof blamed / sizeof blamed[0]; i++) {
+        deck d;
+
+        if (read_changed(blamed[i].contents, NULL, 0, &d) != 0 ||
+            d.mistakes.list[0].place.line != blamed[i].line) {
+            print_error("no mistake at line %ld of\n%s\n", blamed[i].line, blamed[i].contents);
+            failed++;
+        }
+        flk_deck_free(&d);
+    }
+    assert_int_equal(failed, 0);
+}
+
+static void test_all_in_one_run(void **unused)
+{
+    static const char contents[] = "title = many mistakes\n"
+                                   "mechanism = four-bar\n"
+                                   "[motion]\n"
+                                   "interval = 0\n" /* 4 */
+                                   "speed = 3 parsec\n"
+                                   "[ground]\n"
+                                   "[crank]\n"
+                                   "length = -1 mm\n"
+                                   "colour = red\n"
+                                   "[rod]\n" /* 10 */
+                                   "length = 1 m\n"
+                                   "[coupler]\n"
+                                   "mass = 1,5 kg\n"
+                                   "length = 1 m\n"
+                                   "length = 2 m\n"
+                                   "[craank]\n"
+                                   "whatever = 1\n"
+                                   "[rocker]\n"
+                                   "nonsense\n" /* 19 */
+                                   "length = 1 N\n";
+    static const long lines[] = {4, 5, 6, 8, 9, 10, 13, 15, 16, 19, 20};
+    static const char *const words[] = {"interval", "parsec", "[ground]", "positive",
+                                        "colour",   "[rod]",  "comma",    "second",
+                                        "craank",   "key",    "force"};
+    deck d;
+    size_t i;
+
+    (void)unused;
+    assert_int_equal(read_changed(contents, NULL, 0, &d), 0);
+    assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
+    for (i = 0; i < d.mistakes.count; i++) {
+        assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
+        assert_non_null(strstr(d.mistakes.list[i].message, words[i]));
+    }
+    flk_deck_free(&d);
+}
+
+/* ------------------------------------------------------------------------------- decks in order */
+
+static void check_link(const fourlink_link *link, double length, double mass, double inertia,
+                       double x, double y)
+{
+    assert_true(link->length == length);
+    assert_true(link->mass == mass);
+    assert_close(link->inertia, inertia, 1e-15);
+    assert_close(link->cg.x, x, 1e-15);
+    assert_close(link->cg.y, y, 1e-15);
+}
+
+static void test_four_bar(void **unused)
+{
+    static const char contents[] = "title = Every key\n"
+                                   "mechanism = four-bar\n"
+                                   "[ground]\nlength = 80 mm\nangle = 90 deg\n"
+                                   "[crank]\nlength = 2 cm\nmass = 100 g\ngyration = 8 mm\n"
+                                   "cg = 10 mm\n"
+                                   "[coupler]\nlength = 0.066\nmass = 0.3\ninertia = 2 kg.mm2\n"
+                                   "cg = 30 mm at 10 deg\n"
+                                   "[rocker]\nlength = 56 mm\nmass = 1 lb\ngyration = 1 in\n"
+                                   "cg = (28, -5) mm\n"
+                                   "[motion]\nspeed = 1000 rpm\nacceleration = -30 deg/s2\n"
+                                   "from = 20\nto = 0.5 rev\ninterval = 2.5 deg\n"
+                                   "[gravity]\nacceleration = 9.8 m/s2\n"
+                                   "[load F1]\nlink = coupler\nforce = 50 N at 30 deg\n"
+                                   "at = 20 mm at 90 deg\n"
+                                   "[load]\nlink = rocker\ntorque = 2 lbf.in\n"
+                                   "force = (3, -4) kN\nat = 0 mm\n"
+                                   "[table]\nbranch = crossed\ncolumns = theta2, mu\n"
+                                   "digits = 9\n";
+    deck d;
+
+    (void)unused;
+    read_good(contents, &d);
+    assert_string_equal(d.title, "Every key");
+    assert_int_equal(d.design.kind, FOURLINK_FOUR_BAR);
+    assert_true(d.design.link[1].length == 0.08);
+    check_link(&d.design.link[2], 0.02, 0.1, 0.1 * 0.008 * 0.008, 0.01, 0);
+    check_link(&d.design.link[3], 0.066, 0.3, 2e-6, 0.03 * cos(10 * DEG), 0.03 * sin(10 * DEG));
+    check_link(&d.design.link[4], 0.056, 0.45359237, 0.45359237 * 0.0254 * 0.0254, 0.028, -0.005);
+    assert_true(d.design.gravity.x == -9.8); /* the line A-D points upwards */
+    assert_true(d.design.gravity.y == 0);
+    assert_close(d.motion.speed, 104.71975511965977, 1e-15);
+    assert_close(d.motion.acceleration, -0.52359877559829887, 1e-15);
+    assert_true(d.motion.from == 20 && d.motion.interval == 2.5);
+    assert_close(d.motion.to, 180.0, 1e-15);
+    assert_close(d.motion.angle_unit, DEG, 1e-15);
+    assert_true(d.motion.run_up == 0 && d.motion.hold == 0);
+    assert_int_equal(d.one_instant, 0);
+    assert_int_equal(d.one_revolution, 0);
+    assert_int_equal(d.n_loads, 2);
+    assert_int_equal(d.loads[0].link, 3);
+    assert_int_equal(d.loads[0].frame, FOURLINK_FRAME_GROUND);
+    assert_close(d.loads[0].force.x, 50 * cos(30 * DEG), 1e-15);
+    assert_close(d.loads[0].force.y, 25.0, 1e-15);
+    assert_true(d.loads[0].at.x == 0 && d.loads[0].at.y == 0.02 && d.loads[0].torque == 0);
+    assert_int_equal(d.loads[1].link, 4);
+    assert_true(d.loads[1].force.x == 3000 && d.loads[1].force.y == -4000);
+    assert_close(d.loads[1].torque, 0.2259696580552334, 1e-15);
+    assert_int_equal(d.has_forces, 1);
+    assert_int_equal(d.open, 0);
+    assert_int_equal(d.crossed, 1);
+    assert_int_equal(d.digits, 9);
+    assert_int_equal(d.columns.names.length, strlen("theta2, mu"));
+    assert_memory_equal(d.columns.names.start, "theta2, mu", strlen("theta2, mu"));
+    assert_true(d.mechanism.design.link[4].length == 0.056);
+    flk_deck_free(&d);
+}
+
+static void test_slider_crank(void **unused)
+{
+    deck d;
+
+    (void)unused;
+    read_good(SLIDER_CRANK "mass = 4 kg\ninertia = 1.5 kg m2\ncg = (-0.1, 0)\n"
+                           "[ground]\noffset = -50 mm\n[load]\nlink = piston\n"
+                           "force = 1 kN at 180 deg\n[load]\nlink = rod\ntorque = -3 N m\n"
+                           "[motion]\nat = 1 rad\nhold = yes\nacceleration = 7 rad/s2\n",
+              &d);
+    assert_int_equal(d.design.kind, FOURLINK_SLIDER_CRANK);
+    check_link(&d.design.link[2], 0.3, 4, 1.5, -0.1, 0);
+    check_link(&d.design.link[3], 1.2, 0, 0, 0, 0);
+    assert_true(d.design.link[4].mass == 50);
+    assert_true(d.design.offset == -0.05);
+    assert_int_equal(d.n_loads, 2);
+    assert_int_equal(d.loads[0].link, 4);
+    assert_true(d.loads[0].force.x == -1000 && d.loads[0].force.y == 0);
+    assert_int_equal(d.loads[1].link, 3);
+    assert_true(d.loads[1].torque == -3);
+    assert_int_equal(d.one_instant, 1);
+    assert_int_equal(d.motion.hold, 1);
+    assert_true(d.motion.acceleration == 7);
+    assert_close(d.motion.from * d.motion.angle_unit, 1.0, 1e-15);
+    assert_true(d.motion.to == d.motion.from);
+    flk_deck_free(&d);
+}
+
+#define ENGINE                                                                     \
+    "mechanism = slider-crank\nseries = piston\n[crank]\nstroke = 600 mm\n"        \
+    "[rod]\nlength = 1.2 m\nmass = 50 kg\ncg = 500 mm\nswing_period = 2 s\n"       \
+    "swing_pin = origin\n[piston]\nmass = 30 kg\n[units]\npressure = bar\n"        \
+    "[gas]\nbore = 200 mm\nindicator = 0 deg 1 bar, 0.25 rev 32, # top\n"          \
+    "  180 400 kPa, 270 -.5\nback_pressure = 1 bar\npiston_rod = 4 cm\n"           \
+    "[load T]\nlink = crank\ntorque = 0 0 N m, 90 10 N m, 180 deg -3 N m, 360 0\n" \
+    "[flywheel]\nfluctuation = 0.02\n"
+
+static void check_curve(const curve *c, const double points[][2], size_t n)
+{
+    size_t i;
+    int turns;
+
+    assert_true(c->n > 0);
+    for (i = 0; i < n; i++)
+        for (turns = -2; turns <= 2; turns++)
+            assert_near(flk_curve_value(c, (points[i][0] + 360 * turns) * DEG), points[i][1],
+                        1e-9 * (1 + fabs(points[i][1])));
+}
+
+static void test_engine(void **unused)
+{
+    static const double card[][2] = {{0, 1e5}, {90, 32e5}, {180, 4e5}, {270, -0.5e5}};
+    static const double torque[][2] = {{0, 0}, {90, 10}, {180, -3}};
+    static const double card_file[][2] = {{0, 1e5}, {90.5, 32e5}, {180, 4e5}, {270, 2e5}};
+    double turns = 2 / (2 * 3.14159265358979323846), L = 9.81 * turns * turns;
+    deck d;
+    int i;
+
+    (void)unused;
+    read_good(ENGINE, &d);
+    assert_int_equal(d.approximation, FOURLINK_SERIES_PISTON);
+    assert_true(d.design.link[2].length == 0.3);
+    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    assert_close(d.gas.area, 0.031415926535897932, 1e-15);
+    assert_close(d.gas.back_area, 0.031415926535897932 * (1 - 0.04), 1e-15);
+    assert_true(d.gas.back_pressure == 1e5);
+    check_curve(&d.gas.indicator, card, 4);
+    for (i = -720; i < 720; i++) { /* between the points it stays between their values */
+        double p = flk_curve_value(&d.gas.indicator, i * DEG);
+
+        assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
+    }
+    check_curve(&d.variations[0].torque, torque, 3);
+    assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
+    assert_int_equal(d.has_forces, 1);
+    flk_deck_free(&d);
+
+    read_with(ENGINE, "gas.indicator=file card.txt", &d);
+    check_curve(&d.gas.indicator, card_file, 4);
+    flk_deck_free(&d);
+    read_with(ENGINE, "gas.indicator=file \"two words.txt\"", &d);
+    assert_near(flk_curve_value(&d.gas.indicator, 100 * DEG), 6e5, 1e-3);
+    flk_deck_free(&d);
+    read_with(ENGINE, "load T.torque=-7 N m", &d);
+    assert_true(d.loads[0].torque == -7);
+    assert_int_equal(d.variations[0].torque.n, 0);
+    flk_deck_free(&d);
+    read_with(ENGINE, "rod.swing_pin=end", &d);
+    assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
+    flk_deck_free(&d);
+    read_with(ENGINE, "rod.swing_pin=(500, -300) mm", &d);
+    assert_close(d.design.link[3].inertia, 50 * 0.3 * (L - 0.3), 1e-14);
+    flk_deck_free(&d);
+    read_with(ENGINE, "gravity.acceleration=0", &d); /* not where the rod was swung */
+    assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
+    flk_deck_free(&d);
+    read_with("mechanism = slider-crank\n[ground]\noffset = 300 mm\n[crank]\nstroke = 600 mm\n"
+              "[rod]\nlength = 1.2 m\n[flywheel]\ninertia = 3 kg m2\n",
+              "title=offset", &d);
+    assert_true(d.flywheel_inertia == 3);
+    { /* the dead centres are the stroke apart */
+        double r = d.design.link[2].length, e = 0.3;
+
+        assert_close(sqrt((1.2 + r) * (1.2 + r) - e * e) - sqrt((1.2 - r) * (1.2 - r) - e * e), 0.6,
+                     1e-14);
+    }
+    flk_deck_free(&d);
+    read_with("mechanism = slider-crank\n[ground]\noffset = 50 mm\n[crank]\nstroke = 141.42 mm\n"
+              "[rod]\nlength = 100 mm\n",
+              "title=longest", &d);
+    assert_true(d.design.link[2].length < 0.05 && d.design.link[2].length > 0.0495);
+    flk_deck_free(&d);
+}
+
+/* All mistakes of a deck in one run, wherever they stand; and none that only follows from another. */
+static void test_all_mistakes(void **unused)
+{
+    static const long lines[] = {3, 6, 10, 11, 14, 15};
+    const char *contents = "mechanism = slider-crank\n[ground]\noffset = 300 mm\n" /* 3 */
+                           "[crank]\nlength = 50 mm\nspeeed = 1\n"                 /* 6 */
+                           "[rod]\nlength = 200 mm\n[gas]\nbore = -1 cm\n"         /* 10 */
+                           "indicator = 0 1, 90 2, 80 3\n"                         /* 11 */
+                           "[motion]\nrun_up = 90 deg\nspeed = 1 kg\n"             /* 14 */
+                           "interval = 0\n";                                       /* 15 */
+    size_t i;
+    deck d;
+
+    (void)unused;
+    assert_int_equal(flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d), 0);
+    flk_mistakes_sort(&d.mistakes);
+    assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
+    for (i = 0; i < d.mistakes.count; i++)
+        assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
+    flk_deck_free(&d);
+}
+
+static void test_mistakes_of_files(void **unused)
+{
+    static const struct {
+        const char *name;
+        long line;
+        const char *message;
+    } cases[] = {{"wrong.txt", 3, "expected an angle, such as 40 deg, not 'late 3'"},
+                 {"falling.txt", 3, "the angles of a curve must rise"}};
+    char contents[500];
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        deck d;
+
+        sprintf(contents, SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file %s\n", cases[i].name);
+        assert_int_equal(read_changed(contents, NULL, 0, &d), 0);
+        assert_int_equal(d.mistakes.count, 1);
+        assert_string_equal(d.mistakes.list[0].place.source, cases[i].name);
+        assert_int_equal(d.mistakes.list[0].place.line, cases[i].line);
+        assert_string_equal(d.mistakes.list[0].message, cases[i].message);
+        flk_deck_free(&d);
+    }
+}
+
+/* Curves that the interpolation could not take: it must not be asked.  In order, or a mistake. */
+static void test_odd_curves(void **unused)
+{
+    static const char *const curves[] = {
+        "gas.indicator=0 deg 1 bar, 360 deg 1 bar",
+        "gas.indicator=10 1, 370 1",
+        "gas.indicator=0 1, 1e-300 2",
+        "gas.indicator=0 1, 1e-200 2, 180 3",
+        "gas.indicator=0 1, 1e-18 2e9, 180 3",
+        "gas.indicator=1e16 rad 1 bar, 1.0000000000000006e16 rad 2 bar",
+        "gas.indicator=1e29 rad 1 bar, 1.0000000000000001e29 rad 2 bar",
+        "gas.indicator=0 1, 359.99999999999994 2",
+        "gas.indicator=0 1e24, 1e-9 -1e24",
+        "load T.torque=0 1, 359.99999999 2, 360 1",
+        "motion.cycle=1e-12 rad",
+    };
+    deck_change change = {"--set", NULL};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+        deck d;
+        int k;
+
+        print_message("%s\n", curves[i]);
+        change.assignment = curves[i];
+        if (read_changed(ENGINE, &change, 1, &d))
+            for (k = -100; k < 100; k++) {
+                assert_true(fabs(flk_curve_value(&d.gas.indicator, k * 0.1)) <=
+                            FOURLINK_NUMBER_MAX);
+                assert_true(fabs(flk_curve_value(&d.variations[0].torque, k * 0.1)) <=
+                            FOURLINK_NUMBER_MAX);
+            }
+        flk_deck_free(&d);
+    }
+}
+
+static void test_defaults(void **unused)
+{
+    deck d;
+
+    (void)unused;
+    read_good(FOUR_BAR, &d);
+    assert_string_equal(d.title, "");
+    assert_true(d.design.gravity.x == 0 && d.design.gravity.y == -9.81);
+    assert_true(d.motion.from == 0 && d.motion.to == 360 && d.motion.interval == 10);
+    assert_true(d.motion.speed == 0 && d.motion.acceleration == 0);
+    assert_true(d.one_revolution == 1 && d.one_instant == 0);
+    assert_true(d.open == 1 && d.crossed == 1);
+    assert_int_equal(d.digits, 6);
+    assert_int_equal(d.has_forces, 0);
+    assert_int_equal(d.n_loads, 0);
+    assert_null(d.columns.names.start);
+    flk_deck_free(&d);
+
+    read_good(FOUR_BAR "[motion]\nspeed = -5 rad/s\n", &d);
+    assert_true(d.motion.to == -360); /* one cycle, in the direction of rotation */
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "[motion]\nspeed = 5 rad/s\ncycle = 720 deg\nfrom = 30 deg\n", &d);
+    assert_true(d.motion.from == 30 && d.motion.to == 750);
+    assert_int_equal(d.one_revolution, 0);
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "[motion]\nacceleration = -5 rad/s2\n", &d);
+    assert_true(d.motion.to == -360);
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 5 rad/s2\n", &d);
+    assert_true(d.motion.run_up == 90);
+    assert_int_equal(d.one_revolution, 1);
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "mass = 1 g\n", &d);
+    assert_int_equal(d.has_forces, 1);
+    flk_deck_free(&d);
+}
+
+/* Bare numbers take the units of [units], wherever in the deck that stands. */
+static void test_units(void **unused)
+{
+    deck d;
+
+    (void)unused;
+    read_good("mechanism = four-bar\n[ground]\nlength = 80\n[crank]\nlength = 2 cm\nmass = 3\n"
+              "inertia = 4\ncg = (1, 2)\n[coupler]\nlength = 66\nmass = 1\ngyration = 5\n[rocker]\n"
+              "length = 56\n[motion]\nspeed = 30\nacceleration = 2\nfrom = 1\nto = 3\n"
+              "interval = 0.25\n"
+              "[load]\nlink = crank\nforce = 2 at 1\ntorque = 7\nat = 4 at 90 deg\n"
+              "[gravity]\nacceleration = 386\ndirection = 0\n"
+              "[units]\nlength = mm\nmass = g\nangle = rad\nangular_speed = rpm\n"
+              "angular_acceleration = deg/s2\ninertia = g cm2\nforce = kN\ntorque = N mm\n"
+              "acceleration = in/s2\npressure = bar\ntime = ms\nspeed = km/h\npower = hp\n"
+              "energy = kJ\n",
+              &d);
+    assert_true(d.design.link[1].length == 0.08);
+    check_link(&d.design.link[2], 0.02, 0.003, 4e-7, 0.001, 0.002);
+    check_link(&d.design.link[3], 0.066, 0.001, 0.001 * 0.005 * 0.005, 0, 0);
+    assert_close(d.motion.speed, 3.1415926535897932, 1e-15);
+    assert_close(d.motion.acceleration, 2 * DEG, 1e-15);
+    assert_true(d.motion.angle_unit == 1);
+    assert_true(d.motion.from == 1 && d.motion.to == 3 && d.motion.interval == 0.25);
+    assert_close(d.loads[0].force.x, 2000 * cos(1), 1e-15);
+    assert_close(d.loads[0].force.y, 2000 * sin(1), 1e-15);
+    assert_true(d.loads[0].torque == 0.007);
+    assert_true(d.loads[0].at.x == 0 && d.loads[0].at.y == 0.004);
+    assert_close(d.design.gravity.x, 386 * 0.0254, 1e-15);
+    assert_true(d.design.gravity.y == 0);
+    assert_string_equal(d.units[QUANTITY_LENGTH].name, "mm");
+    assert_string_equal(d.units[QUANTITY_INERTIA].name, "g.cm2");
+    assert_string_equal(d.units[QUANTITY_POWER].name, "hp");
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_SPEED].unit), 1 / 3.6, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_PRESSURE].unit), 1e5, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_ENERGY].unit), 1e3, 1e-15);
+    assert_close(flk_unit_to_si(1, d.units[QUANTITY_TIME].unit), 1e-3, 1e-15);
+    flk_deck_free(&d);
+
+    read_good(FOUR_BAR "[units]\nangle = rad\n", &d); /* 10 deg and a revolution, in radians */
+    assert_close(d.motion.interval, 10 * DEG, 1e-9);
+    assert_close(d.motion.to, 360 * DEG, 1e-9);
+    assert_int_equal(d.one_revolution, 1);
+    flk_deck_free(&d);
+}
+
+static void check_title(const char *contents, const char *title)
+{
+    deck d;
+
+    print_message("----\n%s\n", contents);
+    read_good(contents, &d);
+    assert_string_equal(d.title, title);
+    assert_true(d.design.link[2].length == 0.02);
+    flk_deck_free(&d);
+}
+
+static void test_layout(void **unused)
+{
+    (void)unused;
+    check_title("# comment\n; comment\n\ntitle = A title # comment\n" FOUR_BAR, "A title");
+    check_title("title = A ; comment\n" FOUR_BAR, "A");
+    check_title("title = A#1;2\n" FOUR_BAR, "A#1;2");
+    check_title("title = \"Motor # 3 ; new\" # comment\n" FOUR_BAR, "Motor # 3 ; new");
+    check_title("title = \"  blanks  \"\n" FOUR_BAR, "  blanks  ");
+    check_title("title = a = b\n" FOUR_BAR, "a = b");
+    check_title("title = K\303\266nig \342\202\254\n" FOUR_BAR, "K\303\266nig \342\202\254");
+    check_title("title=tight\n" FOUR_BAR, "tight");
+    check_title("\357\273\277title = mark\n" FOUR_BAR, "mark");
+    check_title("\357\273\277" FOUR_BAR, "");
+    check_title("TITLE = upper\nMECHANISM = Four-Bar\n[GROUND] # 1\nLENGTH = 80 mm\n"
+                "\t[ Crank ]\n\t\tLength\t=\t20\tmm\t; 2\n[cOUPLER]\nlength = 66mm\n[ROCKER]\n"
+                "   length=56 mm",
+                "upper");
+    check_title("title = windows\r\nmechanism = four-bar\r\n\r\n[ground]\r\nlength = 80 mm\r\n"
+                "[crank] # 2\r\nlength = 20 mm # x\r\n[coupler]\r\nlength = 66 mm\r\n[rocker]\r\n"
+                "length = 56 mm\r\n",
+                "windows");
+    check_title("title = ends in a comma,\n" FOUR_BAR, "ends in a comma,");
+}
+
+/* A line that ends in a comma goes on in the next. */
+static void test_joined_lines(void **unused)
+{
+    deck d;
+    size_t i, n = 0;
+    char names[200];
+
+    (void)unused;
+    read_good(FOUR_BAR "[table]\ncolumns = theta2,   # the crank\n# a comment between\n\n"
+                       "  theta3,\r\n\tmu\ndigits = 3\n",
+              &d);
+    for (i = 0; i < d.columns.names.length; i++)
+        if (d.columns.names.start[i] != ' ')
+            names[n++] = d.columns.names.start[i];
+    names[n] = '\0';
+    assert_string_equal(names, "theta2,theta3,mu");
+    assert_int_equal(d.columns.place.line, 11);
+    assert_int_equal(d.digits, 3);
+    flk_deck_free(&d);
+}
+
+static void test_long_title(void **unused)
+{
+    static char contents[2000];
+    deck d;
+    size_t i;
+
+    (void)unused;
+    strcpy(contents, "title = ");
+    for (i = 0; i < 300; i++)
+        strcat(contents, "\303\266");
+    strcat(contents, "\n" FOUR_BAR);
+    read_good(contents, &d);
+    assert_in_range(strlen(d.title), sizeof d.title - 5, sizeof d.title - 1);
+    assert_string_equal(d.title + strlen(d.title) - 5, "\303\266...");
+    flk_deck_free(&d);
+}
+
+static void check_vector(const char *assignment, double x, double y, double tolerance)
+{
+    deck d;
+    fourlink_vector v;
+
+    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\nat = 0 mm\n", assignment, &d);
+    v = strncmp(assignment, "load.force", 10) == 0 ? d.loads[0].force : d.design.link[2].cg;
+    assert_near(v.x, x, tolerance);
+    assert_near(v.y, y, tolerance);
+    flk_deck_free(&d);
+}
+
+static void test_vectors(void **unused)
+{
+    static const struct {
+        const char *angle;
+        double x, y;
+    } quarters[] = {
+        {"0", 1, 0},        {"90 deg", 0, 1},    {"180 deg", -1, 0},  {"270 deg", 0, -1},
+        {"-90 deg", 0, -1}, {"-180 deg", -1, 0}, {"-270", 0, 1},      {"360 deg", 1, 0},
+        {"450", 0, 1},      {"0.25 rev", 0, 1},  {"-0.5 rev", -1, 0}, {"-450 deg", 0, -1},
+        {"1 rev", 1, 0},    {"-360 deg", 1, 0},
+    };
+    char assignment[100];
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof quarters / sizeof quarters[0]; i++) {
+        sprintf(assignment, "crank.cg=10 mm at %s", quarters[i].angle);
+        check_vector(assignment, 0.01 * quarters[i].x, 0.01 * quarters[i].y, 0);
+        sprintf(assignment, "load.force=-3 N at %s", quarters[i].angle);
+        check_vector(assignment, -3 * quarters[i].x, -3 * quarters[i].y, 0);
+    }
+    check_vector("crank.cg=10 mm", 0.01, 0, 0);
+    check_vector("crank.cg=-10 mm", -0.01, 0, 0);
+    check_vector("crank.cg=(1, -2) cm", 0.01, -0.02, 0);
+    check_vector("crank.cg=(1,-2) cm", 0.01, -0.02, 0);
+    check_vector("crank.cg=( 1.5 , 2e-3 )", 1.5, 0.002, 0);
+    check_vector("crank.cg=(1 ,2)in", 0.0254, 0.0508, 0);
+    check_vector("crank.cg=1 in at 30 deg", 0.0254 * sqrt(3) / 2, 0.0127, 1e-17);
+    check_vector("crank.cg=2 m at -45 deg", sqrt(2), -sqrt(2), 4e-16);
+    check_vector("load.force=(3, 4) N", 3, 4, 0);
+    check_vector("load.force=2 N at 60 deg", 1, sqrt(3), 4e-16);
+    check_vector("load.force=2 N at 1 rad", 2 * cos(1), 2 * sin(1), 4e-16);
+    check_vector("load.force=2 N  at  150", -sqrt(3), 1, 8e-16);
+    check_vector("load.force=2 N\tat\t90 deg", 0, 2, 0);
+}
+
+static void test_gravity(void **unused)
+{
+    deck d;
+
+    (void)unused;
+    read_good(FOUR_BAR "[gravity]\nacceleration = 0\n", &d);
+    assert_true(d.design.gravity.x == 0 && d.design.gravity.y == 0);
+    flk_deck_free(&d);
+    read_good(FOUR_BAR "[gravity]\ndirection = 30 deg\nacceleration = 10 m/s2\n", &d);
+    assert_near(d.design.gravity.x, 10 * cos(30 * DEG), 1e-14);
+    assert_near(d.design.gravity.y, 5, 1e-14);
+    flk_deck_free(&d);
+
+    /* The inclination of the line A-D turns gravity against itself, and nothing else. */
+    read_with(FOUR_BAR "[load]\nlink = crank\nforce = 2 N at 90 deg\nat = 0 mm\n",
+              "ground.angle=30 deg", &d);
+    assert_near(d.design.gravity.x, -9.81 / 2, 1e-14);
+    assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
+    assert_true(d.loads[0].force.x == 0 && d.loads[0].force.y == 2);
+    assert_true(d.motion.from == 0 && d.motion.to == 360);
+    flk_deck_free(&d);
+    read_with(SLIDER_CRANK, "ground.angle=90 deg", &d); /* a vertical engine, piston on top */
+    assert_true(d.design.gravity.x == -9.81 && d.design.gravity.y == 0);
+    flk_deck_free(&d);
+    read_with(SLIDER_CRANK, "ground.angle=-90 deg", &d);
+    assert_true(d.design.gravity.x == 9.81 && d.design.gravity.y == 0);
+    flk_deck_free(&d);
+}
+
+/* ---------------------------------------------------------------------- changes from the outside */
+
+#define LOADS                                                           \
+    "[load F1]\nlink = coupler\nforce = (1, 0) N\nat = 0 mm\n" /* 10 */ \
+    "[load F2]\nlink = coupler\nforce = (2, 0) N\nat = 0 mm\n"
+
+static void test_changes(void **unused)
+{
+    static const deck_change several[] = {{"--set", "crank.length=21 mm"},
+                                          {"--interval", "motion.interval=5 deg"},
+                                          {"--set", "crank.length=22 mm"},
+                                          {"--branch", "table.branch=open"}};
+    deck d;
+
+    (void)unused;
+    read_with(FOUR_BAR, "crank.length=30 mm", &d);
+    assert_true(d.design.link[2].length == 0.03);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR, "crank.mass=2 kg", &d);
+    assert_true(d.design.link[2].mass == 2 && d.has_forces == 1);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR, "motion.speed = 3 rad/s", &d); /* a section that the deck has not */
+    assert_true(d.motion.speed == 3);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR, " Motion . Speed=3 rad/s ", &d);
+    assert_true(d.motion.speed == 3);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR, "title=New = old", &d);
+    assert_string_equal(d.title, "New = old");
+    flk_deck_free(&d);
+    read_with(FOUR_BAR "[units]\nlength = m\n", "units.length=in", &d);
+    assert_true(d.design.link[2].length == 0.02);
+    assert_string_equal(d.units[QUANTITY_LENGTH].name, "in");
+    flk_deck_free(&d);
+    read_with(FOUR_BAR LOADS, "load F2.force=5 N at 90 deg", &d);
+    assert_true(d.loads[0].force.x == 1 && d.loads[0].force.y == 0);
+    assert_true(d.loads[1].force.x == 0 && d.loads[1].force.y == 5);
+    flk_deck_free(&d);
+    read_with(FOUR_BAR LOADS, "LOAD f1.torque=5 N m", &d);
+    assert_true(d.loads[0].torque == 5 && d.loads[1].torque == 0);
+    flk_deck_free(&d);
+    /* unless two names differ in that alone */
+    read_with(FOUR_BAR LOADS "[load f1]\nlink = crank\ntorque = 1 N m\n", "load f1.torque=5 N m",
+              &d);
+    assert_true(d.loads[0].torque == 0 && d.loads[2].torque == 5);
+    flk_deck_free(&d);
+    read_with("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = nonsense\n"
+              "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n",
+              "crank.length=20 mm", &d); /* what is replaced is not judged */
+    flk_deck_free(&d);
+
+    assert_int_equal(read_changed(FOUR_BAR, several, 4, &d), 1);
+    assert_true(d.design.link[2].length == 0.022); /* the last one counts */
+    assert_true(d.motion.interval == 5);
+    assert_true(d.open == 1 && d.crossed == 0);
+    flk_deck_free(&d);
+}
+
+static void test_mistaken_changes(void **unused)
+{
+    static const struct {
+        const char *assignment, *message;
+    } cases[] = {
+        {"crank.length", "expected [SECTION.]KEY=VALUE, not 'crank.length'"},
+        {"", "expected [SECTION.]KEY=VALUE, not ''"},
+        {"crank.length=", "expected a value after 'length ='"},
+        {"cranc.length=1 m", "unknown section 'cranc'; did you mean 'crank'?"},
+        {"crank.lenght=1 m", "unknown key 'lenght' in [crank]; did you mean 'length'?"},
+        {"crank.length=1 kg", "'1 kg' is a mass; expected a length, such as 80 mm"},
+        {"crank.length=-1 m", "the length must be positive, not -1 m"},
+        {"load F9.torque=1 N m", "there is no [load F9] in the deck"},
+        {"load.torque=1 N m", "there are several [load] sections: name one of them"},
+        {"rod.length=1 m", "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
+        {"crank.length=1 m",
+         "the crank, 1 m, is longer than the other three together, 0.202 m: they cannot be "
+         "assembled"},
+    };
+    deck_change change = {"--set", NULL};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        deck d;
+
+        change.assignment = cases[i].assignment;
+        assert_int_equal(read_changed(FOUR_BAR LOADS, &change, 1, &d), 0);
+        assert_int_equal(d.mistakes.count, 1);
+        assert_string_equal(d.mistakes.list[0].message, cases[i].message);
+        assert_string_equal(d.mistakes.list[0].place.source, "--set");
+        assert_int_equal(d.mistakes.list[0].place.line, 0);
+        flk_deck_free(&d);
+    }
+}
+
+/* --------------------------------------------------------------------------------- hostile decks */
+
+/* A deck is in order, and then the library takes all of it; or it has a mistake, and then it says
+** where.  1 in order, 0 not. */
+static int check_outcome(const char *contents, size_t length)
+{
+    text t;
+    deck d;
+    int status;
+    size_t i;
+    long lines = 1;
+
+    for (i = 0; i < length; i++)
+        lines += contents[i] == '\n';
+    t.start = contents;
+    t.length = length;
+    status = read_text(t, NULL, 0, &d);
+    assert_int_equal(status, d.mistakes.count == 0);
+    if (status) {
+        fourlink_mechanism mechanism;
+        fourlink_range range;
+        fourlink_row row;
+        fourlink_state state;
+        fourlink_forces forces;
+
+        assert_int_equal(fourlink_prepare(&d.design, &mechanism), FOURLINK_OK);
+        assert_int_equal(fourlink_motion_range(&d.motion, &range), FOURLINK_OK);
+        assert_int_equal(fourlink_motion_row(&d.motion, &range, 0, &row), FOURLINK_OK);
+        status = fourlink_analyse(&mechanism, FOURLINK_OPEN, &row.crank, d.loads, d.n_loads, &state,
+                                  &forces);
+        assert_in_range(status, FOURLINK_OK, FOURLINK_NULL - 1);
+        assert_true(d.open || d.crossed);
+        assert_in_range(d.digits, 1, 17);
+        for (i = 0; i < 20; i++) {
+            if (d.gas.indicator.n)
+                assert_true(fabs(flk_curve_value(&d.gas.indicator, (double)i)) <=
+                            FOURLINK_NUMBER_MAX);
+            if (d.n_loads && d.variations[0].torque.n)
+                assert_true(fabs(flk_curve_value(&d.variations[0].torque, (double)i)) <=
+                            FOURLINK_NUMBER_MAX);
+        }
+        status = 1;
+    }
+    for (i = 0; i < d.mistakes.count; i++) {
+        const struct mistake *x = &d.mistakes.list[i];
+        const char *c;
+
+        assert_string_equal(x->place.source, "x.deck");
+        assert_in_range(x->place.line, 1, lines);
+        assert_true(i == 0 || x[-1].place.line <= x->place.line);
+        assert_in_range(strlen(x->message), 5, sizeof x->message - 1);
+        for (c = x->message; *c; c++)
+            assert_true((unsigned char)*c >= ' ' && *c != 0x7f);
+    }
+    flk_deck_free(&d);
+    return status;
+}
+
+static size_t pick(uint64_t *seed, size_t n)
+{
+    return (size_t)uniform(seed, 0, (double)n);
+}
+
+static void test_random_bytes(void **unused)
+{
+    static const char likely[] = "[]=\n\r\t #;,.()\"-+019e^/*atmrdgkNloadcrank";
+    char contents[400];
+    uint64_t seed = 11;
+    int i;
+    size_t j, n;
+
+    (void)unused;
+    for (i = 0; i < 20000; i++) {
+        n = pick(&seed, sizeof contents);
+        for (j = 0; j < n; j++)
+            contents[j] = i % 2 ? likely[pick(&seed, sizeof likely - 1)]
+                                : (char)(unsigned char)pick(&seed, 256);
+        assert_int_equal(check_outcome(contents, n), 0); /* it has no mechanism */
+    }
+}
+
+static const char valid[] = "title = \"Mutant; # 1\"\n"
+                            "mechanism = four-bar\n"
+                            "[units]\nlength = mm\nangle = deg\nforce = N\n"
+                            "[ground]\nlength = 80\nangle = 10 deg\n"
+                            "[crank] # 2\nlength = 20 mm\nmass = 0.1 kg\ngyration = 8 mm\n"
+                            "cg = 10 mm\n"
+                            "[coupler]\nlength = 66 mm\nmass = 0.3 kg\ninertia = 2 kg.mm2\n"
+                            "cg = 30 mm at 10 deg\n"
+                            "[rocker]\nlength = 56 mm\ncg = (28, -5) mm\n"
+                            "[load Tl]\nlink = rocker\ntorque = 0.5 N m\n"
+                            "[load F]\nlink = coupler\nforce = 5 N at 30 deg\nat = 3 mm\n"
+                            "[motion]\nspeed = 10.5 rad/s\nacceleration = 1 rad/s2\nfrom = 0\n"
+                            "to = 90 deg\ninterval = 5 deg\n"
+                            "[gravity]\nacceleration = 9.81 m/s2\ndirection = -90 deg\n"
+                            "[table]\nbranch = both\ncolumns = theta2, theta3,\n  Ts\n"
+                            "digits = 7\n";
+
+#define MUTANT_SIZE (sizeof valid + 4096)
+
+/* Replace `remove` bytes at `where` by `n` others. */
+static size_t splice(char *contents, size_t length, size_t where, size_t remove, const char *bytes,
+                     size_t n)
+{
+    if (remove > length - where)
+        remove = length - where;
+    if (length - remove + n > MUTANT_SIZE)
+        return length;
+    memmove(contents + where + n, contents + where + remove, length - where - remove);
+    memcpy(contents + where, bytes, n);
+    return length - remove + n;
+}
+
+static void mutate(const char *original, size_t size, uint64_t seed)
+{
+    static const char *const tokens[] = {
+        "1e400",
+        "-",
+        "nan",
+        "inf",
+        "1e30",
+        "1e-30",
+        "1e15",
+        "0",
+        "mm",
+        "km4",
+        "rad",
+        " at ",
+        "(",
+        ")",
+        ",",
+        "=",
+        "[",
+        "]",
+        "\"",
+        "#",
+        "\n",
+        "\r\n",
+        "\t",
+        "\n[",
+        "]\n",
+        ",\n",
+        "^",
+        "/",
+        "rpm",
+        "1",
+        "e9",
+        "e-9",
+        "\0",
+        "\303",
+        "\357\273\277",
+        "9",
+        "[load]\n",
+        "[rod]\n",
+        "run_up = 1\n",
+        "at = 5\n",
+        "hold = yes\n",
+        "slider-crank",
+        "[piston]\n",
+        "stroke = 1\n",
+        "cycle = 1e-9\n",
+        "[motion]\n",
+        "99999999999999999999",
+    };
+    char contents[MUTANT_SIZE], piece[64];
+    int i, good = 0, bad = 0;
+
+    assert_int_equal(check_outcome(original, size), 1);
+    for (i = 0; i < 20000; i++) {
+        size_t length = size, changes = 1 + pick(&seed, 4), n, from;
+        const char *token;
+        char c;
+
+        memcpy(contents, original, length);
+        while (changes-- > 0) {
+            size_t where = pick(&seed, length + 1);
+
+            switch (pick(&seed, 7)) {
+            case 0: /* another byte */
+                c = (char)(unsigned char)pick(&seed, 256);
+                length = splice(contents, length, where, 1, &c, 1);
+                break;
+            case 1: /* less */
+                length = splice(contents, length, where, 1 + pick(&seed, 12), "", 0);
+                break;
+            case 2: /* a piece of itself */
+                n = pick(&seed, sizeof piece);
+                from = pick(&seed, length + 1);
+                n = n > length - from ? length - from : n;
+                memcpy(piece, contents + from, n);
+                length = splice(contents, length, where, pick(&seed, 2) * n, piece, n);
+                break;
+            case 3: /* other digits: often still a deck */
+            case 4:
+            case 5:
+                while (where < length && (contents[where] < '0' || '9' < contents[where]))
+                    where++;
+                c = (char)('0' + pick(&seed, 10));
+                length = splice(contents, length, where, 1, &c, where < length);
+                break;
+            case 6: /* a word in place of some bytes */
+            default:
+                token = tokens[pick(&seed, sizeof tokens / sizeof tokens[0])];
+                n = *token ? strlen(token) : 1;
+                length = splice(contents, length, where, pick(&seed, 6), token, n);
+            }
+        }
+        if (check_outcome(contents, length))
+            good++;
+        else
+            bad++;
+    }
+    print_message("%d in order, %d with mistakes\n", good, bad);
+    assert_true(good > 1000); /* both ends of the reader are reached */
+    assert_true(bad > 1000);
+}
+
+static void test_mutations(void **unused)
+{
+    (void)unused;
+    mutate(valid, sizeof valid - 1, 3491);
+}
+
+static void test_mutations_of_an_engine(void **unused)
+{
+    (void)unused;
+    mutate(ENGINE, sizeof ENGINE - 1, 3492);
+}
+
+/* Fill a buffer with copies of a piece, after a deck in order. */
+static char *repeated(const char *before, const char *piece, size_t times, const char *after)
+{
+    size_t n = strlen(piece), i;
+    char *all = malloc(strlen(before) + n * times + strlen(after) + 1), *end;
+
+    assert_non_null(all);
+    strcpy(all, before);
+    end = all + strlen(all);
+    for (i = 0; i < times; i++, end += n)
+        memcpy(end, piece, n);
+    strcpy(end, after);
+    return all;
+}
+
+static void check_repeated(const char *before, const char *piece, size_t times, const char *after,
+                           int good)
+{
+    char *contents = repeated(before, piece, times, after);
+
+    print_message("%.20s %lu times\n", piece, (unsigned long)times);
+    assert_int_equal(check_outcome(contents, strlen(contents)), good);
+    free(contents);
+}
+
+static void test_large(void **unused)
+{
+    static const char *const pieces[] = {"(",    ")",   "[",   "]",  "=",    ",",  "\"",
+                                         "^",    "/",   ".",   "-",  "a",    "1",  "1 ",
+                                         " at ", "mm ", "mm/", "1e", "(1, ", "m4 "};
+    size_t i;
+
+    (void)unused;
+    check_repeated(FOUR_BAR, "# comment\n", 100000, "", 1);
+    check_repeated(FOUR_BAR, "\n", 1000000, "", 1);
+    check_repeated("title = ", "x", 1000000, "\n" FOUR_BAR, 0);
+    check_repeated(FOUR_BAR, "x", 1000000, "", 0);
+    check_repeated(FOUR_BAR, "[load]\n", 100000, "", 0);
+    check_repeated(FOUR_BAR, "[load x]\nlink = crank\ntorque = 1\n", 100000, "", 0);
+    check_repeated(FOUR_BAR, "[load]\nlink = crank\ntorque = 1\n", 1000, "", 1);
+    check_repeated(FOUR_BAR, "[crank]\n", 100000, "", 0);
+    check_repeated(FOUR_BAR, "[unknown]\nkey = 1\n", 100000, "", 0);
+    check_repeated(FOUR_BAR, "mass = 1\n", 100000, "", 0);
+    check_repeated(FOUR_BAR "[table]\ncolumns = theta2,", "theta2,\n", 100000, "mu\n", 1);
+    check_repeated(FOUR_BAR "mass = 1", "0", 500, " kg\n", 0);
+    check_repeated(FOUR_BAR "mass = 0.", "0", 300, "1 kg\n", 1);
+    for (i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
+        check_repeated(FOUR_BAR, pieces[i], 10000, "\n", 0);
+        check_repeated(FOUR_BAR "cg = ", pieces[i], 10000, "\n", 0);
+        check_repeated(FOUR_BAR "mass = 1 ", pieces[i], 10000, "\n", 0);
+    }
+}
+
+static void test_left_out(void **unused)
+{
+    char *contents = repeated(FOUR_BAR, "[unknown]\n", 100000, "");
+    deck d;
+
+    (void)unused;
+    assert_int_equal(read_text(flk_text_of(contents), NULL, 0, &d), 0);
+    assert_in_range(d.mistakes.count, 20, 1000); /* what fits a screen or a few */
+    assert_int_equal(d.mistakes.count + d.mistakes.left_out, 100000);
+    assert_int_equal(d.mistakes.list[0].place.line, 10);
+    flk_deck_free(&d);
+    free(contents);
+}
+
+static void check_noted(const char *contents, size_t length, long line, const char *message)
+{
+    text t;
+    deck d;
+    size_t i;
+
+    t.start = contents;
+    t.length = length;
+    assert_int_equal(read_text(t, NULL, 0, &d), 0);
+    for (i = 0; i < d.mistakes.count; i++)
+        if (d.mistakes.list[i].place.line == line &&
+            strcmp(d.mistakes.list[i].message, message) == 0)
+            break;
+    if (i == d.mistakes.count)
+        fail_msg("line %ld: '%s' was not noted", line, message);
+    flk_deck_free(&d);
+}
+
+static void test_no_text(void **unused)
+{
+    static const char null[] = FOUR_BAR "mass = 1\0 kg\n";
+    static const char bell[] = "title = \a\n" FOUR_BAR;
+    static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
+    char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
+
+    (void)unused;
+    check_noted(null, sizeof null - 1, 10, "a control character (0x00): decks are plain text");
+    check_noted(bell, sizeof bell - 1, 1, "a control character (0x07): decks are plain text");
+    check_noted(utf16, sizeof utf16 - 1, 1, "a control character (0x00): decks are plain text");
+    check_noted(line, strlen(line), 1, "a line of more than 65536 characters: not a deck");
+    free(line);
+}
+
+/* Every beginning of a deck, as of a file cut short. */
+static void test_cut_short(void **unused)
+{
+    size_t n, good = 0;
+    char *copy;
+
+    (void)unused;
+    for (n = 0; n < sizeof valid; n++) {
+        copy = malloc(n + 1); /* of its own, so that reading past its end is seen */
+        assert_non_null(copy);
+        memcpy(copy, valid, n);
+        good += (size_t)check_outcome(copy, n);
+        free(copy);
+    }
+    assert_in_range(good, 50, sizeof valid / 2);
+}
+
+/* The host's error handler of GSL, which is never to be reached. */
+static void handler(const char *reason, const char *file, int line, int code)
+{
+    fail_msg("GSL: %s (%s:%d, %d)", reason, file, line, code);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_mistake),    cmocka_unit_test(test_blamed_line),
+        cmocka_unit_test(test_all_in_one_run),   cmocka_unit_test(test_four_bar),
+        cmocka_unit_test(test_slider_crank),     cmocka_unit_test(test_engine),
+        cmocka_unit_test(test_all_mistakes),     cmocka_unit_test(test_mistakes_of_files),
+        cmocka_unit_test(test_defaults),         cmocka_unit_test(test_units),
+        cmocka_unit_test(test_layout),           cmocka_unit_test(test_joined_lines),
+        cmocka_unit_test(test_long_title),       cmocka_unit_test(test_vectors),
+        cmocka_unit_test(test_gravity),          cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_mistaken_changes), cmocka_unit_test(test_random_bytes),
+        cmocka_unit_test(test_mutations),        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_left_out),         cmocka_unit_test(test_no_text),
+        cmocka_unit_test(test_cut_short),        cmocka_unit_test(test_mutations_of_an_engine),
+        cmocka_unit_test(test_odd_curves),
+    };
+
+    gsl_set_error_handler(handler);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

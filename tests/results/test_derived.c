@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_derived.c - shaking force and moment, forces in the links' axes, offset inertia forces, mechanical
+** advantage, instantaneous centres, superposition: on random mechanisms of both kinds.
+*/
+#include "check.h"
+#include "results/derived.h"
+#include "fourlink.h"
+
+typedef struct sample {
+    fourlink_mechanism m;
+    fourlink_branch branch;
+    fourlink_crank crank;
+    fourlink_load loads[2];
+    fourlink_state state;
+    fourlink_forces forces;
+    extras e;
+} sample;
+
+static uint64_t seed = 491;
+
+/* A random position well away from the dead ones. */
+static void draw(sample *x)
+{
+    fourlink_design d;
+    int i;
+
+    do {
+        memset(&d, 0, sizeof d);
+        d.kind = uniform(&seed, 0, 1) < 0.5 ? FOURLINK_FOUR_BAR : FOURLINK_SLIDER_CRANK;
+        for (i = 1; i <= 4; i++) {
+            d.link[i].length = uniform(&seed, 0.2, 1);
+            d.link[i].mass = uniform(&seed, 0, 3);
+            d.link[i].inertia = uniform(&seed, 0, 0.3);
+            d.link[i].cg.x = uniform(&seed, -0.5, 0.5);
+            d.link[i].cg.y = uniform(&seed, -0.5, 0.5);
+        }
+        d.offset = d.kind == FOURLINK_SLIDER_CRANK ? uniform(&seed, -0.2, 0.2) : 0;
+        d.gravity.x = uniform(&seed, -10, 10);
+        d.gravity.y = uniform(&seed, -10, 10);
+        x->branch = uniform(&seed, 0, 1) < 0.5 ? FOURLINK_OPEN : FOURLINK_CROSSED;
+        x->crank.theta2 = uniform(&seed, -6, 6);
+        x->crank.omega2 = uniform(&seed, -5, 5);
+        x->crank.alpha2 = uniform(&seed, -20, 20);
+        memset(x->loads, 0, sizeof x->loads);
+        for (i = 0; i < 2; i++) {
+            x->loads[i].link = 2 + (int)uniform(&seed, 0, 3);
+            x->loads[i].frame = i ? FOURLINK_FRAME_LINK : FOURLINK_FRAME_GROUND;
+            x->loads[i].force.x = uniform(&seed, -50, 50);
+            x->loads[i].force.y = uniform(&seed, -50, 50);
+            x->loads[i].at.x = uniform(&seed, -1, 1);
+            x->loads[i].torque = uniform(&seed, -20, 20);
+        }
+        fourlink_prepare(&d, &x->m);
+    } while (fourlink_analyse(&x->m, x->branch, &x->crank, x->loads, 2, &x->state, &x->forces) !=
+                 FOURLINK_OK ||
+             fabs(x->state.sine) < 0.3);
+    extras_of_motion(&x->m, &x->state, &x->e);
+    extras_of_forces(&x->m, &x->state, &x->forces, &x->e);
+    assert_int_equal(extras_superposition(&x->m, &x->state, x->loads, 2, &x->forces, &x->e),
+                     FOURLINK_OK);
+}
+
+/* Momentum of the links, linear and about A, at a time t from the sample's. */
+static void momentum(const sample *x, double t, double p[3])
+{
+    fourlink_crank c = x->crank;
+    fourlink_state s;
+    int i;
+
+    c.theta2 += c.omega2 * t + 0.5 * c.alpha2 * t * t;
+    c.omega2 += c.alpha2 * t;
+    assert_int_equal(fourlink_analyse(&x->m, x->branch, &c, NULL, 0, &s, NULL), FOURLINK_OK);
+    p[0] = p[1] = p[2] = 0;
+    for (i = 2; i <= 4; i++) {
+        const fourlink_link *link = &x->m.design.link[i];
+        fourlink_vector G, v;
+
+        fourlink_point(&s, i, &link->cg, &G, &v, NULL);
+        p[0] += link->mass * v.x;
+        p[1] += link->mass * v.y;
+        p[2] += link->mass * (G.x * v.y - G.y * v.x) + link->inertia * s.link[i].omega;
+    }
+}
+
+/* The frame gets what weights and loads give, less what the momentum takes up. */
+static void test_shaking(void **unused)
+{
+    const double h = 1e-4;
+    int n, i, k;
+
+    (void)unused;
+    for (n = 0; n < 2000; n++) {
+        double p[4][3], F[3] = {0, 0, 0}, scale = 100;
+        sample x;
+
+        draw(&x);
+        for (k = 0; k < 4; k++)
+            momentum(&x, (k < 2 ? k - 2 : k - 1) * h, p[k]);
+        for (i = 2; i <= 4; i++) {
+            const fourlink_link *link = &x.m.design.link[i];
+            const fourlink_vector *g = &x.m.design.gravity;
+            fourlink_vector G;
+
+            fourlink_point(&x.state, i, &link->cg, &G, NULL, NULL);
+            F[0] += link->mass * g->x;
+            F[1] += link->mass * g->y;
+            F[2] += link->mass * (G.x * g->y - G.y * g->x);
+        }
+        for (i = 0; i < 2; i++) {
+            const fourlink_load *l = &x.loads[i];
+            const fourlink_link_state *s = &x.state.link[l->link];
+            fourlink_vector P, f = l->force;
+
+            if (l->frame == FOURLINK_FRAME_LINK) {
+                f.x = cos(s->theta) * l->force.x - sin(s->theta) * l->force.y;
+                f.y = sin(s->theta) * l->force.x + cos(s->theta) * l->force.y;
+            }
+            fourlink_point(&x.state, l->link, &l->at, &P, NULL, NULL);
+            F[0] += f.x;
+            F[1] += f.y;
+            F[2] += P.x * f.y - P.y * f.x + l->torque;
+        }
+        for (i = 0; i < 3; i++) {
+            double rate = (p[0][i] - 8 * p[1][i] + 8 * p[2][i] - p[3][i]) / (12 * h);
+
+            F[i] -= rate;
+            if (fabs(rate) > scale)
+                scale = fabs(rate);
+        }
+        assert_near(x.e.Fsx, F[0], 1e-6 * scale);
+        assert_near(x.e.Fsy, F[1], 1e-6 * scale);
+        assert_near(x.e.Ms, F[2], 1e-6 * scale);
+    }
+}
+
+static void test_axes(void **unused)
+{
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        sample x;
+        double t;
+
+        draw(&x);
+        t = x.state.link[3].theta;
+        assert_near(x.e.F43.along * cos(t) - x.e.F43.across * sin(t), -x.forces.F34x, 1e-9);
+        assert_near(x.e.F43.along * sin(t) + x.e.F43.across * cos(t), -x.forces.F34y, 1e-9);
+        t = x.crank.theta2;
+        assert_near(x.e.F32.along * cos(t) - x.e.F32.across * sin(t), -x.forces.F23x, 1e-9);
+        assert_near(x.e.F12.along * sin(t) + x.e.F12.across * cos(t), x.forces.F12y, 1e-9);
+        assert_near(x.e.F23.along * x.e.F23.along + x.e.F23.across * x.e.F23.across,
+                    x.forces.F23x * x.forces.F23x + x.forces.F23y * x.forces.F23y,
+                    1e-9 * (1 + x.e.F23.along * x.e.F23.along + x.e.F23.across * x.e.F23.across));
+        t = x.state.link[4].theta;
+        assert_near(x.e.F14.along * cos(t) - x.e.F14.across * sin(t), x.forces.F14x, 1e-9);
+        assert_near(x.e.F34.along * sin(t) + x.e.F34.across * cos(t), x.forces.F34y, 1e-9);
+    }
+}
+
+/* The single force in its place does what inertia force and couple do about any point, here A. */
+static void test_offset_inertia_force(void **unused)
+{
+    int n, i;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        sample x;
+
+        draw(&x);
+        for (i = 2; i <= 4; i++) {
+            const fourlink_link *link = &x.m.design.link[i];
+            const offset_force *F = &x.e.inertia[i];
+            double fx = F->size * cos(F->direction), fy = F->size * sin(F->direction);
+            fourlink_vector G, a, H;
+
+            fourlink_point(&x.state, i, &link->cg, &G, NULL, &a);
+            H.x = G.x - F->h * sin(F->direction);
+            H.y = G.y + F->h * cos(F->direction);
+            assert_near(fx, -link->mass * a.x, 1e-10 * (1 + F->size));
+            assert_near(fy, -link->mass * a.y, 1e-10 * (1 + F->size));
+            assert_near(H.x * fy - H.y * fx,
+                        -link->mass * (G.x * a.y - G.y * a.x) -
+                            link->inertia * x.state.link[i].alpha,
+                        1e-9 * (1 + F->size + fabs(link->inertia * x.state.link[i].alpha)));
+        }
+    }
+}
+
+/* Velocity at a point P of the plane that moves with link i, for a unit crank speed. */
+static fourlink_vector moving_with(const sample *x, int i, fourlink_vector P)
+{
+    const fourlink_link_state *s = &x->state.link[i];
+    fourlink_vector v;
+
+    v.x = s->k_origin.x - s->k * (P.y - s->origin.y);
+    v.y = s->k_origin.y + s->k * (P.x - s->origin.x);
+    return v;
+}
+
+static void test_instantaneous_centres(void **unused)
+{
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 2000; n++) {
+        fourlink_vector v, w;
+        double far;
+        sample x;
+
+        draw(&x);
+        v = moving_with(&x, 3, x.e.I13);
+        far = 1 + fabs(x.e.I13.x) + fabs(x.e.I13.y);
+        assert_near(v.x, 0, 1e-12 * far);
+        assert_near(v.y, 0, 1e-12 * far);
+        v = moving_with(&x, 2, x.e.I24);
+        w = moving_with(&x, 4, x.e.I24);
+        far = 1 + fabs(x.e.I24.x) + fabs(x.e.I24.y);
+        assert_near(v.x, w.x, 1e-12 * far);
+        assert_near(v.y, w.y, 1e-12 * far);
+        /* Kennedy: I24 is in line with B and C */
+        v.x = x.state.link[3].axis.x;
+        v.y = x.state.link[3].axis.y;
+        w.x = x.e.I24.x - x.state.link[3].origin.x;
+        w.y = x.e.I24.y - x.state.link[3].origin.y;
+        assert_near(v.x * w.y - v.y * w.x, 0, 1e-11 * far);
+    }
+}
+
+/* A light linkage at rest: what the crank needs to hold a load, by the nine equations. */
+static void test_mechanical_advantage(void **unused)
+{
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        fourlink_crank still = {0, 0, 0};
+        fourlink_load load = {4, FOURLINK_FRAME_GROUND, {0, 0}, {0, 0}, 0};
+        fourlink_mechanism light;
+        fourlink_forces f;
+        fourlink_state s;
+        double given;
+        sample x;
+        int i;
+
+        draw(&x);
+        light = x.m;
+        for (i = 2; i <= 4; i++)
+            light.design.link[i].mass = light.design.link[i].inertia = 0;
+        still.theta2 = x.crank.theta2;
+        if (x.m.design.kind == FOURLINK_FOUR_BAR)
+            load.torque = -1; /* the load resists, the rocker exerts +1 */
+        else
+            load.force.x = x.branch; /* the rock resists away from the crankshaft's side */
+        assert_int_equal(fourlink_analyse(&light, x.branch, &still, &load, 1, &s, &f), FOURLINK_OK);
+        given = x.m.design.kind == FOURLINK_FOUR_BAR ? f.Ts : f.Ts / x.m.design.link[2].length;
+        if (fabs(given) > 1e-3)
+            assert_close(x.e.mechanical_advantage, 1 / given, 1e-10);
+    }
+}
+
+static void test_superposition(void **unused)
+{
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        sample x;
+
+        draw(&x);
+        assert_true(x.e.superposition < 1e-13);
+        assert_near(x.e.Ts_static + x.e.Ts_inertia, x.forces.Ts,
+                    1e-12 * (fabs(x.e.Ts_static) + fabs(x.e.Ts_inertia)));
+        assert_close(x.e.condition, 1 / fabs(x.state.sine), 1e-15);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_shaking),
+        cmocka_unit_test(test_axes),
+        cmocka_unit_test(test_offset_inertia_force),
+        cmocka_unit_test(test_instantaneous_centres),
+        cmocka_unit_test(test_mechanical_advantage),
+        cmocka_unit_test(test_superposition),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,177 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_loads.sh FOURLINK DATA - loads in the link's frame and between two crank angles, curves of torque,
+# indicator cards in files, tracer points: one deck against another that must give the same numbers.
+. "$(dirname "$0")/../harness.sh"
+
+# close FILE FILE: the same numbers to 1e-9, field by field
+close() {
+    paste -d, "$1" "$2" | awk -F, -v bad=0 '
+        function size(x) {return x < 0 ? -x : x}
+        {for (i = 1; i <= NF / 2; i++) {
+            x = $i; y = $(i + NF / 2)
+            if (x ~ /^[-+0-9.e]+$/) {n++; if (size(x - y) > 1e-9 * (1 + size(x) + size(y))) bad++}
+            else if (x != y) bad++}}
+        END {if (bad || n < 10) print bad " of " n " differ"; exit bad || n < 10}'
+}
+differs() { ! close "$1" "$2" >/dev/null; }
+
+# forces: the torques and pin forces of a deck, from standard input
+forces() { "$fourlink" -f csv -c theta2,F12x,F12y,F34x,F34y,Ts "$@" 2>err | tr -d '\r'; }
+
+linkage() {
+    cat <<'DECK'
+mechanism = four-bar
+[ground]
+length = 80 mm
+[crank]
+length = 20 mm
+mass = 0.1 kg
+[coupler]
+length = 66 mm
+[rocker]
+length = 56 mm
+[motion]
+speed = 10.5 rad/s
+DECK
+}
+
+# A force that turns with the crank is, at each angle, one in ground axes turned by that angle.
+for angle in 0 40 200; do
+    { linkage; printf 'at = %s deg\n[load]\nlink = crank\nat = 15 mm\nframe = link\nforce = 50 N at 30 deg\n' $angle; } |
+        forces >turning
+    { linkage; printf 'at = %s deg\n[load]\nlink = crank\nat = 15 mm\nforce = 50 N at %s deg\n' $angle $((angle + 30)); } |
+        forces >fixed
+    check "a force that turns with the crank, at $angle deg" close turning fixed
+done
+{ linkage; printf '[load]\nlink = crank\nat = 15 mm\nforce = 50 N at 30 deg\n'; } | forces >fixed
+{ linkage; printf '[load]\nlink = crank\nat = 15 mm\nforce = 50 N at 30 deg\nframe = link\n'; } | forces >turning
+check 'and not one in ground axes' differs turning fixed
+
+# A force off the link's line is the same force on it with a torque.
+{ linkage; printf '[load]\nlink = rocker\nat = (30, 10) mm\nforce = (0, 20) N\nframe = link\n'; } | forces >one
+{ linkage; printf '[load]\nlink = rocker\nat = (0, 10) mm\nforce = (0, 20) N\nframe = link\n[load]\nlink = rocker\ntorque = 0.6 N m\n'; } |
+    forces >two
+check 'a force moved along the link, with its torque' close one two
+
+# A load between two crank angles: there as if it always acted, elsewhere as if it were not there.
+{ linkage; printf 'from = 0 deg\nto = 720 deg\n[load L]\nlink = rocker\ntorque = 3 N m\nfrom = 100 deg\nto = 200 deg\n'; } >window.deck
+forces window.deck >window
+{ linkage; printf 'from = 0 deg\nto = 720 deg\n[load L]\nlink = rocker\ntorque = 3 N m\n'; } | forces >always
+{ linkage; printf 'from = 0 deg\nto = 720 deg\n'; } | forces >never
+inside='{t = $2 % 360} t >= 100 && t <= 200'
+outside='{t = $2 % 360} t < 100 || t > 200'
+for file in window always never; do
+    tail -n +2 $file | awk -F, "$inside" >$file.inside
+    tail -n +2 $file | awk -F, "$outside" >$file.outside
+done
+check 'a load within its angles, in two revolutions' close window.inside always.inside
+check 'and outside them' close window.outside never.outside
+check 'which is not the same' differs window.outside always.outside
+# over the end of the revolution, and running backwards
+forces -s 'load L.from=300 deg' -s 'load L.to=400 deg' window.deck >across
+tail -n +2 across | awk -F, '{t = $2 % 360} t >= 300 || t <= 40' >across.inside
+tail -n +2 always | awk -F, '{t = $2 % 360} t >= 300 || t <= 40' >always.inside
+check 'a load over 360 deg' close across.inside always.inside
+forces -s 'motion.speed=-10.5' -s 'motion.from=720 deg' -s 'motion.to=0 deg' window.deck | tail -n +2 |
+    sort -t, -k1,1 -k2,2n >back
+tail -n +2 window | sort -t, -k1,1 -k2,2n >forth
+check 'the other way round (the speed enters squared)' close back forth
+
+mistake() { # DECK-TEXT MESSAGE
+    { linkage; printf "$1"; } | "$fourlink" >out 2>err
+    check "exit status 2 for $1" test $? -eq 2
+    check "no output for $1" test ! -s out
+    check "message '$2': $(cat err)" grep -qF "$2" err
+}
+mistake '[load]\nlink = rocker\ntorque = 1 N m\nfrom = 200 deg\nto = 100 deg\n' \
+    "<stdin>:16: error: the load's 'from' must be before its 'to', not 200 deg and 100 deg"
+mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar linkage has no piston'
+mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank"
+mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
+mistake '[point]\nlink = coupler\n' '<stdin>:13: error: a point needs a name'
+mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point is one word'
+mistake '[point P]\nat = 3 mm\n' '<stdin>:13: error: [point] has no link'
+mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m\n[load\n' "<stdin>:16: error: expected ']'"
+mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m, 50 deg 2 N m, 40 deg 1 N m\n' \
+    '<stdin>:15: error: the angles of a curve must rise'
+
+# A torque as a curve: at its points that of the curve, as a constant.
+{ linkage; printf '[load]\nlink = crank\ntorque = 0 deg 1 N m, 90 deg 3 N m,   # goes on\n  200 deg -1 N m\n'; } >curve.deck
+for point in '0 1' '90 3' '200 -1' '360 1'; do
+    forces -s "motion.at=${point% *} deg" curve.deck >curve
+    { linkage; printf 'at = %s deg\n[load]\nlink = crank\ntorque = %s N m\n' ${point% *} ${point#* }; } | forces >constant
+    check "a curve of torque at $point" close curve constant
+done
+
+# An indicator card in the deck and in a file beside it.
+mkdir engines
+cat >engines/card.txt <<'CARD'
+# crank angle, pressure: bare numbers in the deck's units
+0, 1
+20, 32
+60 8   # a blank will do
+180 1.5
+360,1
+CARD
+engine() {
+    printf 'mechanism = slider-crank\n[units]\npressure = bar\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n'
+    printf 'mass = 1 kg\ncg = 60 mm\ngyration = 50 mm\n[piston]\nmass = 1 kg\n[motion]\nspeed = 1000 rpm\n[gas]\nbore = 80 mm\n'
+}
+{ engine; echo 'indicator = file card.txt'; } >engines/file.deck
+{ engine; echo 'indicator = 0 1, 20 32, 60 8, 180 1.5'; } >engines/inline.deck
+forces engines/file.deck >from_file
+forces engines/inline.deck >from_deck
+check 'a card in a file, relative to the deck' close from_file from_deck
+"$fourlink" -f csv -c theta2,gas_force -b open -i 20 engines/file.deck | tr -d '\r' >gas
+check 'the gas force at 20 deg is that of 32 bar' awk -F, '$2 == 20 {x = $3 - 32e5 * 3.14159265358979 / 4 * 0.0064; exit !(x < 1e-6 && x > -1e-6)}' gas
+engine_mistake() { # LINES MESSAGE
+    { engine; printf "$1"; } >engines/bad.deck
+    "$fourlink" engines/bad.deck >out 2>err
+    check "exit status 2 for $1" test $? -eq 2
+    check "message '$2': $(cat err)" grep -qF "$2" err
+}
+engine_mistake 'indicator = 0 1\n' 'engines/bad.deck:17: error: a curve needs at least two points'
+engine_mistake 'indicator = 0 1, 50 2, 50 3\n' 'engines/bad.deck:17: error: the angles of a curve must rise'
+engine_mistake 'indicator = file nothing.txt\n' "engines/bad.deck:17: error: cannot read the file 'nothing.txt'"
+printf '0 1\n90 x\n' >engines/broken.txt
+engine_mistake 'indicator = file broken.txt\n' 'broken.txt:2: error:'
+printf '0 1\n90 2\n80 3\n' >engines/falling.txt
+engine_mistake 'indicator = file falling.txt\n' 'falling.txt:3: error: the angles of a curve must rise'
+sed 's/bore = 80 mm/bore = 0 mm/' engines/inline.deck >engines/bad.deck
+"$fourlink" engines/bad.deck >out 2>err
+check 'a bore of 0' grep -qF 'engines/bad.deck:16: error: the bore must be positive, not 0 mm' err
+sed '/bore/d' engines/inline.deck >engines/bad.deck
+"$fourlink" engines/bad.deck >out 2>err
+check 'pressure without a bore' grep -qF 'engines/bad.deck:15: error: [gas] has no bore' err
+
+# Tracer points: the pins, which other columns give, and speed by differences.
+{ linkage; printf 'interval = 0.01 deg\nfrom = 10 deg\nto = 10.02 deg\n[point C]\nlink = coupler\nat = 66 mm\n[point K]\nlink = rocker\nat = 56 mm\n'; } >points.deck
+"$fourlink" -f csv -b open -c time,C.x,C.y,C.vx,C.ax,C.v,C.a points.deck | tr -d '\r' >C
+"$fourlink" -f csv -b open -c time,K.x,K.y,K.vx,K.ax,K.v,K.a points.deck | tr -d '\r' | sed 's/K\./C./g' >K
+tail -n +2 C >C.rows
+tail -n +2 K >K.rows
+check 'the pin C as a point of coupler and rocker' close C.rows K.rows
+check 'its velocity and acceleration by differences' awk -F, '
+    {t[NR] = $2; x[NR] = $3; v[NR] = $5; a[NR] = $6}
+    END {d = (x[3] - x[1]) / (t[3] - t[1]) - v[2]; e = (v[3] - v[1]) / (t[3] - t[1]) - a[2]
+         exit !(NR == 3 && d * d < 1e-14 && e * e < 1e-10)}' C.rows
+
+# Static analysis is speed 0; torque by virtual work is that of the nine equations.
+"$fourlink" -f csv -c Ts,Ts_work,Ts_static,Ts_inertia -s motion.speed=0 "$data/me3491-exercise-1.deck" | tr -d '\r' |
+    tail -n +2 >static
+check 'at rest all is static' awk -F, '{d = $2 - $3; e = $2 - $4; if (d * d + e * e + $5 * $5 > 1e-18) bad = 1} END {exit bad || NR < 40}' static
+"$fourlink" -f csv -b open -c Ts,Ts_static,Ts_inertia "$data/me3491-exercise-1.deck" | tr -d '\r' | tail -n +2 |
+    awk -F, '{print $2}' >whole
+"$fourlink" -f csv -b open -c Ts,Ts_static,Ts_inertia "$data/me3491-exercise-1.deck" | tr -d '\r' | tail -n +2 |
+    awk -F, '{printf "%.17g\n", $3 + $4}' >sum
+check 'loads and inertia separately make the whole' close whole sum
+
+# A dead position is flagged before it is reached.
+"$fourlink" -b open -i 0.1 "$data/me3491-exercise-1.deck" -s 'motion.from=110.48 deg' -s 'motion.to=110.6 deg' \
+    -s 'motion.speed=100 rpm' >near
+check 'near a dead position' grep -q '^# theta2 = 110.48 deg: near a dead position' near
+check 'beyond it' grep -q '^# theta2 = 110.58 deg: the links do not reach' near
+
+finish
