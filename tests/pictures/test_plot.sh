@@ -3,7 +3,7 @@
 # test_plot.sh FOURLINK DATA - the pictures: --plot, --plot-kind, --plot-at, --plot-script.
 # Prints each failed check, and in the end "N passed, M failed".  Without gnuplot only what does not need
 # it is tried.
-decks=$(cd "$(dirname "$0")/decks" && pwd)
+decks=$(cd "$(dirname "$0")/../decks" && pwd)
 . "$(dirname "$0")/../harness.sh"
 fourbar=$decks/coupler-point.deck
 engine=$decks/engine.deck
