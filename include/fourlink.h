@@ -60,6 +60,7 @@ extern "C" {
     X(FOURLINK_CHANGE_POINT, 5, "change point: the motion may go on in two ways")                  \
     X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                   \
     X(FOURLINK_LOST_IN_ROUNDING, 7, "the links are too unequal: rounding hides the position")      \
+    X(FOURLINK_NOT_REACHED, 8, "the links reach at no angle of the motion")                        \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                              \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite, or beyond what the program computes with") \
     X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")         \
@@ -80,7 +81,13 @@ extern "C" {
     X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                 \
     X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                    \
     X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")          \
-    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is none of exact, piston and all")
+    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is none of exact, piston and all")        \
+    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column and no fact of this name")                    \
+    X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                   \
+    X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                    \
+    X(FOURLINK_NO_TURNING_MOMENT, 44,                                                              \
+      "the turning moment needs forces and a crank that turns fully, at constant speed")           \
+    X(FOURLINK_NO_SUCH_LIST, 45, "there is no such list")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -375,8 +382,10 @@ typedef struct fourlink_deck fourlink_deck;
 
 /* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE". */
 typedef struct fourlink_mistake {
-    char file[128];    /* the file that the deck names and that has the mistake; "": the deck */
-    long line;         /* 1 for the first */
+    char file
+        [1024]; /* where it is written: a file that the deck names, the answers, a change; "": the
+                          deck */
+    long line;  /* 1 for the first; 0: in no file, but in a change */
     char message[400]; /* null-terminated */
 } fourlink_mistake;
 
@@ -393,6 +402,34 @@ typedef struct fourlink_mistake {
 */
 typedef const char *fourlink_loader(void *host, const char *file_name, unsigned long *length);
 
+/* An assignment from outside a deck: it replaces, or adds to, those of the deck. */
+typedef struct fourlink_change {
+    const char *origin;     /* what messages name as its place, such as "--set" */
+    const char *assignment; /* [SECTION[ NAME].]KEY=VALUE */
+} fourlink_change;
+
+/* What a deck is read from.  Zero it first: what is left at 0 is absent. */
+typedef struct fourlink_source {
+    const char *name;      /* what messages name as the deck's place; null: "" */
+    const char *text;      /* the deck's text, as in a file */
+    unsigned long length;  /* bytes of it */
+    fourlink_loader *load; /* for the files that the deck names; null: it may name none */
+    void *host;            /* for `load` */
+    const fourlink_change *changes;
+    unsigned long n_changes;
+    const char *answers_name; /* as `name`, of the next */
+    const char *answers;      /* [expect] and [misprint] sections that take the place of the deck's;
+                                   null: its own */
+    unsigned long answers_length;
+    unsigned long design; /* which design of a [sweep], from 0 */
+} fourlink_source;
+
+/* A unit of a deck: a value in it is value * up / down in SI units and radians. */
+typedef struct fourlink_unit {
+    const char *name; /* lasts as long as the deck */
+    double up, down;
+} fourlink_unit;
+
 /* The problem that a deck poses. */
 typedef struct fourlink_problem {
     char title[256]; /* null-terminated; a longer one is cut off */
@@ -407,7 +444,119 @@ typedef struct fourlink_problem {
     unsigned long n_points;               /* for fourlink_deck_point */
     double flywheel_fluctuation;          /* 1; 0 if the deck does not say */
     double flywheel_inertia;              /* kg m2; 0 if the deck does not say */
+    unsigned long n_rows;                 /* of the motion */
+    int one_instant;                      /* 1: the deck asks for one crank angle */
+    int one_revolution;       /* 1: from its first row to its last the crank turns once */
+    int digits;               /* significant digits of the deck's tables */
+    unsigned long n_expected; /* values of [expect] and [misprint] */
+    unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
+    int has_outputs;          /* 1: the [sweep] names outputs: a line for each design */
 } fourlink_problem;
+
+/* ---------------------------------------------------------------------------------------------
+** Results by name
+** ------------------------------------------------------------------------------------------- */
+
+/* A deck opened for results, from fourlink_results_open to fourlink_results_free.  It holds all memory
+** that columns, searches and lists need; a thread needs one of its own. */
+typedef struct fourlink_results fourlink_results;
+
+/* A number or words with a name: a column, an extreme, a fact, an input.  Texts last until
+** fourlink_results_free. */
+typedef struct fourlink_value {
+    const char *name;     /* Ts, max(Ts), mu_min, crank.length */
+    const char *unit;     /* as the deck names it; "1": a plain number; "": words */
+    const char *quantity; /* length, torque ..., as in [units]; "number" */
+    const char *meaning;
+    const char *source; /* what the sources call it; "": they do not */
+    const char *words;  /* a value in words; null: a number */
+    double value;       /* in its unit; infinite: it grows beyond all bounds */
+    double to_si;       /* value * to_si is in SI units and radians */
+    int has_angle;      /* 1: it belongs to a crank angle */
+    double angle;       /* that, in the deck's unit of angle */
+    int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: it is the same on both */
+    int flags;          /* of a column, FOURLINK_OF_CRANK ... */
+} fourlink_value;
+
+enum {
+    FOURLINK_OF_CRANK = 1, /* of the crank alone: has a value also where the links do not reach */
+    FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
+    FOURLINK_OF_ROUNDING = 4  /* a measure of rounding */
+};
+
+/* The lists of fourlink_results_list. */
+enum {
+    FOURLINK_COLUMNS = 1,     /* the columns that the deck asks for, or the usual ones */
+    FOURLINK_ALL_COLUMNS = 2, /* all that it can have */
+    FOURLINK_INPUTS = 3,      /* the inputs as they were understood */
+    FOURLINK_VARIABLES = 4,   /* what its [sweep] varies, with the values of this design */
+    FOURLINK_OUTPUTS = 5      /* what its [sweep] names as output */
+};
+
+/* Groups of facts, to be added up. */
+enum {
+    FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always there */
+    FOURLINK_FACTS_EXTREMES = 2, /* max() and min() of the columns */
+    FOURLINK_FACTS_TURNING = 4   /* turning moment and flywheel */
+};
+
+/* All that is known of a mechanism at one crank angle. */
+typedef struct fourlink_instant {
+    fourlink_row row;
+    fourlink_branch branch;
+    int status; /* not FOURLINK_OK: why there is no position; the following are not filled */
+    fourlink_state state;
+    fourlink_forces forces; /* if the deck has forces; 0 if not */
+    double gas_force;       /* N, of the gas on the piston, towards the crank positive */
+} fourlink_instant;
+
+/* An area between the turning moment and its mean. */
+typedef struct fourlink_area {
+    double from, to; /* rad, rising whichever way the crank turns */
+    double energy;   /* J, which the flywheel takes up as the crank passes */
+} fourlink_area;
+
+#define FOURLINK_AREAS 40
+
+/* The turning moment -Ts over one cycle at the deck's speed, and the flywheel. */
+typedef struct fourlink_turning {
+    double mean_torque;        /* N m */
+    double mean_power;         /* W */
+    double energy_fluctuation; /* J, greatest less least energy of the flywheel in a cycle */
+    int has_coefficient;       /* 0: the mean is 0 */
+    double energy_coefficient; /* 1, of the fluctuation of energy: over the work of a cycle */
+    double inertia; /* kg m2, of the flywheel; 0: the deck gives neither it nor the fluctuation */
+    double fluctuation; /* 1, coefficient of fluctuation of speed */
+    int n_areas;        /* in one cycle from 0; at most FOURLINK_AREAS are kept */
+    fourlink_area area[FOURLINK_AREAS];
+} fourlink_turning;
+
+/* What came of the comparison of a printed value with the computed one. */
+typedef enum fourlink_verdict {
+    FOURLINK_AGREES = 0,
+    FOURLINK_DIFFERS = 1,
+    FOURLINK_MISPRINT = 2,    /* of a [misprint]: it differs, as expected */
+    FOURLINK_NO_MISPRINT = 3, /* of a [misprint]: it agrees */
+    FOURLINK_NO_VALUE = 4     /* nothing to compare with: the message says why */
+} fourlink_verdict;
+
+/* A value of [expect] or [misprint], compared. */
+typedef struct fourlink_check {
+    fourlink_verdict verdict;
+    const char *file; /* where it is written */
+    long line;
+    char name[64];         /* of the column or fact; as the next, cut off if longer */
+    char printed_text[64]; /* the value as it is written */
+    double printed, computed,
+        tolerance;    /* in `unit`; 0 if there is none, or the value is in words */
+    const char *unit; /* "": words */
+    char words[100];  /* a fact in words, as computed; "": a number */
+    int has_angle;    /* 1: a column, at the crank angle `angle` */
+    double angle;     /* in the deck's unit of angle */
+    fourlink_branch branch;
+    long message_line; /* of FOURLINK_NO_VALUE: where the mistake stands, in `file` */
+    char message[400]; /* of FOURLINK_NO_VALUE */
+} fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------
 ** Functions
@@ -869,6 +1018,178 @@ FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch 
 */
 FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
                                      int *link, fourlink_vector *at);
+
+/* The unit in which a deck reads bare numbers of a quantity, and prints them.
+**
+** Given:
+**    deck       from fourlink_deck_read, or fourlink_results_deck
+**    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
+**               angular_acceleration, inertia, force, torque, pressure, power, energy or number
+** Returned:
+**    unit       its name and size
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
+*/
+FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quantity,
+                                    fourlink_unit *unit);
+
+/* The name of a load of a deck.
+**
+** Given:
+**    deck       from fourlink_deck_read, or fourlink_results_deck
+**    i          0 ... problem.n_loads - 1
+** Returned:
+**    name       of its section, "load" if that has none, "gas"; lasts as long as the deck
+**    has_torque 1: it has a torque at some crank angle; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
+*/
+FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i, const char **name,
+                                    int *has_torque);
+
+/* Open a deck for results: read it, check it, and take the memory that results need.
+**
+** Given:
+**    source        the deck's text, and what is to be changed in it
+**    max_mistakes  size of `mistakes`
+** Returned:
+**    results       to be given to fourlink_results_free
+**    mistakes      only with FOURLINK_BAD_DECK: the first of them, in the order of the lines; may be
+**                  null if max_mistakes is 0
+**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, more than max_mistakes
+**                  included; may be null
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+** Notes:
+** 1) The text is not needed after the call.
+** 2) Beside what fourlink_deck_read checks, the names of columns and of a sweep's outputs are
+**    checked.
+** 3) The functions below take no memory, with results of their own several threads can call them at
+**    once, and no result depends on which call came before.
+*/
+FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
+                                       fourlink_results **results, fourlink_mistake *mistakes,
+                                       unsigned long *n_mistakes);
+
+/* Give back the memory of results; null is passed over. */
+FOURLINK_API void fourlink_results_free(fourlink_results *results);
+
+/* The deck of results, for the functions above; it lasts as long as they do.  Null for null. */
+FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
+
+/* A list of names: columns, inputs, what a sweep varies and gives.
+**
+** Given:
+**    results    from fourlink_results_open
+**    which      FOURLINK_COLUMNS ... FOURLINK_OUTPUTS
+** Returned:
+**    list       the entries, which last until fourlink_results_free; their `value` is that of an
+**               input or a variable, of columns and outputs it is 0
+**    n          how many
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
+*/
+FOURLINK_API int fourlink_results_list(const fourlink_results *results, int which,
+                                       const fourlink_value **list, unsigned long *n);
+
+/* A row of the deck's columns.
+**
+** Given:
+**    results    from fourlink_results_open
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    i          0 ... problem.n_rows - 1
+** Returned (each may be null):
+**    values     of the list FOURLINK_COLUMNS, in their units; NaN where a column has no value
+**    instant    the motion and the forces of the row
+**    loads      the problem.n_loads loads at its crank angle
+** Returned (function value):
+**    FOURLINK_OK; 1 to 19, why the row has no values but those of the crank; FOURLINK_NULL,
+**    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW
+** Note:
+**    The crank's columns, `instant->row` and `instant->status` are returned with the codes 1 to 19
+**    too.
+*/
+FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch branch,
+                                      unsigned long i, double *values, fourlink_instant *instant,
+                                      fourlink_load *loads);
+
+/* The same at any crank angle of the motion.
+**
+** Given:
+**    angle      in the deck's unit of angle; turns are not counted
+**    others     as for fourlink_results_row
+** Returned:
+**    as from fourlink_results_row
+** Returned (function value):
+**    as from fourlink_results_row, but for FOURLINK_NO_SUCH_ANGLE in place of FOURLINK_NO_SUCH_ROW
+*/
+FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch branch,
+                                     double angle, double *values, fourlink_instant *instant,
+                                     fourlink_load *loads);
+
+/* Any number by its name: a column, an extreme of one, or a fact.
+**
+** Given:
+**    results    from fourlink_results_open
+**    name       a column such as Ts; max(Ts), min(Ts); a fact such as mu_min
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    angle      of a column: crank angle in the deck's unit; else not used
+** Returned:
+**    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
+** Returned (function value):
+**    FOURLINK_OK; 1 to 19, why a column has no value; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
+**    FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
+** Notes:
+** 1) Extremes are those over the deck's motion, refined between its rows.
+** 2) FOURLINK_NO_SUCH_FACT is a fact of other mechanisms, such as the stroke of a four-bar linkage.
+** 3) Of several facts of one name, the ends of two ranges, it is the first.
+*/
+FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *name,
+                                        fourlink_branch branch, double angle,
+                                        fourlink_value *value);
+
+/* What can be said of a deck in single numbers.
+**
+** Given:
+**    results    from fourlink_results_open
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: those that the deck asks for
+**    groups     FOURLINK_FACTS_LIMITS ..., added up
+** Returned:
+**    facts      they last until the next call of this function, or fourlink_results_free
+**    n          how many
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
+*/
+FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, int groups,
+                                        const fourlink_value **facts, unsigned long *n);
+
+/* The turning moment over a cycle, with its areas.
+**
+** Given:
+**    results    from fourlink_results_open
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+** Returned:
+**    turning    in SI units
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_TURNING_MOMENT
+** Reference:
+**    ME3491, "Turning moment diagrams"; see turning.c.
+*/
+FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_branch branch,
+                                          fourlink_turning *turning);
+
+/* A value of [expect] or [misprint] against the computed one.
+**
+** Given:
+**    results    from fourlink_results_open
+**    i          0 ... problem.n_expected - 1, in the order of the deck
+** Returned:
+**    check      what was printed, what is computed, and whether they agree
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
+*/
+FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long i,
+                                        fourlink_check *check);
 
 /* ---------------------------------------------------------------------------------------------
 ** FORTRAN 77
