@@ -565,6 +565,9 @@ typedef struct fourlink_check {
 /* The text of a status code: a constant string in English, never null. */
 FOURLINK_API const char *fourlink_status_text(int status);
 
+/* "open" or "crossed", by fourlink_branch: a constant string, never null. */
+FOURLINK_API const char *fourlink_branch_text(int branch);
+
 /* The version of the library, such as "0.1.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 

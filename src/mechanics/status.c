@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** status.c - the texts of the status codes, and the version.
+** status.c - the texts of codes, and the version.
 */
 #include "mechanics.h"
 
@@ -11,6 +11,11 @@ const char *fourlink_status_text(int status)
     default:
         return "unknown status";
     }
+}
+
+const char *fourlink_branch_text(int branch)
+{
+    return branch == FOURLINK_OPEN ? "open" : "crossed";
 }
 
 const char *fourlink_version(void)
