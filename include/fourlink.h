@@ -1119,7 +1119,7 @@ FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
 */
-FOURLINK_API int fourlink_results_list(const fourlink_results *results, int which,
+FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
                                        const fourlink_value **list, unsigned long *n);
 
 /* A row of the deck's columns.

@@ -131,6 +131,10 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
                            double *digit);
 
+/* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes);
+
 void flk_deck_free(deck *d);
 
 #endif

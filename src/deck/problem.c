@@ -10,17 +10,20 @@
 #include "deck.h"
 #include "mechanics/mechanics.h"
 
-static void copy_mistakes(const mistakes *list, unsigned long max, fourlink_mistake *out)
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes)
 {
     unsigned long i;
 
-    for (i = 0; i < max && i < list->count; i++) {
-        const struct mistake *m = &list->list[i];
+    for (i = 0; i < max && i < d->mistakes.count; i++) {
+        const struct mistake *m = &d->mistakes.list[i];
 
-        flk_text_copy(flk_text_of(m->place.source), out[i].file, sizeof out[i].file);
-        out[i].line = m->place.line;
-        memcpy(out[i].message, m->message, sizeof out[i].message);
+        flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
+        list[i].line = m->place.line;
+        memcpy(list[i].message, m->message, sizeof list[i].message);
     }
+    if (n_mistakes)
+        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
@@ -46,11 +49,8 @@ int fourlink_deck_read(const char *contents, unsigned long length, fourlink_load
         *result = d;
         return FOURLINK_OK;
     }
-    if (status == 0) {
-        copy_mistakes(&d->mistakes, max_mistakes, list);
-        if (n_mistakes)
-            *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
-    }
+    if (status == 0)
+        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
     fourlink_deck_free(d);
     return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }
