@@ -117,12 +117,18 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     kind->position(mechanism, state);
 }
 
-/* The angle of an axis, in (-pi, pi]: one that is at 180 deg but for rounding is not at -180. */
+/* The angle of an axis, in (-pi, pi]: one that is at 180 deg but for rounding is not at -180.  atan and
+** a quotient take much less of a row's time than atan2. */
 static double angle_of(const fourlink_vector *axis)
 {
-    if (fabs(axis->y) < 4e-16 && axis->x != 0)
+    double x = fabs(axis->x), y = fabs(axis->y), angle;
+
+    if (y < 4e-16 && x > 0)
         return axis->x < 0 ? M_PI : 0;
-    return atan2(axis->y, axis->x);
+    angle = y < x ? atan(y / x) : M_PI_2 - atan(x / y);
+    if (axis->x < 0)
+        angle = M_PI - angle;
+    return axis->y < 0 ? -angle : angle;
 }
 
 static void measure_angles(const flk_kind *kind, fourlink_state *state)
