@@ -99,8 +99,6 @@ static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return FOURLINK_BAD_BRANCH;
     at->half_sine = sin(0.5 * theta2);
     at->half_cosine = cos(0.5 * theta2);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
     status = kind->reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
     if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
         at->sine = -at->sine;
@@ -174,12 +172,10 @@ int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branc
 {
     const flk_kind *kind;
     half_angle at;
-    int status;
+    int status = flk_kind_find(mechanism, state, &kind);
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    status = find_reach(kind, mechanism, branch, theta2, &at);
+    if (status == FOURLINK_OK)
+        status = find_reach(kind, mechanism, branch, theta2, &at);
     if (status != FOURLINK_OK)
         return status;
     place(kind, mechanism, branch, theta2, &at, state);
@@ -190,14 +186,12 @@ int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branc
 int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
 {
     const flk_kind *kind;
+    int status = flk_kind_find(mechanism, state, &kind);
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
+    if (status != FOURLINK_OK)
+        return status;
     if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
     move(kind, mechanism, omega2, state);
     return FOURLINK_OK;
 }
@@ -205,14 +199,12 @@ int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourli
 int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
 {
     const flk_kind *kind;
+    int status = flk_kind_find(mechanism, state, &kind);
 
-    if (!mechanism || !state)
-        return FOURLINK_NULL;
+    if (status != FOURLINK_OK)
+        return status;
     if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
     accelerate(kind, mechanism, alpha2, state);
     return FOURLINK_OK;
 }
@@ -260,8 +252,11 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
                           const fourlink_load *loads, unsigned long n_loads, fourlink_state *state)
 {
     half_angle at;
-    int status = find_reach(kind, mechanism, branch, crank->theta2, &at);
+    int status;
 
+    if (!crank)
+        return FOURLINK_NULL;
+    status = find_reach(kind, mechanism, branch, crank->theta2, &at);
     if (status != FOURLINK_OK)
         return status;
     if (!FLK_WITHIN(crank->omega2, FOURLINK_NUMBER_MAX) ||
@@ -285,12 +280,11 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
     fourlink_state result;
     int status;
 
-    if (!mechanism || !crank || !state)
-        return FOURLINK_NULL;
     if (!forces)
         return fourlink_analyse_dyad(mechanism, branch, crank, NULL, 0, state, NULL);
-    kind = flk_kind_of(mechanism->design.kind);
-    status = analyse_motion(kind, mechanism, branch, crank, loads, n_loads, &result);
+    status = flk_kind_find(mechanism, state, &kind);
+    if (status == FOURLINK_OK)
+        status = analyse_motion(kind, mechanism, branch, crank, loads, n_loads, &result);
     if (status == FOURLINK_OK)
         status = fourlink_solve(mechanism, &result, loads, n_loads, forces);
     if (status != FOURLINK_OK)
@@ -306,12 +300,10 @@ int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch b
                           unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
 {
     const flk_kind *kind;
-    int status;
+    int status = flk_kind_find(mechanism, state, &kind);
 
-    if (!mechanism || !crank || !state)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    status = analyse_motion(kind, mechanism, branch, crank, loads, forces ? n_loads : 0, state);
+    if (status == FOURLINK_OK)
+        status = analyse_motion(kind, mechanism, branch, crank, loads, forces ? n_loads : 0, state);
     if (status != FOURLINK_OK)
         return status;
     if (forces)

@@ -195,12 +195,9 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     flk_body body[3];
     int status;
 
-    if (!mechanism || !state || !A || !b)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    status = flk_check_loads(loads, n_loads);
+    status = flk_kind_find(mechanism, A, &kind);
+    if (status == FOURLINK_OK)
+        status = state && b ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
@@ -211,22 +208,17 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
 static void list_forces(const flk_kind *kind, const fourlink_state *state, const double x[9],
                         fourlink_forces *forces)
 {
-    static const size_t force[4][2] = {
-        {offsetof(fourlink_forces, F12x), offsetof(fourlink_forces, F12y)},
-        {offsetof(fourlink_forces, F23x), offsetof(fourlink_forces, F23y)},
-        {offsetof(fourlink_forces, F34x), offsetof(fourlink_forces, F34y)},
-        {offsetof(fourlink_forces, F14x), offsetof(fourlink_forces, F14y)}};
     int i;
 
     memset(forces, 0, sizeof *forces);
     for (i = 0; i < 9; i++)
-        *FLK_MEMBER(forces, kind->unknown[i].member) = x[i];
-    for (i = 0; i < 4; i++)
-        if (kind->joint[i].slider) {
-            fourlink_vector n = normal_of(&state->link[kind->joint[i].slider]);
+        *FLK_MEMBER(forces, flk_unknowns[i][FLK_JOINT_OF(kind, i)]) = x[i];
+    for (i = 0; i < 8; i += 2)
+        if (FLK_JOINT_OF(kind, i) == FLK_SLIDER) {
+            fourlink_vector n = normal_of(&state->link[kind->joint[i / 2].slider]);
 
-            *FLK_MEMBER(forces, force[i][0]) = x[2 * i + 1] * n.x + 0.0;
-            *FLK_MEMBER(forces, force[i][1]) = x[2 * i + 1] * n.y;
+            *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]) = x[i + 1] * n.x + 0.0;
+            *FLK_MEMBER(forces, flk_unknowns[i + 1][FLK_PIN]) = x[i + 1] * n.y;
         }
 }
 
@@ -239,12 +231,9 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
     double x[9];
     int status;
 
-    if (!mechanism || !state || !forces)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    status = flk_check_loads(loads, n_loads);
+    status = flk_kind_find(mechanism, forces, &kind);
+    if (status == FOURLINK_OK)
+        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
