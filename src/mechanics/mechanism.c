@@ -61,27 +61,6 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
     return FOURLINK_OK;
 }
 
-/* The crank turns about A, which is at rest; its other pin B is the origin of link 3.  The half
-** angle serves the mechanisms' tests of reach as well. */
-static void place_crank(double a, double theta2, double half_sine, double half_cosine,
-                        fourlink_state *state)
-{
-    static const fourlink_vector zero = {0, 0};
-    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
-    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
-
-    crank->theta = theta2;
-    crank->k = 1;
-    crank->axis.x = (half_cosine - half_sine) * (half_cosine + half_sine);
-    crank->axis.y = 2 * half_sine * half_cosine;
-    crank->origin = zero;
-    crank->k_origin = zero;
-    crank->velocity = zero;
-    crank->acceleration = zero;
-    coupler->origin.x = a * crank->axis.x;
-    coupler->origin.y = a * crank->axis.y;
-}
-
 /* The sine and cosine of half the crank angle, and from them the sine of the position, on the branch
 ** asked for; or why there is none. */
 typedef struct half_angle {
@@ -105,11 +84,25 @@ static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
     return status;
 }
 
+/* The crank turns about A, which is at rest; its other pin B is the origin of link 3. */
 static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fourlink_branch branch,
                   double theta2, const half_angle *at, fourlink_state *state)
 {
-    place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, at->half_sine,
-                at->half_cosine, state);
+    static const fourlink_vector zero = {0, 0};
+    fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
+    fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
+    double a = mechanism->design.link[FOURLINK_CRANK].length;
+
+    crank->theta = theta2;
+    crank->k = 1;
+    crank->axis.x = (at->half_cosine - at->half_sine) * (at->half_cosine + at->half_sine);
+    crank->axis.y = 2 * at->half_sine * at->half_cosine;
+    crank->origin = zero;
+    crank->k_origin = zero;
+    crank->velocity = zero;
+    crank->acceleration = zero;
+    coupler->origin.x = a * crank->axis.x;
+    coupler->origin.y = a * crank->axis.y;
     state->branch = branch;
     state->sine = at->sine;
     kind->position(mechanism, state);
