@@ -4,7 +4,6 @@
 ** forces do not depend on the crank's, and the crank follows.
 */
 #include <math.h>
-#include <string.h>
 
 #include "free_body.h"
 
@@ -31,7 +30,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_body body[3];
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    memset(forces, 0, sizeof *forces);
+    forces->M14 = 0;
     kind->forces(mechanism, state, body, moment(&body[1]), moment(&body[2]), &F34, forces);
     F23.x = body[1].force.x + F34.x;
     F23.y = body[1].force.y + F34.y;
