@@ -571,6 +571,16 @@ FOURLINK_API const char *fourlink_branch_text(int branch);
 /* The version of the library, such as "0.1.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 
+/* The words for a kind of mechanism, and for its links, by number: "four-bar linkage", "slider-crank";
+** "ground", "crank", "coupler" or "rod", "rocker" or "piston".  Constant strings in English, never
+** null. */
+FOURLINK_API const char *fourlink_kind_text(int kind);
+FOURLINK_API const char *fourlink_link_text(int kind, int link);
+
+/* The link along which a link slides: of the piston FOURLINK_GROUND (1); 0 for a link that has only
+** pins.  A slider is at the origin of the link that slides, which does so along its own x axis. */
+FOURLINK_API int fourlink_slides(int kind, int link);
+
 /* Check a design and prepare it for the functions below.
 **
 ** Given:
@@ -649,7 +659,7 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 ** Notes:
 ** 1) A position counts as dead when sine^2 <= 1e-14: what is left is rounding error.
 ** 2) What the next two functions fill is not yet to be used.
-** 3) FOURLINK_BAD_KIND is that of a mechanism which was not prepared.
+** 3) FOURLINK_BAD_KIND is that of a mechanism which was not prepared, here as in the functions below.
 ** Reference:
 **    Alvi, eqs. 1 to 3, by circles in place of Freudenstein's equation (the source file four_bar.c);
 **    ME3491, and DFA eq. 1 (slider_crank.c).
@@ -768,6 +778,23 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
 FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                  const fourlink_load *loads, unsigned long n_loads, double A[9][9],
                                  double b[9]);
+
+/* The names of the nine unknowns, i = 0 to 8: "F12x" to "F34y", "F14x" and "F14y", or "M14" and "N",
+** and "Ts".  A constant string, never null. */
+FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
+
+/* The nine unknowns from the forces: the solution x of fourlink_system.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    forces     of one of its positions
+** Returned:
+**    x          9, forces in N, moments in N m
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
+*/
+FOURLINK_API int fourlink_unknowns(const fourlink_mechanism *mechanism,
+                                   const fourlink_forces *forces, double x[9]);
 
 /* A whole crank position in one call: position, velocity, acceleration, forces.
 **
@@ -1092,7 +1119,7 @@ FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
 */
-FOURLINK_API int fourlink_results_list(const fourlink_results *results, int which,
+FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
                                        const fourlink_value **list, unsigned long *n);
 
 /* A row of the deck's columns.

@@ -34,8 +34,8 @@ typedef struct named_file {
 typedef struct job {
     const options *o;
     const char *name;
-    char *contents; /* kept for a sweep, else null */
-    size_t length;
+    fourlink_source source; /* what it was read from */
+    char *contents;         /* its text, kept for a sweep, else null */
     named_file *files;
     int names_output; /* 1: one of them is to be written */
     deck deck;
@@ -135,29 +135,20 @@ static void print_mistakes(const mistakes *m, const char *deck_name)
         fprintf(stderr, "fourlink: and %lu more mistakes\n", (unsigned long)m->left_out);
 }
 
-/* Put the expectations of the answers in place of the deck's; -1 when out of memory. */
-static int use_answers(const char *path, text answers, deck *d)
-{
-    d->n_expectations = 0;
-    return flk_deck_add_expectations(path, answers, d);
-}
-
 #define TRIES 1000
 
 /* Read a deck; of a [sweep] the first design that is in order, if there is one among the first, or among as
 ** many spread over all of them. */
-static int read_first_design(const options *o, text all, job *j)
+static int read_first_design(job *j)
 {
-    int status =
-        flk_deck_read(j->name, all, read_named_file, j, o->changes, o->n_changes, 0, &j->deck);
+    fourlink_source source = j->source;
+    int status = flk_deck_read(&source, &j->deck);
     unsigned long n = j->deck.sweep.n_designs, i;
     deck other;
 
     for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
-        unsigned long design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
-
-        if (flk_deck_read(j->name, all, read_named_file, j, o->changes, o->n_changes, design,
-                          &other) == 1) {
+        source.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
+        if (flk_deck_read(&source, &other) == 1) {
             flk_deck_free(&j->deck);
             j->deck = other;
             return 1;
@@ -197,7 +188,6 @@ static int read_job(const char *path, const options *o, text answers, job *j)
 {
     size_t length;
     char *contents;
-    text all;
     int status;
 
     j->o = o;
@@ -211,19 +201,25 @@ static int read_job(const char *path, const options *o, text answers, job *j)
     }
     if (!contents)
         return complain("cannot read", j->name, strerror(errno));
-    all.start = contents;
-    all.length = length;
-    status = read_first_design(o, all, j);
+    j->source.name = j->name;
+    j->source.text = contents;
+    j->source.length = (unsigned long)length;
+    j->source.load = read_named_file;
+    j->source.host = j;
+    j->source.changes = o->changes;
+    j->source.n_changes = o->n_changes;
+    j->source.answers_name = o->check_file;
+    j->source.answers = answers.start;
+    j->source.answers_length = (unsigned long)answers.length;
+    status = read_first_design(j);
     if (j->names_output) {
         free(contents);
         return complain("cannot write", "a file that the deck names", "it is an input");
     }
-    if (status > 0 && j->deck.sweep.n_variables) {
+    if (status > 0 && j->deck.sweep.n_variables)
         j->contents = contents;
-        j->length = length;
-    } else {
+    else
         free(contents);
-    }
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
     if (status == 0)
@@ -234,8 +230,6 @@ static int read_job(const char *path, const options *o, text answers, job *j)
         return complain("cannot read", j->name, "not enough memory");
     if (status > 0 && j->contents)
         status = sweep_check(&j->deck);
-    if (status > 0 && answers.start && use_answers(o->check_file, answers, &j->deck) < 0)
-        return complain("cannot read", o->check_file, "not enough memory");
     if (j->deck.mistakes.count) {
         flk_mistakes_sort(&j->deck.mistakes);
         print_mistakes(&j->deck.mistakes, o->n_decks > 1 ? j->name : NULL);
@@ -293,13 +287,7 @@ static int sweep_job(FILE *out, const options *o, job *j, int *signal_number)
     unsigned long failed = 0;
     sweep_result status;
 
-    request.name = j->name;
-    request.contents.start = j->contents;
-    request.contents.length = j->length;
-    request.load = read_named_file;
-    request.host = j;
-    request.changes = o->changes;
-    request.n_changes = o->n_changes;
+    request.source = j->source;
     request.part = o->parts ? o->part : 1;
     request.parts = o->parts ? o->parts : 1;
     request.csv = o->format == FORMAT_CSV;

@@ -152,7 +152,7 @@ static int set_plot(options *o, const char *value, char message[400])
 
 static void add_change(options *o, const char *option, const char *assignment)
 {
-    o->changes[o->n_changes].option = option;
+    o->changes[o->n_changes].origin = option;
     o->changes[o->n_changes].assignment = assignment;
     o->n_changes++;
 }

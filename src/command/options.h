@@ -20,8 +20,8 @@ typedef struct options {
     const char *plot_at;       /* crank angles; null: not given */
     plot_kind plot_kind;       /* PLOT_COUNT: not given */
     plot_file plot_file;
-    deck_change *changes; /* --set, and the options that are a key of the deck */
-    size_t n_changes;
+    fourlink_change *changes; /* --set, and the options that are a key of the deck */
+    unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;
     char **storage; /* assignments made of options */

@@ -828,6 +828,13 @@ void *flk_keep(parser *p, size_t size)
     return k->contents;
 }
 
+static char *keep_string(parser *p, const char *string)
+{
+    char *copy = flk_keep(p, strlen(string) + 1);
+
+    return copy ? strcpy(copy, string) : NULL;
+}
+
 /* A copy of the text that lasts as long as the deck, read as lines. */
 static void read_copy(parser *p, text contents)
 {
@@ -841,66 +848,86 @@ static void read_copy(parser *p, text contents)
     flk_read_lines(p, contents, copy);
 }
 
-static int finish(parser *p)
+static void finish(parser *p)
 {
     flk_mistakes_sort(&p->d->mistakes);
     free(p->uses);
     free(p->settings);
     free(p->named);
     free(p->parts);
-    if (p->out_of_memory || p->d->mistakes.out_of_memory)
-        return -1;
-    return p->d->mistakes.count == 0;
 }
 
-int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
-                  const deck_change *changes, size_t n_changes, unsigned long design, deck *d)
+static void start(parser *p, const fourlink_source *source, const char *name, deck *d)
+{
+    memset(p, 0, sizeof *p);
+    p->d = d;
+    p->load = source->load;
+    p->host = source->host;
+    p->name = keep_string(p, name ? name : "");
+}
+
+static void read_deck(parser *p, const fourlink_source *source)
+{
+    unsigned long i;
+    text contents;
+
+    contents.start = source->text;
+    contents.length = source->length;
+    read_copy(p, contents);
+    for (i = 0; i < source->n_changes && !p->out_of_memory; i++) {
+        const char *origin = keep_string(p, source->changes[i].origin),
+                   *assignment = keep_string(p, source->changes[i].assignment);
+
+        if (origin && assignment)
+            flk_apply_change(p, origin, flk_text_of(assignment));
+    }
+    if (!p->out_of_memory)
+        flk_read_units(p);
+    if (!p->out_of_memory && !p->not_text)
+        flk_read_sweep(p, source->design);
+    if (!p->out_of_memory)
+        flk_read_values(p);
+    if (!p->out_of_memory)
+        flk_set_parts(p);
+    if (!p->out_of_memory && !p->not_text)
+        build(p);
+}
+
+/* The [expect] and [misprint] sections of another text, in place of the deck's. */
+static void read_answers(parser *p, const fourlink_source *source)
+{
+    text contents;
+
+    contents.start = source->answers;
+    contents.length = source->answers_length;
+    p->expectations_only = 1;
+    p->d->n_expectations = 0;
+    read_copy(p, contents);
+    if (!p->out_of_memory)
+        flk_read_values(p);
+    if (!p->out_of_memory)
+        build_expectations(p);
+}
+
+int flk_deck_read(const fourlink_source *source, deck *d)
 {
     parser p;
-    char *copy;
-    size_t i;
 
     memset(d, 0, sizeof *d);
-    memset(&p, 0, sizeof p);
-    p.d = d;
-    p.name = name;
-    p.load = load;
-    p.host = host;
     set_default_units(d);
-    read_copy(&p, contents);
-    for (i = 0; i < n_changes && !p.out_of_memory; i++) {
-        copy = flk_keep(&p, strlen(changes[i].assignment) + 1);
-        if (copy)
-            flk_apply_change(&p, changes[i].option,
-                             flk_text_of(strcpy(copy, changes[i].assignment)));
+    start(&p, source, source->name, d);
+    if (!p.out_of_memory)
+        read_deck(&p, source);
+    finish(&p);
+    if (source->answers && !p.out_of_memory && !d->mistakes.count) {
+        start(&p, source, source->answers_name, d);
+        if (!p.out_of_memory)
+            read_answers(&p, source);
+        finish(&p);
     }
-    if (!p.out_of_memory)
-        flk_read_units(&p);
-    if (!p.out_of_memory && !p.not_text)
-        flk_read_sweep(&p, design);
-    if (!p.out_of_memory)
-        flk_read_values(&p);
-    if (!p.out_of_memory)
-        flk_set_parts(&p);
-    if (!p.out_of_memory && !p.not_text)
-        build(&p);
-    return finish(&p);
-}
-
-int flk_deck_add_expectations(const char *name, text contents, deck *d)
-{
-    parser p;
-
-    memset(&p, 0, sizeof p);
-    p.d = d;
-    p.name = name;
-    p.expectations_only = 1;
-    read_copy(&p, contents);
-    if (!p.out_of_memory)
-        flk_read_values(&p);
-    if (!p.out_of_memory)
-        build_expectations(&p);
-    return finish(&p);
+    if (p.out_of_memory || d->mistakes.out_of_memory)
+        return -1;
+    return d->mistakes.count == 0;
 }
 
 /* What one of the last digit of a number is worth: 0.01 for 2.50, 10 for 1.2e2. */

@@ -113,35 +113,27 @@ struct fourlink_deck {
     struct kept *storage; /* the texts that names and places point to */
 };
 
-/* A change to a deck from outside it: [SECTION[ NAME].]KEY=VALUE. */
-typedef struct deck_change {
-    const char *option; /* for messages, such as "--set" */
-    const char *assignment;
-} deck_change;
-
 /* Read a deck.
 **
 ** Given:
-**    name        for messages: the file's name
-**    contents    the deck's text
-**    load, host  for files that the deck names, see fourlink.h; null: it may name none
-**    changes     assignments that replace or add to those of the deck
-**    design      which design of its [sweep], from 0: the deck is read with the values of that one
+**    source      its text, and what is to be changed in it; it is not needed after the call
 ** Returned:
 **    d           the deck; to be given to flk_deck_free also where it is full of mistakes
 ** Returned (function value):
 **    1 the deck is in order, 0 see d->mistakes, -1 out of memory
+** Note:
+**    Answers are read only for a deck that is in order without them.
 */
-int flk_deck_read(const char *name, text contents, fourlink_loader *load, void *host,
-                  const deck_change *changes, size_t n_changes, unsigned long design, deck *d);
-
-/* Add the [expect] and [misprint] sections of another text to a deck.  As flk_deck_read. */
-int flk_deck_add_expectations(const char *name, text contents, deck *d);
+int flk_deck_read(const fourlink_source *source, deck *d);
 
 /* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
 ** deck if it is none of that quantity. */
 int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
                            double *digit);
+
+/* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes);
 
 void flk_deck_free(deck *d);
 

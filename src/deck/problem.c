@@ -10,25 +10,28 @@
 #include "deck.h"
 #include "mechanics/mechanics.h"
 
-static void copy_mistakes(const mistakes *list, unsigned long max, fourlink_mistake *out)
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes)
 {
     unsigned long i;
 
-    for (i = 0; i < max && i < list->count; i++) {
-        const struct mistake *m = &list->list[i];
+    for (i = 0; i < max && i < d->mistakes.count; i++) {
+        const struct mistake *m = &d->mistakes.list[i];
 
-        flk_text_copy(flk_text_of(m->place.source), out[i].file, sizeof out[i].file);
-        out[i].line = m->place.line;
-        memcpy(out[i].message, m->message, sizeof out[i].message);
+        flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
+        list[i].line = m->place.line;
+        memcpy(list[i].message, m->message, sizeof list[i].message);
     }
+    if (n_mistakes)
+        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
                        void *host, unsigned long max_mistakes, fourlink_deck **result,
                        fourlink_mistake *list, unsigned long *n_mistakes)
 {
+    fourlink_source source;
     deck *d;
-    text t;
     int status;
 
     if (!contents || !result || (!list && max_mistakes))
@@ -36,18 +39,18 @@ int fourlink_deck_read(const char *contents, unsigned long length, fourlink_load
     d = malloc(sizeof *d);
     if (!d)
         return FOURLINK_NO_MEMORY;
-    t.start = contents;
-    t.length = length;
-    status = flk_deck_read("", t, load, host, NULL, 0, 0, d);
+    memset(&source, 0, sizeof source);
+    source.text = contents;
+    source.length = length;
+    source.load = load;
+    source.host = host;
+    status = flk_deck_read(&source, d);
     if (status > 0) {
         *result = d;
         return FOURLINK_OK;
     }
-    if (status == 0) {
-        copy_mistakes(&d->mistakes, max_mistakes, list);
-        if (n_mistakes)
-            *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
-    }
+    if (status == 0)
+        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
     fourlink_deck_free(d);
     return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }
@@ -61,6 +64,8 @@ void fourlink_deck_free(fourlink_deck *d)
 
 int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
 {
+    fourlink_range range;
+
     if (!d || !problem)
         return FOURLINK_NULL;
     memset(problem, 0, sizeof *problem);
@@ -77,6 +82,30 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
+    if (fourlink_motion_range(&d->motion, &range) == FOURLINK_OK)
+        problem->n_rows = range.n_rows;
+    problem->one_instant = d->one_instant;
+    problem->one_revolution = d->one_revolution;
+    problem->digits = d->digits;
+    problem->n_expected = (unsigned long)d->n_expectations;
+    problem->n_designs = d->sweep.n_designs;
+    problem->has_outputs = d->sweep.output.names.length > 0;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *u)
+{
+    int q;
+
+    if (!d || !name || !u)
+        return FOURLINK_NULL;
+    for (q = 0; q < QUANTITY_COUNT && strcmp(name, flk_quantities[q].name) != 0; q++)
+        ;
+    if (q == QUANTITY_COUNT)
+        return FOURLINK_NO_SUCH_NAME;
+    u->name = d->units[q].name;
+    u->up = d->units[q].unit.up;
+    u->down = d->units[q].unit.down;
     return FOURLINK_OK;
 }
 
@@ -140,5 +169,20 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
         *name = d->points[i].name;
     *link = d->points[i].link;
     *at = d->points[i].at;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
+{
+    int is_load;
+
+    if (!d || !name)
+        return FOURLINK_NULL;
+    is_load = i < d->n_loads;
+    if (!is_load && !(i == d->n_loads && d->gas.area > 0))
+        return FOURLINK_BAD_LINK;
+    *name = !is_load ? "gas" : d->variations[i].name[0] ? d->variations[i].name : "load";
+    if (has_torque)
+        *has_torque = is_load && (d->loads[i].torque != 0 || d->variations[i].torque.n > 0);
     return FOURLINK_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** four_bar.c - position, velocity and acceleration of a four-bar linkage.
+** four_bar.c - the four-bar linkage.
 **
 ** Links: crank a = AB, coupler b = BC, rocker c = DC, ground d = AD.
 */
@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "mechanics.h"
+#include "kind.h"
 
 /* Reach.  With f = BD the distance that coupler and rocker have to bridge,
 **
@@ -25,7 +25,7 @@
 ** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes
 ** sign: so the side on which C lies follows from the angle, with no memory of earlier rows.
 */
-void flk_fourbar_prepare(fourlink_mechanism *mechanism)
+static void four_bar_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
@@ -43,8 +43,8 @@ void flk_fourbar_prepare(fourlink_mechanism *mechanism)
     mechanism->folded = mechanism->change_folded ? 0 : folded;
 }
 
-int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
-                      double *sine)
+static int four_bar_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
+                          double *sine)
 {
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
@@ -77,7 +77,7 @@ int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, dou
 **    (C - B) / b = (f^2 + b^2 - c^2) / (2 b f^2) BD + (c / f^2) s n = (cos(theta3), sin(theta3))
 **    (C - D) / c = (b^2 - c^2 - f^2) / (2 c f^2) BD + (b / f^2) s n = (cos(theta4), sin(theta4))
 */
-void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void four_bar_position(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     const fourlink_link *link = mechanism->design.link;
     double b = link[3].length, c = link[4].length, d = link[1].length;
@@ -103,13 +103,9 @@ void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *s
     state->x = 0;
 }
 
-void flk_fourbar_angles(fourlink_state *state)
+static void four_bar_angles(fourlink_state *state)
 {
-    fourlink_link_state *coupler = &state->link[3], *rocker = &state->link[4];
-
-    coupler->theta = flk_angle(&coupler->axis);
-    rocker->theta = flk_angle(&rocker->axis);
-    state->mu = fabs(rocker->theta - coupler->theta);
+    state->mu = fabs(state->link[4].theta - state->link[3].theta);
     if (state->mu > M_PI)
         state->mu = 2 * M_PI - state->mu;
     if (state->mu > M_PI_2)
@@ -121,7 +117,7 @@ void flk_fourbar_angles(fourlink_state *state)
 **    k3 = a sin(theta4 - theta2) / (b sin(theta3 - theta4)),   omega3 = k3 omega2
 **    k4 = a sin(theta3 - theta2) / (c sin(theta3 - theta4)),   omega4 = k4 omega2
 */
-void flk_fourbar_velocity(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void four_bar_velocity(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     static const fourlink_vector zero = {0, 0};
     const fourlink_link *link = mechanism->design.link;
@@ -146,7 +142,7 @@ void flk_fourbar_velocity(const fourlink_mechanism *mechanism, fourlink_state *s
 **    alpha4 = [a alpha2 sin(theta3 - theta2) - a omega2^2 cos(theta3 - theta2)
 **              - b omega3^2 + c omega4^2 cos(theta3 - theta4)] / (c sin(theta3 - theta4))
 */
-void flk_fourbar_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void four_bar_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     static const fourlink_vector zero = {0, 0};
     const fourlink_link *link = mechanism->design.link;
@@ -165,3 +161,189 @@ void flk_fourbar_acceleration(const fourlink_mechanism *mechanism, fourlink_stat
     rocker->acceleration = zero;
     state->a = 0;
 }
+
+/* Forces in closed form.  Moments about B and D leave out the force at that pin, and what is left has one
+** arm, the link's own:
+**
+**    moments of link 3 about B    b e3 x F34 = -M3
+**    moments of link 4 about D    c e4 x F34 =  M4
+**
+**    F34 = -[(M3 / b) e4 + (M4 / c) e3] / sin(theta4 - theta3)
+*/
+static void four_bar_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const flk_body body[3], double M3, double M4, fourlink_vector *F34,
+                            fourlink_forces *forces)
+{
+    const fourlink_vector *e3 = &state->link[3].axis, *e4 = &state->link[4].axis;
+    double b = mechanism->design.link[3].length, c = mechanism->design.link[4].length;
+    double p = -1 / (b * c * state->sine);
+
+    (void)body;
+    (void)forces;
+    M3 *= c * p;
+    M4 *= b * p;
+    F34->x = M3 * e4->x + M4 * e3->x;
+    F34->y = M3 * e4->y + M4 * e3->y;
+}
+
+static int same(double x, double y)
+{
+    return fabs(x - y) <= FLK_ROUNDING * (x + y);
+}
+
+/* Grashof: with s the shortest, l the longest link, p and q the others, some link turns fully if
+** s + l < p + q; s + l = p + q is a linkage with a change point.  Which it is follows from the place
+** of the shortest link. */
+static fourlink_type four_bar_type(const fourlink_mechanism *mechanism)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
+    double sum = a + b + c + d, s = a, l = a;
+    int i, shortest = 2;
+
+    for (i = 1; i <= 4; i++) {
+        if (link[i].length < s) {
+            s = link[i].length;
+            shortest = i;
+        }
+        if (link[i].length > l)
+            l = link[i].length;
+    }
+    if (mechanism->change_folded || mechanism->change_stretched) {
+        if (same(a, b) && same(b, c) && same(c, d))
+            return FOURLINK_RHOMBUS;
+        if (same(a, c) && same(b, d))
+            return FOURLINK_PARALLELOGRAM;
+        if ((same(a, b) && same(c, d)) || (same(a, d) && same(b, c)))
+            return FOURLINK_DELTOID;
+        return FOURLINK_CHANGE_POINT_LINKAGE;
+    }
+    if (2 * (s + l) > sum)
+        return FOURLINK_TRIPLE_ROCKER;
+    switch (shortest) {
+    case FOURLINK_GROUND:
+        return FOURLINK_DOUBLE_CRANK;
+    case FOURLINK_CRANK:
+        return FOURLINK_CRANK_ROCKER;
+    case FOURLINK_COUPLER:
+        return FOURLINK_DOUBLE_ROCKER;
+    default:
+        return FOURLINK_ROCKER_CRANK;
+    }
+}
+
+/* The crank angles at which the triangle BCD exists: u1 and u2 are positive where
+**
+**    cos^2(theta2/2) > -stretched / 4ad,   sin^2(theta2/2) > -folded / 4ad
+*/
+static void four_bar_ranges(const fourlink_mechanism *mechanism, fourlink_reach *reach)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double ad4 = 4 * link[2].length * link[1].length;
+    int far = mechanism->stretched < 0, near = mechanism->folded < 0;
+    double farthest = far ? 2 * acos(flk_kind_clamp(sqrt(-mechanism->stretched / ad4))) : M_PI;
+    double nearest = near ? 2 * asin(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
+
+    if (!far && !near) {
+        flk_kind_add_range(reach, 0, 2 * M_PI);
+    } else if (!near) {
+        flk_kind_add_range(reach, -farthest, farthest);
+    } else if (!far) {
+        flk_kind_add_range(reach, nearest, 2 * M_PI - nearest);
+    } else {
+        flk_kind_add_range(reach, nearest, farthest);
+        flk_kind_add_range(reach, 2 * M_PI - farthest, 2 * M_PI - nearest);
+    }
+}
+
+/* The angle opposite the side z of a triangle x, y, z, by the law of cosines. */
+static double angle_in_triangle(double x, double y, double z)
+{
+    return acos(flk_kind_clamp((x * x + y * y - z * z) / (2 * x * y)));
+}
+
+/* The angle between coupler and rocker goes from its value at the least to that at the greatest distance
+** BD; the transmission angle is it, or 180 deg less it. */
+static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *limits)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
+    double least = mechanism->folded < 0 ? 0 : angle_in_triangle(b, c, fabs(d - a));
+    double most = mechanism->stretched < 0 ? M_PI : angle_in_triangle(b, c, d + a);
+
+    limits->mu_min = least < M_PI - most ? least : M_PI - most;
+    limits->mu_max = least <= M_PI_2 && most >= M_PI_2 ? M_PI_2
+                     : most < M_PI_2                   ? most
+                                                       : M_PI - least;
+}
+
+/* Crank and coupler in one line: AC = b + a, and AC = b - a with the crank pointing away from C.  With
+** psi the angle ADC the rocker is at 180 deg less psi, above (open) or below the ground (crossed). */
+static void swing_of_rocker(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                            fourlink_limits *limits)
+{
+    const fourlink_link *link = mechanism->design.link;
+    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
+    double extended = angle_in_triangle(d, a + b, c);
+    double folded = angle_in_triangle(d, b - a, c) + M_PI, between;
+
+    limits->has_swing = 1;
+    limits->theta4_min = M_PI - angle_in_triangle(c, d, a + b);
+    limits->theta4_max = M_PI - angle_in_triangle(c, d, b - a);
+    limits->theta2_min = extended;
+    limits->theta2_max = folded;
+    if (branch == FOURLINK_CROSSED) {
+        double swap = limits->theta4_min;
+
+        limits->theta4_min = -limits->theta4_max;
+        limits->theta4_max = -swap;
+        limits->theta2_min = 2 * M_PI - folded;
+        limits->theta2_max = 2 * M_PI - extended;
+    }
+    between = folded - extended;
+    limits->time_ratio =
+        between > M_PI ? between / (2 * M_PI - between) : (2 * M_PI - between) / between;
+}
+
+static void four_bar_limits(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                            fourlink_limits *limits)
+{
+    transmission(mechanism, limits);
+    if (four_bar_type(mechanism) == FOURLINK_CRANK_ROCKER)
+        swing_of_rocker(mechanism, branch, limits);
+}
+
+const flk_kind flk_four_bar = {
+    FOURLINK_FOUR_BAR,
+    "four-bar",
+    "four-bar linkage",
+    {NULL, "ground", "crank", "coupler", "rocker"},
+    {0, 1, 1, 1, 1},
+    {
+        {1, 2, FLK_ORIGIN, 2, 0}, /* A */
+        {2, 3, FLK_ORIGIN, 3, 0}, /* B */
+        {3, 4, FLK_TIP, 3, 0},    /* C */
+        {1, 4, FLK_ORIGIN, 4, 0}, /* D */
+    },
+    {
+        FLK_UNKNOWN(F12x),
+        FLK_UNKNOWN(F12y),
+        FLK_UNKNOWN(F23x),
+        FLK_UNKNOWN(F23y),
+        FLK_UNKNOWN(F34x),
+        FLK_UNKNOWN(F34y),
+        FLK_UNKNOWN(F14x),
+        FLK_UNKNOWN(F14y),
+        FLK_UNKNOWN(Ts),
+    },
+    four_bar_prepare,
+    four_bar_reach,
+    four_bar_position,
+    four_bar_velocity,
+    four_bar_acceleration,
+    four_bar_angles,
+    four_bar_forces,
+    four_bar_type,
+    four_bar_ranges,
+    four_bar_limits,
+};

@@ -12,16 +12,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "mechanics.h"
-
-/* One moving link, cut free. */
-typedef struct flk_body {
-    fourlink_vector arm;   /* m, from the link's origin to its centre of mass G */
-    fourlink_vector force; /* N, m a_G - W - (sum of forces) */
-    double moment;         /* N m, I alpha - (sum of moments about G) */
-    double work;           /* N m, power of loads, weight and inertia, unit crank speed */
-    double largest;        /* N m, the largest term of it, components taken apart */
-} flk_body;
+#include "kind.h"
 
 static double flk_larger(double x, double y)
 {

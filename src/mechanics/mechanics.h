@@ -35,43 +35,8 @@
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
 
-/* The angle of a unit vector, in (-pi, pi] (angle.c). */
-double flk_angle(const fourlink_vector *u);
-
-/* The two mechanisms, in four_bar.c and slider_crank.c, as mechanism.c calls them: the crank and its
-** pin B are placed there, and each mechanism adds links 3 and 4.
-**
-** prepare       the constants of the mechanism, from its lengths
-** reach         whether links 3 and 4 meet with the crank at the angle whose half has this sine and
-**               cosine; `sine` is that of the open branch, change points passed smoothly
-** position, velocity, acceleration
-**               axis and origin; k, omega and the origin's k and velocity; alpha and the origin's
-**               acceleration, of link 3 (but for its origin) and of link 4
-** angles        what is left of the position: theta of links 3 and 4, mu, phi.  Nothing else is
-**               computed from these, and so they come last
-*/
-void flk_fourbar_prepare(fourlink_mechanism *mechanism);
-int flk_fourbar_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
-                      double *sine);
-void flk_fourbar_position(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_fourbar_velocity(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_fourbar_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_fourbar_angles(fourlink_state *state);
-
-void flk_slidercrank_prepare(fourlink_mechanism *mechanism);
-int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
-                          double *sine);
-void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state);
-void flk_slidercrank_angles(fourlink_state *state);
-
 /* Whether each of several loads is in order: FOURLINK_OK or why it is not (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
-
-/* The forces of a position that is not singular, with loads that are in order (closed_form.c). */
-void flk_dyad(const fourlink_mechanism *mechanism, const fourlink_state *state,
-              const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces);
 
 /* A vector from a link's own axes into the frame of link 1: v = the arm from the link's origin to the
 ** point `at` of it, or a force that turns with the link. */

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanism.c - what both mechanisms have in common: checking a design, the crank, points of links,
+** mechanism.c - what all mechanisms have in common: checking a design, the crank, points of links,
 ** and the steps of an analysis.
 */
 #include <math.h>
 #include <stddef.h>
 
-#include "mechanics.h"
+#include <gsl/gsl_math.h>
+
+#include "kind.h"
 
 static int check_vector(const fourlink_vector *v, double max)
 {
@@ -35,17 +37,16 @@ static int check_length(double length)
 
 int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism)
 {
+    const flk_kind *kind;
     int i, status;
 
     if (!design || !mechanism)
         return FOURLINK_NULL;
-    if (design->kind != FOURLINK_FOUR_BAR && design->kind != FOURLINK_SLIDER_CRANK)
+    kind = flk_kind_of(design->kind);
+    if (!kind)
         return FOURLINK_BAD_KIND;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        int has_length =
-            design->kind == FOURLINK_FOUR_BAR || i == FOURLINK_CRANK || i == FOURLINK_COUPLER;
-
-        if (has_length && (status = check_length(design->link[i].length)) != FOURLINK_OK)
+        if (kind->has_length[i] && (status = check_length(design->link[i].length)) != FOURLINK_OK)
             return status;
         if (i != FOURLINK_GROUND && (status = check_link(&design->link[i])) != FOURLINK_OK)
             return status;
@@ -56,10 +57,7 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
 
     mechanism->design = *design;
     mechanism->dead_centre = 0;
-    if (design->kind == FOURLINK_FOUR_BAR)
-        flk_fourbar_prepare(mechanism);
-    else
-        flk_slidercrank_prepare(mechanism);
+    kind->prepare(mechanism);
     return FOURLINK_OK;
 }
 
@@ -90,8 +88,8 @@ typedef struct half_angle {
     double half_sine, half_cosine, sine;
 } half_angle;
 
-static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                      half_angle *at)
+static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                      fourlink_branch branch, double theta2, half_angle *at)
 {
     int status;
 
@@ -101,40 +99,42 @@ static int find_reach(const fourlink_mechanism *mechanism, fourlink_branch branc
         return FOURLINK_BAD_BRANCH;
     at->half_sine = sin(0.5 * theta2);
     at->half_cosine = cos(0.5 * theta2);
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        status = flk_fourbar_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
-    else if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
-        status = flk_slidercrank_reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
-    else
-        status = FOURLINK_BAD_KIND;
+    if (!kind)
+        return FOURLINK_BAD_KIND;
+    status = kind->reach(mechanism, at->half_sine, at->half_cosine, &at->sine);
     if (status == FOURLINK_OK && branch == FOURLINK_CROSSED)
         at->sine = -at->sine;
     return status;
 }
 
-static void place(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
-                  const half_angle *at, fourlink_state *state)
+static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fourlink_branch branch,
+                  double theta2, const half_angle *at, fourlink_state *state)
 {
     place_crank(mechanism->design.link[FOURLINK_CRANK].length, theta2, at->half_sine,
                 at->half_cosine, state);
     state->branch = branch;
     state->sine = at->sine;
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        flk_fourbar_position(mechanism, state);
-    else
-        flk_slidercrank_position(mechanism, state);
+    kind->position(mechanism, state);
 }
 
-static void measure_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
+/* The angle of an axis, in (-pi, pi]: one that is at 180 deg but for rounding is not at -180. */
+static double angle_of(const fourlink_vector *axis)
 {
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        flk_fourbar_angles(state);
-    else
-        flk_slidercrank_angles(state);
+    if (fabs(axis->y) < 4e-16 && axis->x != 0)
+        return axis->x < 0 ? M_PI : 0;
+    return atan2(axis->y, axis->x);
+}
+
+static void measure_angles(const flk_kind *kind, fourlink_state *state)
+{
+    state->link[3].theta = angle_of(&state->link[3].axis);
+    state->link[4].theta = angle_of(&state->link[4].axis);
+    kind->angles(state);
 }
 
 /* omega x r for the pin B of the crank */
-static void move(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
+static void move(const flk_kind *kind, const fourlink_mechanism *mechanism, double omega2,
+                 fourlink_state *state)
 {
     fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
     fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
@@ -145,14 +145,12 @@ static void move(const fourlink_mechanism *mechanism, double omega2, fourlink_st
     coupler->k_origin.y = a * crank->axis.x;
     coupler->velocity.x = coupler->k_origin.x * omega2;
     coupler->velocity.y = coupler->k_origin.y * omega2;
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        flk_fourbar_velocity(mechanism, state);
-    else
-        flk_slidercrank_velocity(mechanism, state);
+    kind->velocity(mechanism, state);
 }
 
 /* alpha x r - omega^2 r for the pin B of the crank */
-static void accelerate(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
+static void accelerate(const flk_kind *kind, const fourlink_mechanism *mechanism, double alpha2,
+                       fourlink_state *state)
 {
     fourlink_link_state *crank = &state->link[FOURLINK_CRANK];
     fourlink_link_state *coupler = &state->link[FOURLINK_COUPLER];
@@ -162,45 +160,54 @@ static void accelerate(const fourlink_mechanism *mechanism, double alpha2, fourl
     crank->alpha = alpha2;
     coupler->acceleration.x = -t * crank->axis.y - n * crank->axis.x;
     coupler->acceleration.y = t * crank->axis.x - n * crank->axis.y;
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR)
-        flk_fourbar_acceleration(mechanism, state);
-    else
-        flk_slidercrank_acceleration(mechanism, state);
+    kind->acceleration(mechanism, state);
 }
 
 int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                       fourlink_state *state)
 {
+    const flk_kind *kind;
     half_angle at;
     int status;
 
     if (!mechanism || !state)
         return FOURLINK_NULL;
-    status = find_reach(mechanism, branch, theta2, &at);
+    kind = flk_kind_of(mechanism->design.kind);
+    status = find_reach(kind, mechanism, branch, theta2, &at);
     if (status != FOURLINK_OK)
         return status;
-    place(mechanism, branch, theta2, &at, state);
-    measure_angles(mechanism, state);
+    place(kind, mechanism, branch, theta2, &at, state);
+    measure_angles(kind, state);
     return FOURLINK_OK;
 }
 
 int fourlink_velocity(const fourlink_mechanism *mechanism, double omega2, fourlink_state *state)
 {
+    const flk_kind *kind;
+
     if (!mechanism || !state)
         return FOURLINK_NULL;
     if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    move(mechanism, omega2, state);
+    kind = flk_kind_of(mechanism->design.kind);
+    if (!kind)
+        return FOURLINK_BAD_KIND;
+    move(kind, mechanism, omega2, state);
     return FOURLINK_OK;
 }
 
 int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fourlink_state *state)
 {
+    const flk_kind *kind;
+
     if (!mechanism || !state)
         return FOURLINK_NULL;
     if (!FLK_WITHIN(alpha2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    accelerate(mechanism, alpha2, state);
+    kind = flk_kind_of(mechanism->design.kind);
+    if (!kind)
+        return FOURLINK_BAD_KIND;
+    accelerate(kind, mechanism, alpha2, state);
     return FOURLINK_OK;
 }
 
@@ -242,12 +249,12 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
 
 /* The motion of every link, but for the angles; the state is written to only if all is in order, the
 ** loads included. */
-static int analyse_motion(const fourlink_mechanism *mechanism, fourlink_branch branch,
-                          const fourlink_crank *crank, const fourlink_load *loads,
-                          unsigned long n_loads, fourlink_state *state)
+static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                          fourlink_branch branch, const fourlink_crank *crank,
+                          const fourlink_load *loads, unsigned long n_loads, fourlink_state *state)
 {
     half_angle at;
-    int status = find_reach(mechanism, branch, crank->theta2, &at);
+    int status = find_reach(kind, mechanism, branch, crank->theta2, &at);
 
     if (status != FOURLINK_OK)
         return status;
@@ -257,9 +264,9 @@ static int analyse_motion(const fourlink_mechanism *mechanism, fourlink_branch b
     status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
-    place(mechanism, branch, crank->theta2, &at, state);
-    move(mechanism, crank->omega2, state);
-    accelerate(mechanism, crank->alpha2, state);
+    place(kind, mechanism, branch, crank->theta2, &at, state);
+    move(kind, mechanism, crank->omega2, state);
+    accelerate(kind, mechanism, crank->alpha2, state);
     return FOURLINK_OK;
 }
 
@@ -268,6 +275,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,
                      fourlink_state *state, fourlink_forces *forces)
 {
+    const flk_kind *kind;
     fourlink_state result;
     int status;
 
@@ -275,12 +283,13 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
         return FOURLINK_NULL;
     if (!forces)
         return fourlink_analyse_dyad(mechanism, branch, crank, NULL, 0, state, NULL);
-    status = analyse_motion(mechanism, branch, crank, loads, n_loads, &result);
+    kind = flk_kind_of(mechanism->design.kind);
+    status = analyse_motion(kind, mechanism, branch, crank, loads, n_loads, &result);
     if (status == FOURLINK_OK)
         status = fourlink_solve(mechanism, &result, loads, n_loads, forces);
     if (status != FOURLINK_OK)
         return status;
-    measure_angles(mechanism, &result);
+    measure_angles(kind, &result);
     *state = result;
     return FOURLINK_OK;
 }
@@ -290,16 +299,18 @@ int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch b
                           const fourlink_crank *crank, const fourlink_load *loads,
                           unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)
 {
+    const flk_kind *kind;
     int status;
 
     if (!mechanism || !crank || !state)
         return FOURLINK_NULL;
-    status = analyse_motion(mechanism, branch, crank, loads, forces ? n_loads : 0, state);
+    kind = flk_kind_of(mechanism->design.kind);
+    status = analyse_motion(kind, mechanism, branch, crank, loads, forces ? n_loads : 0, state);
     if (status != FOURLINK_OK)
         return status;
     if (forces)
-        flk_dyad(mechanism, state, loads, n_loads, forces);
-    measure_angles(mechanism, state);
+        flk_dyad(kind, mechanism, state, loads, n_loads, forces);
+    measure_angles(kind, state);
     return FOURLINK_OK;
 }
 

@@ -41,35 +41,40 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     return FOURLINK_OK;
 }
 
-/* One moving link: arms from its centre of mass to the pin towards the crankshaft (A, B, C for links
-** 2, 3, 4), and to the other one (B, C, D; of the piston, C again). */
-typedef struct pins {
-    fourlink_vector first, second; /* m */
-} pins;
-
-static void place_pins(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       const flk_body body[3], pins arms[3])
+/* The arm from a link's centre of mass to a joint: that of `body` is G - O. */
+static fourlink_vector arm_of(const fourlink_vector *joint, const fourlink_link_state *link,
+                              const flk_body *body)
 {
-    fourlink_vector pin[4]; /* A, B, C, D; of a slider-crank D is C */
-    int i;
+    fourlink_vector G = link->origin, rho;
 
-    pin[0] = state->link[2].origin;
-    pin[1] = state->link[3].origin;
-    pin[2].x = pin[1].x + mechanism->design.link[3].length * state->link[3].axis.x;
-    pin[2].y = pin[1].y + mechanism->design.link[3].length * state->link[3].axis.y;
-    pin[3] = state->link[4].origin;
-    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
-        pin[2] = pin[3];
-    for (i = 0; i < 3; i++) {
-        fourlink_vector G = state->link[i + 2].origin;
+    G.x += body->arm.x;
+    G.y += body->arm.y;
+    rho.x = joint->x - G.x;
+    rho.y = joint->y - G.y;
+    return rho;
+}
 
-        G.x += body[i].arm.x;
-        G.y += body[i].arm.y;
-        arms[i].first.x = pin[i].x - G.x;
-        arms[i].first.y = pin[i].y - G.y;
-        arms[i].second.x = pin[i + 1].x - G.x;
-        arms[i].second.y = pin[i + 1].y - G.y;
+static fourlink_vector place_of(const flk_joint *joint, const fourlink_mechanism *mechanism,
+                                const fourlink_state *state)
+{
+    const fourlink_link_state *link = &state->link[joint->at];
+    fourlink_vector P = link->origin;
+
+    if (joint->place == FLK_TIP) {
+        P.x += mechanism->design.link[joint->at].length * link->axis.x;
+        P.y += mechanism->design.link[joint->at].length * link->axis.y;
     }
+    return P;
+}
+
+/* The slide, turned left by 90 deg: 0 where the slide is the line of stroke, not -0. */
+static fourlink_vector normal_of(const fourlink_link_state *slider)
+{
+    fourlink_vector n;
+
+    n.x = 0 - slider->axis.y;
+    n.y = slider->axis.x;
+    return n;
 }
 
 /* The place of an equation and of an unknown in the array that holds the matrix: the coefficient of
@@ -78,48 +83,59 @@ typedef struct layout {
     int row[9], column[9];
 } layout;
 
-/* The nine equations, A x = b, x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts).  With
-** rho_P = P - G and rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 (ME3491 eqs. 3 to 15; theirs
-** have cosines for sines in the moments, and r_g3 for r_g4):
+/* The nine equations, A x = b, x the two unknowns of each joint, and Ts.  With rho_P = P - G and
+** rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 where all joints are pins (ME3491 eqs. 3 to 15;
+** theirs have cosines for sines in the moments, and r_g3 for r_g4):
 **
 **    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
 **    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
 **    F34 + F14 = m a_G4 - W4 - sum F        rho_C x F34 + rho_D x F14      = I alpha4 - sum M
 **
-** A piston does not turn, and its guide gives a normal force N and a couple: F14y is N, which acts
-** at the pin C, and the column of F14x is that of the couple M14.
+** A slider has F_ij = N n, and its couple M_ij in the moments besides, which takes the column before N.
 **
-** `per_length` multiplies the moment equations of the three links. */
-static void assemble(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                     const flk_body body[3], const double per_length[3], const layout *at,
-                     double *A, double b[9])
+** `per_length` multiplies the moment equations of the links, by number, and couples, as unknowns, with
+** that of the link on which they act: Ts with the crank's. */
+static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                     const fourlink_state *state, const flk_body body[3],
+                     const double per_length[5], const layout *at, double *A, double b[9])
 {
-    pins arms[3];
-    int i;
+    int i, k;
 
-    place_pins(mechanism, state, body, arms);
     memset(A, 0, 81 * sizeof A[0]);
-    for (i = 0; i < 3; i++) {
-        double *x = A + at->row[3 * i], *y = A + at->row[3 * i + 1], *m = A + at->row[3 * i + 2];
-        const int *first = at->column + 2 * i, *second = first + 2;
-        double sign = i == 2 ? 1 : -1, s = per_length[i];
+    for (k = 0; k < 4; k++) {
+        const flk_joint *joint = &kind->joint[k];
+        const fourlink_link_state *slider = &state->link[joint->slider];
+        int first = at->column[2 * k], second = at->column[2 * k + 1];
+        fourlink_vector P = place_of(joint, mechanism, state);
 
-        x[first[0]] = 1;
-        x[second[0]] = sign;
-        y[first[1]] = 1;
-        y[second[1]] = sign;
-        m[first[0]] = -s * arms[i].first.y;
-        m[first[1]] = s * arms[i].first.x;
-        m[second[0]] = -sign * s * arms[i].second.y;
-        m[second[1]] = sign * s * arms[i].second.x;
+        for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+            double *x = A + at->row[3 * i - 6], *y = A + at->row[3 * i - 5],
+                   *m = A + at->row[3 * i - 4];
+            double sign = i == joint->on ? 1 : -1, s = sign * per_length[i];
+            fourlink_vector rho, n;
+
+            if (i != joint->from && i != joint->on)
+                continue;
+            rho = arm_of(&P, &state->link[i], &body[i - 2]);
+            if (joint->slider) {
+                n = normal_of(slider);
+                m[first] = s / per_length[joint->on];
+                x[second] = sign * n.x;
+                y[second] = sign * n.y;
+                m[second] = s * FLK_CROSS(rho, n);
+            } else {
+                x[first] = sign;
+                y[second] = sign;
+                m[first] = -s * rho.y;
+                m[second] = s * rho.x;
+            }
+        }
+    }
+    A[at->row[2] + at->column[8]] = 1;
+    for (i = 0; i < 3; i++) {
         b[3 * i] = body[i].force.x;
         b[3 * i + 1] = body[i].force.y;
-        b[3 * i + 2] = s * body[i].moment;
-    }
-    A[at->row[2] + at->column[8]] = per_length[0];
-    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK) {
-        A[at->row[6] + at->column[6]] = 0;
-        A[at->row[8] + at->column[6]] = per_length[2];
+        b[3 * i + 2] = per_length[i + 2] * body[i].moment;
     }
 }
 
@@ -130,7 +146,7 @@ static void assemble(const fourlink_mechanism *mechanism, const fourlink_state *
 ** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded
 ** matrices works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of the
 ** matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's
-** length: so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
+** length, or half that of the link before: so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
 */
 #define BELOW 2
 #define ABOVE 4
@@ -142,25 +158,20 @@ static const layout banded = {{1, 2, 0, 3, 4, 5, 7, 8, 6},
                               {COLUMN(1), COLUMN(2), COLUMN(3), COLUMN(4), COLUMN(5), COLUMN(6),
                                COLUMN(7), COLUMN(8), COLUMN(0)}};
 
-static int solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                 const flk_body body[3], double x[9])
+static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                 const fourlink_state *state, const flk_body body[3], double x[9])
 {
     const fourlink_link *link = mechanism->design.link;
-    double A[9 * WIDTH], b[9], ordered[9], per_length[3];
+    double A[9 * WIDTH], b[9], ordered[9], per_length[5];
     unsigned int pivot[9];
     gsl_matrix_view A_view = gsl_matrix_view_array(A, 9, WIDTH);
     gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
     gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(pivot, 9);
     int i;
 
-    per_length[0] = 2 / link[2].length;
-    per_length[1] = 2 / link[3].length;
-    per_length[2] =
-        mechanism->design.kind == FOURLINK_FOUR_BAR ? 2 / link[4].length : per_length[1];
-    assemble(mechanism, state, body, per_length, &banded, A, b);
-    A[DIAGONAL(0)] = 1; /* the first unknown is Ts per_length[0], a force; M14 likewise */
-    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
-        A[banded.row[8] + banded.column[6]] = 1;
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        per_length[i] = kind->has_length[i] ? 2 / link[i].length : per_length[i - 1];
+    assemble(kind, mechanism, state, body, per_length, &banded, A, b);
     for (i = 0; i < 9; i++)
         ordered[banded.row[i]] = b[i];
     gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
@@ -170,9 +181,10 @@ static int solve(const fourlink_mechanism *mechanism, const fourlink_state *stat
     gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
     for (i = 0; i < 8; i++)
         x[i] = ordered[i + 1];
-    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK)
-        x[6] /= per_length[2];
-    x[8] = ordered[0] / per_length[0];
+    for (i = 0; i < 4; i++)
+        if (kind->joint[i].slider)
+            x[2 * i] /= per_length[kind->joint[i].on];
+    x[8] = ordered[0] / per_length[FOURLINK_CRANK];
     return FOURLINK_OK;
 }
 
@@ -180,23 +192,50 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
                     const fourlink_load *loads, unsigned long n_loads, double A[9][9], double b[9])
 {
     static const layout dense = {{0, 9, 18, 27, 36, 45, 54, 63, 72}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
-    static const double metres[3] = {1, 1, 1};
+    static const double metres[5] = {1, 1, 1, 1, 1};
+    const flk_kind *kind;
     flk_body body[3];
     int status;
 
     if (!mechanism || !state || !A || !b)
         return FOURLINK_NULL;
+    kind = flk_kind_of(mechanism->design.kind);
+    if (!kind)
+        return FOURLINK_BAD_KIND;
     status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    assemble(mechanism, state, body, metres, &dense, A[0], b);
+    assemble(kind, mechanism, state, body, metres, &dense, A[0], b);
     return FOURLINK_OK;
+}
+
+static void list_forces(const flk_kind *kind, const fourlink_state *state, const double x[9],
+                        fourlink_forces *forces)
+{
+    static const size_t force[4][2] = {
+        {offsetof(fourlink_forces, F12x), offsetof(fourlink_forces, F12y)},
+        {offsetof(fourlink_forces, F23x), offsetof(fourlink_forces, F23y)},
+        {offsetof(fourlink_forces, F34x), offsetof(fourlink_forces, F34y)},
+        {offsetof(fourlink_forces, F14x), offsetof(fourlink_forces, F14y)}};
+    int i;
+
+    memset(forces, 0, sizeof *forces);
+    for (i = 0; i < 9; i++)
+        *FLK_MEMBER(forces, kind->unknown[i].member) = x[i];
+    for (i = 0; i < 4; i++)
+        if (kind->joint[i].slider) {
+            fourlink_vector n = normal_of(&state->link[kind->joint[i].slider]);
+
+            *FLK_MEMBER(forces, force[i][0]) = x[2 * i + 1] * n.x + 0.0;
+            *FLK_MEMBER(forces, force[i][1]) = x[2 * i + 1] * n.y;
+        }
 }
 
 int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
+    const flk_kind *kind;
     flk_body body[3];
     fourlink_forces result;
     double x[9];
@@ -204,27 +243,17 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
 
     if (!mechanism || !state || !forces)
         return FOURLINK_NULL;
+    kind = flk_kind_of(mechanism->design.kind);
+    if (!kind)
+        return FOURLINK_BAD_KIND;
     status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    status = solve(mechanism, state, body, x);
+    status = solve(kind, mechanism, state, body, x);
     if (status != FOURLINK_OK)
         return status;
-    result.F12x = x[0];
-    result.F12y = x[1];
-    result.F23x = x[2];
-    result.F23y = x[3];
-    result.F34x = x[4];
-    result.F34y = x[5];
-    result.F14x = x[6];
-    result.F14y = x[7];
-    result.M14 = 0;
-    result.Ts = x[8];
-    if (mechanism->design.kind == FOURLINK_SLIDER_CRANK) {
-        result.F14x = 0;
-        result.M14 = x[6];
-    }
+    list_forces(kind, state, x, &result);
     flk_virtual_work(body, &result);
     if (!flk_is_finite(&result))
         return FOURLINK_BAD_NUMBER;

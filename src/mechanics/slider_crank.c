@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** slider_crank.c - position, velocity and acceleration of a slider-crank.
+** slider_crank.c - the slider-crank.
 **
 ** Links: crank r = AB, rod l = BC, piston at C on the line of stroke y = e.
 */
@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "mechanics.h"
+#include "kind.h"
 
 /* Reach.  The rod bridges the height r sin(theta2) - e of the crank pin over the line of stroke.
 ** With X the piston's coordinate along that line and w = X - r cos(theta2) = l cos(theta3),
@@ -21,7 +21,7 @@
 ** `folded`, is 0 the mechanism has a change point, at +90 deg or at -90 deg, and the root of u1 or
 ** u2 goes smoothly through 0 and changes sign there.
 */
-void flk_slidercrank_prepare(fourlink_mechanism *mechanism)
+static void slider_crank_prepare(fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
     double r = link[2].length, l = link[3].length, e = mechanism->design.offset;
@@ -37,8 +37,8 @@ void flk_slidercrank_prepare(fourlink_mechanism *mechanism)
     mechanism->dead_centre = reach2 > 0 ? sqrt(reach2) : 0;
 }
 
-int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
-                          double *sine)
+static int slider_crank_reach(const fourlink_mechanism *mechanism, double half_sine,
+                              double half_cosine, double *sine)
 {
     const fourlink_link *link = mechanism->design.link;
     double r = link[2].length, l = link[3].length;
@@ -70,14 +70,13 @@ int flk_slidercrank_reach(const fourlink_mechanism *mechanism, double half_sine,
 **    sin(theta3) = -sin(phi),  X = r cos(theta2) + l cos(theta3)
 **    x = sqrt((r + l)^2 - e^2) -+ X,   the displacement from the inner dead centre (open, crossed)
 */
-void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void slider_crank_position(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     double l = mechanism->design.link[3].length, e = mechanism->design.offset;
     fourlink_link_state *rod = &state->link[3], *piston = &state->link[4];
 
     rod->axis.x = state->sine;
     rod->axis.y = (e - rod->origin.y) / l;
-    piston->theta = 0;
     piston->axis.x = 1;
     piston->axis.y = 0;
     piston->origin.x = rod->origin.x + l * rod->axis.x;
@@ -85,11 +84,10 @@ void flk_slidercrank_position(const fourlink_mechanism *mechanism, fourlink_stat
     state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
 }
 
-void flk_slidercrank_angles(fourlink_state *state)
+static void slider_crank_angles(fourlink_state *state)
 {
-    fourlink_link_state *rod = &state->link[3];
+    const fourlink_link_state *rod = &state->link[3];
 
-    rod->theta = flk_angle(&rod->axis);
     state->phi = -rod->theta;
     if (rod->axis.x < 0)
         state->phi = rod->theta > 0 ? rod->theta - M_PI : rod->theta + M_PI;
@@ -104,7 +102,7 @@ void flk_slidercrank_angles(fourlink_state *state)
 ** With e = 0, open: omega3 = -dphi/dt, dphi/dt = omega2 cos(theta2) / sqrt(n^2 - sin^2(theta2)),
 ** n = l/r (ME3491).
 */
-void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void slider_crank_velocity(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
     const fourlink_link_state *crank = &state->link[2];
@@ -128,7 +126,7 @@ void flk_slidercrank_velocity(const fourlink_mechanism *mechanism, fourlink_stat
 **    d2X/dt2 = -r alpha2 sin(theta2) - r omega2^2 cos(theta2)
 **              - l alpha3 sin(theta3) - l omega3^2 cos(theta3),   d2X/dt2 = -+a
 */
-void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state)
+static void slider_crank_acceleration(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
     const fourlink_link_state *crank = &state->link[2];
@@ -144,3 +142,126 @@ void flk_slidercrank_acceleration(const fourlink_mechanism *mechanism, fourlink_
     piston->acceleration.y = 0;
     state->a = -(double)state->branch * piston->acceleration.x;
 }
+
+/* Forces in closed form.  Moments of the rod about B leave out the force at that pin:
+**
+**    forces on the piston along the stroke   F34x = f4x
+**    moments of the rod about B              F34y = [F34x sin(theta3) - M3 / l] / cos(theta3)
+**    moments of the piston about C           M14 = M4
+*/
+static void slider_crank_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                const flk_body body[3], double M3, double M4, fourlink_vector *F34,
+                                fourlink_forces *forces)
+{
+    const fourlink_vector *e3 = &state->link[3].axis;
+
+    F34->x = body[2].force.x;
+    F34->y = (F34->x * e3->y - M3 / mechanism->design.link[3].length) / e3->x;
+    forces->M14 = M4;
+}
+
+static int turns_fully(const fourlink_mechanism *mechanism)
+{
+    return mechanism->stretched > 0 && mechanism->folded > 0;
+}
+
+static fourlink_type slider_crank_type(const fourlink_mechanism *mechanism)
+{
+    if (mechanism->change_folded || mechanism->change_stretched)
+        return FOURLINK_CHANGE_POINT_SLIDER;
+    return turns_fully(mechanism) ? FOURLINK_ENGINE : FOURLINK_SLIDER_ROCKER;
+}
+
+/* u1 and u2 are positive where
+**
+**    sin(theta2) < 1 + stretched / r,   sin(theta2) > -1 - folded / r
+*/
+static void slider_crank_ranges(const fourlink_mechanism *mechanism, fourlink_reach *reach)
+{
+    double r = mechanism->design.link[2].length;
+    int high = mechanism->stretched < 0, low = mechanism->folded < 0;
+    double highest = high ? asin(flk_kind_clamp(1 + mechanism->stretched / r)) : M_PI_2;
+    double lowest = low ? asin(flk_kind_clamp(-1 - mechanism->folded / r)) : -M_PI_2;
+
+    if (!high && !low) {
+        flk_kind_add_range(reach, 0, 2 * M_PI);
+    } else if (!low) {
+        flk_kind_add_range(reach, -M_PI - highest, highest);
+    } else if (!high) {
+        flk_kind_add_range(reach, lowest, M_PI - lowest);
+    } else {
+        flk_kind_add_range(reach, lowest, highest);
+        flk_kind_add_range(reach, M_PI - highest, M_PI - lowest);
+    }
+}
+
+static double one_turn(double angle)
+{
+    angle = fmod(angle, 2 * M_PI);
+    return angle < 0 ? angle + 2 * M_PI : angle;
+}
+
+/* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C. */
+static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                             fourlink_limits *limits)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    double e = mechanism->design.offset, inner = asin(flk_kind_clamp(e / (l + r))),
+           outer = M_PI + asin(flk_kind_clamp(e / (l - r)));
+
+    if (branch == FOURLINK_CROSSED) {
+        inner = M_PI - inner;
+        outer = M_PI - outer;
+    }
+    limits->has_stroke = 1;
+    limits->stroke = sqrt((l + r - e) * (l + r + e)) - sqrt((l - r - e) * (l - r + e));
+    limits->inner = one_turn(inner);
+    limits->outer = one_turn(outer);
+}
+
+static void slider_crank_limits(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                                fourlink_limits *limits)
+{
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    double e = fabs(mechanism->design.offset);
+
+    limits->mu_min = turns_fully(mechanism) ? acos((r + e) / l) : 0;
+    limits->mu_max = e <= r ? M_PI_2 : acos(flk_kind_clamp((e - r) / l));
+    if (turns_fully(mechanism))
+        stroke_of_piston(mechanism, branch, limits);
+}
+
+const flk_kind flk_slider_crank = {
+    FOURLINK_SLIDER_CRANK,
+    "slider-crank",
+    "slider-crank",
+    {NULL, "ground", "crank", "rod", "piston"},
+    {0, 0, 1, 1, 0},
+    {
+        {1, 2, FLK_ORIGIN, 2, 0}, /* A */
+        {2, 3, FLK_ORIGIN, 3, 0}, /* B */
+        {3, 4, FLK_ORIGIN, 4, 0}, /* C */
+        {1, 4, FLK_ORIGIN, 4, 4}, /* the guide */
+    },
+    {
+        FLK_UNKNOWN(F12x),
+        FLK_UNKNOWN(F12y),
+        FLK_UNKNOWN(F23x),
+        FLK_UNKNOWN(F23y),
+        FLK_UNKNOWN(F34x),
+        FLK_UNKNOWN(F34y),
+        FLK_UNKNOWN(M14),
+        {"N", offsetof(fourlink_forces, F14y)},
+        FLK_UNKNOWN(Ts),
+    },
+    slider_crank_prepare,
+    slider_crank_reach,
+    slider_crank_position,
+    slider_crank_velocity,
+    slider_crank_acceleration,
+    slider_crank_angles,
+    slider_crank_forces,
+    slider_crank_type,
+    slider_crank_ranges,
+    slider_crank_limits,
+};

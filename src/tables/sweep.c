@@ -426,13 +426,14 @@ static int print_design(FILE *out, const sweep_request *request, unsigned long d
                         const deck *first, sweep_outputs *outputs, const column_list *header,
                         unsigned long *failed)
 {
+    fourlink_source source = request->source;
     column_list columns;
     deck d;
     int status;
 
     memset(&columns, 0, sizeof columns);
-    status = flk_deck_read(request->name, request->contents, request->load, request->host,
-                           request->changes, request->n_changes, design, &d);
+    source.design = design;
+    status = flk_deck_read(&source, &d);
     if (status > 0 && !outputs->n)
         status = columns_choose(&d, &columns);
     if (status == 0) {

@@ -11,12 +11,7 @@
 
 /* What every design is read from, and which of them are wanted. */
 typedef struct sweep_request {
-    const char *name;
-    text contents;
-    fourlink_loader *load;
-    void *host;
-    const deck_change *changes;
-    size_t n_changes;
+    fourlink_source source;    /* of the first */
     unsigned long part, parts; /* the part-th of so many parts; 1, 1: all */
     int csv;
 } sweep_request;

@@ -7,7 +7,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "check.h"
-#include "deck/deck.h"
+#include "read.h"
 
 /* Nine lines each: what a test adds stands at line 10. */
 #define FOUR_BAR             \
@@ -59,12 +59,20 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     return NULL;
 }
 
-static int read_text(text contents, const deck_change *changes, size_t n, deck *d)
+static int read_text(text contents, const fourlink_change *changes, size_t n, deck *d)
 {
-    return flk_deck_read("x.deck", contents, load_file, (void *)files, changes, n, 0, d);
+    fourlink_source source = deck_source("");
+
+    source.text = contents.start;
+    source.length = (unsigned long)contents.length;
+    source.load = load_file;
+    source.host = (void *)files;
+    source.changes = changes;
+    source.n_changes = (unsigned long)n;
+    return flk_deck_read(&source, d);
 }
 
-static int read_changed(const char *contents, const deck_change *changes, size_t n, deck *d)
+static int read_changed(const char *contents, const fourlink_change *changes, size_t n, deck *d)
 {
     int status = read_text(flk_text_of(contents), changes, n, d);
     size_t i;
@@ -86,7 +94,7 @@ static void read_good(const char *contents, deck *d)
 /* Read a deck that is in order with one change, which may be null. */
 static void read_with(const char *contents, const char *assignment, deck *d)
 {
-    deck_change change = {"--set", NULL};
+    fourlink_change change = {"--set", NULL};
 
     change.assignment = assignment;
     print_message("%s\n", assignment);
@@ -596,7 +604,7 @@ static void test_all_mistakes(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d), 0);
+    assert_int_equal(read_deck(contents, &d), 0);
     flk_mistakes_sort(&d.mistakes);
     assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
     for (i = 0; i < d.mistakes.count; i++)
@@ -645,7 +653,7 @@ static void test_odd_curves(void **unused)
         "load T.torque=0 1, 359.99999999 2, 360 1",
         "motion.cycle=1e-12 rad",
     };
-    deck_change change = {"--set", NULL};
+    fourlink_change change = {"--set", NULL};
     size_t i;
 
     (void)unused;
@@ -907,10 +915,10 @@ static void test_gravity(void **unused)
 
 static void test_changes(void **unused)
 {
-    static const deck_change several[] = {{"--set", "crank.length=21 mm"},
-                                          {"--interval", "motion.interval=5 deg"},
-                                          {"--set", "crank.length=22 mm"},
-                                          {"--branch", "table.branch=open"}};
+    static const fourlink_change several[] = {{"--set", "crank.length=21 mm"},
+                                              {"--interval", "motion.interval=5 deg"},
+                                              {"--set", "crank.length=22 mm"},
+                                              {"--branch", "table.branch=open"}};
     deck d;
 
     (void)unused;
@@ -976,7 +984,7 @@ static void test_mistaken_changes(void **unused)
          "the crank, 1 m, is longer than the other three together, 0.202 m: they cannot be "
          "assembled"},
     };
-    deck_change change = {"--set", NULL};
+    fourlink_change change = {"--set", NULL};
     size_t i;
 
     (void)unused;

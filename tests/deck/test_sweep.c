@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "deck/deck.h"
+#include "read.h"
 
 /* Fifteen lines: [sweep] stands at line 15, what a test adds to it from line 16 on. */
 #define DECK                       \
@@ -24,6 +24,7 @@
 
 static int read_design(const char *lines, const char *units, unsigned long design, deck *d)
 {
+    fourlink_source source;
     char contents[4096];
 
     assert_true(strlen(DECK) + strlen(lines) + strlen(units) + 2 < sizeof contents);
@@ -31,7 +32,9 @@ static int read_design(const char *lines, const char *units, unsigned long desig
     strcat(contents, lines);
     strcat(contents, "\n");
     strcat(contents, units);
-    return flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, design, d);
+    source = deck_source(contents);
+    source.design = design;
+    return flk_deck_read(&source, d);
 }
 
 /* ------------------------------------------------------------------------------- values and order */

@@ -10,6 +10,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "check.h"
+#include "read.h"
 #include "results/expected.h"
 #include "results/extreme.h"
 #include "results/fact.h"
@@ -31,7 +32,7 @@ typedef struct loaded {
 
 static void load(const char *contents, loaded *l)
 {
-    if (flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &l->d) != 1)
+    if (read_deck(contents, &l->d) != 1)
         fail_msg("%s\n%s", l->d.mistakes.list[0].message, contents);
     assert_true(analysis_open(&l->a, &l->d, analysis_possible(&l->d)));
 }
@@ -1698,7 +1699,7 @@ static check one_check(const char *contents)
     check c;
     deck d;
 
-    if (flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d) != 1)
+    if (read_deck(contents, &d) != 1)
         fail_msg("%s\n%s", d.mistakes.list[0].message, contents);
     if (checks_run(&d, take_check, &t) != 1)
         fail_msg("%s\n%s", d.mistakes.list[0].message, contents);
@@ -1849,18 +1850,16 @@ static void test_tolerances_of_sections(void **unused)
     int i;
 
     (void)unused;
-    assert_int_equal(
-        flk_deck_read("x.deck",
-                      flk_text_of(four_bar(0.020, 0.066, 0.056, 0.080,
-                                           "[motion]\nspeed = 10.5 rad/s\n[expect]\n"
-                                           "at = 40 deg\ntolerance = 1 %\n"
-                                           "omega3 = -3.18 rad/s\n[expect]\nat = 40 deg\n"
-                                           "tolerance = 1 %\nomega3 = -3.19 rad/s\n"
-                                           "theta4 = 104.5\n[expect]\nat = 40 deg\n"
-                                           "tolerance = 1 %\ntheta4 = 105.0\n"
-                                           "[expect]\nat = 40 deg\nomega3 = -3.18 rad/s\n")),
-                      NULL, NULL, NULL, 0, 0, &d),
-        1);
+    assert_int_equal(read_deck(four_bar(0.020, 0.066, 0.056, 0.080,
+                                        "[motion]\nspeed = 10.5 rad/s\n[expect]\n"
+                                        "at = 40 deg\ntolerance = 1 %\n"
+                                        "omega3 = -3.18 rad/s\n[expect]\nat = 40 deg\n"
+                                        "tolerance = 1 %\nomega3 = -3.19 rad/s\n"
+                                        "theta4 = 104.5\n[expect]\nat = 40 deg\n"
+                                        "tolerance = 1 %\ntheta4 = 105.0\n"
+                                        "[expect]\nat = 40 deg\nomega3 = -3.18 rad/s\n"),
+                               &d),
+                     1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
     assert_int_equal(t.n, 5);
     for (i = 0; i < 5; i++)
@@ -1882,11 +1881,8 @@ static void test_negative_tolerances(void **unused)
         taken t = {0};
         deck d;
 
-        outcome[i] =
-            flk_deck_read("x.deck",
-                          flk_text_of(engine(
-                              300, print("[expect]\ntolerance = %s\nstroke = 201 mm\n", forms[i]))),
-                          NULL, NULL, NULL, 0, 0, &d);
+        outcome[i] = read_deck(
+            engine(300, print("[expect]\ntolerance = %s\nstroke = 201 mm\n", forms[i])), &d);
         if (outcome[i] == 1)
             outcome[i] = checks_run(&d, take_check, &t);
         if (outcome[i] == 1)
@@ -2072,8 +2068,7 @@ static void check_mistake(const char *contents, long line, const char *message)
 {
     taken t = {0};
     deck d;
-    int status = flk_deck_read("x.deck", flk_text_of(contents), NULL, NULL, NULL, 0, 0, &d),
-        read = status;
+    int status = read_deck(contents, &d), read = status;
 
     if (read == 1)
         status = checks_run(&d, take_check, &t);
@@ -2175,11 +2170,10 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(flk_deck_read("x.deck",
-                                   flk_text_of(four_bar(0.50, 0.45, 0.60, 0.20,
-                                                        "[motion]\nspeed = 1 rad/s\n[expect]\n"
-                                                        "max(theta4) = 180 deg\n")),
-                                   NULL, NULL, NULL, 0, 0, &d),
+    assert_int_equal(read_deck(four_bar(0.50, 0.45, 0.60, 0.20,
+                                        "[motion]\nspeed = 1 rad/s\n[expect]\n"
+                                        "max(theta4) = 180 deg\n"),
+                               &d),
                      1);
     if (checks_run(&d, take_check, &t) == 0) {
         assert_int_equal(d.mistakes.list[0].place.line, 13);
@@ -2196,12 +2190,11 @@ static void test_mistake_beyond_the_end_of_a_motion(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(flk_deck_read("x.deck",
-                                   flk_text_of(four_bar(0.020, 0.066, 0.056, 0.080,
-                                                        "[motion]\nspeed = 10 rad/s\n"
-                                                        "acceleration = -20 rad/s2\n[expect]\n"
-                                                        "at = 150 deg\nomega4 = 0 rad/s\n")),
-                                   NULL, NULL, NULL, 0, 0, &d),
+    assert_int_equal(read_deck(four_bar(0.020, 0.066, 0.056, 0.080,
+                                        "[motion]\nspeed = 10 rad/s\n"
+                                        "acceleration = -20 rad/s2\n[expect]\n"
+                                        "at = 150 deg\nomega4 = 0 rad/s\n"),
+                               &d),
                      1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_int_equal(d.mistakes.count, 1);
@@ -2218,12 +2211,10 @@ static void test_all_mistakes_in_one_run(void **unused)
     int i;
 
     (void)unused;
-    assert_int_equal(
-        flk_deck_read("x.deck",
-                      flk_text_of(engine(300, "[expect]\nn = 3\nxyzzy = 1\nstroke = 1 kg\n"
-                                              "[expect]\nx = 20 mm\n[expect]\nat = 0\nv = 1 mm\n")),
-                      NULL, NULL, NULL, 0, 0, &d),
-        1);
+    assert_int_equal(read_deck(engine(300, "[expect]\nn = 3\nxyzzy = 1\nstroke = 1 kg\n"
+                                           "[expect]\nx = 20 mm\n[expect]\nat = 0\nv = 1 mm\n"),
+                               &d),
+                     1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_int_equal(t.n, 5); /* the first is in order, the others have no value */
     assert_int_equal(t.list[0].result, CHECK_OK);
@@ -2234,36 +2225,43 @@ static void test_all_mistakes_in_one_run(void **unused)
     flk_deck_free(&d);
 }
 
-/* A file of its own adds to the expectations; its mistakes have its name and lines. */
+static int read_answers(const char *contents, const char *answers, deck *d)
+{
+    fourlink_source source = deck_source(contents);
+
+    source.answers_name = "y.expect";
+    source.answers = answers;
+    source.answers_length = (unsigned long)strlen(answers);
+    return flk_deck_read(&source, d);
+}
+
+/* A file of its own takes the place of the deck's expectations; its mistakes have its name and lines. */
 static void test_expectations_of_another_file(void **unused)
 {
     taken t = {0};
     deck d;
 
     (void)unused;
-    assert_int_equal(flk_deck_read("x.deck", flk_text_of(engine(300, "[expect]\nn = 3\n")), NULL,
-                                   NULL, NULL, 0, 0, &d),
+    assert_int_equal(read_answers(engine(300, "[expect]\nn = 3\n"),
+                                  "[misprint]\nn = 4\n[expect]\nstroke = 20 cm\n", &d),
                      1);
-    assert_int_equal(
-        flk_deck_add_expectations("y.expect",
-                                  flk_text_of("[misprint]\nn = 4\n[expect]\nstroke = 20 cm\n"), &d),
-        1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
-    assert_int_equal(t.n, 3);
-    assert_int_equal(t.list[0].result, CHECK_OK);
-    assert_int_equal(t.list[1].result, CHECK_MISPRINT);
-    assert_string_equal(t.list[1].e->place.source, "y.expect");
-    assert_int_equal(t.list[1].e->place.line, 2);
-    assert_int_equal(t.list[2].result, CHECK_OK);
+    assert_int_equal(t.n, 2);
+    assert_int_equal(t.list[0].result, CHECK_MISPRINT);
+    assert_string_equal(t.list[0].e->place.source, "y.expect");
+    assert_int_equal(t.list[0].e->place.line, 2);
+    assert_int_equal(t.list[1].result, CHECK_OK);
     flk_deck_free(&d);
 
-    assert_int_equal(
-        flk_deck_read("x.deck", flk_text_of(engine(300, "")), NULL, NULL, NULL, 0, 0, &d), 1);
-    assert_int_equal(
-        flk_deck_add_expectations("y.expect", flk_text_of("[expect]\n\nxyzzy = 4\n"), &d), 1);
+    assert_int_equal(read_answers(engine(300, ""), "[expect]\n\nxyzzy = 4\n", &d), 1);
     assert_int_equal(checks_run(&d, take_check, &t), 0);
     assert_string_equal(d.mistakes.list[0].place.source, "y.expect");
     assert_int_equal(d.mistakes.list[0].place.line, 3);
+    flk_deck_free(&d);
+
+    assert_int_equal(read_answers(engine(300, ""), "[expect]\n[ground]\n", &d), 0);
+    assert_string_equal(d.mistakes.list[0].place.source, "y.expect");
+    assert_int_equal(d.mistakes.list[0].place.line, 2);
     flk_deck_free(&d);
 }
 
@@ -2273,8 +2271,7 @@ static void test_nothing_expected(void **unused)
     deck d;
 
     (void)unused;
-    assert_int_equal(
-        flk_deck_read("x.deck", flk_text_of(engine(300, "")), NULL, NULL, NULL, 0, 0, &d), 1);
+    assert_int_equal(read_deck(engine(300, ""), &d), 1);
     assert_int_equal(checks_run(&d, take_check, &t), 1);
     assert_int_equal(t.n, 0);
     flk_deck_free(&d);
