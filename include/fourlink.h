@@ -422,6 +422,8 @@ typedef struct fourlink_source {
                                    null: its own */
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0 */
+    int whole_cycle; /* for fourlink_results_open; 1: of one crank angle is made a cycle from 0,
+                             with the same speed and acceleration at every row */
 } fourlink_source;
 
 /* A unit of a deck: a value in it is value * up / down in SI units and radians. */

@@ -35,7 +35,8 @@ typedef struct job {
     const options *o;
     const char *name;
     fourlink_source source; /* what it was read from */
-    char *contents;         /* its text, kept for a sweep, else null */
+    char *text;             /* all of it */
+    char *contents;         /* the same for a sweep, else null */
     named_file *files;
     int names_output; /* 1: one of them is to be written */
     deck deck;
@@ -111,7 +112,7 @@ static void close_job(job *j)
     }
     columns_free(&j->columns);
     flk_deck_free(&j->deck);
-    free(j->contents);
+    free(j->text);
 }
 
 /* `deck_name` is not null where several decks are worked on: it goes to the mistakes that stand in none
@@ -151,6 +152,7 @@ static int read_first_design(job *j)
         if (flk_deck_read(&source, &other) == 1) {
             flk_deck_free(&j->deck);
             j->deck = other;
+            j->source.design = source.design;
             return 1;
         }
         flk_deck_free(&other);
@@ -201,6 +203,7 @@ static int read_job(const char *path, const options *o, text answers, job *j)
     }
     if (!contents)
         return complain("cannot read", j->name, strerror(errno));
+    j->text = contents;
     j->source.name = j->name;
     j->source.text = contents;
     j->source.length = (unsigned long)length;
@@ -212,14 +215,10 @@ static int read_job(const char *path, const options *o, text answers, job *j)
     j->source.answers = answers.start;
     j->source.answers_length = (unsigned long)answers.length;
     status = read_first_design(j);
-    if (j->names_output) {
-        free(contents);
+    if (j->names_output)
         return complain("cannot write", "a file that the deck names", "it is an input");
-    }
     if (status > 0 && j->deck.sweep.n_variables)
         j->contents = contents;
-    else
-        free(contents);
     if (status < 0)
         return complain("cannot read", j->name, "not enough memory");
     if (status == 0)
@@ -412,17 +411,16 @@ static int draw_picture(const char *path, FILE *script)
 /* Write the script of a picture; the exit status. */
 static int write_script(FILE *script, const options *o, job *j)
 {
+    fourlink_mistake mistake;
     plot_request request;
 
-    memset(&request, 0, sizeof request);
     request.kind = o->plot_kind;
     request.file = o->plot_file;
     request.picture = o->plot_script && o->plot && strcmp(o->plot, "-") != 0 ? o->plot : NULL;
-    request.deck_name = j->name;
     request.at = o->plot_at;
-    if (plot_write(script, &j->deck, &request))
+    if (picture_write(script, &j->source, &request, &mistake))
         return 0;
-    print_mistakes(&j->deck.mistakes, NULL);
+    fprintf(stderr, "fourlink: %s: error: %s\n", mistake.file, mistake.message);
     return EXIT_USAGE;
 }
 

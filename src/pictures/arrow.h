@@ -23,7 +23,8 @@ typedef struct arrow_list {
 } arrow_list;
 
 /* Add a force that is not 0. */
-void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x, double y);
+void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
+               double y);
 
 /* Add the force that a link exerts on another, at their pin or at the guide; its weight and its loads. */
 void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on);

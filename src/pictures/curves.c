@@ -93,9 +93,9 @@ static void put_extremes(const picture *p, fourlink_branch branch, const char *n
 
     for (i = 0; i < 2; i++) {
         flk_text_join(extreme, sizeof extreme, i ? "min(" : "max(", name, ")", (char *)NULL);
-        there[i] = fourlink_results_value(p->results, extreme, branch, 0, &found[i]) ==
-                       FOURLINK_OK &&
-                   gsl_finite(found[i].value);
+        there[i] =
+            fourlink_results_value(p->results, extreme, branch, 0, &found[i]) == FOURLINK_OK &&
+            gsl_finite(found[i].value);
     }
     for (i = 0; i < 2; i++) {
         if (!there[i] ||

@@ -113,8 +113,8 @@ static void lay_out(picture *p, FILE *out)
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
     if (info->needs & PLOT_DRAWING)
-        beside =
-            (lines_beside(p, is_vectors) + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
+        beside = (lines_beside(p, is_vectors) + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
+                 height;
     canvas_open(&p->on, out, is_text, info->columns, rows, info->width, height,
                 beside > 0 ? beside : 0);
 }
@@ -362,8 +362,8 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
     if (why)
         return refuse(mistake, "--plot-kind", why, "");
     if (p->problem.one_instant && (info->needs & PLOT_RANGE))
-        held = p->problem.motion.acceleration != 0 ? ", speed and acceleration held"
-                                                   : ", speed held";
+        held =
+            p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
     if ((info->values || held[0]) && !reopen(p, source, info->values, mistake))
         return 0;
     lay_out(p, out);

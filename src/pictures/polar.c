@@ -135,8 +135,9 @@ static int put_polar(picture *p, const bearing *b, const char *title)
             const char *branch = fourlink_branch_text(p->branches[i]);
 
             graph_plot(p, !drawn, p->branches[i], b->name, i + 1);
-            fprintf(p->on.out, "'%s', $%s_%s_marks using 1:2 with points pt 7 ps 0.5 lc rgb 'black'",
-                    branch, b->name, branch);
+            fprintf(p->on.out,
+                    "'%s', $%s_%s_marks using 1:2 with points pt 7 ps 0.5 lc rgb 'black'", branch,
+                    b->name, branch);
             drawn = 1;
         }
     putc('\n', p->on.out);

@@ -96,8 +96,7 @@ static void put_moment(const picture *p, fourlink_branch branch)
         double theta2 = p->problem.cycle * k / GRAPH_STEPS, T = moment_at(p, branch, theta2);
 
         if (!gsl_isnan(T))
-            graph_put_pair(p->on.out, cycle_angle(p, theta2),
-                           picture_value(p, QUANTITY_TORQUE, T));
+            graph_put_pair(p->on.out, cycle_angle(p, theta2), picture_value(p, QUANTITY_TORQUE, T));
     }
     fputs("EOD\n", p->on.out);
 }
@@ -143,8 +142,8 @@ static void put_turning(picture *p, fourlink_branch branch, const fourlink_turni
                   torque);
     fprintf(out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n",
             format_general(is_clockwise ? -cycle : cycle, 8, number));
-    fprintf(out, "set xtics %s\nmean = %s\n",
-            format_general(graph_angle_step(p, cycle), 6, number), format_general(mean, 17, other));
+    fprintf(out, "set xtics %s\nmean = %s\n", format_general(graph_angle_step(p, cycle), 6, number),
+            format_general(mean, 17, other));
     put_areas(p, branch, t);
     put_moment(p, branch);
     plot_moment(&p->on, name, is_clockwise);

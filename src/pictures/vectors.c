@@ -110,15 +110,14 @@ static void draw_sides(polygon *g)
     char words[ARROW_WORDS];
     int i;
 
-    find_size(p);
+    find_size(g);
     for (i = 0; i < g->n; i++) {
         const side *x = &g->sides[i];
         double length = length_of(x), nx, ny, out;
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
-        sketch_note(&g->s,
-                    arrow_words(g->p, x->name, picture_si(g->p, g->q, length), g->q, words));
+        sketch_note(&g->s, arrow_words(g->p, x->name, picture_si(g->p, g->q, length), g->q, words));
         if (length < SHORTEST * g->s.size) {
             sketch_line(&g->s, x->kind, x->from, x->to);
             continue;
@@ -291,9 +290,9 @@ static void put_free_body(picture *p, const picture_row *r, int link)
     fourlink_vector first = link == FOURLINK_CRANK     ? pins.A
                             : link == FOURLINK_COUPLER ? pins.B
                                                        : pins.C;
-    fourlink_vector second = link == FOURLINK_CRANK                            ? pins.B
+    fourlink_vector second = link == FOURLINK_CRANK                  ? pins.B
                              : link == FOURLINK_COUPLER || p->slides ? pins.C
-                                                                               : pins.D;
+                                                                     : pins.D;
     fourlink_vector G = figure_of_link(p, &r->now.state, link, &p->design->link[link].cg);
     double size = gsl_hypot(second.x - first.x, second.y - first.y);
     char words[ARROW_WORDS];
