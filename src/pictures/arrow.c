@@ -107,13 +107,11 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end;
+        fourlink_vector end = sketch_beside(x->at, scale * x->F.x, scale * x->F.y);
 
         sketch_note(s, arrow_words(p, x->name, size, QUANTITY_FORCE, words));
         if (size < SMALLEST * largest)
             continue;
-        end.x = x->at.x + scale * x->F.x;
-        end.y = x->at.y + scale * x->F.y;
         sketch_arrow(s, x->kind, x->at, end);
         sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
@@ -124,12 +122,10 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
 {
     char words[ARROW_WORDS];
     double side = kind == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
-    fourlink_vector below = at;
+    fourlink_vector below = sketch_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
     if (torque == 0)
         return;
-    below.x += 0.86 * radius * side;
-    below.y -= 0.5 * radius * side;
     sketch_torque(s, kind, at, radius, torque);
     sketch_text(s, below, side, -0.6 * side, name);
     sketch_note(s, arrow_words(p, name, torque, QUANTITY_TORQUE, words));
@@ -156,8 +152,7 @@ void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, dou
 
     from.x = s->x_min;
     from.y = s->y_min - 0.08 * s->size;
-    to = from;
-    to.x += scale * bar;
+    to = sketch_beside(from, scale * bar, 0);
     sketch_arrow(s, PEN_CONSTRUCTION, from, to);
     sketch_text(s, to, 0.7, 0, arrow_words(p, "", bar, q, words));
 }

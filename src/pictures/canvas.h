@@ -50,8 +50,9 @@ void canvas_key(const canvas *c);
 /* Grid lines, which would hide the curves of a text terminal. */
 void canvas_grid(const canvas *c);
 
-/* Text within quotes of gnuplot. */
-void canvas_quote(FILE *out, const char *words);
+/* Write to the script: as printf with %s, %d and %%, with numbers as %.8g, the same under every locale, and
+** with %q, a text in quotes of gnuplot. */
+void canvas_print(const canvas *c, const char *format, ...);
 
 /* Characters of UTF-8; the same in pixels. */
 int canvas_letters(const char *words);

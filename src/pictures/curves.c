@@ -11,15 +11,6 @@
 
 #define NO_REACH "the links reach at no angle of the motion"
 
-static void put_angle_axis(const picture *p)
-{
-    double from = p->problem.motion.from, step = graph_angle_step(p, fabs(p->end - from));
-    char low[FORMAT_SIZE], high[FORMAT_SIZE], number[FORMAT_SIZE];
-
-    fprintf(p->on.out, "set xrange [%s:%s]\nset xtics %s\n", format_general(from, 8, low),
-            format_general(p->end, 8, high), format_general(step, 6, number));
-}
-
 /* With room for the numbers of the extremes.  gnuplot has its own opinion of a range without extent. */
 static void put_range(const canvas *on, const graph_extent *e)
 {
@@ -27,15 +18,13 @@ static void put_range(const canvas *on, const graph_extent *e)
     double low = is_cut ? e->sound_low : e->low, high = is_cut ? e->sound_high : e->high;
     double size = GSL_MAX_DBL(fabs(low), fabs(high)), room;
     double part = 1.8 * CANVAS_LINE / on->box_height;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE];
 
     if (low > high)
         return;
     room = (high - low) * part / (1 - 2 * part);
     if (high - low <= 1e-9 * size || size == 0)
         room = size > 0 ? size : 1;
-    fprintf(on->out, "set yrange [%s:%s]\n", format_general(low - room, 8, number),
-            format_general(high + room, 8, other));
+    canvas_print(on, "set yrange [%.8g:%.8g]\n", low - room, high + room);
     if (is_cut)
         fputs("set label 'beyond the frame near a dead position' at graph 0.5, graph 1 center "
               "front boxed offset 0,-0.8\n",
@@ -44,11 +33,14 @@ static void put_range(const canvas *on, const graph_extent *e)
 
 static void begin_panel(picture *p)
 {
+    double from = p->problem.motion.from;
+
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    put_angle_axis(p);
+    canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
+                 graph_angle_step(p, fabs(p->end - from)));
 }
 
 /* The marked extremes of a panel. */
@@ -62,7 +54,6 @@ static void put_extreme(const picture *p, double value, double angle, int is_min
                         marks *m)
 {
     double from = p->problem.motion.from, x = (angle - from) / (p->end - from), y = value / height;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE];
     int i;
 
     for (i = 0; i < m->n; i++)
@@ -70,17 +61,17 @@ static void put_extreme(const picture *p, double value, double angle, int is_min
             return;
     m->x[m->n] = x;
     m->y[m->n++] = y;
-    fputs("set label ", p->on.out);
-    canvas_quote(p->on.out, format_general(value, 4, number));
-    fprintf(p->on.out, " at %s,%s %s front boxed point pt 7 ps 0.6 lc rgb 'black' offset %d,%s\n",
-            format_general(angle, 8, number), format_general(value, 8, other),
-            x < 0.1   ? "left"
-            : x > 0.9 ? "right"
-                      : "center",
-            x < 0.1   ? 1
-            : x > 0.9 ? -1
-                      : 0,
-            is_minimum ? "-1" : "1");
+    canvas_print(&p->on,
+                 "set label \"%.4g\" at %.8g,%.8g %s front boxed point pt 7 ps 0.6 lc rgb 'black' "
+                 "offset %d,%d\n",
+                 value, angle, value,
+                 x < 0.1   ? "left"
+                 : x > 0.9 ? "right"
+                           : "center",
+                 x < 0.1   ? 1
+                 : x > 0.9 ? -1
+                           : 0,
+                 is_minimum ? -1 : 1);
 }
 
 /* The extremes of a column on a branch within the picture; what is rounding beside the other is 0. */
@@ -164,7 +155,7 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     for (i = 0; names[i]; i++)
         if (graph_column(p, names[i]) > 0) {
             graph_plot(p, !drawn, branch, names[i], i + 1);
-            canvas_quote(p->on.out, names[i]);
+            canvas_print(&p->on, "%q", names[i]);
             drawn = 1;
         }
     putc('\n', p->on.out);

@@ -72,17 +72,14 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
                              double margin)
 {
     figure_pins pins = figure_place(p, state);
-    fourlink_vector near = pins.C, far = pins.C;
     unsigned long i;
     const char *name;
     int link;
 
-    near.x -= margin;
-    far.x += margin;
     sketch_include(s, pins.A);
     sketch_include(s, pins.B);
-    sketch_include(s, near);
-    sketch_include(s, far);
+    sketch_include(s, sketch_beside(pins.C, -margin, 0));
+    sketch_include(s, sketch_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     for (i = 0; i < p->problem.n_points; i++)
         sketch_include(s, tracer(p, state, i, &name, &link));
@@ -140,29 +137,23 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     }
 }
 
-static void put_rectangle(sketch *s, pen kind, fourlink_vector c, double x, double y)
+void figure_piston(sketch *s, pen kind, fourlink_vector at)
 {
+    double x = PISTON_X * s->size, y = PISTON_Y * s->size;
     fourlink_vector corner[5];
     int i;
 
-    for (i = 0; i < 5; i++) {
-        corner[i].x = c.x + (i == 1 || i == 2 ? x : -x);
-        corner[i].y = c.y + (i == 2 || i == 3 ? y : -y);
-    }
+    for (i = 0; i < 5; i++)
+        corner[i] = sketch_beside(at, i == 1 || i == 2 ? x : -x, i == 2 || i == 3 ? y : -y);
     for (i = 0; i < 4; i++)
         sketch_line(s, kind, corner[i], corner[i + 1]);
-}
-
-void figure_piston(sketch *s, fourlink_vector at)
-{
-    put_rectangle(s, PEN_FOLLOWER, at, PISTON_X * s->size, PISTON_Y * s->size);
 }
 
 /* The line of link 4, of one that slides its outline. */
 static void put_follower(sketch *s, const picture *p, const figure_pins *pins, pen kind)
 {
     if (p->slides)
-        put_rectangle(s, kind, pins->C, PISTON_X * s->size, PISTON_Y * s->size);
+        figure_piston(s, kind, pins->C);
     else
         sketch_line(s, kind, pins->D, pins->C);
 }
@@ -176,7 +167,7 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     put_follower(s, p, &pins, kind);
 }
 
-void figure_links(sketch *s, const picture *p, const fourlink_state *state)
+static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
     unsigned long i;
@@ -223,7 +214,7 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
 }
 
-void figure_letters(sketch *s, const picture *p, const fourlink_state *state)
+static void put_letters(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
@@ -235,6 +226,35 @@ void figure_letters(sketch *s, const picture *p, const fourlink_state *state)
         figure_letter(s, pins.C, pins.B, pins.D, "C");
         figure_letter(s, pins.D, pins.C, pins.C, "D");
     }
+}
+
+/* An angle: a ray along x, an arc, and the angle in the deck's unit. */
+static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
+                      const char *name)
+{
+    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
+    double half = angle / 2;
+
+    radius *= s->size;
+    sketch_line(s, PEN_CONSTRUCTION, at, sketch_beside(at, 1.5 * radius, 0));
+    sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
+    flk_text_join(words, sizeof words, name, " = ",
+                  picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), number), (char *)NULL);
+    sketch_note(s, words);
+    sketch_text(s, sketch_beside(at, radius * cos(half), radius * sin(half)), 0.5,
+                sin(half) >= 0 ? 0.4 : -0.4, name);
+}
+
+#define THETA "\316\270" /* the Greek letter, and subscripts, in UTF-8 */
+
+static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
+{
+    figure_pins pins = figure_place(p, state);
+
+    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA "\342\202\202");
+    put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA "\342\202\203");
+    if (!p->slides)
+        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
 }
 
 void figure_slope(sketch *s, const picture *p)
@@ -250,38 +270,13 @@ void figure_slope(sketch *s, const picture *p)
                                  p->units[QUANTITY_ANGLE].name, (char *)NULL));
 }
 
-/* An angle: a ray along x, an arc, and the angle in the deck's unit. */
-static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
-                      const char *name)
+void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
 {
-    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
-    fourlink_vector ray = at;
-    double half = angle / 2;
-
-    ray.x += 1.5 * radius * s->size;
-    sketch_line(s, PEN_CONSTRUCTION, at, ray);
-    if (angle >= 0)
-        sketch_arc(s, PEN_CONSTRUCTION, at, radius * s->size, 0, angle);
-    else
-        sketch_arc(s, PEN_CONSTRUCTION, at, radius * s->size, angle, 0);
-    flk_text_join(words, sizeof words, name, " = ",
-                  picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), number), (char *)NULL);
-    at.x += radius * s->size * cos(half);
-    at.y += radius * s->size * sin(half);
-    sketch_note(s, words);
-    sketch_text(s, at, 0.5, sin(half) >= 0 ? 0.4 : -0.4, name);
-}
-
-#define THETA "\316\270" /* the Greek letter, and subscripts, in UTF-8 */
-
-void figure_angles(sketch *s, const picture *p, const fourlink_state *state)
-{
-    figure_pins pins = figure_place(p, state);
-
-    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA "\342\202\202");
-    put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA "\342\202\203");
-    if (!p->slides)
-        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
+    put_links(s, p, state);
+    put_letters(s, p, state);
+    if (has_angles)
+        put_angles(s, p, state);
+    figure_slope(s, p);
 }
 
 /* A curve of tracer point i over the motion, or of C, which is behind the last of them. */
@@ -325,12 +320,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const dou
         put_path(s, p, branch, i, until);
 }
 
-char *figure_title(const picture *p, const fourlink_instant *now, char out[FIGURE_TITLE])
+void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char number[FORMAT_SIZE];
+    char title[200], number[FORMAT_SIZE];
 
-    flk_text_join(out, FIGURE_TITLE, fourlink_branch_text(now->branch),
+    flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
                   ", theta2 = ", format_general(now->row.angle, 7, number), " ",
                   p->units[QUANTITY_ANGLE].name, (char *)NULL);
-    return out;
+    sketch_close(s, title, p->units[QUANTITY_LENGTH].name);
 }

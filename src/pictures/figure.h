@@ -31,19 +31,16 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it);
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 
 /* A piston about a place. */
-void figure_piston(sketch *s, fourlink_vector at);
+void figure_piston(sketch *s, pen kind, fourlink_vector at);
 
-/* The links at one position: in full, or as lines of one pen. */
-void figure_links(sketch *s, const picture *p, const fourlink_state *state);
+/* The links at one position as lines of one pen; or in full, with letters at the pins, the angles of the links
+** if they are wanted, and the slope. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
+void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 
 /* A letter beside a pin, away from the pins of its links; `y` is x if there is one link. */
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);
-
-/* Letters at the pins; the angles of the links, with their values beside the drawing. */
-void figure_letters(sketch *s, const picture *p, const fourlink_state *state);
-void figure_angles(sketch *s, const picture *p, const fourlink_state *state);
 
 /* Beside the drawing: how the line of stroke, or A to D, is turned from the horizontal, if it is. */
 void figure_slope(sketch *s, const picture *p);
@@ -52,8 +49,7 @@ void figure_slope(sketch *s, const picture *p);
 ** the deck's unit. */
 void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const double *until);
 
-/* The drawing's name for a row: "open, theta2 = 40 deg" */
-#define FIGURE_TITLE 100
-char *figure_title(const picture *p, const fourlink_instant *now, char out[FIGURE_TITLE]);
+/* End a drawing, with a name for its position: "open, theta2 = 40 deg", and what is before that. */
+void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before);
 
 #endif

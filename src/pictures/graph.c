@@ -95,16 +95,6 @@ static int behind_gap(const picture *p, fourlink_branch branch, int y, double tu
     return -1;
 }
 
-void graph_put_pair(FILE *out, double x, double y)
-{
-    char number[FORMAT_SIZE];
-
-    fputs(format_general(x, 8, number), out);
-    putc(' ', out);
-    fputs(format_general(y, 8, number), out);
-    putc('\n', out);
-}
-
 int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
               graph_extent *e)
 {
@@ -123,7 +113,7 @@ int graph_put(const picture *p, fourlink_branch branch, const char *name, int x,
         }
         last = go_on(values[y], k == from ? behind : last, turn);
         graph_extend(e, last, now.state.mu);
-        graph_put_pair(p->on.out, values[x], last);
+        canvas_print(&p->on, "%.8g %.8g\n", values[x], last);
         n++;
     }
     fputs("EOD\n", p->on.out);

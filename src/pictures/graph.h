@@ -34,8 +34,6 @@ int graph_sample(const picture *p, fourlink_branch branch, int k, double values[
 int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
               graph_extent *e);
 
-void graph_put_pair(FILE *out, double x, double y);
-
 /* A step of the numbers on the axis of crank angles, for the width of the panel. */
 double graph_angle_step(const picture *p, double span);
 

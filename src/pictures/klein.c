@@ -20,34 +20,26 @@ typedef struct construction {
     int meet;             /* 0: they do not, the rod being shorter than BM */
 } construction;
 
-static fourlink_vector along(fourlink_vector from, double distance, fourlink_vector unit_vector)
-{
-    from.x += distance * unit_vector.x;
-    from.y += distance * unit_vector.y;
-    return from;
-}
-
 /* The points, from the lengths of fourlink_klein_construction; K and L are on the chord, BQ from B, of the
 ** circle about B with the radius BM. */
 static void construct(const picture *p, const fourlink_state *state, const fourlink_klein *lengths,
                       construction *k)
 {
     figure_pins pins = figure_place(p, state);
-    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, across;
-    double BM = figure_length(p, lengths->BM), BQ = figure_length(p, lengths->BQ), half;
+    fourlink_vector u = state->link[FOURLINK_COUPLER].axis;
+    double BM = figure_length(p, lengths->BM), BQ = figure_length(p, lengths->BQ);
+    double QN = figure_length(p, lengths->QN), half;
 
     k->O = pins.A;
     k->B = pins.B;
     k->C = pins.C;
-    k->M = along(pins.B, BM, u);
-    k->Q = along(pins.B, BQ, u);
-    across.x = -u.y;
-    across.y = u.x;
-    k->N = along(k->Q, -figure_length(p, lengths->QN), across);
+    k->M = sketch_beside(pins.B, BM * u.x, BM * u.y);
+    k->Q = sketch_beside(pins.B, BQ * u.x, BQ * u.y);
+    k->N = sketch_beside(k->Q, QN * u.y, -QN * u.x);
     k->meet = fabs(BM) >= BQ;
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
-    k->K = along(k->Q, half, across);
-    k->L = along(k->Q, -half, across);
+    k->K = sketch_beside(k->Q, -half * u.y, half * u.x);
+    k->L = sketch_beside(k->Q, half * u.y, -half * u.x);
 }
 
 /* A length of the drawing; beside the rod's, rounding is 0. */
@@ -113,7 +105,6 @@ static void put_values(sketch *s, const picture *p, const fourlink_klein *length
 const char *picture_klein(picture *p)
 {
     fourlink_branch branch = p->branches[0];
-    char words[FIGURE_TITLE + 30], title[FIGURE_TITLE];
     fourlink_klein lengths;
     fourlink_instant now;
     construction k;
@@ -129,9 +120,7 @@ const char *picture_klein(picture *p)
     figure_open(&s, p, branch, 0);
     draw_lines(&s, &k, figure_length(p, p->design->link[FOURLINK_COUPLER].length));
     put_values(&s, p, &lengths);
-    flk_text_join(words, sizeof words, "Klein's construction, ", figure_title(p, &now, title),
-                  (char *)NULL);
-    sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
+    figure_close(&s, p, &now, "Klein's construction, ");
     canvas_end(&p->on);
     return NULL;
 }

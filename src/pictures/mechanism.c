@@ -78,17 +78,13 @@ static void draw(sketch *s, const picture *p, const picture_row *r)
     figure_paths(s, p, r->now.branch, NULL);
     figure_frame(s, p, state);
     draw_others(s, p, r->now.branch);
-    figure_links(s, p, state);
-    figure_letters(s, p, state);
-    figure_angles(s, p, state);
-    figure_slope(s, p);
+    figure_draw(s, p, state, 1);
     if (p->problem.has_forces)
         draw_forces(s, p, r);
 }
 
 const char *picture_mechanism(picture *p)
 {
-    char title[FIGURE_TITLE];
     const char *why = NULL;
     int i, drawn = 0;
     picture_row r;
@@ -104,7 +100,7 @@ const char *picture_mechanism(picture *p)
         }
         figure_open(&s, p, p->branches[i], 0);
         draw(&s, p, &r);
-        sketch_close(&s, figure_title(p, &r.now, title), p->units[QUANTITY_LENGTH].name);
+        figure_close(&s, p, &r.now, "");
         drawn++;
     }
     canvas_end(&p->on);
@@ -113,7 +109,6 @@ const char *picture_mechanism(picture *p)
 
 const char *picture_animation(picture *p)
 {
-    char title[FIGURE_TITLE];
     const char *why = NULL;
     fourlink_instant now;
     int k, drawn = 0;
@@ -130,10 +125,8 @@ const char *picture_animation(picture *p)
         canvas_heading(&p->on);
         figure_paths(&s, p, p->branches[0], &now.row.angle);
         figure_frame(&s, p, &now.state);
-        figure_links(&s, p, &now.state);
-        figure_letters(&s, p, &now.state);
-        figure_slope(&s, p);
-        sketch_close(&s, figure_title(p, &now, title), p->units[QUANTITY_LENGTH].name);
+        figure_draw(&s, p, &now.state, 0);
+        figure_close(&s, p, &now, "");
         drawn++;
     }
     return drawn ? NULL : why;

@@ -148,12 +148,9 @@ static void put_terminal(const canvas *c, const plot_request *request)
                 width, height);
         break;
     }
-    if (request->picture) {
-        /* not a pipe, and not a home folder, whatever it begins with */
-        fputs(request->picture[0] == '/' ? "set output " : "set output './' . ", out);
-        canvas_quote(out, request->picture);
-        putc('\n', out);
-    }
+    if (request->picture) /* not a pipe, and not a home folder, whatever it begins with */
+        canvas_print(c, request->picture[0] == '/' ? "set output %q\n" : "set output './' . %q\n",
+                     request->picture);
 }
 
 /* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which the colour-blind tell apart;

@@ -51,35 +51,27 @@ static void find_frame(const picture *p, const bearing *b, frame *f)
     f->y_max = GSL_MAX_DBL(0, cut ? ey.sound_high : ey.high);
 }
 
-static void put_frame_axis(FILE *out, const char *axis, double low, double high, double length)
-{
-    char number[FORMAT_SIZE], other[FORMAT_SIZE];
-
-    fprintf(out, "set %srange [%s:%s]\n", axis,
-            format_general((low + high - length) / 2, 6, number),
-            format_general((low + high + length) / 2, 6, other));
-}
-
 static void put_frame(const canvas *on, frame *f)
 {
-    double border = 6 * CANVAS_LETTER; /* for the angles */
-    char number[FORMAT_SIZE];
+    double border = 6 * CANVAS_LETTER, width, height; /* for the angles */
 
     f->scale = GSL_MAX_DBL((f->x_max - f->x_min) / (on->box_width - 2 * border),
                            (f->y_max - f->y_min) / (on->box_height - 2 * border));
     if (f->scale == 0)
         f->scale = 1 / on->box_width;
-    put_frame_axis(on->out, "x", f->x_min, f->x_max, f->scale * on->box_width);
-    put_frame_axis(on->out, "y", f->y_min, f->y_max, f->scale * on->box_height);
-    format_general(sketch_round(8 * CANVAS_LETTER * f->scale), 6, number);
-    fprintf(on->out, "set tics %s\n", number);
+    width = f->scale * on->box_width;
+    height = f->scale * on->box_height;
+    canvas_print(on, "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n",
+                 (f->x_min + f->x_max - width) / 2, (f->x_min + f->x_max + width) / 2,
+                 (f->y_min + f->y_max - height) / 2, (f->y_min + f->y_max + height) / 2,
+                 sketch_round(8 * CANVAS_LETTER * f->scale));
 }
 
 /* A crank angle beside the curve, in its colour, unless another stands there. */
 static void put_angle(const picture *p, frame *f, double x, double y, double angle, int line)
 {
     int is_right = x > (f->x_min + f->x_max) / 2, i;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], mark[PICTURE_MARK];
+    char mark[PICTURE_MARK];
 
     if (x < f->x_min || x > f->x_max || y < f->y_min || y > f->y_max)
         return;
@@ -89,11 +81,9 @@ static void put_angle(const picture *p, frame *f, double x, double y, double ang
             return;
     f->x[f->n] = x;
     f->y[f->n++] = y;
-    fputs("set label ", p->on.out);
-    canvas_quote(p->on.out, picture_mark(p, angle, mark));
-    fprintf(p->on.out, " at %s,%s %s front tc lt %d offset %d,%s\n", format_general(x, 8, number),
-            format_general(y, 8, other), is_right ? "left" : "right", line, is_right ? 1 : -1,
-            y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");
+    canvas_print(&p->on, "set label %q at %.8g,%.8g %s front tc lt %d offset %d,%s\n",
+                 picture_mark(p, angle, mark), x, y, is_right ? "left" : "right", line,
+                 is_right ? 1 : -1, y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");
 }
 
 /* The crank angles along the curve of branch i, as $NAME_BRANCH_marks. */
@@ -107,7 +97,7 @@ static void put_marks(const picture *p, int i, const bearing *b, frame *f)
     fprintf(p->on.out, "$%s_%s_marks << EOD\n", b->name, fourlink_branch_text(p->branches[i]));
     for (k = 0; k < MARKS; k++)
         if (graph_sample(p, p->branches[i], k * step, values, &now))
-            graph_put_pair(p->on.out, values[b->x], values[b->y]);
+            canvas_print(&p->on, "%.8g %.8g\n", values[b->x], values[b->y]);
     fputs("EOD\n", p->on.out);
     for (k = 0; k < MARKS; k += LETTERED)
         if (graph_sample(p, p->branches[i], k * step, values, &now))

@@ -57,10 +57,9 @@ static void find_peak(const picture *p, fourlink_branch branch, const fourlink_a
 /* The energies of the areas, each above or below its curve, if it does not run into the one before it. */
 static void put_areas(const picture *p, fourlink_branch branch, const fourlink_turning *t)
 {
-    FILE *out = p->on.out;
     double pixel = picture_value(p, QUANTITY_ANGLE, p->problem.cycle) / p->on.box_width;
     double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, angle = 0, moment = 0, half, first;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    char number[FORMAT_SIZE], words[200];
     int k, is_above;
 
     first = cycle_angle(p, 0);
@@ -80,10 +79,8 @@ static void put_areas(const picture *p, fourlink_branch branch, const fourlink_t
         if (angle - half < free_from[is_above])
             continue;
         free_from[is_above] = angle + half;
-        fputs("set label ", out);
-        canvas_quote(out, words);
-        fprintf(out, " at %s,%s center front offset 0,%s\n", format_general(angle, 8, number),
-                format_general(moment, 8, other), is_above ? "1" : "-1");
+        canvas_print(&p->on, "set label %q at %.8g,%.8g center front offset 0,%d\n", words, angle,
+                     moment, is_above ? 1 : -1);
     }
 }
 
@@ -96,7 +93,8 @@ static void put_moment(const picture *p, fourlink_branch branch)
         double theta2 = p->problem.cycle * k / GRAPH_STEPS, T = moment_at(p, branch, theta2);
 
         if (!gsl_isnan(T))
-            graph_put_pair(p->on.out, cycle_angle(p, theta2), picture_value(p, QUANTITY_TORQUE, T));
+            canvas_print(&p->on, "%.8g %.8g\n", cycle_angle(p, theta2),
+                         picture_value(p, QUANTITY_TORQUE, T));
     }
     fputs("EOD\n", p->on.out);
 }
@@ -122,14 +120,13 @@ static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
 
 static void put_turning(picture *p, fourlink_branch branch, const fourlink_turning *t)
 {
-    FILE *out = p->on.out;
     const char *name = fourlink_branch_text(branch), *torque = p->units[QUANTITY_TORQUE].name;
     double mean = picture_value(p, QUANTITY_TORQUE, t->mean_torque);
     double cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
     int is_clockwise = p->problem.motion.speed < 0;
     char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
 
-    fputs("unset label\n", out);
+    fputs("unset label\n", p->on.out);
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
@@ -140,10 +137,10 @@ static void put_turning(picture *p, fourlink_branch branch, const fourlink_turni
                   (char *)NULL);
     canvas_titles(&p->on, words, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
                   torque);
-    fprintf(out, "set xrange [0:%s]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n",
-            format_general(is_clockwise ? -cycle : cycle, 8, number));
-    fprintf(out, "set xtics %s\nmean = %s\n", format_general(graph_angle_step(p, cycle), 6, number),
-            format_general(mean, 17, other));
+    canvas_print(&p->on,
+                 "set xrange [0:%.8g]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n"
+                 "set xtics %.6g\nmean = %.17g\n",
+                 is_clockwise ? -cycle : cycle, graph_angle_step(p, cycle), mean);
     put_areas(p, branch, t);
     put_moment(p, branch);
     plot_moment(&p->on, name, is_clockwise);

@@ -47,20 +47,6 @@ static fourlink_vector in_unit(const polygon *g, fourlink_vector si)
     return si;
 }
 
-static fourlink_vector midpoint(fourlink_vector x, fourlink_vector y)
-{
-    x.x = (x.x + y.x) / 2;
-    x.y = (x.y + y.y) / 2;
-    return x;
-}
-
-static fourlink_vector sum(fourlink_vector x, fourlink_vector y)
-{
-    x.x += y.x;
-    x.y += y.y;
-    return x;
-}
-
 /* Add a vector at the tip of another; where it ends. */
 static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
                                 fourlink_vector v)
@@ -68,7 +54,7 @@ static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink
     side *new = &g->sides[g->n++];
 
     new->from = from;
-    new->to = sum(from, v);
+    new->to = sketch_beside(from, v.x, v.y);
     new->kind = kind;
     flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     return new->to;
@@ -114,6 +100,7 @@ static void draw_sides(polygon *g)
     for (i = 0; i < g->n; i++) {
         const side *x = &g->sides[i];
         double length = length_of(x), nx, ny, out;
+        fourlink_vector middle;
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
@@ -125,8 +112,10 @@ static void draw_sides(polygon *g)
         sketch_arrow(&g->s, x->kind, x->from, x->to);
         nx = -(x->to.y - x->from.y) / length;
         ny = (x->to.x - x->from.x) / length;
+        middle.x = (x->from.x + x->to.x) / 2;
+        middle.y = (x->from.y + x->to.y) / 2;
         out = nx * (x->from.x - g->middle.x) + ny * (x->from.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, midpoint(x->from, x->to), out * nx, out * ny, x->name);
+        sketch_text(&g->s, middle, out * nx, out * ny, x->name);
     }
 }
 
@@ -246,7 +235,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, int lin
     unsigned long i;
 
     if (slides)
-        figure_piston(s, first);
+        figure_piston(s, PEN_FOLLOWER, first);
     else
         sketch_line(s, (pen)link, first, second);
     for (i = 0; i < p->problem.n_loads; i++)
@@ -331,17 +320,13 @@ static void put_force_polygon(picture *p, const picture_row *r, int link)
 
 static void put_mechanism(picture *p, const fourlink_instant *now)
 {
-    char title[FIGURE_TITLE];
     sketch s;
 
     figure_open(&s, p, now->branch, 0);
     s.letter = LETTER;
     figure_frame(&s, p, &now->state);
-    figure_links(&s, p, &now->state);
-    figure_letters(&s, p, &now->state);
-    figure_angles(&s, p, &now->state);
-    figure_slope(&s, p);
-    sketch_close(&s, figure_title(p, now, title), p->units[QUANTITY_LENGTH].name);
+    figure_draw(&s, p, &now->state, 1);
+    figure_close(&s, p, now, "");
 }
 
 const char *picture_vectors(picture *p)
