@@ -146,6 +146,7 @@ void canvas_panel(canvas *c, int lines, double right)
     c->box_width = width - c->left - c->right;
     c->box_height = height - lines * CANVAS_LINE - BELOW - c->below;
     c->lines = lines;
+    c->curves = 0;
     canvas_print(c,
                  "set lmargin at screen %.6g; set rmargin at screen %.6g\n"
                  "set tmargin at screen %.6g; set bmargin at screen %.6g\n",

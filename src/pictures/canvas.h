@@ -23,6 +23,7 @@ typedef struct canvas {
     double box_width, box_height; /* within the axes of the present panel */
     double left, right;           /* its margins */
     int lines;                    /* above it */
+    int curves;                   /* in it */
 } canvas;
 
 /* A picture of panels of a size, with some room below each; in text they stand one below another. */

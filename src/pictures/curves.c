@@ -100,11 +100,11 @@ static void put_extremes(const picture *p, fourlink_branch branch, const char *n
 }
 
 /* A column over the crank angle, of all branches, with its extremes. */
-static int put_panel(picture *p, int y)
+static void put_panel(picture *p, int y)
 {
     const char *name = p->columns[y].name;
-    int i, drawn = 0, points[2];
     graph_extent e = graph_nothing;
+    int i, points[2];
     marks m;
 
     begin_panel(p);
@@ -118,23 +118,21 @@ static int put_panel(picture *p, int y)
     put_range(&p->on, &e);
     for (i = 0; i < p->n_branches; i++)
         if (points[i]) {
-            graph_plot(p, !drawn, p->branches[i], name, i + 1);
+            graph_plot(p, p->branches[i], name, i + 1);
             fprintf(p->on.out, "'%s'", fourlink_branch_text(p->branches[i]));
-            drawn = 1;
         }
     putc('\n', p->on.out);
-    return drawn;
 }
 
-const char *picture_motion(picture *p)
+const char *picture_motion(picture *p, fourlink_branch branch)
 {
     int i, drawn = 0;
 
-    canvas_begin(&p->on);
-    fputs("set format '%g'\n", p->on.out);
-    for (i = 1; i < (int)p->n_columns; i++)
-        drawn += put_panel(p, i);
-    canvas_end(&p->on);
+    (void)branch;
+    for (i = 1; i < (int)p->n_columns; i++) {
+        put_panel(p, i);
+        drawn += p->on.curves;
+    }
     return drawn ? NULL : NO_REACH;
 }
 
@@ -142,7 +140,7 @@ const char *picture_motion(picture *p)
 static void put_columns(picture *p, fourlink_branch branch, const char *const *names)
 {
     graph_extent e = graph_nothing;
-    int i, y, drawn = 0;
+    int i, y;
 
     begin_panel(p);
     for (i = 0; names[i]; i++)
@@ -154,40 +152,26 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     put_range(&p->on, &e);
     for (i = 0; names[i]; i++)
         if (graph_column(p, names[i]) > 0) {
-            graph_plot(p, !drawn, branch, names[i], i + 1);
+            graph_plot(p, branch, names[i], i + 1);
             canvas_print(&p->on, "%q", names[i]);
-            drawn = 1;
         }
     putc('\n', p->on.out);
 }
 
-/* 1 if the links reach somewhere on the motion. */
-static int reaches(const picture *p, fourlink_branch branch)
+/* Where the links reach somewhere on the motion. */
+const char *picture_forces(picture *p, fourlink_branch branch)
 {
+    static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};
+    static const char *const torque[] = {"Ts", NULL};
     double values[PICTURE_COLUMNS];
     fourlink_instant now;
     int k;
 
     for (k = 0; k <= GRAPH_STEPS; k++)
-        if (graph_sample(p, branch, k, values, &now))
-            return 1;
-    return 0;
-}
-
-const char *picture_forces(picture *p)
-{
-    static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};
-    static const char *const torque[] = {"Ts", NULL};
-    int i, drawn = 0;
-
-    canvas_begin(&p->on);
-    fputs("set format '%g'\n", p->on.out);
-    for (i = 0; i < p->n_branches; i++)
-        if (reaches(p, p->branches[i])) {
-            put_columns(p, p->branches[i], pins);
-            put_columns(p, p->branches[i], torque);
-            drawn++;
+        if (graph_sample(p, branch, k, values, &now)) {
+            put_columns(p, branch, pins);
+            put_columns(p, branch, torque);
+            return NULL;
         }
-    canvas_end(&p->on);
-    return drawn ? NULL : NO_REACH;
+    return NO_REACH;
 }

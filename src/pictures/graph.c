@@ -134,8 +134,8 @@ double graph_angle_step(const picture *p, double span)
     return sketch_round(least);
 }
 
-void graph_plot(const picture *p, int is_first, fourlink_branch branch, const char *name, int line)
+void graph_plot(picture *p, fourlink_branch branch, const char *name, int line)
 {
-    fprintf(p->on.out, "%s $%s_%s using 1:2 with lines lt %d title ", is_first ? "plot" : ",", name,
-            fourlink_branch_text(branch), line);
+    fprintf(p->on.out, "%s $%s_%s using 1:2 with lines lt %d title ", p->on.curves++ ? "," : "plot",
+            name, fourlink_branch_text(branch), line);
 }

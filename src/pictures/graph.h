@@ -37,7 +37,7 @@ int graph_put(const picture *p, fourlink_branch branch, const char *name, int x,
 /* A step of the numbers on the axis of crank angles, for the width of the panel. */
 double graph_angle_step(const picture *p, double span);
 
-/* "plot" or a comma, and a curve up to its title; `line` is that of gnuplot. */
-void graph_plot(const picture *p, int is_first, fourlink_branch branch, const char *name, int line);
+/* Plot a curve of the panel, up to its title; `line` is that of gnuplot. */
+void graph_plot(picture *p, fourlink_branch branch, const char *name, int line);
 
 #endif

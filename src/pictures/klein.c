@@ -102,9 +102,8 @@ static void put_values(sketch *s, const picture *p, const fourlink_klein *length
     figure_slope(s, p);
 }
 
-const char *picture_klein(picture *p)
+const char *picture_klein(picture *p, fourlink_branch branch)
 {
-    fourlink_branch branch = p->branches[0];
     fourlink_klein lengths;
     fourlink_instant now;
     construction k;
@@ -115,12 +114,10 @@ const char *picture_klein(picture *p)
         status = fourlink_klein_construction(p->mechanism, &now.state, &lengths);
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
-    canvas_begin(&p->on);
     construct(p, &now.state, &lengths, &k);
     figure_open(&s, p, branch, 0);
     draw_lines(&s, &k, figure_length(p, p->design->link[FOURLINK_COUPLER].length));
     put_values(&s, p, &lengths);
     figure_close(&s, p, &now, "Klein's construction, ");
-    canvas_end(&p->on);
     return NULL;
 }

@@ -69,65 +69,47 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
         }
 }
 
-static void draw(sketch *s, const picture *p, const picture_row *r)
+const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
-    const fourlink_state *state = &r->now.state;
-
-    if (p->n_angles == 0 && p->request->file != PLOT_TXT)
-        draw_ghosts(s, p, r->now.branch);
-    figure_paths(s, p, r->now.branch, NULL);
-    figure_frame(s, p, state);
-    draw_others(s, p, r->now.branch);
-    figure_draw(s, p, state, 1);
-    if (p->problem.has_forces)
-        draw_forces(s, p, r);
-}
-
-const char *picture_mechanism(picture *p)
-{
-    const char *why = NULL;
-    int i, drawn = 0;
     picture_row r;
     sketch s;
+    int status = picture_position(p, branch, &r.now, r.loads);
 
-    canvas_begin(&p->on);
-    for (i = 0; i < p->n_branches; i++) {
-        int status = picture_position(p, p->branches[i], &r.now, r.loads);
-
-        if (status != FOURLINK_OK) {
-            why = fourlink_status_text(status);
-            continue;
-        }
-        figure_open(&s, p, p->branches[i], 0);
-        draw(&s, p, &r);
-        figure_close(&s, p, &r.now, "");
-        drawn++;
-    }
-    canvas_end(&p->on);
-    return drawn ? NULL : why;
+    if (status != FOURLINK_OK)
+        return fourlink_status_text(status);
+    figure_open(&s, p, branch, 0);
+    if (p->n_angles == 0 && p->request->file != PLOT_TXT)
+        draw_ghosts(&s, p, branch);
+    figure_paths(&s, p, branch, NULL);
+    figure_frame(&s, p, &r.now.state);
+    draw_others(&s, p, branch);
+    figure_draw(&s, p, &r.now.state, 1);
+    if (p->problem.has_forces)
+        draw_forces(&s, p, &r);
+    figure_close(&s, p, &r.now, "");
+    return NULL;
 }
 
-const char *picture_animation(picture *p)
+const char *picture_animation(picture *p, fourlink_branch branch)
 {
-    const char *why = NULL;
+    int k, status = FOURLINK_OK, drawn = 0;
     fourlink_instant now;
-    int k, drawn = 0;
     sketch s;
 
     for (k = 0; k < FRAMES; k++) {
-        int status = picture_state(p, p->branches[0], k, FRAMES, &now);
+        int here = picture_state(p, branch, k, FRAMES, &now);
 
-        if (status != FOURLINK_OK) {
-            why = fourlink_status_text(status);
+        if (here != FOURLINK_OK) {
+            status = here;
             continue;
         }
-        figure_open(&s, p, p->branches[0], 1);
+        figure_open(&s, p, branch, 1);
         canvas_heading(&p->on);
-        figure_paths(&s, p, p->branches[0], &now.row.angle);
+        figure_paths(&s, p, branch, &now.row.angle);
         figure_frame(&s, p, &now.state);
         figure_draw(&s, p, &now.state, 0);
         figure_close(&s, p, &now, "");
         drawn++;
     }
-    return drawn ? NULL : why;
+    return drawn ? NULL : fourlink_status_text(status);
 }

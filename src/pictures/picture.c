@@ -15,14 +15,21 @@ const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
     {columns, rows, width, height, needs, draw, values},
 static const struct plot_info {
     int columns, rows, width, height, needs;
-    const char *(*draw)(picture *p);
+    const char *(*draw)(picture *p, fourlink_branch branch);
     const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define TEXT_HEIGHT 26 /* lines of a panel in a text terminal */
 
-/* By plot_file. */
-static const char *const endings[] = {".svg", ".png", ".pdf", ".txt", ".gif"};
+/* By plot_file, with width and height. */
+static const struct {
+    const char *ending, *terminal;
+} file_table[] = {
+    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
+    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
+    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 noenhanced"},
+    {".txt", "dumb nofeed size %d,%d noenhanced"},
+    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
 
 plot_file plot_file_of(const char *name)
 {
@@ -32,7 +39,7 @@ plot_file plot_file_of(const char *name)
     if (strcmp(name, "-") == 0)
         return PLOT_TXT;
     for (i = 0; i < PLOT_FILE_COUNT; i++)
-        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), endings[i]))
+        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), file_table[i].ending))
             break;
     return (plot_file)i;
 }
@@ -121,33 +128,20 @@ static void lay_out(picture *p, FILE *out)
 
 static void put_terminal(const canvas *c, const plot_request *request)
 {
-    FILE *out = c->out;
+    const char *terminal = file_table[request->file].terminal;
     int width = (int)c->width, height = (int)c->height;
 
-    switch (request->file) {
-    case PLOT_PNG:
-        fprintf(out, "set terminal pngcairo size %d,%d font 'sans,11' noenhanced\n", width, height);
-        break;
-    case PLOT_PDF:
-        fprintf(out,
-                "set terminal pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 "
-                "noenhanced\n",
-                width / 100, width % 100, height / 100, height % 100);
-        break;
-    case PLOT_TXT:
-        fprintf(out, "set terminal dumb nofeed size %d,%d noenhanced\n", CANVAS_TEXT_WIDTH,
-                (int)(height / CANVAS_LINE));
-        break;
-    case PLOT_GIF:
-        fprintf(out, "set terminal gif %s size %d,%d font 'sans,11' noenhanced\n",
-                request->kind == PLOT_ANIMATION ? "animate delay 6 loop 0" : "", width, height);
-        break;
-    case PLOT_SVG:
-    default:
-        fprintf(out, "set terminal svg size %d,%d font 'sans,14' noenhanced background 'white'\n",
+    fputs("set terminal ", c->out);
+    if (request->file == PLOT_PDF)
+        fprintf(c->out, terminal, width / 100, width % 100, height / 100, height % 100);
+    else if (request->file == PLOT_TXT)
+        fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
+    else if (request->file == PLOT_GIF)
+        fprintf(c->out, terminal, request->kind == PLOT_ANIMATION ? "animate delay 6 loop 0" : "",
                 width, height);
-        break;
-    }
+    else
+        fprintf(c->out, terminal, width, height);
+    putc('\n', c->out);
     if (request->picture) /* not a pipe, and not a home folder, whatever it begins with */
         canvas_print(c, request->picture[0] == '/' ? "set output %q\n" : "set output './' . %q\n",
                      request->picture);
@@ -349,6 +343,27 @@ static const char *missing(const picture *p)
     return NULL;
 }
 
+/* Draw the panels; null, or the reason why there is none. */
+static const char *draw(picture *p)
+{
+    const struct plot_info *info = &plot_table[p->request->kind];
+    const char *why = NULL, *here;
+    int i, drawn = 0;
+
+    if (p->request->kind != PLOT_ANIMATION)
+        canvas_begin(&p->on);
+    if (info->needs & PLOT_ANGLE_AXIS)
+        fputs("set format '%g'\n", p->on.out);
+    for (i = 0; i < (info->rows ? 1 : p->n_branches); i++)
+        if ((here = info->draw(p, p->branches[i])) != NULL)
+            why = here;
+        else
+            drawn++;
+    if (p->request->kind != PLOT_ANIMATION)
+        canvas_end(&p->on);
+    return drawn ? NULL : why;
+}
+
 /* Write the script of a deck that is open. */
 static int write_script(picture *p, FILE *out, const fourlink_source *source,
                         fourlink_mistake *mistake)
@@ -367,7 +382,7 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
     put_head(p, source->name, held);
     if (p->request->at && !read_angles(p, source, mistake))
         return 0;
-    why = info->draw(p);
+    why = draw(p);
     return why ? refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 

@@ -13,21 +13,28 @@
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what
 ** it needs of the deck; the function that draws it; the deck's columns that it is made of, if it has
 ** them */
-#define PLOT_LIST(X)                                                                          \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)          \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE, picture_motion,                           \
-      "theta2,theta3,theta4,x,omega3,omega4,v,alpha3,alpha4,a")                               \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_forces,     \
-      "theta2,F12,F23,F34,F14,N,Ts")                                                          \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK, picture_turning, NULL) \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,        \
-      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"      \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                       \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)                \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                \
+#define PLOT_LIST(X)                                                                        \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
+      "theta2,theta3,theta4,x,omega3,omega4,v,alpha3,alpha4,a")                             \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS, \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                        \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,    \
+      picture_turning, NULL)                                                                \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,      \
+      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"    \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                     \
+    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)              \
+    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)              \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL)
 
-enum { PLOT_FORCES_OF_DECK = 1, PLOT_SLIDER_CRANK = 2, PLOT_DRAWING = 4, PLOT_RANGE = 8 };
+enum {
+    PLOT_FORCES_OF_DECK = 1,
+    PLOT_SLIDER_CRANK = 2,
+    PLOT_DRAWING = 4,
+    PLOT_RANGE = 8,
+    PLOT_ANGLE_AXIS = 16
+};
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
@@ -94,9 +101,10 @@ typedef struct picture_row {
     fourlink_load loads[PICTURE_LOADS + 1];
 } picture_row;
 
-/* The kinds, each in a file of its own: null, or the reason why there is nothing to draw. */
+/* The functions of the kinds; those with a panel for each branch are called for each, the others for the first.
+** Null, or the reason why there is nothing to draw. */
 #define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values) \
-    const char *draw(picture *p);
+    const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
 /* A value in the deck's unit of its quantity, and in SI units. */

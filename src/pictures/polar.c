@@ -106,7 +106,7 @@ static void put_marks(const picture *p, int i, const bearing *b, frame *f)
 
 static int put_polar(picture *p, const bearing *b, const char *title)
 {
-    int i, drawn = 0, points[2];
+    int i, points[2];
     graph_extent e = graph_nothing;
     frame f;
 
@@ -124,14 +124,13 @@ static int put_polar(picture *p, const bearing *b, const char *title)
         if (points[i]) {
             const char *branch = fourlink_branch_text(p->branches[i]);
 
-            graph_plot(p, !drawn, p->branches[i], b->name, i + 1);
+            graph_plot(p, p->branches[i], b->name, i + 1);
             fprintf(p->on.out,
                     "'%s', $%s_%s_marks using 1:2 with points pt 7 ps 0.5 lc rgb 'black'", branch,
                     b->name, branch);
-            drawn = 1;
         }
     putc('\n', p->on.out);
-    return drawn;
+    return p->on.curves;
 }
 
 /* The column of a component; -1 if there is none. */
@@ -160,13 +159,13 @@ static int put_bearing(picture *p, int by, int on)
     return put_polar(p, &b, title);
 }
 
-const char *picture_polar(picture *p)
+const char *picture_polar(picture *p, fourlink_branch branch)
 {
     static const int joints[][2] = {{1, 2}, {3, 2}, {2, 3}, {4, 3}, {3, 4}, {1, 4}};
     int drawn = 0;
     size_t i;
 
-    canvas_begin(&p->on);
+    (void)branch;
     canvas_grid(&p->on);
     fprintf(p->on.out,
             "set format '%%g'; set size ratio -1\n"
@@ -174,6 +173,5 @@ const char *picture_polar(picture *p)
             p->on.is_text ? -1 : 1);
     for (i = 0; i < sizeof joints / sizeof joints[0]; i++)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
-    canvas_end(&p->on);
     return drawn ? NULL : "the links reach at no angle of the motion";
 }

@@ -118,20 +118,23 @@ static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
             on->is_text ? "1" : "4 dt 1");
 }
 
-static void put_turning(picture *p, fourlink_branch branch, const fourlink_turning *t)
+const char *picture_turning(picture *p, fourlink_branch branch)
 {
     const char *name = fourlink_branch_text(branch), *torque = p->units[QUANTITY_TORQUE].name;
-    double mean = picture_value(p, QUANTITY_TORQUE, t->mean_torque);
-    double cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
+    double mean, cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
     int is_clockwise = p->problem.motion.speed < 0;
     char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    fourlink_turning t;
 
+    if (fourlink_results_turning(p->results, branch, &t) != FOURLINK_OK)
+        return "the turning moment needs a crank that turns fully, at constant speed";
+    mean = picture_value(p, QUANTITY_TORQUE, t.mean_torque);
     fputs("unset label\n", p->on.out);
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
     format_general(mean, 5, number);
-    format_general(picture_value(p, QUANTITY_ENERGY, t->energy_fluctuation), 5, other);
+    format_general(picture_value(p, QUANTITY_ENERGY, t.energy_fluctuation), 5, other);
     flk_text_join(words, sizeof words, name, ": mean ", number, " ", torque,
                   ", fluctuation of energy ", other, " ", p->units[QUANTITY_ENERGY].name,
                   (char *)NULL);
@@ -141,23 +144,8 @@ static void put_turning(picture *p, fourlink_branch branch, const fourlink_turni
                  "set xrange [0:%.8g]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n"
                  "set xtics %.6g\nmean = %.17g\n",
                  is_clockwise ? -cycle : cycle, graph_angle_step(p, cycle), mean);
-    put_areas(p, branch, t);
+    put_areas(p, branch, &t);
     put_moment(p, branch);
     plot_moment(&p->on, name, is_clockwise);
-}
-
-const char *picture_turning(picture *p)
-{
-    fourlink_turning t;
-    int i, drawn = 0;
-
-    canvas_begin(&p->on);
-    fputs("set format '%g'\n", p->on.out);
-    for (i = 0; i < p->n_branches; i++)
-        if (fourlink_results_turning(p->results, p->branches[i], &t) == FOURLINK_OK) {
-            put_turning(p, p->branches[i], &t);
-            drawn++;
-        }
-    canvas_end(&p->on);
-    return drawn ? NULL : "the turning moment needs a crank that turns fully, at constant speed";
+    return NULL;
 }

@@ -329,14 +329,13 @@ static void put_mechanism(picture *p, const fourlink_instant *now)
     figure_close(&s, p, now, "");
 }
 
-const char *picture_vectors(picture *p)
+const char *picture_vectors(picture *p, fourlink_branch branch)
 {
     picture_row r;
-    int link, status = picture_position(p, p->branches[0], &r.now, r.loads);
+    int link, status = picture_position(p, branch, &r.now, r.loads);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
-    canvas_begin(&p->on);
     put_mechanism(p, &r.now);
     put_velocities(p, &r.now.state);
     put_accelerations(p, &r.now.state);
@@ -344,6 +343,5 @@ const char *picture_vectors(picture *p)
         put_free_body(p, &r, link);
     for (link = FOURLINK_CRANK; p->problem.has_forces && link <= FOURLINK_FOLLOWER; link++)
         put_force_polygon(p, &r, link);
-    canvas_end(&p->on);
     return NULL;
 }
