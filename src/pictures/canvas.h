@@ -23,6 +23,7 @@ typedef struct canvas {
     double box_width, box_height; /* within the axes of the present panel */
     double left, right;           /* its margins */
     int lines;                    /* above it */
+    int curves;                   /* in it */
 } canvas;
 
 /* A picture of panels of a size, with some room below each; in text they stand one below another. */
@@ -50,8 +51,9 @@ void canvas_key(const canvas *c);
 /* Grid lines, which would hide the curves of a text terminal. */
 void canvas_grid(const canvas *c);
 
-/* Text within quotes of gnuplot. */
-void canvas_quote(FILE *out, const char *words);
+/* Write to the script: as printf with %s, %d and %%, with numbers as %.8g, the same under every locale, and
+** with %q, a text in quotes of gnuplot. */
+void canvas_print(const canvas *c, const char *format, ...);
 
 /* Characters of UTF-8; the same in pixels. */
 int canvas_letters(const char *words);

@@ -111,6 +111,9 @@ void sketch_close(sketch *s, const char *title, const char *unit_name);
 /* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
 void sketch_place(sketch *s, double width, double height);
 
+/* A place so far from another. */
+fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
+
 /* 1, 2 or 5 times a power of ten, at least x. */
 double sketch_round(double x);
 

@@ -145,6 +145,20 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
     return status;
 }
 
+/* A cycle in place of one instant, of which speed and acceleration are held. */
+static void hold_instant(deck *d)
+{
+    fourlink_motion *motion = &d->motion;
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
+
+    motion->from = 0;
+    motion->to = turn < 0 ? -cycle : cycle;
+    motion->interval = cycle / 72;
+    motion->hold = 1;
+    d->one_instant = 0;
+}
+
 int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                           fourlink_results **results, fourlink_mistake *list,
                           unsigned long *n_mistakes)
@@ -158,6 +172,8 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
     if (!r)
         return FOURLINK_NO_MEMORY;
     status = read_deck(source, r);
+    if (status > 0 && source->whole_cycle && r->d.one_instant)
+        hold_instant(&r->d);
     if (status > 0 && !open_deck(r))
         status = -1;
     else if (status == 0)
