@@ -99,7 +99,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (inputs[0].problem.n_designs && o->content != SHEET_LIST)
+    if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
         written = write_decks(out.file, o, inputs);
