@@ -49,7 +49,6 @@ for signal in INT TERM; do
 done
 
 # progress
-sweep 'crank.length = 18 mm to 22 mm in 30000000' 'output = mu_min, swing'
 if command -v script >/dev/null; then
     script -qec "timeout 2.5 '$fourlink' -f csv -o files/result t.deck" typed </dev/null >shown 2>&1
     check 'progress on a terminal' grep -q 'of 30000000 designs, 0 %' shown
