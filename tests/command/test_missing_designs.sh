@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_missing_designs.sh FOURLINK DATA - designs that cannot be built, and values that a design does not have.
+# test_missing_designs.sh FOURLINK DATA - designs that cannot be built, values that a design
+# does not have.
 . "$(dirname "$0")/sweeps.sh"
 
 # the first that can be built may come late

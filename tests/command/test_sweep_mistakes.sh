@@ -1,12 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_sweep_mistakes.sh FOURLINK DATA - mistakes in [sweep] and --part, and options that a sweep does not take.
+# test_sweep_mistakes.sh FOURLINK DATA - mistakes in [sweep] and --part, options that a sweep does
+# not take.
 . "$(dirname "$0")/sweeps.sh"
 
 first=$(($(wc -l <single.deck) + 1)) # the line of [sweep]
 
-# bad LINE MESSAGE SWEEP...: exit 2 with this message at the line of t.deck, counted from [sweep], and no other
+# bad LINE MESSAGE SWEEP...: exit 2 with this message, and no other, at the line of t.deck, counted
+# from [sweep]
 bad() {
     line=$(($1 + first))
     message=$2

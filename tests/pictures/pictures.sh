@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# pictures.sh - what the tests of the pictures share besides harness.sh: reading scripts and pictures, gnuplot.
+# pictures.sh - what the tests of pictures share besides harness.sh: reading scripts and pictures, gnuplot.
 . "$(dirname "$0")/../harness.sh"
 fourbar=$decks/coupler-point.deck
 engine=$decks/engine.deck
@@ -11,7 +11,8 @@ not() { ! "$@"; }
 
 # ------------------------------------------------------------------------- numbers of a script, no gnuplot
 
-# arrows SCRIPT [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and "PANEL<tab>note<tab>NAME VALUE"
+# arrows SCRIPT [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and
+# "PANEL<tab>note<tab>NAME VALUE"
 arrows() {
     awk -v head="${2:-head}" '
         /^unset arrow; unset label; unset object/ {n = 0}

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_names.sh FOURLINK DATA - names of files, titles, names of loads: as they are, and nothing of them is executed.
+# test_names.sh FOURLINK DATA - names of files, titles, names of loads: shown as they are, never
+# executed.
 . "$(dirname "$0")/pictures.sh"
 
 needs_gnuplot

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_text_pictures.sh FOURLINK DATA - pictures in a terminal: 79 columns, no grid over the curves, names of all axes.
+# test_text_pictures.sh FOURLINK DATA - pictures in a terminal: 79 columns, no grid over the curves,
+# names of all axes.
 . "$(dirname "$0")/pictures.sh"
 
 needs_gnuplot
