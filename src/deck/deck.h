@@ -75,6 +75,7 @@ typedef struct deck_sweep {
     deck_variable *variables;
     size_t n_variables;
     unsigned long n_designs;
+    unsigned long design; /* which of them this is */
     deck_names output; /* empty: rows of each design */
 } deck_sweep;
 

@@ -89,6 +89,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->digits = d->digits;
     problem->n_expected = (unsigned long)d->n_expectations;
     problem->n_designs = d->sweep.n_designs;
+    problem->design = d->sweep.design;
     problem->has_outputs = d->sweep.output.names.length > 0;
     return FOURLINK_OK;
 }
@@ -99,8 +100,7 @@ int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *
 
     if (!d || !name || !u)
         return FOURLINK_NULL;
-    for (q = 0; q < QUANTITY_COUNT && strcmp(name, flk_quantities[q].name) != 0; q++)
-        ;
+    q = (int)flk_quantity_find(name);
     if (q == QUANTITY_COUNT)
         return FOURLINK_NO_SUCH_NAME;
     u->name = d->units[q].name;

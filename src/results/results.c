@@ -130,6 +130,35 @@ static void hold_instant(deck *d)
     d->one_instant = 0;
 }
 
+#define TRIES 1000
+
+/* Read a deck.  For FOURLINK_ANY_DESIGN it is the first design that is in order, or if none of those that
+** are tried is, the first. */
+static int read_deck(const fourlink_source *source, fourlink_results *r)
+{
+    fourlink_source one = *source;
+    unsigned long n, i;
+    deck other;
+    int status;
+
+    if (source->design != FOURLINK_ANY_DESIGN)
+        return flk_deck_read(source, &r->d);
+    one.design = 0;
+    status = flk_deck_read(&one, &r->d);
+    n = r->d.sweep.n_designs;
+    for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
+        one.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
+        if (flk_deck_read(&one, &other) == 1) {
+            flk_deck_free(&r->d);
+            r->d = other;
+            r->d.sweep.design = one.design;
+            return 1;
+        }
+        flk_deck_free(&other);
+    }
+    return status;
+}
+
 int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                           fourlink_results **results, fourlink_mistake *list,
                           unsigned long *n_mistakes)
@@ -142,7 +171,7 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
     r = calloc(1, sizeof *r);
     if (!r)
         return FOURLINK_NO_MEMORY;
-    status = flk_deck_read(source, &r->d);
+    status = read_deck(source, r);
     if (status > 0 && source->whole_cycle && r->d.one_instant)
         hold_instant(&r->d);
     if (status > 0 && !open_deck(r))
@@ -161,6 +190,21 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
     flk_deck_give_mistakes(&r->d, max_mistakes, list, n_mistakes);
     fourlink_results_free(r);
     return FOURLINK_BAD_DECK;
+}
+
+int fourlink_source_design(const fourlink_source *source, unsigned long max, double *values)
+{
+    deck d;
+    size_t i;
+    int status;
+
+    if (!source || !source->text || !values)
+        return FOURLINK_NULL;
+    status = flk_deck_read(source, &d);
+    for (i = 0; i < d.sweep.n_variables && i < max; i++)
+        values[i] = d.sweep.variables[i].value;
+    flk_deck_free(&d);
+    return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
 }
 
 void fourlink_results_free(fourlink_results *r)
