@@ -118,16 +118,6 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
                  rest);
 }
 
-void canvas_begin(const canvas *c)
-{
-    fputs("set multiplot title title . \"\\n\" . source\n", c->out);
-}
-
-void canvas_end(const canvas *c)
-{
-    fputs("unset multiplot\n", c->out);
-}
-
 void canvas_heading(const canvas *c)
 {
     canvas_print(c,

@@ -33,9 +33,7 @@ void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, doubl
 /* Define title and source as words that fit; `rest` is the end of the source, which stays. */
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest);
 
-/* Begin and end the panels under title and source; or put these above one panel that is all. */
-void canvas_begin(const canvas *c);
-void canvas_end(const canvas *c);
+/* Put title and source above a panel that is all. */
 void canvas_heading(const canvas *c);
 
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */

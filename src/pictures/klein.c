@@ -59,8 +59,8 @@ static void draw_lines(sketch *s, const construction *k, double rod)
 
     middle.x = (k->B.x + k->C.x) / 2;
     middle.y = (k->B.y + k->C.y) / 2;
-    sketch_circle(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y));
-    sketch_circle(s, PEN_CONSTRUCTION, middle, rod / 2);
+    sketch_arc(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y), 0, 2 * M_PI);
+    sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     if (k->meet)
         sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);
     sketch_line(s, PEN_CONSTRUCTION, k->O, k->N);

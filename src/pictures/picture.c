@@ -351,7 +351,7 @@ static const char *draw(picture *p)
     int i, drawn = 0;
 
     if (p->request->kind != PLOT_ANIMATION)
-        canvas_begin(&p->on);
+        fputs("set multiplot title title . \"\\n\" . source\n", p->on.out);
     if (info->needs & PLOT_ANGLE_AXIS)
         fputs("set format '%g'\n", p->on.out);
     for (i = 0; i < (info->rows ? 1 : p->n_branches); i++)
@@ -360,7 +360,7 @@ static const char *draw(picture *p)
         else
             drawn++;
     if (p->request->kind != PLOT_ANIMATION)
-        canvas_end(&p->on);
+        fputs("unset multiplot\n", p->on.out);
     return drawn ? NULL : why;
 }
 

@@ -113,11 +113,6 @@ void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double 
     }
 }
 
-void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius)
-{
-    sketch_arc(s, p, centre, radius, 0, 2 * M_PI);
-}
-
 /* A disc, by its diameters. */
 static void add_disc(sketch *s, fourlink_vector at, double radius)
 {
@@ -296,18 +291,17 @@ static void put_labels(const sketch *s)
     }
 }
 
-static void put_range(const sketch *s, const char *axis, double middle, double length)
-{
-    canvas_print(s->c, "set %srange [%.7g:%.7g]\n", axis, middle - length / 2, middle + length / 2);
-}
-
 /* Tics of one step on both axes, so far apart that their numbers have room. */
 static void put_axes(const sketch *s)
 {
-    canvas_print(s->c, "set format '%%g'; set tics %.7g\n",
-                 sketch_round(TICS * CANVAS_LETTER * s->scale));
-    put_range(s, "x", (s->x_min + s->x_max) / 2, s->scale * s->c->box_width);
-    put_range(s, "y", (s->y_min + s->y_max) / 2, s->scale * s->c->box_height);
+    double x = (s->x_min + s->x_max) / 2, y = (s->y_min + s->y_max) / 2;
+    double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
+
+    canvas_print(s->c,
+                 "set format '%%g'; set tics %.7g\n"
+                 "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
+                 sketch_round(TICS * CANVAS_LETTER * s->scale), x - width / 2, x + width / 2,
+                 y - height / 2, y + height / 2);
 }
 
 static void put_curves(const sketch *s)

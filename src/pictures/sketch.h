@@ -76,7 +76,6 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 
 /* A pin, its radius a fraction of the drawing's size. */
 void sketch_pin(sketch *s, fourlink_vector at);
-void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius);
 
 /* A part of a circle from one angle to another, in rad, counter-clockwise. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
