@@ -161,22 +161,20 @@ static int read_angles(deck *d, analysis *a, plot_request *request)
     place.line = 0;
     while (flk_text_split(&rest, ',', &item)) {
         if (request->n_angles == PLOT_POSITIONS) {
-            flk_mistake_note(&d->mistakes, place, "more than 24 positions", (char *)NULL);
+            flk_mistake(&d->mistakes, place, "more than 24 positions");
             return 0;
         }
         if (request->n_angles == 1 && request->kind != PLOT_MECHANISM) {
-            flk_mistake_note(&d->mistakes, place, plot_names[request->kind],
-                             " is drawn at one position, not at several", (char *)NULL);
+            flk_mistake(&d->mistakes, place, "%s is drawn at one position, not at several",
+                        plot_names[request->kind]);
             return 0;
         }
         if (!flk_deck_read_quantity(d, place, flk_text_trim(item), QUANTITY_ANGLE, &si, &digit))
             return 0;
         angle = flk_unit_from_si(si, d->units[QUANTITY_ANGLE].unit);
         if (!analysis_find_angle(a, angle, &request->angles[request->n_angles])) {
-            char word[60];
-
-            flk_mistake_note(&d->mistakes, place, "the motion does not reach theta2 = ",
-                             flk_text_copy(flk_text_trim(item), word, sizeof word), (char *)NULL);
+            flk_mistake(&d->mistakes, place, "the motion does not reach theta2 = %t",
+                        flk_text_trim(item));
             return 0;
         }
         request->n_angles++;
@@ -287,6 +285,6 @@ int plot_write(FILE *out, deck *d, plot_request *request)
     place.source = request->n_angles ? "--plot-at" : "--plot-kind";
     place.line = 0;
     if (!written && why)
-        flk_mistake_note(&d->mistakes, place, why, (char *)NULL);
+        flk_mistake(&d->mistakes, place, "%s", why);
     return written;
 }

@@ -423,13 +423,11 @@ static void note_missing(deck *d, text name)
     flk_text_copy(name, word, sizeof word);
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake_note(&d->mistakes, d->columns.place, "the column '", word, "' ",
-                             why_missing(d, &table[i]), (char *)NULL);
+            flk_mistake(&d->mistakes, d->columns.place, "the column '%s' %s", word,
+                        why_missing(d, &table[i]));
             return;
         }
-    flk_mistake_note(&d->mistakes, d->columns.place, "unknown column '", word, "'",
-                     flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
-                     (char *)NULL);
+    flk_mistake(&d->mistakes, d->columns.place, "unknown column '%s'%h", word, nearest);
 }
 
 int column_next_name(text *rest, text *name)
@@ -499,7 +497,7 @@ int columns_choose(deck *d, column_list *columns)
         }
     }
     if (!columns->count && !d->mistakes.count)
-        flk_mistake_note(&d->mistakes, d->columns.place, "no columns", (char *)NULL);
+        flk_mistake(&d->mistakes, d->columns.place, "no columns");
     return d->mistakes.out_of_memory ? -1 : d->mistakes.count == 0;
 }
 

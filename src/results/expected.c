@@ -54,13 +54,11 @@ static void take_if_named(const fact *f, void *data)
 
 static void note_unknown(deck *d, const deck_expectation *e, text name, const char *nearest)
 {
-    char word[DECK_NAME_SIZE];
 
     if (nearest && (!*nearest || flk_text_same(name, nearest)))
         nearest = NULL;
-    flk_mistake_note(&d->mistakes, e->place, "'", flk_text_copy(name, word, sizeof word),
-                     "' is no column and no fact of this deck", flk_hint(nearest),
-                     flk_hint_word(nearest), flk_hint_end(nearest), (char *)NULL);
+    flk_mistake(&d->mistakes, e->place, "'%t' is no column and no fact of this deck%h", name,
+                nearest);
 }
 
 /* A column, an extreme of one, or a fact. */
@@ -103,7 +101,6 @@ static int find_name(analysis *a, deck *d, const deck_expectation *e, found *f)
 /* The value of a column at the expectation's angle; 0 and a mistake if it has none. */
 static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f)
 {
-    char number[NUMBER_SIZE];
     double at;
     extreme x;
     result r;
@@ -115,31 +112,27 @@ static int value_there(analysis *a, deck *d, const deck_expectation *e, found *f
             f->value = x.value;
             return 1;
         }
-        flk_mistake_note(&d->mistakes, e->place,
-                         status == EXTREME_NONE ? "the links reach at no angle of the motion"
-                                                : "it grows beyond all bounds",
-                         (char *)NULL);
+        flk_mistake(&d->mistakes, e->place, "%s",
+                    status == EXTREME_NONE ? "the links reach at no angle of the motion"
+                                           : "it grows beyond all bounds");
         return 0;
     }
     if (!e->has_at) {
-        flk_mistake_note(&d->mistakes, e->place,
-                         "a column is expected at a crank angle: give the section 'at = ...'",
-                         (char *)NULL);
+        flk_mistake(&d->mistakes, e->place,
+                    "a column is expected at a crank angle: give the section 'at = ...'");
         return 0;
     }
     if (!analysis_find_angle(a, e->at, &at)) {
-        flk_mistake_note(&d->mistakes, e->place,
-                         "the motion does not reach theta2 = ", flk_number_write(e->at, 9, number),
-                         " ", d->units[QUANTITY_ANGLE].name, (char *)NULL);
+        flk_mistake(&d->mistakes, e->place, "the motion does not reach theta2 = %g %s", e->at,
+                    d->units[QUANTITY_ANGLE].name);
         return 0;
     }
     fourlink_motion_at(&d->motion, at, &r.row);
     analysis_at(a, e->branch, &r.row.crank, &r);
     if (r.status != FOURLINK_OK && !column_of_crank(&f->c)) {
-        flk_mistake_note(&d->mistakes, e->place,
-                         "no value at theta2 = ", flk_number_write(e->at, 9, number), " ",
-                         d->units[QUANTITY_ANGLE].name, ", ", branch_name(e->branch), ": ",
-                         fourlink_status_text(r.status), (char *)NULL);
+        flk_mistake(&d->mistakes, e->place, "no value at theta2 = %g %s, %s: %s", e->at,
+                    d->units[QUANTITY_ANGLE].name, branch_name(e->branch),
+                    fourlink_status_text(r.status));
         return 0;
     }
     f->value = column_value(&f->c, &r);
@@ -169,7 +162,7 @@ static int read_tolerance(deck *d, const deck_expectation *e, quantity q, double
     }
     if (*tolerance >= 0)
         return 1;
-    flk_mistake_note(&d->mistakes, place, "a tolerance must not be negative", (char *)NULL);
+    flk_mistake(&d->mistakes, place, "a tolerance must not be negative");
     return 0;
 }
 

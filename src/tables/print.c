@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/digits.h"
 #include "base/format.h"
 #include "print.h"
 
@@ -180,7 +181,7 @@ int row_fixed(row_buffer *row, double value, int decimals, size_t width)
     memset(begin, ' ', BLANKS);
     if (width > BLANKS)
         memset(begin + BLANKS, ' ', width - BLANKS);
-    if (!format_fixed_before(value, decimals, begin + width))
+    if (!flk_digits_fixed_before(value, decimals, begin + width))
         return 0;
     row->length += width;
     return 1;

@@ -69,16 +69,17 @@ static int find_output(const deck *d, text name, sweep_output *x)
 static void note_unknown(const deck *d, const sweep_output *x, mistakes *list)
 {
     const char *nearest = x->sign ? column_nearest(d, x->column) : fact_nearest(x->name);
-    const char *open = !x->sign || !nearest ? "" : x->sign > 0 ? "max(" : "min(";
-    char word[DECK_NAME_SIZE];
+    const char *open = x->sign > 0 ? "max(" : "min(";
+    char name[2 * DECK_NAME_SIZE];
     column c;
 
-    flk_mistake_note(list, d->sweep.output.place, "'", flk_text_copy(x->name, word, sizeof word),
-                     column_find(d, x->name, &c)
-                         ? "' has many values: name its extremes, max() or min()"
-                         : "' is no fact, and no max() or min() of a column, of this deck",
-                     flk_hint(nearest), open, flk_hint_word(nearest), *open ? ")" : "",
-                     flk_hint_end(nearest), (char *)NULL);
+    if (nearest && x->sign)
+        nearest = flk_text_join(name, sizeof name, open, nearest, ")", (char *)NULL);
+    flk_mistake(list, d->sweep.output.place, "'%t' %s%h", x->name,
+                column_find(d, x->name, &c)
+                    ? "has many values: name its extremes, max() or min()"
+                    : "is no fact, and no max() or min() of a column, of this deck",
+                nearest);
 }
 
 /* The deck's outputs; 0 and mistakes in `list` if some are not known. */
@@ -106,11 +107,11 @@ static int find_outputs(const deck *d, sweep_outputs *outputs, mistakes *list)
         outputs->n++;
     }
     if (rest.length && column_next_name(&rest, &name)) {
-        flk_mistake_note(list, d->sweep.output.place, "more than 64 outputs", (char *)NULL);
+        flk_mistake(list, d->sweep.output.place, "more than 64 outputs");
         found = 0;
     }
     if (d->sweep.output.names.start && found && !outputs->n) {
-        flk_mistake_note(list, d->sweep.output.place, "output names nothing", (char *)NULL);
+        flk_mistake(list, d->sweep.output.place, "output names nothing");
         found = 0;
     }
     return found;
