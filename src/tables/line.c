@@ -4,6 +4,7 @@
 */
 #include <string.h>
 
+#include "base/digits.h"
 #include "line.h"
 
 void line_start(line *l, FILE *out)
@@ -63,7 +64,7 @@ int line_fixed(line *l, double value, int decimals, size_t width)
     memset(begin, ' ', BLANKS);
     if (width > BLANKS)
         memset(begin + BLANKS, ' ', width - BLANKS);
-    if (!format_fixed_before(value, decimals, begin + width))
+    if (!flk_digits_fixed_before(value, decimals, begin + width))
         return 0;
     l->length += width;
     return 1;
