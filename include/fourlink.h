@@ -426,8 +426,8 @@ typedef struct fourlink_source {
                                    null: its own */
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
-    int whole_cycle; /* for fourlink_results_open; 1: a deck of one crank angle is made one of a
-                             cycle from 0, with the same speed and acceleration at every row */
+    int whole_cycle; /* for fourlink_results_open; 1: of one crank angle is made a cycle from 0,
+                             with the same speed and acceleration at every row */
 } fourlink_source;
 
 /* A unit of a deck: a value in it is value * up / down in SI units and radians. */
@@ -456,6 +456,7 @@ typedef struct fourlink_problem {
     int digits;               /* significant digits of the deck's tables */
     unsigned long n_expected; /* values of [expect] and [misprint] */
     unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
+    unsigned long design;     /* which of them this is, from 0 */
     int has_outputs;          /* 1: the [sweep] names outputs: a line for each design */
 } fourlink_problem;
 

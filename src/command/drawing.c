@@ -12,18 +12,18 @@
 #include "pictures/gnuplot.h"
 
 /* Tell what became of gnuplot; the exit status. */
-static int tell_gnuplot(gnuplot_result outcome, const char *picture)
+static int tell_gnuplot(gnuplot_result outcome, const char *path)
 {
     switch (outcome) {
     case GNUPLOT_MISSING:
         return command_complain(
-            "cannot draw", picture,
+            "cannot draw", path,
             "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
             "gnuplot. --plot-script writes the script for it");
     case GNUPLOT_FAILED:
-        return command_complain("cannot draw", picture, "gnuplot failed");
+        return command_complain("cannot draw", path, "gnuplot failed");
     case GNUPLOT_ERRNO:
-        return command_complain("cannot draw", picture, strerror(errno));
+        return command_complain("cannot draw", path, strerror(errno));
     case GNUPLOT_OK:
     default:
         return 0;
@@ -33,13 +33,13 @@ static int tell_gnuplot(gnuplot_result outcome, const char *picture)
 /* Have gnuplot draw a script; the exit status. */
 static int draw(const char *path, FILE *script)
 {
-    output picture;
-    int status = output_begin(&picture, path);
+    output file;
+    int status = output_begin(&file, path);
 
     if (status)
         return status;
-    status = tell_gnuplot(gnuplot_run(script, picture.file), path);
-    return command_worse(status, output_end(&picture, path, status == 0));
+    status = tell_gnuplot(gnuplot_run(script, file.file), path);
+    return command_worse(status, output_end(&file, path, status == 0));
 }
 
 static int write_script(FILE *script, const input *in)

@@ -114,19 +114,19 @@ static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned
 
 static int open_results(input *in)
 {
-    fourlink_mistake *mistakes = malloc(MOST_MISTAKES * sizeof *mistakes);
+    fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
     unsigned long n = 0;
     int status = FOURLINK_NO_MEMORY;
 
-    if (mistakes)
-        status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, mistakes, &n);
+    if (list)
+        status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
     if (in->names_output)
         status = command_complain("cannot write", "a file that the deck names", "it is an input");
     else if (status == FOURLINK_BAD_DECK)
-        status = tell_mistakes(in, mistakes, n);
+        status = tell_mistakes(in, list, n);
     else if (status != FOURLINK_OK)
         status = command_complain("cannot read", in->name, "not enough memory");
-    free(mistakes);
+    free(list);
     return status;
 }
 

@@ -13,8 +13,8 @@ typedef struct input {
     const char *name;
     char *text;
     fourlink_source source;
-    struct named_file *files; /* those that the deck names */
-    int names_output;         /* 1: one of them is to be written */
+    struct named_file *files;  /* those that the deck names */
+    int names_output;          /* 1: one of them is to be written */
     fourlink_results *results; /* null: the deck is not usable */
     fourlink_problem problem;
 } input;

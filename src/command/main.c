@@ -32,18 +32,19 @@ static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, un
     size_t i;
 
     for (i = 0; i < n_inputs; i++)
-        if (inputs[i].results &&
-            fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list, &count) == FOURLINK_OK)
+        if (inputs[i].results && fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list,
+                                                       &count) == FOURLINK_OK)
             most += count;
     all = malloc(most * sizeof *all);
     *n = 0;
     for (i = 0; all && i < n_inputs; i++) {
-        if (!inputs[i].results ||
-            fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list, &count) != FOURLINK_OK)
+        if (!inputs[i].results || fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list,
+                                                        &count) != FOURLINK_OK)
             continue;
         for (k = 0; k < count; k++) {
             for (j = 0; j < *n; j++)
-                if (strcmp(all[j].name, list[k].name) == 0 && strcmp(all[j].unit, list[k].unit) == 0)
+                if (strcmp(all[j].name, list[k].name) == 0 &&
+                    strcmp(all[j].unit, list[k].unit) == 0)
                     break;
             if (j == *n)
                 all[(*n)++] = list[k];
@@ -62,7 +63,7 @@ static int status_of(const sheet *s, const input *in)
     if (s->checks[FOURLINK_NO_VALUE])
         return EXIT_USAGE;
     return s->failed || s->checks[FOURLINK_DIFFERS] || s->checks[FOURLINK_NO_MISPRINT] ? EXIT_ROWS
-                                                                                        : 0;
+                                                                                       : 0;
 }
 
 /* Write all decks; the exit status. */
@@ -98,7 +99,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (inputs[0].problem.n_designs && o->content != SHEET_LIST)
+    if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
         written = write_decks(out.file, o, inputs);
@@ -147,17 +148,17 @@ static int finish_text(void)
 
 static int print_help(void)
 {
-    const char *const *line;
+    const char *const *next;
 
-    for (line = options_help; *line; line++)
-        puts(*line);
+    for (next = options_help; *next; next++)
+        puts(*next);
     return finish_text();
 }
 
 int main(int argc, char **argv)
 {
     char message[400];
-    const char *input;
+    const char *clash;
     options o;
     int status = options_read(argc, argv, &o, message);
 
@@ -173,10 +174,10 @@ int main(int argc, char **argv)
         printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
                fourlink_version());
         status = finish_text();
-    } else if ((input = clash_input_among_outputs(&o)) != NULL) {
-        status = command_complain("cannot write", input, "it is an input");
-    } else if ((input = clash_output_given_twice(&o)) != NULL) {
-        status = command_complain("cannot write", input, "two results would be written to it");
+    } else if ((clash = clash_input_among_outputs(&o)) != NULL) {
+        status = command_complain("cannot write", clash, "it is an input");
+    } else if ((clash = clash_output_given_twice(&o)) != NULL) {
+        status = command_complain("cannot write", clash, "two results would be written to it");
     } else {
         status = run(&o);
     }

@@ -76,7 +76,7 @@ typedef struct deck_sweep {
     size_t n_variables;
     unsigned long n_designs;
     unsigned long design; /* which of them this is */
-    deck_names output; /* empty: rows of each design */
+    deck_names output;    /* empty: rows of each design */
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };

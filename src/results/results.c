@@ -116,20 +116,6 @@ static int open_deck(fourlink_results *r)
     return 1;
 }
 
-/* A cycle in place of one instant, of which speed and acceleration are held. */
-static void hold_instant(deck *d)
-{
-    fourlink_motion *motion = &d->motion;
-    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
-    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
-
-    motion->from = 0;
-    motion->to = turn < 0 ? -cycle : cycle;
-    motion->interval = cycle / 72;
-    motion->hold = 1;
-    d->one_instant = 0;
-}
-
 #define TRIES 1000
 
 /* Read a deck.  For FOURLINK_ANY_DESIGN it is the first design that is in order, or if none of those that
@@ -157,6 +143,20 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
         flk_deck_free(&other);
     }
     return status;
+}
+
+/* A cycle in place of one instant, of which speed and acceleration are held. */
+static void hold_instant(deck *d)
+{
+    fourlink_motion *motion = &d->motion;
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
+
+    motion->from = 0;
+    motion->to = turn < 0 ? -cycle : cycle;
+    motion->interval = cycle / 72;
+    motion->hold = 1;
+    d->one_instant = 0;
 }
 
 int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,

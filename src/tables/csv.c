@@ -42,8 +42,8 @@ static void put_heading(line *l, const fourlink_value *column)
 {
     char words[400];
 
-    put_words(l, flk_text_join(words, sizeof words, column->name, " (", column->unit, ")",
-                               (char *)NULL));
+    put_words(
+        l, flk_text_join(words, sizeof words, column->name, " (", column->unit, ")", (char *)NULL));
 }
 
 static void begin(sheet *s)
@@ -214,17 +214,10 @@ static void refuse(sheet *s, const char *why)
 }
 
 const sheet_format csv_format = {
-    "csv",
-    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS,
-    begin,
-    open_deck,
-    NULL,
-    put_fact,
-    NULL,
-    put_row,
-    put_check,
-    put_design,
-    refuse,
-    NULL,
-    sizeof(long),
-    0};
+    "csv",        1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS,
+    begin,        open_deck,
+    NULL,         put_fact,
+    NULL,         put_row,
+    put_check,    put_design,
+    refuse,       NULL,
+    sizeof(long), 0};

@@ -325,18 +325,10 @@ static void close_deck(sheet *s)
     line_words(&s->l, s->list ? "]}\n" : "}\n");
 }
 
-const sheet_format json_format = {
-    "json",
-    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX),
-    begin,
-    open_deck,
-    put_column,
-    put_fact,
-    put_block,
-    put_row,
-    put_check,
-    put_design,
-    refuse,
-    close_deck,
-    0,
-    0};
+const sheet_format json_format = {"json",     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX),
+                                  begin,      open_deck,
+                                  put_column, put_fact,
+                                  put_block,  put_row,
+                                  put_check,  put_design,
+                                  refuse,     close_deck,
+                                  0,          0};

@@ -62,8 +62,7 @@ void matrix_write(sheet *s)
                       "centre of mass, of links 2, 3, 4.\n");
     for (i = 0; i < n; i++) {
         for (k = 0; k < s->problem.n_rows; k++) {
-            int status =
-                fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
+            int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
 
             line_words(&s->l, blocks++ ? "\n\n" : "");
             put_title(s, &at);

@@ -64,5 +64,6 @@ static void put_row(sheet *s, const sheet_row *row)
     line_words(&s->l, "\n");
 }
 
-const sheet_format paper_format = {"paper", 1 << SHEET_ROWS, NULL, open_deck, NULL, NULL, NULL,
-                                   put_row, NULL,           NULL, NULL,  NULL, 0,    1};
+const sheet_format paper_format = {
+    "paper", 1 << SHEET_ROWS, NULL, open_deck, NULL, NULL, NULL, put_row, NULL, NULL, NULL, NULL, 0,
+    1};

@@ -294,8 +294,7 @@ static void write_content(sheet *s)
         s->format->open(s);
     switch (s->content) {
     case SHEET_SUMMARY:
-        write_facts(s, 0,
-                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING);
+        write_facts(s, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING);
         break;
     case SHEET_CHECK:
         write_checks(s);
@@ -334,8 +333,8 @@ void sheet_write(sheet *s, fourlink_results *results, const char *deck_name)
 static const char *find_output(sheet *s, fourlink_branch branch, const char *name,
                                sheet_output *output)
 {
-    int status = fourlink_results_value(s->results, name, branch, s->problem.motion.from,
-                                        &output->v);
+    int status =
+        fourlink_results_value(s->results, name, branch, s->problem.motion.from, &output->v);
 
     output->has_value = status == FOURLINK_OK;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL

@@ -31,9 +31,10 @@ typedef struct sheet {
     line l;
     const struct sheet_format *format;
     sheet_content content;
-    int n_decks;                  /* several: each tells its name */
-    const fourlink_value *header; /* the columns of all decks, of which a deck has some; of designs the */
-    unsigned long n_header;       /* outputs */
+    int n_decks; /* several: each tells its name */
+    const fourlink_value
+        *header;            /* the columns of all decks, of which a deck has some; of designs the */
+    unsigned long n_header; /* outputs */
 
     /* the deck, or design, that is being written */
     const char *deck_name; /* null: it is the only one */
@@ -43,11 +44,11 @@ typedef struct sheet {
     const char *angle_unit;
     const fourlink_value *columns, *variables;
     unsigned long n_columns, n_variables;
-    unsigned long design;  /* of a sweep, from 1; 0: no sweep */
-    const double *varied;  /* the values of its variables */
-    double *values;        /* of a row */
-    fourlink_load *loads;  /* of a row */
-    void *layout;          /* of the format */
+    unsigned long design;    /* of a sweep, from 1; 0: no sweep */
+    const double *varied;    /* the values of its variables */
+    double *values;          /* of a row */
+    fourlink_load *loads;    /* of a row */
+    void *layout;            /* of the format */
     unsigned long n_written; /* decks or designs */
     const char *list;        /* for the format: the list that is open, or null */
 
@@ -75,19 +76,19 @@ typedef struct sheet_output {
 /* How a format writes the parts of a sheet; null: it passes them over. */
 typedef struct sheet_format {
     const char *name;
-    int writes; /* which contents, 1 << SHEET_ROWS ... */
-    void (*begin)(sheet *s);                                  /* before all decks */
-    void (*open)(sheet *s);                                   /* a deck or design begins */
-    void (*column)(sheet *s, const fourlink_value *column);   /* of SHEET_LIST */
+    int writes;              /* which contents, 1 << SHEET_ROWS ... */
+    void (*begin)(sheet *s); /* before all decks */
+    void (*open)(sheet *s);  /* a deck or design begins */
+    void (*column)(sheet *s, const fourlink_value *column); /* of SHEET_LIST */
     void (*fact)(sheet *s, const fourlink_value *fact);
-    void (*block)(sheet *s, fourlink_branch branch);          /* the rows of a branch begin */
+    void (*block)(sheet *s, fourlink_branch branch); /* the rows of a branch begin */
     void (*row)(sheet *s, const sheet_row *row);
     void (*check)(sheet *s, const fourlink_check *check);
     void (*design)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
-    void (*refuse)(sheet *s, const char *why);                /* in place of a deck or design */
-    void (*close)(sheet *s);                                  /* a deck or design ends */
-    size_t layout_size; /* of s->layout, for each column */
-    int is_by_angle;    /* 1: both branches at each crank angle, the crossed one first, and no row
+    void (*refuse)(sheet *s, const char *why); /* in place of a deck or design */
+    void (*close)(sheet *s);                   /* a deck or design ends */
+    size_t layout_size;                        /* of s->layout, for each column */
+    int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
                            that closes a revolution */
 } sheet_format;
 

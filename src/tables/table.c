@@ -247,17 +247,10 @@ static void put_row(sheet *s, const sheet_row *row)
         put_reason(s, row);
 }
 
-const sheet_format table_format = {"table",
-                                   (1 << SHEET_CONTENT_COUNT) - 1,
-                                   table_begin,
-                                   open_deck,
-                                   table_put_column,
-                                   table_put_fact,
-                                   put_block,
-                                   put_row,
-                                   table_put_check,
-                                   table_put_design,
-                                   table_refuse,
-                                   table_close,
-                                   sizeof(style),
-                                   0};
+const sheet_format table_format = {"table",          (1 << SHEET_CONTENT_COUNT) - 1,
+                                   table_begin,      open_deck,
+                                   table_put_column, table_put_fact,
+                                   put_block,        put_row,
+                                   table_put_check,  table_put_design,
+                                   table_refuse,     table_close,
+                                   sizeof(style),    0};
