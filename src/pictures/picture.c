@@ -282,24 +282,35 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     return opened;
 }
 
-/* FOR THE TIME BEING: to be replaced by base/quantity.h. */
-static int read_angle(const fourlink_source *source, text item, double *angle,
+/* For the time being, until base/quantity.h is there: the reader of decks reads it. */
+static int read_angle(const picture *p, const fourlink_source *source, text item, double *angle,
                       fourlink_mistake *mistake)
 {
+    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
     fourlink_source other = *source;
     fourlink_results *results;
     fourlink_problem problem;
-    fourlink_change change;
     char assignment[400] = "motion.at=", word[300];
+    unsigned long i, n = 0;
+    int status;
 
-    change.origin = "--plot-at";
-    change.assignment = strcat(assignment, flk_text_copy(item, word, sizeof word));
-    other.changes = &change;
-    other.n_changes = 1;
-    if (fourlink_results_open(&other, 1, &results, mistake, NULL) != FOURLINK_OK)
+    if (!item.length || !changes) {
+        free(changes);
+        return refuse(mistake, "--plot-at", "expected an angle, such as 40 deg, not ''", "");
+    }
+    for (i = 0; i < source->n_changes; i++)
+        if (strncmp(source->changes[i].assignment, "motion.", 7) != 0)
+            changes[n++] = source->changes[i];
+    changes[n].origin = "--plot-at";
+    changes[n].assignment = strcat(assignment, flk_text_copy(item, word, sizeof word));
+    other.changes = changes;
+    other.n_changes = n + 1;
+    status = fourlink_results_open(&other, 1, &results, mistake, NULL);
+    free(changes);
+    if (status != FOURLINK_OK)
         return 0;
     fourlink_deck_problem(fourlink_results_deck(results), &problem);
-    *angle = problem.motion.from;
+    *angle = picture_value(p, QUANTITY_ANGLE, picture_si(p, QUANTITY_ANGLE, problem.motion.from));
     fourlink_results_free(results);
     return 1;
 }
@@ -317,7 +328,7 @@ static int read_angles(picture *p, const fourlink_source *source, fourlink_mista
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return refuse(mistake, "--plot-at", plot_names[p->request->kind],
                           " is drawn at one position, not at several");
-        if (!read_angle(source, flk_text_trim(item), &angle, mistake))
+        if (!read_angle(p, source, flk_text_trim(item), &angle, mistake))
             return 0;
         if (fourlink_results_at(p->results, p->branches[0], angle, NULL, NULL, NULL) ==
             FOURLINK_NO_SUCH_ANGLE)
