@@ -95,7 +95,7 @@ void flk_build_gas(parser *p)
 /* The link that a load or a point is on. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+    const flk_kind *kind = flk_kind_of((int)p->d->design.kind);
     const char *const *own = kind->link;
 
     if (!link->place.source)
@@ -199,7 +199,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     if (!force->place.source && !torque->place.source)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
-        flk_kind_of(p->d->design.kind)->has_length[link->word])
+        flk_kind_of((int)p->d->design.kind)->has_length[link->word])
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (at->place.source && !force->place.source)
