@@ -224,6 +224,11 @@ module fourlink
       type(fourlink_mechanism), intent(inout) :: mechanism
     end function fourlink_prepare
 
+    integer(c_int) function fourlink_slides(kind, link) bind(c)
+      import
+      integer(c_int), value :: kind, link
+    end function fourlink_slides
+
     integer(c_int) function fourlink_type_of(mechanism, type) bind(c)
       import
       type(fourlink_mechanism), intent(in) :: mechanism
@@ -301,6 +306,13 @@ module fourlink
       integer(c_long), value :: n_loads
       real(c_double), intent(inout) :: a(9, 9), b(9)
     end function fourlink_system
+
+    integer(c_int) function fourlink_unknowns(mechanism, forces, x) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_forces), intent(in) :: forces
+      real(c_double), intent(inout) :: x(9)
+    end function fourlink_unknowns
 
     integer(c_int) function fourlink_analyse(mechanism, branch, crank, loads, n_loads, state, &
         forces) bind(c)
@@ -442,8 +454,8 @@ module fourlink
     module procedure text_of_array, text_of_pointer
   end interface fourlink_text
 
-  ! In `contains`: the functions that return a text, fourlink_status_text, fourlink_type_text and
-  ! fourlink_version, as character(len=80), filled up with blanks.
+  ! In `contains`: the functions that return a text, fourlink_..._text and fourlink_version, as
+  ! character(len=80), filled up with blanks.
 
 contains
 
@@ -472,6 +484,45 @@ contains
 
     call copy_text(fourlink_type_text_c(type), text)
   end function fourlink_type_text
+
+  function fourlink_kind_text(kind) result(text)
+    integer(c_int), intent(in) :: kind
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_kind_text_c(kind) bind(c, name="fourlink_kind_text")
+        import
+        integer(c_int), value :: kind
+      end function fourlink_kind_text_c
+    end interface
+
+    call copy_text(fourlink_kind_text_c(kind), text)
+  end function fourlink_kind_text
+
+  function fourlink_link_text(kind, link) result(text)
+    integer(c_int), intent(in) :: kind, link
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_link_text_c(kind, link) bind(c, name="fourlink_link_text")
+        import
+        integer(c_int), value :: kind, link
+      end function fourlink_link_text_c
+    end interface
+
+    call copy_text(fourlink_link_text_c(kind, link), text)
+  end function fourlink_link_text
+
+  function fourlink_unknown_text(kind, i) result(text)
+    integer(c_int), intent(in) :: kind, i
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_unknown_text_c(kind, i) bind(c, name="fourlink_unknown_text")
+        import
+        integer(c_int), value :: kind, i
+      end function fourlink_unknown_text_c
+    end interface
+
+    call copy_text(fourlink_unknown_text_c(kind, i), text)
+  end function fourlink_unknown_text
 
   function fourlink_version() result(text)
     character(len=80) :: text

@@ -408,6 +408,10 @@ typedef struct fourlink_change {
     const char *assignment; /* [SECTION[ NAME].]KEY=VALUE */
 } fourlink_change;
 
+/* For fourlink_results_open: the first design that is in order, if there is one among the first thousand, or
+** a thousand spread over all of them; else the first. */
+#define FOURLINK_ANY_DESIGN 0xffffffffUL
+
 /* What a deck is read from.  Zero it first: what is left at 0 is absent. */
 typedef struct fourlink_source {
     const char *name;      /* what messages name as the deck's place; null: "" */
@@ -421,7 +425,9 @@ typedef struct fourlink_source {
     const char *answers;      /* [expect] and [misprint] sections that take the place of the deck's;
                                    null: its own */
     unsigned long answers_length;
-    unsigned long design; /* which design of a [sweep], from 0 */
+    unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
+    int whole_cycle; /* for fourlink_results_open; 1: of one crank angle is made a cycle from 0,
+                             with the same speed and acceleration at every row */
 } fourlink_source;
 
 /* A unit of a deck: a value in it is value * up / down in SI units and radians. */
@@ -450,6 +456,7 @@ typedef struct fourlink_problem {
     int digits;               /* significant digits of the deck's tables */
     unsigned long n_expected; /* values of [expect] and [misprint] */
     unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
+    unsigned long design;     /* which of them this is, from 0 */
     int has_outputs;          /* 1: the [sweep] names outputs: a line for each design */
 } fourlink_problem;
 
@@ -1101,6 +1108,19 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
+/* The values of what a sweep varies in a design, also if that design is not in order.
+**
+** Given:
+**    source     what the deck is read from, with the design's number
+**    max        size of `values`
+** Returned:
+**    values     of the list FOURLINK_VARIABLES, in the deck's units
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+*/
+FOURLINK_API int fourlink_source_design(const fourlink_source *source, unsigned long max,
+                                        double *values);
+
 /* Give back the memory of results; null is passed over. */
 FOURLINK_API void fourlink_results_free(fourlink_results *results);
 
@@ -1119,7 +1139,7 @@ FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
 */
-FOURLINK_API int fourlink_results_list(const fourlink_results *results, int which,
+FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
                                        const fourlink_value **list, unsigned long *n);
 
 /* A row of the deck's columns.

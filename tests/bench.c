@@ -21,7 +21,7 @@
 
 #include "base/format.h"
 #include "fourlink.h"
-#include "tables/print.h"
+#include "tables/line.h"
 
 #define ANGLES 360
 #define COLUMNS 20

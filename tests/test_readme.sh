@@ -1,27 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_readme.sh BUILD_DIR - what README.md shows is what the program prints: every block under a
-# comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers to a few
-# units of their last digit, which may differ between machines; the C program is compiled.
+# test_readme.sh BUILD_DIR - what README.md and doc/*.md show is what the program prints: every block
+# under a comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers
+# to a few units of their last digit, which may differ between machines.  The first whole program in C
+# of a document is compiled, and is the command "example" of that document.
 set -u
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-PATH=$build:$work:$PATH
 passed=0
 failed=0
-
-awk '/^```c$/ {on = 1; next} on && /^```/ {exit} on' README.md >"$work/example.c"
-${CC:-cc} ${CFLAGS-} -std=c90 -pedantic-errors -Wall -Wextra -Werror -Iinclude "$work/example.c" \
-  -o "$work/example" "$build/libfourlink.a" -lgsl -lgslcblas -lm || exit 1
-
-awk -v work="$work" '
-  /^<!-- \$ .* -->$/ {n++; sub(/^<!-- \$ /, ""); sub(/ -->$/, ""); print > (work "/command." n); wait = 1; next}
-  wait && /^```/ {wait = 0; inside = 1; printf "" > (work "/expected." n); next}
-  inside && /^```/ {inside = 0; next}
-  inside {print > (work "/expected." n)}' README.md
 
 # same FILE FILE
 same() {
@@ -37,17 +27,54 @@ same() {
     END {if (n != m) print n " lines for " m; exit bad || n != m}' "$1" "$2"
 }
 
-for command in "$work"/command.*; do
-  n=${command##*.}
-  # a failing command is shown too, with its messages
-  sh -c "$(cat "$command")" >"$work/actual" 2>&1 </dev/null
-  if same "$work/expected.$n" "$work/actual" >"$work/diff"; then
+# result STATUS MESSAGE
+result() {
+  if [ "$1" -eq 0 ]; then
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
-    echo "README.md does not show what is printed by: $(cat "$command")"
-    cat "$work/diff"
+    echo "$2"
   fi
+}
+
+# compile DOCUMENT FOLDER
+compile() {
+  awk '
+    /^```c$/ {inside = 1; whole = 0; code = ""; next}
+    inside && /^```/ {inside = 0; if (whole) {printf "%s", code; exit}}
+    inside {code = code $0 "\n"; if (/^int main/) whole = 1}' "$1" >"$2/example.c"
+  [ -s "$2/example.c" ] || return 0
+  ${CC:-cc} ${CFLAGS-} -std=c90 -pedantic-errors -Wall -Wextra -Werror -Iinclude "$2/example.c" \
+    -o "$2/example" "$build/libfourlink.a" -lgsl -lgslcblas -lm
+  result $? "$1: the program in C does not compile"
+}
+
+# compare DOCUMENT FOLDER
+compare() {
+  awk -v folder="$2" '
+    /^<!-- \$ .* -->$/ {n++; sub(/^<!-- \$ /, ""); sub(/ -->$/, ""); print > (folder "/command." n); wait = 1; next}
+    wait && /^```/ {wait = 0; inside = 1; printf "" > (folder "/expected." n); next}
+    inside && /^```/ {inside = 0; next}
+    inside {print > (folder "/expected." n)}' "$1"
+  for command in "$2"/command.*; do
+    [ -f "$command" ] || continue
+    # a failing command is shown too, with its messages
+    PATH=$build:$2:$PATH sh -c "$(cat "$command")" >"$2/actual" 2>&1 </dev/null
+    same "$2/expected.${command##*.}" "$2/actual" >"$2/difference"
+    result $? "$1 does not show what is printed by: $(cat "$command")
+$(cat "$2/difference")"
+  done
+}
+
+for document in README.md doc/*.md; do
+  folder=$work/$(basename "$document")
+  mkdir "$folder" || exit 1
+  compile "$document" "$folder"
+  compare "$document" "$folder"
+done
+for document in README.md doc/library.md; do
+  [ -x "$work/$(basename "$document")/example" ]
+  result $? "$document has no whole program in C"
 done
 echo "$passed passed, $failed failed"
 [ "$passed" -gt 0 ] && [ "$failed" -eq 0 ]

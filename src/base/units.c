@@ -2,6 +2,8 @@
 **
 ** units.c - the units of the field, and the quantities of a deck.
 */
+#include <string.h>
+
 #include <gsl/gsl_const_mksa.h>
 #include <gsl/gsl_math.h>
 
@@ -10,6 +12,15 @@
 #define QUANTITY_INFO(name, key, words, m, kg, s, rad, unit, example) \
     {key, words, {m, kg, s, rad}, unit, example},
 const quantity_info flk_quantities[QUANTITY_COUNT] = {QUANTITY_LIST(QUANTITY_INFO)};
+
+quantity flk_quantity_find(const char *name)
+{
+    int q;
+
+    for (q = 0; q < QUANTITY_COUNT && strcmp(name, flk_quantities[q].name) != 0; q++)
+        ;
+    return (quantity)q;
+}
 
 /* GSL's constants where they are exact by definition; what it gives rounded (lbf, psi, hp) is made
 ** of those. */

@@ -45,6 +45,9 @@ typedef struct quantity_info {
 
 extern const quantity_info flk_quantities[QUANTITY_COUNT];
 
+/* The quantity of that name; QUANTITY_COUNT if there is none. */
+quantity flk_quantity_find(const char *name);
+
 /* A unit: up / down SI units (and radians).  Kept as a fraction, so that 66 mm is 66/1000 m,
 ** rounded once. */
 typedef struct unit {

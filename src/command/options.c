@@ -16,7 +16,7 @@ const char *const options_help[] = {
     "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
     "Reads the decks, or standard input where none is named, or for -.",
     "",
-    "  -f, --format=table|csv|paper      how the rows are written (default: table)",
+    "  -f, --format=table|csv|json|paper how the rows are written (default: table)",
     "  -o, --output=FILE                 write to FILE, all at once, or not at all",
     "  -b, --branch=open|crossed|both    which way of assembly (default: both)",
     "  -i, --interval=QUANTITY           the interval of the crank angle, such as '10 deg'",
@@ -88,15 +88,24 @@ static const char no_value[] = "";
 
 static int set_format(options *o, const char *value, char message[400])
 {
-    static const char *const names[] = {"table", "csv", "paper", NULL};
-    int i;
+    char names[100] = "--format must be ";
+    const sheet_format *const *f;
 
-    for (i = 0; names[i]; i++)
-        if (strcmp(value, names[i]) == 0) {
-            o->format = (table_format)i;
-            return 1;
-        }
-    return say(message, "--format must be table, csv or paper, not '", value, "'");
+    o->format = sheet_find_format(value);
+    if (o->format)
+        return 1;
+    for (f = sheet_formats; *f; f++) {
+        strcat(names, f == sheet_formats ? "" : f[1] ? ", " : " or ");
+        strcat(names, (*f)->name);
+    }
+    return say(message, strcat(names, ", not '"), value, "'");
+}
+
+static int set_content(options *o, sheet_content content)
+{
+    o->n_contents += o->content != content;
+    o->content = content;
+    return 1;
 }
 
 /* K/N */
@@ -193,13 +202,13 @@ static int set(options *o, const option_info *info, const char *value, char mess
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs the name of a file", "", "");
         o->check_file = *value ? value : NULL;
-        return o->check = 1;
+        return set_content(o, SHEET_CHECK);
     case 'm':
-        return o->matrix = 1;
+        return set_content(o, SHEET_MATRIX);
     case 'S':
-        return o->summary = 1;
+        return set_content(o, SHEET_SUMMARY);
     case 'l':
-        return o->list = 1;
+        return set_content(o, SHEET_LIST);
     case 'h':
         return o->help = 1;
     case 'V':
@@ -307,6 +316,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
     size_t room = (size_t)argc + 1;
 
     memset(o, 0, sizeof *o);
+    o->format = &table_format;
     o->plot_kind = PLOT_COUNT;
     o->changes = malloc(room * sizeof *o->changes);
     o->decks = malloc(room * sizeof *o->decks);
@@ -333,13 +343,15 @@ int options_read(int argc, char **argv, options *o, char message[400])
             return status;
         i += used_next;
     }
-    if (o->check + o->summary + o->matrix + o->list > 1)
+    if (o->n_contents > 1)
         return say(message, "--check, --summary, --matrix and --list exclude each other", "", "");
-    if ((o->summary || o->check) && o->format == FORMAT_PAPER)
+    if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
+        o->format = &table_format;
+    if (o->content == SHEET_MATRIX && o->format != &table_format)
+        return say(message, "--matrix is printed in the format table only", "", "");
+    if (!(o->format->writes & 1 << o->content))
         return say(message, "--summary and --check are printed in the formats table and csv", "",
                    "");
-    if (o->matrix && o->format != FORMAT_TABLE)
-        return say(message, "--matrix is printed in the format table only", "", "");
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);

@@ -5,13 +5,14 @@
 #ifndef FOURLINK_OPTIONS_H
 #define FOURLINK_OPTIONS_H
 
-#include "deck/deck.h"
 #include "pictures/picture.h"
-#include "tables/table.h"
+#include "tables/sheet.h"
 
 typedef struct options {
-    table_format format;
-    int check, matrix, summary, list, help, version;
+    const sheet_format *format;
+    sheet_content content;
+    int n_contents; /* how often one was asked for */
+    int help, version;
     const char *check_file;    /* null: the deck's own expectations */
     const char *output;        /* null: standard output */
     unsigned long part, parts; /* --part=K/N; parts 0: not given */

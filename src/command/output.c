@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "command.h"
 #include "output.h"
 
 /* Bytes: of millions of rows, a call of the system for each 4 kB is noticed. */
@@ -117,7 +118,8 @@ void output_prepare(void)
         setvbuf(stdout, NULL, _IOFBF, BUFFER);
 }
 
-int output_open(output *o, const char *path)
+/* 1; 0 and errno. */
+static int open_output(output *o, const char *path)
 {
     struct stat status, standard;
     int exists;
@@ -170,7 +172,8 @@ static int reason_of(FILE *file)
     return errno;
 }
 
-int output_close(output *o)
+/* 1; 0 and errno. */
+static int close_output(output *o)
 {
     int failed = fflush(o->file) != 0 || ferror(o->file), reason = failed ? reason_of(o->file) : 0;
 
@@ -191,11 +194,31 @@ int output_close(output *o)
     return !failed;
 }
 
-void output_discard(output *o)
+static void discard(output *o)
 {
     if (o->path && o->file)
         fclose(o->file);
     if (o->temporary)
         remove(o->temporary);
     forget(o);
+}
+
+int output_begin(output *o, const char *path)
+{
+    int status = 0;
+
+    if (!open_output(o, path && strcmp(path, "-") == 0 ? NULL : path)) {
+        status = command_complain("cannot write", path ? path : "standard output", strerror(errno));
+        discard(o);
+    }
+    return status;
+}
+
+int output_end(output *o, const char *path, int keep)
+{
+    if (!keep)
+        discard(o);
+    else if (!close_output(o))
+        return command_complain("cannot write", path ? path : "standard output", strerror(errno));
+    return 0;
 }

@@ -16,15 +16,12 @@ typedef struct output {
 /* To be called before anything is written to standard output. */
 void output_prepare(void);
 
-/* Open a path, or standard output for null.  1 if it went well; else 0, errno says why.  A regular
-** file is written beside the path and takes its place in output_close. */
-int output_open(output *o, const char *path);
+/* Open a path, or standard output for null and "-"; the exit status, which has been told.  A regular file is
+** written beside the path and takes its place in output_end. */
+int output_begin(output *o, const char *path);
 
-/* Finish: 1 if everything was written.  Else 0, errno says why, and a file that was there before is
-** as it was. */
-int output_close(output *o);
-
-/* Give up what was written to a regular file. */
-void output_discard(output *o);
+/* Finish, or give up what was written; the exit status, which has been told.  A file that was there before
+** is as it was, unless all of the new one was written. */
+int output_end(output *o, const char *path, int keep);
 
 #endif

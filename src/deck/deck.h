@@ -74,7 +74,8 @@ typedef struct deck_sweep {
     deck_variable *variables;
     size_t n_variables;
     unsigned long n_designs;
-    deck_names output; /* empty: rows of each design */
+    unsigned long design; /* which of them this is */
+    deck_names output;    /* empty: rows of each design */
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
@@ -129,6 +130,10 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 ** deck if it is none of that quantity. */
 int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
                            double *digit);
+
+/* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes);
 
 /* Set up a deck without anything but the default units; give back its memory. */
 void flk_deck_start(deck *d);

@@ -10,17 +10,20 @@
 #include "deck.h"
 #include "mechanics/mechanics.h"
 
-static void copy_mistakes(const mistakes *list, unsigned long max, fourlink_mistake *out)
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes)
 {
     unsigned long i;
 
-    for (i = 0; i < max && i < list->count; i++) {
-        const struct mistake *m = &list->list[i];
+    for (i = 0; i < max && i < d->mistakes.count; i++) {
+        const struct mistake *m = &d->mistakes.list[i];
 
-        flk_text_copy(flk_text_of(m->place.source), out[i].file, sizeof out[i].file);
-        out[i].line = m->place.line;
-        memcpy(out[i].message, m->message, sizeof out[i].message);
+        flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
+        list[i].line = m->place.line;
+        memcpy(list[i].message, m->message, sizeof list[i].message);
     }
+    if (n_mistakes)
+        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
@@ -46,11 +49,8 @@ int fourlink_deck_read(const char *contents, unsigned long length, fourlink_load
         *result = d;
         return FOURLINK_OK;
     }
-    if (status == 0) {
-        copy_mistakes(&d->mistakes, max_mistakes, list);
-        if (n_mistakes)
-            *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
-    }
+    if (status == 0)
+        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
     fourlink_deck_free(d);
     return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }
@@ -89,6 +89,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->digits = d->digits;
     problem->n_expected = (unsigned long)d->n_expectations;
     problem->n_designs = d->sweep.n_designs;
+    problem->design = d->sweep.design;
     problem->has_outputs = d->sweep.output.names.length > 0;
     return FOURLINK_OK;
 }
@@ -99,8 +100,7 @@ int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *
 
     if (!d || !name || !u)
         return FOURLINK_NULL;
-    for (q = 0; q < QUANTITY_COUNT && strcmp(name, flk_quantities[q].name) != 0; q++)
-        ;
+    q = (int)flk_quantity_find(name);
     if (q == QUANTITY_COUNT)
         return FOURLINK_NO_SUCH_NAME;
     u->name = d->units[q].name;

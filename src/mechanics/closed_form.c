@@ -62,14 +62,10 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
 {
     const flk_kind *kind;
     fourlink_forces result;
-    int status;
+    int status = flk_kind_find(mechanism, forces, &kind);
 
-    if (!mechanism || !state || !forces)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    status = flk_check_loads(loads, n_loads);
+    if (status == FOURLINK_OK)
+        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     if (is_singular(state))

@@ -325,17 +325,6 @@ const flk_kind flk_four_bar = {
         {3, 4, FLK_TIP, 3, 0},    /* C */
         {1, 4, FLK_ORIGIN, 4, 0}, /* D */
     },
-    {
-        FLK_UNKNOWN(F12x),
-        FLK_UNKNOWN(F12y),
-        FLK_UNKNOWN(F23x),
-        FLK_UNKNOWN(F23y),
-        FLK_UNKNOWN(F34x),
-        FLK_UNKNOWN(F34y),
-        FLK_UNKNOWN(F14x),
-        FLK_UNKNOWN(F14y),
-        FLK_UNKNOWN(Ts),
-    },
     four_bar_prepare,
     four_bar_reach,
     four_bar_position,

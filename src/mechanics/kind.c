@@ -9,67 +9,86 @@
 
 static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank};
 
-const flk_kind *flk_kind_of(int kind)
+/* clang-format off */
+#define UNKNOWN(member) {#member, offsetof(fourlink_forces, member)}
+/* clang-format on */
+
+const flk_unknown flk_unknowns[9][2] = {
+    {UNKNOWN(F12x)},
+    {UNKNOWN(F12y)},
+    {UNKNOWN(F23x)},
+    {UNKNOWN(F23y)},
+    {UNKNOWN(F34x)},
+    {UNKNOWN(F34y)},
+    {UNKNOWN(F14x), UNKNOWN(M14)},
+    {UNKNOWN(F14y), {"N", offsetof(fourlink_forces, F14y)}},
+    {UNKNOWN(Ts)},
+};
+
+const flk_kind *flk_kind_of(fourlink_kind kind)
 {
     size_t i;
 
     for (i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-        if ((int)kinds[i]->kind == kind)
+        if (kinds[i]->kind == kind)
             return kinds[i];
     return NULL;
 }
 
+int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind)
+{
+    if (!mechanism || !output)
+        return FOURLINK_NULL;
+    *kind = flk_kind_of(mechanism->design.kind);
+    return *kind ? FOURLINK_OK : FOURLINK_BAD_KIND;
+}
+
 const char *fourlink_kind_text(int kind)
 {
-    const flk_kind *found = flk_kind_of(kind);
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
 
     return found ? found->words : "unknown kind";
 }
 
-static int is_link(int link)
-{
-    return link >= FOURLINK_GROUND && link <= FOURLINK_FOLLOWER;
-}
-
 const char *fourlink_link_text(int kind, int link)
 {
-    const flk_kind *found = flk_kind_of(kind);
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
 
-    return found && is_link(link) ? found->link[link] : "unknown link";
+    return found && link >= FOURLINK_GROUND && link <= FOURLINK_FOLLOWER ? found->link[link]
+                                                                         : "unknown link";
+}
+
+int fourlink_slides(int kind, int link)
+{
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
+    int i;
+
+    for (i = 0; found && link && i < 4; i++)
+        if (found->joint[i].slider == link)
+            return found->joint[i].from == link ? found->joint[i].on : found->joint[i].from;
+    return 0;
 }
 
 const char *fourlink_unknown_text(int kind, int i)
 {
-    const flk_kind *found = flk_kind_of(kind);
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
 
-    return found && i >= 0 && i < 9 ? found->unknown[i].name : "unknown";
+    return found && i >= 0 && i < 9 ? flk_unknowns[i][FLK_JOINT_OF(found, i)].name : "unknown";
 }
 
 int fourlink_unknowns(const fourlink_mechanism *mechanism, const fourlink_forces *forces,
                       double x[9])
 {
     const flk_kind *kind;
-    int i;
+    int i, status = flk_kind_find(mechanism, x, &kind);
 
-    if (!mechanism || !forces || !x)
+    if (status != FOURLINK_OK)
+        return status;
+    if (!forces)
         return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
     for (i = 0; i < 9; i++)
-        x[i] = *FLK_CONST_MEMBER(forces, kind->unknown[i].member);
+        x[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_JOINT_OF(kind, i)]);
     return FOURLINK_OK;
-}
-
-int fourlink_slides(int kind, int link)
-{
-    const flk_kind *found = flk_kind_of(kind);
-    int i;
-
-    for (i = 0; found && is_link(link) && i < 4; i++)
-        if (found->joint[i].slider == link)
-            return found->joint[i].from == link ? found->joint[i].on : found->joint[i].from;
-    return 0;
 }
 
 const char *fourlink_type_text(int type)
@@ -84,25 +103,20 @@ const char *fourlink_type_text(int type)
 int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type)
 {
     const flk_kind *kind;
+    int status = flk_kind_find(mechanism, type, &kind);
 
-    if (!mechanism || !type)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    *type = kind->type(mechanism);
-    return FOURLINK_OK;
+    if (status == FOURLINK_OK)
+        *type = kind->type(mechanism);
+    return status;
 }
 
 int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink_reach *reach)
 {
     const flk_kind *kind;
+    int status = flk_kind_find(mechanism, reach, &kind);
 
-    if (!mechanism || !reach)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
+    if (status != FOURLINK_OK)
+        return status;
     memset(reach, 0, sizeof *reach);
     kind->ranges(mechanism, reach);
     return FOURLINK_OK;
@@ -112,14 +126,12 @@ int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch bran
                        fourlink_limits *limits)
 {
     const flk_kind *kind;
+    int status = flk_kind_find(mechanism, limits, &kind);
 
-    if (!mechanism || !limits)
-        return FOURLINK_NULL;
+    if (status != FOURLINK_OK)
+        return status;
     if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
         return FOURLINK_BAD_BRANCH;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
     memset(limits, 0, sizeof *limits);
     kind->limits(mechanism, branch, limits);
     return FOURLINK_OK;

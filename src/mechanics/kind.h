@@ -37,18 +37,21 @@ typedef struct flk_joint {
     int slider; /* 0: a pin; else the link that slides */
 } flk_joint;
 
-/* One of the nine unknowns: its name, and the member of fourlink_forces that has it. */
+/* One of the nine unknowns, two of each joint and Ts: its name, and the member of fourlink_forces that
+** has it; if the joint is a pin, and if it is a slider. */
 typedef struct flk_unknown {
     const char *name;
     size_t member;
 } flk_unknown;
 
-/* clang-format off */
-#define FLK_UNKNOWN(member) {#member, offsetof(fourlink_forces, member)}
-/* clang-format on */
+enum { FLK_PIN, FLK_SLIDER };
 
-#define FLK_MEMBER(forces, member) ((double *)((char *)(forces) + (member)))
-#define FLK_CONST_MEMBER(forces, member) ((const double *)((const char *)(forces) + (member)))
+extern const flk_unknown flk_unknowns[9][2];
+
+/* Which of the two an unknown is. */
+#define FLK_JOINT_OF(kind, i) ((i) < 8 && (kind)->joint[(i) / 2].slider ? FLK_SLIDER : FLK_PIN)
+
+#define FLK_MEMBER(forces, unknown) ((double *)((char *)(forces) + (unknown).member))
 
 /* The functions are called in this order.  The crank and its pin B are placed before `position`,
 ** moved before `velocity`, accelerated before `acceleration`.
@@ -68,12 +71,11 @@ typedef struct flk_unknown {
 */
 typedef struct flk_kind {
     fourlink_kind kind;
-    const char *name;       /* as in a deck */
-    const char *words;      /* in a sentence */
-    const char *link[5];    /* names of the links, by number */
-    int has_length[5];      /* 1: this link has a length */
-    flk_joint joint[4];     /* in the order of the unknowns */
-    flk_unknown unknown[9]; /* two of each joint (of a slider the couple first), and Ts */
+    const char *name;    /* as in a deck */
+    const char *words;   /* in a sentence */
+    const char *link[5]; /* names of the links, by number */
+    int has_length[5];   /* 1: this link has a length */
+    flk_joint joint[4];  /* in the order of the unknowns */
     void (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
                  double *sine);
@@ -93,7 +95,11 @@ typedef struct flk_kind {
 extern const flk_kind flk_four_bar, flk_slider_crank;
 
 /* The record of a kind; null if there is no such kind. */
-const flk_kind *flk_kind_of(int kind);
+const flk_kind *flk_kind_of(fourlink_kind kind);
+
+/* The record of a prepared mechanism, for a function with this output: FOURLINK_OK, FOURLINK_NULL,
+** FOURLINK_BAD_KIND. */
+int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind);
 
 /* Add a range of crank angles, if it is one. */
 void flk_kind_add_range(fourlink_reach *reach, double from, double to);

@@ -67,7 +67,7 @@ static fourlink_vector place_of(const flk_joint *joint, const fourlink_mechanism
     return P;
 }
 
-/* The slide, turned left by 90 deg: 0 where the slide is the line of stroke, not -0. */
+/* The direction of a slide, turned left by 90 deg; along the line of stroke x is 0, not -0. */
 static fourlink_vector normal_of(const fourlink_link_state *slider)
 {
     fourlink_vector n;
@@ -99,33 +99,30 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
                      const fourlink_state *state, const flk_body body[3],
                      const double per_length[5], const layout *at, double *A, double b[9])
 {
-    int i, k;
+    int i, k, side;
 
     memset(A, 0, 81 * sizeof A[0]);
     for (k = 0; k < 4; k++) {
         const flk_joint *joint = &kind->joint[k];
-        const fourlink_link_state *slider = &state->link[joint->slider];
         int first = at->column[2 * k], second = at->column[2 * k + 1];
         fourlink_vector P = place_of(joint, mechanism, state);
 
-        for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-            double *x = A + at->row[3 * i - 6], *y = A + at->row[3 * i - 5],
-                   *m = A + at->row[3 * i - 4];
-            double sign = i == joint->on ? 1 : -1, s = sign * per_length[i];
-            fourlink_vector rho, n;
+        for (side = joint->from == FOURLINK_GROUND ? 1 : -1; side <= 1; side += 2) {
+            int link = side > 0 ? joint->on : joint->from, row = 3 * (link - FOURLINK_CRANK);
+            double *x = A + at->row[row], *y = A + at->row[row + 1], *m = A + at->row[row + 2];
+            double s = side * per_length[link];
+            fourlink_vector rho = arm_of(&P, &state->link[link], &body[link - FOURLINK_CRANK]);
 
-            if (i != joint->from && i != joint->on)
-                continue;
-            rho = arm_of(&P, &state->link[i], &body[i - 2]);
             if (joint->slider) {
-                n = normal_of(slider);
+                fourlink_vector n = normal_of(&state->link[joint->slider]);
+
                 m[first] = s / per_length[joint->on];
-                x[second] = sign * n.x;
-                y[second] = sign * n.y;
+                x[second] = side * n.x;
+                y[second] = side * n.y;
                 m[second] = s * FLK_CROSS(rho, n);
             } else {
-                x[first] = sign;
-                y[second] = sign;
+                x[first] = side;
+                y[second] = side;
                 m[first] = -s * rho.y;
                 m[second] = s * rho.x;
             }
@@ -144,9 +141,10 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 **    moment 2, x 2, y 2, x 3, y 3, moment 3, moment 4, x 4, y 4
 **
 ** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded
-** matrices works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of the
-** matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's
-** length, or half that of the link before: so all coefficients are near 1, pivots can be judged, and most already stand on the diagonal.
+** matrices works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of
+** the matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's length,
+** or, of a link without one, that of the link before: so all coefficients are near 1, pivots can be
+** judged, and most already stand on the diagonal.
 */
 #define BELOW 2
 #define ABOVE 4
@@ -197,12 +195,9 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     flk_body body[3];
     int status;
 
-    if (!mechanism || !state || !A || !b)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    status = flk_check_loads(loads, n_loads);
+    status = flk_kind_find(mechanism, A, &kind);
+    if (status == FOURLINK_OK)
+        status = state && b ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
@@ -213,22 +208,17 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
 static void list_forces(const flk_kind *kind, const fourlink_state *state, const double x[9],
                         fourlink_forces *forces)
 {
-    static const size_t force[4][2] = {
-        {offsetof(fourlink_forces, F12x), offsetof(fourlink_forces, F12y)},
-        {offsetof(fourlink_forces, F23x), offsetof(fourlink_forces, F23y)},
-        {offsetof(fourlink_forces, F34x), offsetof(fourlink_forces, F34y)},
-        {offsetof(fourlink_forces, F14x), offsetof(fourlink_forces, F14y)}};
     int i;
 
     memset(forces, 0, sizeof *forces);
     for (i = 0; i < 9; i++)
-        *FLK_MEMBER(forces, kind->unknown[i].member) = x[i];
-    for (i = 0; i < 4; i++)
-        if (kind->joint[i].slider) {
-            fourlink_vector n = normal_of(&state->link[kind->joint[i].slider]);
+        *FLK_MEMBER(forces, flk_unknowns[i][FLK_JOINT_OF(kind, i)]) = x[i];
+    for (i = 0; i < 8; i += 2)
+        if (FLK_JOINT_OF(kind, i) == FLK_SLIDER) {
+            fourlink_vector n = normal_of(&state->link[kind->joint[i / 2].slider]);
 
-            *FLK_MEMBER(forces, force[i][0]) = x[2 * i + 1] * n.x + 0.0;
-            *FLK_MEMBER(forces, force[i][1]) = x[2 * i + 1] * n.y;
+            *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]) = x[i + 1] * n.x + 0.0;
+            *FLK_MEMBER(forces, flk_unknowns[i + 1][FLK_PIN]) = x[i + 1] * n.y;
         }
 }
 
@@ -241,12 +231,9 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
     double x[9];
     int status;
 
-    if (!mechanism || !state || !forces)
-        return FOURLINK_NULL;
-    kind = flk_kind_of(mechanism->design.kind);
-    if (!kind)
-        return FOURLINK_BAD_KIND;
-    status = flk_check_loads(loads, n_loads);
+    status = flk_kind_find(mechanism, forces, &kind);
+    if (status == FOURLINK_OK)
+        status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);

@@ -243,17 +243,6 @@ const flk_kind flk_slider_crank = {
         {3, 4, FLK_ORIGIN, 4, 0}, /* C */
         {1, 4, FLK_ORIGIN, 4, 4}, /* the guide */
     },
-    {
-        FLK_UNKNOWN(F12x),
-        FLK_UNKNOWN(F12y),
-        FLK_UNKNOWN(F23x),
-        FLK_UNKNOWN(F23y),
-        FLK_UNKNOWN(F34x),
-        FLK_UNKNOWN(F34y),
-        FLK_UNKNOWN(M14),
-        {"N", offsetof(fourlink_forces, F14y)},
-        FLK_UNKNOWN(Ts),
-    },
     slider_crank_prepare,
     slider_crank_reach,
     slider_crank_position,

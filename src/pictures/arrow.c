@@ -8,25 +8,24 @@
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
-#include "base/format.h"
-#include "tables/print.h"
 
 /* Below this fraction of the largest an arrow would be a head without a tail. */
 #define SMALLEST 0.02
 
 #define LONGEST_NAME 24 /* letters */
 
-char *arrow_words(const deck *d, const char *name, double si, quantity q, char out[ARROW_WORDS])
+char *arrow_words(const picture *p, const char *name, double si, quantity q, char out[ARROW_WORDS])
 {
     char number[FORMAT_SIZE], fitting[ARROW_WORDS];
 
     name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
     return flk_text_join(out, ARROW_WORDS, name, name[0] ? " " : "",
-                         format_general(flk_unit_from_si(si, d->units[q].unit), 5, number), " ",
-                         d->units[q].name, (char *)NULL);
+                         format_general(picture_value(p, q, si), 5, number), " ", p->units[q].name,
+                         (char *)NULL);
 }
 
-void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, double x, double y)
+void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
+               double y)
 {
     arrow *new = &arrows->list[arrows->n];
 
@@ -35,39 +34,54 @@ void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, 
     new->at = at;
     new->F.x = x;
     new->F.y = y;
-    new->p = p;
+    new->kind = kind;
     flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
     arrows->n++;
 }
 
-static const char *name_of_load(const deck *d, unsigned long i)
+void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on)
 {
-    return i == d->n_loads ? "gas" : d->variations[i].name[0] ? d->variations[i].name : "load";
+    const fourlink_forces *f = &r->now.forces;
+    figure_pins pins = figure_place(p, &r->now.state);
+
+    if (by == FOURLINK_GROUND && on == FOURLINK_CRANK)
+        arrow_add(arrows, PEN_FORCE, "F12", pins.A, f->F12x, f->F12y);
+    else if (by == FOURLINK_CRANK)
+        arrow_add(arrows, PEN_FORCE, "F23", pins.B, f->F23x, f->F23y);
+    else if (by == FOURLINK_COUPLER && on == FOURLINK_CRANK)
+        arrow_add(arrows, PEN_FORCE, "F32", pins.B, -f->F23x, -f->F23y);
+    else if (by == FOURLINK_COUPLER)
+        arrow_add(arrows, PEN_FORCE, "F34", pins.C, f->F34x, f->F34y);
+    else if (by == FOURLINK_FOLLOWER)
+        arrow_add(arrows, PEN_FORCE, "F43", pins.C, -f->F34x, -f->F34y);
+    else
+        arrow_add(arrows, PEN_FORCE, p->slides ? "N" : "F14", p->slides ? pins.C : pins.D, f->F14x,
+                  f->F14y);
 }
 
-void arrow_add_loads(arrow_list *arrows, const analysis *a, const result *r, int link)
+void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link)
 {
     static const char *const weights[5] = {"", "", "W2", "W3", "W4"};
-    const deck *d = a->d;
-    const fourlink_link_state *l = &r->state.link[link];
+    const fourlink_link *body = &p->design->link[link];
+    const fourlink_state *state = &r->now.state;
+    const fourlink_vector *axis = &state->link[link].axis;
+    const char *name = "";
     unsigned long i;
 
-    arrow_add(arrows, PEN_LOAD, weights[link],
-              figure_of_link(d, &r->state, link, &d->design.link[link].cg),
-              d->design.link[link].mass * d->design.gravity.x,
-              d->design.link[link].mass * d->design.gravity.y);
-    for (i = 0; i < a->n_loads; i++) {
-        const fourlink_load *load = &a->loads[i];
+    arrow_add(arrows, PEN_LOAD, weights[link], figure_of_link(p, state, link, &body->cg),
+              body->mass * p->design->gravity.x, body->mass * p->design->gravity.y);
+    for (i = 0; i < p->problem.n_loads; i++) {
+        const fourlink_load *load = &r->loads[i];
         fourlink_vector F = load->force;
 
         if (load->link != link)
             continue;
         if (load->frame == FOURLINK_FRAME_LINK) {
-            F.x = load->force.x * l->axis.x - load->force.y * l->axis.y;
-            F.y = load->force.x * l->axis.y + load->force.y * l->axis.x;
+            F.x = load->force.x * axis->x - load->force.y * axis->y;
+            F.y = load->force.x * axis->y + load->force.y * axis->x;
         }
-        arrow_add(arrows, PEN_LOAD, name_of_load(d, i),
-                  figure_of_link(d, &r->state, link, &load->at), F.x, F.y);
+        fourlink_deck_load(p->deck, i, &name, NULL);
+        arrow_add(arrows, PEN_LOAD, name, figure_of_link(p, state, link, &load->at), F.x, F.y);
     }
 }
 
@@ -84,7 +98,7 @@ double arrow_largest(const arrow_list *arrows)
     return largest;
 }
 
-void arrow_draw(const arrow_list *arrows, sketch *s, const deck *d, double scale)
+void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale)
 {
     double largest = arrow_largest(arrows);
     char words[ARROW_WORDS];
@@ -93,55 +107,52 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const deck *d, double scale
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end;
+        fourlink_vector end = sketch_beside(x->at, scale * x->F.x, scale * x->F.y);
 
-        sketch_note(s, arrow_words(d, x->name, size, QUANTITY_FORCE, words));
+        sketch_note(s, arrow_words(p, x->name, size, QUANTITY_FORCE, words));
         if (size < SMALLEST * largest)
             continue;
-        end.x = x->at.x + scale * x->F.x;
-        end.y = x->at.y + scale * x->F.y;
-        sketch_arrow(s, x->p, x->at, end);
+        sketch_arrow(s, x->kind, x->at, end);
         sketch_text(s, end, x->F.x, x->F.y, x->name);
     }
 }
 
-void arrow_draw_torque(sketch *s, const deck *d, pen p, const char *name, fourlink_vector at,
+void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque)
 {
     char words[ARROW_WORDS];
-    double side = p == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
-    fourlink_vector below = at;
+    double side = kind == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
+    fourlink_vector below = sketch_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
     if (torque == 0)
         return;
-    below.x += 0.86 * radius * side;
-    below.y -= 0.5 * radius * side;
-    sketch_torque(s, p, at, radius, torque);
+    sketch_torque(s, kind, at, radius, torque);
     sketch_text(s, below, side, -0.6 * side, name);
-    sketch_note(s, arrow_words(d, name, torque, QUANTITY_TORQUE, words));
+    sketch_note(s, arrow_words(p, name, torque, QUANTITY_TORQUE, words));
 }
 
-void arrow_draw_load_torques(sketch *s, const analysis *a, const result *r, int link)
+void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link)
 {
+    fourlink_vector at = figure_point(p, r->now.state.link[link].origin);
+    const char *name = "";
     unsigned long i;
 
-    for (i = 0; i < a->d->n_loads; i++)
-        if (a->loads[i].link == link)
-            arrow_draw_torque(s, a->d, PEN_LOAD, name_of_load(a->d, i),
-                              figure_point(a->d, r->state.link[link].origin), a->loads[i].torque);
+    for (i = 0; i < p->problem.n_loads; i++)
+        if (r->loads[i].link == link) {
+            fourlink_deck_load(p->deck, i, &name, NULL);
+            arrow_draw_torque(s, p, PEN_LOAD, name, at, r->loads[i].torque);
+        }
 }
 
-void arrow_draw_scale(sketch *s, const deck *d, quantity q, double scale, double largest)
+void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
-    const unit *u = &d->units[q].unit;
-    double bar = flk_unit_to_si(sketch_round(flk_unit_from_si(largest, *u) / 2.5), *u);
+    double bar = picture_si(p, q, sketch_round(picture_value(p, q, largest) / 2.5));
     fourlink_vector from, to;
     char words[ARROW_WORDS];
 
     from.x = s->x_min;
     from.y = s->y_min - 0.08 * s->size;
-    to = from;
-    to.x += scale * bar;
+    to = sketch_beside(from, scale * bar, 0);
     sketch_arrow(s, PEN_CONSTRUCTION, from, to);
-    sketch_text(s, to, 0.7, 0, arrow_words(d, "", bar, q, words));
+    sketch_text(s, to, 0.7, 0, arrow_words(p, "", bar, q, words));
 }

@@ -11,7 +11,7 @@
 typedef struct arrow {
     fourlink_vector at; /* in the deck's unit of length */
     fourlink_vector F;  /* N */
-    pen p;
+    pen kind;
     char name[40];
 } arrow;
 
@@ -23,27 +23,29 @@ typedef struct arrow_list {
 } arrow_list;
 
 /* Add a force that is not 0. */
-void arrow_add(arrow_list *arrows, pen p, const char *name, fourlink_vector at, double x, double y);
+void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
+               double y);
 
-/* Add weight and loads of a link, as they are at this row, which a has last computed. */
-void arrow_add_loads(arrow_list *arrows, const analysis *a, const result *r, int link);
+/* Add the force that a link exerts on another, at their pin or at the guide; its weight and its loads. */
+void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on);
+void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link);
 
 /* The size of the largest, N. */
 double arrow_largest(const arrow_list *arrows);
 
 /* Draw them, with so many units of length for a newton; their values stand beside the drawing. */
-void arrow_draw(const arrow_list *arrows, sketch *s, const deck *d, double scale);
+void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
 /* The torques of the loads on a link, and any other. */
-void arrow_draw_load_torques(sketch *s, const analysis *a, const result *r, int link);
-void arrow_draw_torque(sketch *s, const deck *d, pen p, const char *name, fourlink_vector at,
+void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link);
+void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque);
 
 /* An arrow that tells the scale of a quantity, below the drawing; `largest` in SI units. */
-void arrow_draw_scale(sketch *s, const deck *d, quantity q, double scale, double largest);
+void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest);
 
 /* "NAME VALUE UNIT" of a value in SI units. */
 #define ARROW_WORDS 120
-char *arrow_words(const deck *d, const char *name, double si, quantity q, char out[ARROW_WORDS]);
+char *arrow_words(const picture *p, const char *name, double si, quantity q, char out[ARROW_WORDS]);
 
 #endif

@@ -2,6 +2,8 @@
 **
 ** canvas.c - a picture's panels: where each one stands, its margins, its titles.
 */
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "canvas.h"
@@ -16,7 +18,7 @@
 
 /* Within double quotes gnuplot looks for backslashes, for commands between backquotes, and for the end of
 ** the line. */
-void canvas_quote(FILE *out, const char *words)
+static void put_quoted(FILE *out, const char *words)
 {
     putc('"', out);
     for (; *words; words++)
@@ -25,6 +27,31 @@ void canvas_quote(FILE *out, const char *words)
         else
             putc(*words, out);
     putc('"', out);
+}
+
+void canvas_print(const canvas *c, const char *format, ...)
+{
+    char number[FORMAT_SIZE], *end;
+    va_list arguments;
+    int digits;
+
+    va_start(arguments, format);
+    for (; *format; format++) {
+        if (*format != '%' || *++format == '%') {
+            putc(*format, c->out);
+        } else if (*format == 's') {
+            fputs(va_arg(arguments, const char *), c->out);
+        } else if (*format == 'q') {
+            put_quoted(c->out, va_arg(arguments, const char *));
+        } else if (*format == 'd') {
+            fprintf(c->out, "%d", va_arg(arguments, int));
+        } else { /* .8g */
+            digits = (int)strtol(format + 1, &end, 10);
+            format = end;
+            fputs(format_general(va_arg(arguments, double), digits, number), c->out);
+        }
+    }
+    va_end(arguments);
 }
 
 static int begins_letter(char c)
@@ -85,37 +112,18 @@ void canvas_name(const canvas *c, const char *title, const char *source, const c
     int letters = (int)(c->width / CANVAS_LETTER) - 2;
     char words[CANVAS_WORDS];
 
-    fputs("title = ", c->out);
-    canvas_quote(c->out, canvas_shorten(title, letters, 0, words, sizeof words));
-    fputs("\nsource = ", c->out);
-    canvas_quote(c->out,
-                 canvas_shorten(source, letters - canvas_letters(rest), 1, words, sizeof words));
-    fputs(" . ", c->out);
-    canvas_quote(c->out, rest);
-    putc('\n', c->out);
-}
-
-void canvas_begin(const canvas *c)
-{
-    fputs("set multiplot title title . \"\\n\" . source\n", c->out);
-}
-
-void canvas_end(const canvas *c)
-{
-    fputs("unset multiplot\n", c->out);
-}
-
-static void put(const canvas *c, const char *before, double x, const char *after)
-{
-    char number[FORMAT_SIZE];
-
-    fprintf(c->out, "%s%s%s", before, format_general(x, 6, number), after);
+    canvas_print(c, "title = %q\n", canvas_shorten(title, letters, 0, words, sizeof words));
+    letters -= canvas_letters(rest);
+    canvas_print(c, "source = %q . %q\n", canvas_shorten(source, letters, 1, words, sizeof words),
+                 rest);
 }
 
 void canvas_heading(const canvas *c)
 {
-    put(c, "set label title at screen 0.5, screen ", 1 - CANVAS_LINE / c->height, " center\n");
-    put(c, "set label source at screen 0.5, screen ", 1 - 2 * CANVAS_LINE / c->height, " center\n");
+    canvas_print(c,
+                 "set label title at screen 0.5, screen %.6g center\n"
+                 "set label source at screen 0.5, screen %.6g center\n",
+                 1 - CANVAS_LINE / c->height, 1 - 2 * CANVAS_LINE / c->height);
 }
 
 void canvas_panel(canvas *c, int lines, double right)
@@ -128,20 +136,22 @@ void canvas_panel(canvas *c, int lines, double right)
     c->box_width = width - c->left - c->right;
     c->box_height = height - lines * CANVAS_LINE - BELOW - c->below;
     c->lines = lines;
-    put(c, "set lmargin at screen ", (x + c->left) / c->width, "; ");
-    put(c, "set rmargin at screen ", (x + width - c->right) / c->width, "\n");
-    put(c, "set tmargin at screen ", 1 - (y + lines * CANVAS_LINE) / c->height, "; ");
-    put(c, "set bmargin at screen ", 1 - (y + height - BELOW - c->below) / c->height, "\n");
+    c->curves = 0;
+    canvas_print(c,
+                 "set lmargin at screen %.6g; set rmargin at screen %.6g\n"
+                 "set tmargin at screen %.6g; set bmargin at screen %.6g\n",
+                 (x + c->left) / c->width, (x + width - c->right) / c->width,
+                 1 - (y + lines * CANVAS_LINE) / c->height,
+                 1 - (y + height - BELOW - c->below) / c->height);
     c->next++;
 }
 
-static void put_axis(FILE *out, const char *axis, const char *name, const char *unit_name)
+static void put_axis(const canvas *c, const char *axis, const char *name, const char *unit_name)
 {
     char words[200];
 
-    fprintf(out, "set %slabel ", axis);
-    canvas_quote(out, flk_text_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL));
-    putc('\n', out);
+    flk_text_join(words, sizeof words, name, " (", unit_name, ")", (char *)NULL);
+    canvas_print(c, "set %slabel %q\n", axis, words);
 }
 
 /* A text terminal cannot turn the name of the axis y, which goes to the title. */
@@ -152,24 +162,24 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
     char words[CANVAS_WORDS], fitting[CANVAS_WORDS];
 
     flk_text_join(words, sizeof words, title, (char *)NULL);
-    put_axis(c->out, "x", x, x_unit);
+    put_axis(c, "x", x, x_unit);
     if (c->is_text)
         flk_text_join(words, sizeof words, title, title[0] ? ", " : "", y, " (", y_unit, ")",
                       (char *)NULL);
     else
-        put_axis(c->out, "y", y, y_unit);
-    fputs("set title ", c->out);
-    canvas_quote(c->out, canvas_shorten(words, letters, 0, fitting, sizeof fitting));
+        put_axis(c, "y", y, y_unit);
     /* in the middle of the panel */
-    put(c, " offset ", (c->right - c->left) / (2 * CANVAS_LETTER), ",");
-    fprintf(c->out, "%d\n", c->lines - 2);
+    canvas_print(c, "set title %q offset %.6g,%d\n",
+                 canvas_shorten(words, letters, 0, fitting, sizeof fitting),
+                 (c->right - c->left) / (2 * CANVAS_LETTER), c->lines - 2);
 }
 
 void canvas_key(const canvas *c)
 {
     double line = c->is_text ? 1.7 * CANVAS_LINE : CANVAS_LINE; /* the terminal rounds down */
 
-    put(c, "set key at graph 0.5, graph ", 1 + line / c->box_height, " center center horizontal\n");
+    canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
+                 1 + line / c->box_height);
 }
 
 void canvas_grid(const canvas *c)

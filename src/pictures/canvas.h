@@ -23,6 +23,7 @@ typedef struct canvas {
     double box_width, box_height; /* within the axes of the present panel */
     double left, right;           /* its margins */
     int lines;                    /* above it */
+    int curves;                   /* in it */
 } canvas;
 
 /* A picture of panels of a size, with some room below each; in text they stand one below another. */
@@ -32,9 +33,7 @@ void canvas_open(canvas *c, FILE *out, int is_text, int columns, int rows, doubl
 /* Define title and source as words that fit; `rest` is the end of the source, which stays. */
 void canvas_name(const canvas *c, const char *title, const char *source, const char *rest);
 
-/* Begin and end the panels under title and source; or put these above one panel that is all. */
-void canvas_begin(const canvas *c);
-void canvas_end(const canvas *c);
+/* Put title and source above a panel that is all. */
 void canvas_heading(const canvas *c);
 
 /* Go on to the next panel, with so many lines above its axes and so many pixels at their right. */
@@ -50,8 +49,9 @@ void canvas_key(const canvas *c);
 /* Grid lines, which would hide the curves of a text terminal. */
 void canvas_grid(const canvas *c);
 
-/* Text within quotes of gnuplot. */
-void canvas_quote(FILE *out, const char *words);
+/* Write to the script: as printf with %s, %d and %%, with numbers as %.8g, the same under every locale, and
+** with %q, a text in quotes of gnuplot. */
+void canvas_print(const canvas *c, const char *format, ...);
 
 /* Characters of UTF-8; the same in pixels. */
 int canvas_letters(const char *words);

@@ -5,7 +5,7 @@
 #ifndef FOURLINK_FIGURE_H
 #define FOURLINK_FIGURE_H
 
-#include "results/row.h"
+#include "picture.h"
 #include "sketch.h"
 
 /* The pins: A crankshaft, B crank pin, C, and D, of a slider-crank the foot of C on the x axis. */
@@ -13,47 +13,43 @@ typedef struct figure_pins {
     fourlink_vector A, B, C, D;
 } figure_pins;
 
-figure_pins figure_place(const deck *d, const fourlink_state *state);
+figure_pins figure_place(const picture *p, const fourlink_state *state);
 
 /* A length, and a place, in the deck's unit. */
-double figure_length(const deck *d, double si);
-fourlink_vector figure_point(const deck *d, fourlink_vector si);
+double figure_length(const picture *p, double si);
+fourlink_vector figure_point(const picture *p, fourlink_vector si);
 
 /* The place of a point of a link, which is given in the link's own axes, m. */
-fourlink_vector figure_of_link(const deck *d, const fourlink_state *state, int link,
+fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at);
 
 /* Begin a drawing of the mechanism on a branch: the size of its whole motion.  With `all_of_it` there
 ** is room for all of that, and for nothing more: all positions have one scale. */
-void figure_open(sketch *s, canvas *c, analysis *a, fourlink_branch branch, int all_of_it);
+void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it);
 
 /* The frame: supports at A and D, or the guide. */
-void figure_frame(sketch *s, const deck *d, const fourlink_state *state);
+void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 
 /* A piston about a place. */
-void figure_piston(sketch *s, fourlink_vector at);
+void figure_piston(sketch *s, pen kind, fourlink_vector at);
 
-/* The links at one position: in full, or as lines of one pen. */
-void figure_links(sketch *s, const deck *d, const fourlink_state *state);
-void figure_outline(sketch *s, pen p, const deck *d, const fourlink_state *state);
+/* The links at one position as lines of one pen; or in full, with letters at the pins, the angles of the links
+** if they are wanted, and the slope. */
+void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
+void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 
 /* A letter beside a pin, away from the pins of its links; `y` is x if there is one link. */
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);
 
-/* Letters at the pins; the angles of the links, with their values beside the drawing. */
-void figure_letters(sketch *s, const deck *d, const fourlink_state *state);
-void figure_angles(sketch *s, const deck *d, const fourlink_state *state);
-
 /* Beside the drawing: how the line of stroke, or A to D, is turned from the horizontal, if it is. */
-void figure_slope(sketch *s, const deck *d);
+void figure_slope(sketch *s, const picture *p);
 
 /* The paths of C and of the tracer points over the motion; `until`: only up to this crank angle, in
 ** the deck's unit. */
-void figure_paths(sketch *s, analysis *a, fourlink_branch branch, const double *until);
+void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const double *until);
 
-/* The drawing's name for a row: "open, theta2 = 40 deg" */
-#define FIGURE_TITLE 100
-char *figure_title(const deck *d, const result *r, char out[FIGURE_TITLE]);
+/* End a drawing, with a name for its position: "open, theta2 = 40 deg", and what is before that. */
+void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before);
 
 #endif

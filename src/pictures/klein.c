@@ -13,8 +13,6 @@
 #include <gsl/gsl_math.h>
 
 #include "arrow.h"
-#include "picture.h"
-#include "tables/print.h"
 
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
@@ -22,44 +20,36 @@ typedef struct construction {
     int meet;             /* 0: they do not, the rod being shorter than BM */
 } construction;
 
-static fourlink_vector along(fourlink_vector from, double distance, fourlink_vector unit_vector)
-{
-    from.x += distance * unit_vector.x;
-    from.y += distance * unit_vector.y;
-    return from;
-}
-
 /* The points, from the lengths of fourlink_klein_construction; K and L are on the chord, BQ from B, of the
 ** circle about B with the radius BM. */
-static void construct(const deck *d, const fourlink_state *state, const fourlink_klein *lengths,
+static void construct(const picture *p, const fourlink_state *state, const fourlink_klein *lengths,
                       construction *k)
 {
-    figure_pins pins = figure_place(d, state);
-    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, across;
-    double BM = figure_length(d, lengths->BM), BQ = figure_length(d, lengths->BQ), half;
+    figure_pins pins = figure_place(p, state);
+    fourlink_vector u = state->link[FOURLINK_COUPLER].axis;
+    double BM = figure_length(p, lengths->BM), BQ = figure_length(p, lengths->BQ);
+    double QN = figure_length(p, lengths->QN), half;
 
     k->O = pins.A;
     k->B = pins.B;
     k->C = pins.C;
-    k->M = along(pins.B, BM, u);
-    k->Q = along(pins.B, BQ, u);
-    across.x = -u.y;
-    across.y = u.x;
-    k->N = along(k->Q, -figure_length(d, lengths->QN), across);
+    k->M = sketch_beside(pins.B, BM * u.x, BM * u.y);
+    k->Q = sketch_beside(pins.B, BQ * u.x, BQ * u.y);
+    k->N = sketch_beside(k->Q, QN * u.y, -QN * u.x);
     k->meet = fabs(BM) >= BQ;
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
-    k->K = along(k->Q, half, across);
-    k->L = along(k->Q, -half, across);
+    k->K = sketch_beside(k->Q, -half * u.y, half * u.x);
+    k->L = sketch_beside(k->Q, half * u.y, -half * u.x);
 }
 
 /* A length of the drawing; beside the rod's, rounding is 0. */
-static void put_length(sketch *s, const deck *d, const char *name, double length)
+static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
     char words[ARROW_WORDS];
 
-    if (fabs(length) < 1e-12 * d->design.link[FOURLINK_COUPLER].length)
+    if (fabs(length) < 1e-12 * p->design->link[FOURLINK_COUPLER].length)
         length = 0;
-    sketch_note(s, arrow_words(d, name, length, QUANTITY_LENGTH, words));
+    sketch_note(s, arrow_words(p, name, length, QUANTITY_LENGTH, words));
 }
 
 /* The lines, and their letters, each on the side that is away from the middle of the rod. */
@@ -69,8 +59,8 @@ static void draw_lines(sketch *s, const construction *k, double rod)
 
     middle.x = (k->B.x + k->C.x) / 2;
     middle.y = (k->B.y + k->C.y) / 2;
-    sketch_circle(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y));
-    sketch_circle(s, PEN_CONSTRUCTION, middle, rod / 2);
+    sketch_arc(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y), 0, 2 * M_PI);
+    sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     if (k->meet)
         sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);
     sketch_line(s, PEN_CONSTRUCTION, k->O, k->N);
@@ -96,46 +86,38 @@ static void draw_lines(sketch *s, const construction *k, double rod)
     }
 }
 
-static void put_values(sketch *s, const deck *d, const fourlink_klein *lengths)
+static void put_values(sketch *s, const picture *p, const fourlink_klein *lengths)
 {
-    put_length(s, d, "OM =", lengths->OM);
-    put_length(s, d, "BM =", lengths->BM);
-    put_length(s, d, "BQ =", lengths->BQ);
-    put_length(s, d, "QN =", lengths->QN);
-    put_length(s, d, "ON =", lengths->ON);
+    put_length(s, p, "OM =", lengths->OM);
+    put_length(s, p, "BM =", lengths->BM);
+    put_length(s, p, "BQ =", lengths->BQ);
+    put_length(s, p, "QN =", lengths->QN);
+    put_length(s, p, "ON =", lengths->ON);
     sketch_note(s, "v = omega2 OM");
     sketch_note(s, "omega3 = omega2 BM / BC");
     sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
     sketch_note(s, "alpha3 = omega2^2 QN / BC");
     sketch_note(s, "v and a count away from");
     sketch_note(s, "the inner dead centre");
-    figure_slope(s, d);
+    figure_slope(s, p);
 }
 
-int plot_klein(canvas *on, analysis *a, const plot_request *request, const char **why)
+const char *picture_klein(picture *p, fourlink_branch branch)
 {
-    fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
-    char words[FIGURE_TITLE + 30], title[FIGURE_TITLE];
     fourlink_klein lengths;
+    fourlink_instant now;
     construction k;
-    result r;
     sketch s;
-    int status = plot_position(a, branch, request, &r);
+    int status = picture_position(p, branch, &now, NULL);
 
     if (status == FOURLINK_OK)
-        status = fourlink_klein_construction(&a->d->mechanism, &r.state, &lengths);
-    if (status != FOURLINK_OK) {
-        *why = fourlink_status_text(status);
-        return 0;
-    }
-    canvas_begin(on);
-    construct(a->d, &r.state, &lengths, &k);
-    figure_open(&s, on, a, branch, 0);
-    draw_lines(&s, &k, figure_length(a->d, a->d->design.link[FOURLINK_COUPLER].length));
-    put_values(&s, a->d, &lengths);
-    flk_text_join(words, sizeof words, "Klein's construction, ", figure_title(a->d, &r, title),
-                  (char *)NULL);
-    sketch_close(&s, words, a->d->units[QUANTITY_LENGTH].name);
-    canvas_end(on);
-    return 1;
+        status = fourlink_klein_construction(p->mechanism, &now.state, &lengths);
+    if (status != FOURLINK_OK)
+        return fourlink_status_text(status);
+    construct(p, &now.state, &lengths, &k);
+    figure_open(&s, p, branch, 0);
+    draw_lines(&s, &k, figure_length(p, p->design->link[FOURLINK_COUPLER].length));
+    put_values(&s, p, &lengths);
+    figure_close(&s, p, &now, "Klein's construction, ");
+    return NULL;
 }

@@ -4,8 +4,6 @@
 ** motion from first to last.
 */
 #include "arrow.h"
-#include "picture.h"
-#include "tables/print.h"
 
 #define GHOSTS 12
 #define FRAMES 60
@@ -14,137 +12,104 @@
 #define LONGEST 0.22
 
 /* Loads, weights and pin forces. */
-static void draw_forces(sketch *s, const analysis *a, const result *r)
+static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
-    const deck *d = a->d;
-    const fourlink_forces *f = &r->forces;
-    figure_pins pins = figure_place(d, &r->state);
     arrow_list arrows;
     double scale;
     int link;
 
     arrows.n = 0;
-    arrow_add(&arrows, PEN_FORCE, "F12", pins.A, f->F12x, f->F12y);
-    arrow_add(&arrows, PEN_FORCE, "F23", pins.B, f->F23x, f->F23y);
-    arrow_add(&arrows, PEN_FORCE, "F34", pins.C, f->F34x, f->F34y);
-    if (d->design.kind == FOURLINK_FOUR_BAR)
-        arrow_add(&arrows, PEN_FORCE, "F14", pins.D, f->F14x, f->F14y);
-    else
-        arrow_add(&arrows, PEN_FORCE, "N", pins.C, 0, f->F14y);
+    for (link = FOURLINK_GROUND; link < FOURLINK_FOLLOWER; link++)
+        arrow_add_joint(&arrows, p, r, link, link + 1);
+    arrow_add_joint(&arrows, p, r, FOURLINK_GROUND, FOURLINK_FOLLOWER);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_add_loads(&arrows, a, r, link);
+        arrow_add_loads(&arrows, p, r, link);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
-        arrow_draw(&arrows, s, d, scale);
-        arrow_draw_scale(s, d, QUANTITY_FORCE, scale, arrow_largest(&arrows));
+        arrow_draw(&arrows, s, p, scale);
+        arrow_draw_scale(s, p, QUANTITY_FORCE, scale, arrow_largest(&arrows));
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_draw_load_torques(s, a, r, link);
-    arrow_draw_torque(s, d, PEN_FORCE, "Ts", crankshaft, f->Ts);
+        arrow_draw_load_torques(s, p, r, link);
+    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, r->now.forces.Ts);
 }
 
 /* Rows spread over the motion, grey. */
-static void draw_ghosts(sketch *s, analysis *a, fourlink_branch branch)
+static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
-    unsigned long n = a->range.n_rows, i;
-    result r;
+    unsigned long n = p->range.n_rows, i, row;
+    fourlink_instant now;
 
     for (i = 0; n > 1 && i < GHOSTS; i++) {
-        analysis_row(a, branch, (unsigned long)((double)(n - 1) * (double)i / GHOSTS), &r);
-        if (r.status == FOURLINK_OK)
-            figure_outline(s, PEN_GHOST, a->d, &r.state);
+        row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);
+        if (fourlink_results_row(p->results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
+            figure_outline(s, p, &now.state, PEN_GHOST);
     }
 }
 
 /* The other positions of the request, thin, each with its angle at the crank pin. */
-static void draw_others(sketch *s, analysis *a, fourlink_branch branch, const plot_request *request)
+static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
 {
-    char words[200], number[FORMAT_SIZE], letter[PRINT_MARK];
-    result r;
+    char words[200], number[FORMAT_SIZE], letter[PICTURE_MARK];
+    fourlink_instant now;
     int k;
 
-    for (k = 1; k < request->n_angles; k++) {
-        fourlink_motion_at(&a->d->motion, request->angles[k], &r.row);
-        analysis_at(a, branch, &r.row.crank, &r);
-        print_angle(r.row.angle, number);
-        if (r.status == FOURLINK_OK) {
-            figure_pins pins = figure_place(a->d, &r.state);
+    for (k = 1; k < p->n_angles; k++)
+        if (fourlink_results_at(p->results, branch, p->angles[k], NULL, &now, NULL) ==
+            FOURLINK_OK) {
+            figure_pins pins = figure_place(p, &now.state);
 
-            figure_outline(s, PEN_OTHER, a->d, &r.state);
-            figure_letter(s, pins.B, pins.A, pins.A, print_mark(a->d, r.row.angle, letter));
+            figure_outline(s, p, &now.state, PEN_OTHER);
+            figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, letter));
         } else {
+            format_general(now.row.angle, 12, number);
             sketch_note(s, flk_text_join(words, sizeof words, number, ": none, see the table",
                                          (char *)NULL));
         }
-    }
 }
 
-static void draw(sketch *s, analysis *a, const plot_request *request, result *r)
+const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
-    if (request->n_angles == 0 && request->file != PLOT_TXT)
-        draw_ghosts(s, a, r->branch);
-    figure_paths(s, a, r->branch, NULL);
-    figure_frame(s, a->d, &r->state);
-    draw_others(s, a, r->branch, request);
-    plot_position(a, r->branch, request, r); /* its loads again */
-    figure_links(s, a->d, &r->state);
-    figure_letters(s, a->d, &r->state);
-    figure_angles(s, a->d, &r->state);
-    figure_slope(s, a->d);
-    if (a->d->has_forces)
-        draw_forces(s, a, r);
-}
-
-int plot_mechanism(canvas *on, analysis *a, const plot_request *request, const char **why)
-{
-    fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i, drawn = 0;
-    char title[FIGURE_TITLE];
-    result r;
+    picture_row r;
     sketch s;
+    int status = picture_position(p, branch, &r.now, r.loads);
 
-    canvas_begin(on);
-    for (i = 0; i < n; i++) {
-        int status = plot_position(a, branches[i], request, &r);
-
-        if (status != FOURLINK_OK) {
-            *why = fourlink_status_text(status);
-            continue;
-        }
-        figure_open(&s, on, a, branches[i], 0);
-        draw(&s, a, request, &r);
-        sketch_close(&s, figure_title(a->d, &r, title), a->d->units[QUANTITY_LENGTH].name);
-        drawn++;
-    }
-    canvas_end(on);
-    return drawn > 0;
+    if (status != FOURLINK_OK)
+        return fourlink_status_text(status);
+    figure_open(&s, p, branch, 0);
+    if (p->n_angles == 0 && p->request->file != PLOT_TXT)
+        draw_ghosts(&s, p, branch);
+    figure_paths(&s, p, branch, NULL);
+    figure_frame(&s, p, &r.now.state);
+    draw_others(&s, p, branch);
+    figure_draw(&s, p, &r.now.state, 1);
+    if (p->problem.has_forces)
+        draw_forces(&s, p, &r);
+    figure_close(&s, p, &r.now, "");
+    return NULL;
 }
 
-int plot_animation(canvas *on, analysis *a, const char **why)
+const char *picture_animation(picture *p, fourlink_branch branch)
 {
-    fourlink_branch branch = a->d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
-    char title[FIGURE_TITLE];
-    int k, drawn = 0;
-    result r;
+    int k, status = FOURLINK_OK, drawn = 0;
+    fourlink_instant now;
     sketch s;
 
     for (k = 0; k < FRAMES; k++) {
-        analysis_spread(a, k, FRAMES, &r.row);
-        analysis_at(a, branch, &r.row.crank, &r);
-        if (r.status != FOURLINK_OK) {
-            *why = fourlink_status_text(r.status);
+        int here = picture_state(p, branch, k, FRAMES, &now);
+
+        if (here != FOURLINK_OK) {
+            status = here;
             continue;
         }
-        figure_open(&s, on, a, branch, 1);
-        canvas_heading(on);
-        figure_paths(&s, a, branch, &r.row.angle);
-        figure_frame(&s, a->d, &r.state);
-        figure_links(&s, a->d, &r.state);
-        figure_letters(&s, a->d, &r.state);
-        figure_slope(&s, a->d);
-        sketch_close(&s, figure_title(a->d, &r, title), a->d->units[QUANTITY_LENGTH].name);
+        figure_open(&s, p, branch, 1);
+        canvas_heading(&p->on);
+        figure_paths(&s, p, branch, &now.row.angle);
+        figure_frame(&s, p, &now.state);
+        figure_draw(&s, p, &now.state, 0);
+        figure_close(&s, p, &now, "");
         drawn++;
     }
-    return drawn > 0;
+    return drawn ? NULL : fourlink_status_text(status);
 }

@@ -2,26 +2,34 @@
 **
 ** picture.c - pictures of a deck, as scripts for gnuplot: what all kinds share.
 */
+#include <stdlib.h>
 #include <string.h>
 
-#include "base/format.h"
 #include "picture.h"
-#include "tables/print.h"
 #include "sketch.h"
 
-#define PLOT_NAME(code, name, columns, rows, width, height, needs) name,
+#define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values) name,
 const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 
-#define PLOT_INFO(code, name, columns, rows, width, height, needs) \
-    {columns, rows, width, height, needs},
-static const struct {
+#define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values) \
+    {columns, rows, width, height, needs, draw, values},
+static const struct plot_info {
     int columns, rows, width, height, needs;
+    const char *(*draw)(picture *p, fourlink_branch branch);
+    const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define TEXT_HEIGHT 26 /* lines of a panel in a text terminal */
 
-/* By plot_file. */
-static const char *const endings[] = {".svg", ".png", ".pdf", ".txt", ".gif"};
+/* By plot_file, with width and height. */
+static const struct {
+    const char *ending, *terminal;
+} file_table[] = {
+    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
+    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
+    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 noenhanced"},
+    {".txt", "dumb nofeed size %d,%d noenhanced"},
+    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
 
 plot_file plot_file_of(const char *name)
 {
@@ -31,80 +39,112 @@ plot_file plot_file_of(const char *name)
     if (strcmp(name, "-") == 0)
         return PLOT_TXT;
     for (i = 0; i < PLOT_FILE_COUNT; i++)
-        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), endings[i]))
+        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), file_table[i].ending))
             break;
     return (plot_file)i;
 }
 
-/* At most so many lines stand beside a drawing: angles, forces, torques, and the paths in its key; of
-** free bodies for each link. */
-static int lines_beside(const deck *d, int each_link)
+double picture_value(const picture *p, quantity q, double si)
 {
-    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link;
+    return si * p->units[q].down / p->units[q].up;
+}
+
+double picture_si(const picture *p, quantity q, double value)
+{
+    return value * p->units[q].up / p->units[q].down;
+}
+
+char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK])
+{
+    const char *name = p->units[QUANTITY_ANGLE].name;
+    int is_deg = strcmp(name, "deg") == 0;
+    char number[FORMAT_SIZE];
+
+    return flk_text_join(out, PICTURE_MARK, format_general(angle, 4, number),
+                         is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+}
+
+double picture_angle(const picture *p, int k, int steps)
+{
+    double from = p->problem.motion.from;
+
+    return from + (p->end - from) * k / steps;
+}
+
+int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fourlink_instant *now)
+{
+    now->branch = branch;
+    fourlink_motion_at(&p->problem.motion, picture_angle(p, k, steps), &now->row);
+    return fourlink_analyse(p->mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);
+}
+
+int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
+                     fourlink_load *loads)
+{
+    double angle = p->n_angles ? p->angles[0] : picture_angle(p, 1, 6);
+    int first = fourlink_results_at(p->results, branch, angle, NULL, now, loads), status = first;
     unsigned long i;
 
-    for (i = 0; i < d->n_loads; i++)
-        lines[d->loads[i].link] += d->loads[i].torque != 0 || d->variations[i].torque.n > 0 ? 2 : 1;
+    for (i = 0; status != FOURLINK_OK && !p->n_angles && i < p->range.n_rows; i++)
+        status = fourlink_results_row(p->results, branch, i, NULL, now, loads);
+    return status == FOURLINK_OK ? FOURLINK_OK : first;
+}
+
+/* At most so many lines stand beside a drawing: angles, forces, torques, and the paths in its key; of
+** free bodies for each link. */
+static int lines_beside(const picture *p, int each_link)
+{
+    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
+    unsigned long i, n = p->problem.n_loads - (p->problem.has_gas ? 1 : 0);
+    const char *name;
+
+    fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
+    for (i = 0; i < n; i++) {
+        fourlink_deck_load(p->deck, i, &name, &has_torque);
+        lines[p->loads[i].link] += has_torque ? 2 : 1;
+    }
     for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
         sum += lines[link];
         most = lines[link] > most ? lines[link] : most;
     }
-    return each_link ? 7 + most : 16 + sum + (int)d->n_points;
+    return each_link ? 7 + most : 16 + sum + (int)p->problem.n_points;
 }
 
-static void lay_out(canvas *c, FILE *out, const deck *d, const plot_request *request)
+static void lay_out(picture *p, FILE *out)
 {
-    int is_text = request->file == PLOT_TXT, rows = plot_table[request->kind].rows;
-    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : plot_table[request->kind].height,
-           beside = 0;
+    const struct plot_info *info = &plot_table[p->request->kind];
+    int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
+    int rows = info->rows ? info->rows : p->n_branches;
+    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0;
 
-    if (rows == 0)
-        rows = d->open && d->crossed ? 2 : 1;
-    if (request->kind == PLOT_VECTORS && !d->has_forces)
+    if (is_vectors && !p->problem.has_forces)
         rows = 1;
-    if (plot_table[request->kind].needs & PLOT_DRAWING)
-        beside = (lines_beside(d, request->kind == PLOT_VECTORS) + 5) *
-                     (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
+    if (info->needs & PLOT_DRAWING)
+        beside = (lines_beside(p, is_vectors) + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
                  height;
-    canvas_open(c, out, is_text, plot_table[request->kind].columns, rows,
-                plot_table[request->kind].width, height, beside > 0 ? beside : 0);
+    canvas_open(&p->on, out, is_text, info->columns, rows, info->width, height,
+                beside > 0 ? beside : 0);
 }
 
 static void put_terminal(const canvas *c, const plot_request *request)
 {
-    FILE *out = c->out;
+    const char *terminal = file_table[request->file].terminal;
     int width = (int)c->width, height = (int)c->height;
 
-    switch (request->file) {
-    case PLOT_PNG:
-        fprintf(out, "set terminal pngcairo size %d,%d font 'sans,11' noenhanced\n", width, height);
-        break;
-    case PLOT_PDF:
-        fprintf(out,
-                "set terminal pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 "
-                "noenhanced\n",
-                width / 100, width % 100, height / 100, height % 100);
-        break;
-    case PLOT_TXT:
-        fprintf(out, "set terminal dumb nofeed size %d,%d noenhanced\n", CANVAS_TEXT_WIDTH,
-                (int)(height / CANVAS_LINE));
-        break;
-    case PLOT_GIF:
-        fprintf(out, "set terminal gif %s size %d,%d font 'sans,11' noenhanced\n",
-                request->kind == PLOT_ANIMATION ? "animate delay 6 loop 0" : "", width, height);
-        break;
-    case PLOT_SVG:
-    default:
-        fprintf(out, "set terminal svg size %d,%d font 'sans,14' noenhanced background 'white'\n",
+    fputs("set terminal ", c->out);
+    if (request->file == PLOT_PDF)
+        fprintf(c->out, terminal, width / 100, width % 100, height / 100, height % 100);
+    else if (request->file == PLOT_TXT)
+        fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
+    else if (request->file == PLOT_GIF)
+        fprintf(c->out, terminal, request->kind == PLOT_ANIMATION ? "animate delay 6 loop 0" : "",
                 width, height);
-        break;
-    }
-    if (request->picture) {
-        /* not a pipe, and not a home folder, whatever it begins with */
-        fputs(request->picture[0] == '/' ? "set output " : "set output './' . ", out);
-        canvas_quote(out, request->picture);
-        putc('\n', out);
-    }
+    else
+        fprintf(c->out, terminal, width, height);
+    putc('\n', c->out);
+    if (request->picture) /* not a pipe, and not a home folder, whatever it begins with */
+        canvas_print(c, request->picture[0] == '/' ? "set output %q\n" : "set output './' . %q\n",
+                     request->picture);
 }
 
 /* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which the colour-blind tell apart;
@@ -124,15 +164,16 @@ static const char *const style_of_pen[PEN_COUNT] = {
     "lw 1.5 lc rgb '#777777'"         /* other positions */
 };
 
-static void put_head(const canvas *c, const deck *d, const plot_request *request, const char *held)
+static void put_head(const picture *p, const char *deck_name, const char *held)
 {
+    const canvas *c = &p->on;
     char rest[200];
     int i;
 
     fprintf(c->out, "# %s of a deck, by fourlink %s: for gnuplot 5 or later\n",
-            plot_names[request->kind], fourlink_version());
+            plot_names[p->request->kind], fourlink_version());
     fputs("set encoding utf8\n", c->out);
-    put_terminal(c, request);
+    put_terminal(c, p->request);
     for (i = 1; i < PEN_COUNT; i++)
         fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
     fputs("set linetype 1 lw 2 dt 1 lc rgb '#0072B2'\n"
@@ -144,147 +185,227 @@ static void put_head(const canvas *c, const deck *d, const plot_request *request
           "set key noautotitle\n"
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
-    canvas_name(c, d->title[0] ? d->title : request->deck_name, request->deck_name,
+    canvas_name(c, p->problem.title[0] ? p->problem.title : deck_name, deck_name,
                 flk_text_join(rest, sizeof rest,
-                              d->sweep.n_variables ? ", first design of its sweep" : "", held,
+                              p->problem.n_designs ? ", first design of its sweep" : "", held,
                               "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
-/* The crank angles of --plot-at, separated by commas. */
-static int read_angles(deck *d, analysis *a, plot_request *request)
+/* 0, for the caller to return. */
+static int refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
-    text rest = flk_text_of(request->at), item;
-    text_place place;
-    double si, digit, angle;
+    memset(mistake, 0, sizeof *mistake);
+    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
+    flk_text_join(mistake->message, sizeof mistake->message, why, word, (char *)NULL);
+    return 0;
+}
 
-    place.source = "--plot-at";
-    place.line = 0;
+static void close_deck(picture *p)
+{
+    fourlink_results_free(p->results);
+    free(p->loads);
+    p->results = NULL;
+    p->loads = NULL;
+}
+
+static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
+{
+    int status = fourlink_results_open(source, 1, &p->results, mistake, NULL), q;
+    fourlink_row last;
+
+    if (status == FOURLINK_BAD_DECK)
+        return 0;
+    if (status != FOURLINK_OK)
+        return refuse(mistake, "--plot-kind", fourlink_status_text(status), "");
+    p->deck = fourlink_results_deck(p->results);
+    fourlink_deck_problem(p->deck, &p->problem);
+    p->mechanism = &p->problem.mechanism;
+    p->design = &p->mechanism->design;
+    p->slides = fourlink_slides(p->design->kind, FOURLINK_FOLLOWER);
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
+    p->n_branches = 0;
+    if (p->problem.open)
+        p->branches[p->n_branches++] = FOURLINK_OPEN;
+    if (p->problem.crossed)
+        p->branches[p->n_branches++] = FOURLINK_CROSSED;
+    fourlink_motion_range(&p->problem.motion, &p->range);
+    fourlink_motion_row(&p->problem.motion, &p->range, p->range.n_rows - 1, &last);
+    p->end = p->range.stops ? p->range.stop_angle : last.angle;
+    fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
+    p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
+    if (p->loads)
+        return 1;
+    close_deck(p);
+    return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+}
+
+static int has_column(const picture *p, text name)
+{
+    const fourlink_value *list;
+    unsigned long n = 0, i;
+
+    fourlink_results_list(p->results, FOURLINK_ALL_COLUMNS, &list, &n);
+    for (i = 0; i < n; i++)
+        if (flk_text_same(name, list[i].name))
+            return 1;
+    return 0;
+}
+
+/* Open the deck anew, with those of some columns that it has, and of one instant as a whole cycle. */
+static int reopen(picture *p, const fourlink_source *source, const char *columns,
+                  fourlink_mistake *mistake)
+{
+    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
+    fourlink_source other = *source;
+    char assignment[400] = "table.columns=";
+    text rest = flk_text_of(columns ? columns : ""), name;
+    int opened;
+
+    if (!changes) {
+        close_deck(p);
+        return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+    }
+    while (flk_text_split(&rest, ',', &name))
+        if (has_column(p, name))
+            strcat(strncat(assignment, name.start, name.length), " ");
+    if (source->n_changes)
+        memcpy(changes, source->changes, source->n_changes * sizeof *changes);
+    changes[source->n_changes].origin = "--plot-kind";
+    changes[source->n_changes].assignment = assignment;
+    other.changes = changes;
+    other.n_changes += columns ? 1 : 0;
+    other.whole_cycle = 1;
+    close_deck(p);
+    opened = open_deck(p, &other, mistake);
+    free(changes);
+    return opened;
+}
+
+/* For the time being, until base/quantity.h is there: the reader of decks reads it. */
+static int read_angle(const picture *p, const fourlink_source *source, text item, double *angle,
+                      fourlink_mistake *mistake)
+{
+    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
+    fourlink_source other = *source;
+    fourlink_results *results;
+    fourlink_problem problem;
+    char assignment[400] = "motion.at=", word[300];
+    unsigned long i, n = 0;
+    int status;
+
+    if (!item.length || !changes) {
+        free(changes);
+        return refuse(mistake, "--plot-at", "expected an angle, such as 40 deg, not ''", "");
+    }
+    for (i = 0; i < source->n_changes; i++)
+        if (strncmp(source->changes[i].assignment, "motion.", 7) != 0)
+            changes[n++] = source->changes[i];
+    changes[n].origin = "--plot-at";
+    changes[n].assignment = strcat(assignment, flk_text_copy(item, word, sizeof word));
+    other.changes = changes;
+    other.n_changes = n + 1;
+    status = fourlink_results_open(&other, 1, &results, mistake, NULL);
+    free(changes);
+    if (status != FOURLINK_OK)
+        return 0;
+    fourlink_deck_problem(fourlink_results_deck(results), &problem);
+    *angle = picture_value(p, QUANTITY_ANGLE, picture_si(p, QUANTITY_ANGLE, problem.motion.from));
+    fourlink_results_free(results);
+    return 1;
+}
+
+/* The crank angles of --plot-at, separated by commas. */
+static int read_angles(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
+{
+    text rest = flk_text_of(p->request->at), item;
+    char word[60];
+    double angle;
+
     while (flk_text_split(&rest, ',', &item)) {
-        if (request->n_angles == PLOT_POSITIONS) {
-            flk_mistake(&d->mistakes, place, "more than 24 positions");
+        if (p->n_angles == PICTURE_POSITIONS)
+            return refuse(mistake, "--plot-at", "more than 24 positions", "");
+        if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
+            return refuse(mistake, "--plot-at", plot_names[p->request->kind],
+                          " is drawn at one position, not at several");
+        if (!read_angle(p, source, flk_text_trim(item), &angle, mistake))
             return 0;
-        }
-        if (request->n_angles == 1 && request->kind != PLOT_MECHANISM) {
-            flk_mistake(&d->mistakes, place, "%s is drawn at one position, not at several",
-                        plot_names[request->kind]);
-            return 0;
-        }
-        if (!flk_deck_read_quantity(d, place, flk_text_trim(item), QUANTITY_ANGLE, &si, &digit))
-            return 0;
-        angle = flk_unit_from_si(si, d->units[QUANTITY_ANGLE].unit);
-        if (!analysis_find_angle(a, angle, &request->angles[request->n_angles])) {
-            flk_mistake(&d->mistakes, place, "the motion does not reach theta2 = %t",
-                        flk_text_trim(item));
-            return 0;
-        }
-        request->n_angles++;
+        if (fourlink_results_at(p->results, p->branches[0], angle, NULL, NULL, NULL) ==
+            FOURLINK_NO_SUCH_ANGLE)
+            return refuse(mistake, "--plot-at", "the motion does not reach theta2 = ",
+                          flk_text_copy(flk_text_trim(item), word, sizeof word));
+        p->angles[p->n_angles++] = angle;
     }
     return 1;
 }
 
-int plot_position(analysis *a, fourlink_branch branch, const plot_request *request, result *r)
+static const char *missing(const picture *p)
 {
-    unsigned long i;
-    int status;
+    int needs = plot_table[p->request->kind].needs;
 
-    if (request->n_angles)
-        fourlink_motion_at(&a->d->motion, request->angles[0], &r->row);
-    else
-        analysis_spread(a, 1, 6, &r->row);
-    analysis_at(a, branch, &r->row.crank, r);
-    status = r->status;
-    for (i = 0; r->status != FOURLINK_OK && !request->n_angles && i < a->range.n_rows; i++)
-        analysis_row(a, branch, i, r);
-    return r->status == FOURLINK_OK ? FOURLINK_OK : status;
-}
-
-static int write_kind(canvas *on, analysis *a, const plot_request *request, const char **why)
-{
-    switch (request->kind) {
-    case PLOT_MOTION:
-        return plot_motion(on, a, why);
-    case PLOT_FORCES:
-        return plot_forces(on, a, why);
-    case PLOT_TURNING:
-        return plot_turning(on, a, why);
-    case PLOT_POLAR:
-        return plot_polar(on, a, why);
-    case PLOT_VECTORS:
-        return plot_vectors(on, a, request, why);
-    case PLOT_KLEIN:
-        return plot_klein(on, a, request, why);
-    case PLOT_ANIMATION:
-        return plot_animation(on, a, why);
-    case PLOT_MECHANISM:
-    default:
-        return plot_mechanism(on, a, request, why);
-    }
-}
-
-/* A cycle in place of a deck's one instant, of which speed and acceleration are held; words that tell so. */
-static const char *hold_instant(deck *d)
-{
-    fourlink_motion *motion = &d->motion;
-    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
-    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
-
-    motion->from = 0;
-    motion->to = turn < 0 ? -cycle : cycle;
-    motion->interval = cycle / 72;
-    motion->hold = 1;
-    d->one_instant = 0;
-    return motion->acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-}
-
-static const char *missing(const deck *d, plot_kind kind)
-{
-    int needs = plot_table[kind].needs;
-
-    if ((needs & PLOT_FORCES_OF_DECK) && !d->has_forces)
+    if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
         return "there are no forces to draw: the deck has no masses and no loads";
-    if ((needs & PLOT_SLIDER_CRANK) && d->design.kind != FOURLINK_SLIDER_CRANK)
+    if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction is for a slider-crank";
-    if ((needs & PLOT_DRAWING) && (d->n_loads > PLOT_LOADS || d->n_points > PLOT_POINTS))
+    if ((needs & PLOT_DRAWING) &&
+        (p->problem.n_loads - (p->problem.has_gas ? 1 : 0) > PICTURE_LOADS ||
+         p->problem.n_points > PICTURE_POINTS))
         return "a drawing takes 40 loads and 24 points at most";
     return NULL;
 }
 
-/* 1; 0 and the reason, or null for one that has been told. */
-static int write_script(FILE *out, deck *d, plot_request *request, const char **why)
+/* Draw the panels; null, or the reason why there is none. */
+static const char *draw(picture *p)
 {
-    deck cycle = *d;
-    const char *held = "";
-    int written = 0;
-    analysis a;
-    canvas c;
+    const struct plot_info *info = &plot_table[p->request->kind];
+    const char *why = NULL, *here;
+    int i, drawn = 0;
 
-    *why = missing(d, request->kind);
-    if (*why)
-        return 0;
-    if (d->one_instant && (plot_table[request->kind].needs & PLOT_RANGE))
-        held = hold_instant(&cycle);
-    *why = "not enough memory";
-    if (!analysis_open(&a, &cycle, (d->has_forces ? NEED_FORCES : 0) | NEED_EXTRAS))
-        return 0;
-    lay_out(&c, out, d, request);
-    put_head(&c, d, request, held);
-    if (!request->at || read_angles(d, &a, request))
-        written = write_kind(&c, &a, request, why);
-    else
-        *why = NULL;
-    analysis_close(&a);
-    return written;
+    if (p->request->kind != PLOT_ANIMATION)
+        fputs("set multiplot title title . \"\\n\" . source\n", p->on.out);
+    if (info->needs & PLOT_ANGLE_AXIS)
+        fputs("set format '%g'\n", p->on.out);
+    for (i = 0; i < (info->rows ? 1 : p->n_branches); i++)
+        if ((here = info->draw(p, p->branches[i])) != NULL)
+            why = here;
+        else
+            drawn++;
+    if (p->request->kind != PLOT_ANIMATION)
+        fputs("unset multiplot\n", p->on.out);
+    return drawn ? NULL : why;
 }
 
-int plot_write(FILE *out, deck *d, plot_request *request)
+/* Write the script of a deck that is open. */
+static int write_script(picture *p, FILE *out, const fourlink_source *source,
+                        fourlink_mistake *mistake)
 {
-    const char *why = NULL;
-    text_place place;
-    int written = write_script(out, d, request, &why);
+    const struct plot_info *info = &plot_table[p->request->kind];
+    const char *why = missing(p), *held = "";
 
-    place.source = request->n_angles ? "--plot-at" : "--plot-kind";
-    place.line = 0;
-    if (!written && why)
-        flk_mistake(&d->mistakes, place, "%s", why);
+    if (why)
+        return refuse(mistake, "--plot-kind", why, "");
+    if (p->problem.one_instant && (info->needs & PLOT_RANGE))
+        held =
+            p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
+    if ((info->values || held[0]) && !reopen(p, source, info->values, mistake))
+        return 0;
+    lay_out(p, out);
+    put_head(p, source->name, held);
+    if (p->request->at && !read_angles(p, source, mistake))
+        return 0;
+    why = draw(p);
+    return why ? refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
+}
+
+int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
+                  fourlink_mistake *mistake)
+{
+    int written;
+    picture p;
+
+    memset(&p, 0, sizeof p);
+    p.request = request;
+    written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
+    close_deck(&p);
     return written;
 }

@@ -5,30 +5,38 @@
 #ifndef FOURLINK_PICTURE_H
 #define FOURLINK_PICTURE_H
 
-#include <stdio.h>
-
-#include "results/row.h"
+#include "base/format.h"
+#include "base/units.h"
 #include "canvas.h"
+#include "fourlink.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what
-** it needs of the deck */
-#define PLOT_LIST(X)                                                      \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING)               \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE)                       \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE) \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK)    \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE)   \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING)                   \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK)                 \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE)
+** it needs of the deck; the function that draws it; the deck's columns that it is made of, if it has
+** them */
+#define PLOT_LIST(X)                                                                        \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
+      "theta2,theta3,theta4,x,omega3,omega4,v,alpha3,alpha4,a")                             \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS, \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                        \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,    \
+      picture_turning, NULL)                                                                \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,      \
+      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"    \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                     \
+    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)              \
+    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)              \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL)
 
-enum { PLOT_FORCES_OF_DECK = 1, PLOT_SLIDER_CRANK = 2, PLOT_DRAWING = 4, PLOT_RANGE = 8 };
+enum {
+    PLOT_FORCES_OF_DECK = 1,
+    PLOT_SLIDER_CRANK = 2,
+    PLOT_DRAWING = 4,
+    PLOT_RANGE = 8,
+    PLOT_ANGLE_AXIS = 16
+};
 
-/* What a drawing has room for. */
-#define PLOT_LOADS 40
-#define PLOT_POINTS 24
-
-#define PLOT_CODE(code, name, columns, rows, width, height, needs) PLOT_##code,
+#define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
 /* By plot_kind; ended by a null pointer. */
@@ -47,33 +55,76 @@ typedef enum plot_file {
 /* PLOT_FILE_COUNT if the name is none of these. */
 plot_file plot_file_of(const char *name);
 
-#define PLOT_POSITIONS 24
-
 typedef struct plot_request {
     plot_kind kind;
     plot_file file;
-    const char *picture;           /* the file that the script writes; null: to standard output */
-    const char *deck_name;         /* the source, told at the foot of the picture */
-    const char *at;                /* the crank angles of --plot-at; null: it was not given */
-    double angles[PLOT_POSITIONS]; /* the same, in the deck's unit, of the motion */
-    int n_angles;
+    const char *picture; /* the file that the script writes; null: to standard output */
+    const char *at;      /* the crank angles of --plot-at; null: it was not given */
 } plot_request;
 
-/* Write the script of a picture.  1; 0 and a mistake of the deck if there is none to draw. */
-int plot_write(FILE *out, deck *d, plot_request *request);
+/* Write the script of a picture of a deck, which has no mistakes.  1; 0 and why there is none to draw. */
+int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
+                  fourlink_mistake *mistake);
 
-/* The kinds, each in a file of its own; 0: `why` is the reason why there is nothing to draw. */
-int plot_mechanism(canvas *on, analysis *a, const plot_request *request, const char **why);
-int plot_animation(canvas *on, analysis *a, const char **why);
-int plot_motion(canvas *on, analysis *a, const char **why);
-int plot_forces(canvas *on, analysis *a, const char **why);
-int plot_turning(canvas *on, analysis *a, const char **why);
-int plot_polar(canvas *on, analysis *a, const char **why);
-int plot_vectors(canvas *on, analysis *a, const plot_request *request, const char **why);
-int plot_klein(canvas *on, analysis *a, const plot_request *request, const char **why);
+/* What a drawing has room for: the gas is a load beside these. */
+#define PICTURE_LOADS 40
+#define PICTURE_POINTS 24
+#define PICTURE_POSITIONS 24
 
-/* Compute the position to draw on a branch: the first of the request, or else of the deck's one
-** instant, or else a sixth into the motion, or the first row that the links reach.  A status. */
-int plot_position(analysis *a, fourlink_branch branch, const plot_request *request, result *r);
+#define PICTURE_COLUMNS 16
+
+/* A picture in the making. */
+typedef struct picture {
+    const plot_request *request;
+    canvas on;
+    fourlink_results *results;
+    const fourlink_deck *deck;
+    fourlink_problem problem;
+    const fourlink_mechanism *mechanism; /* of the problem; as the next */
+    const fourlink_design *design;
+    int slides; /* 1: link 4 slides on the ground */
+    fourlink_branch branches[2];
+    int n_branches;
+    fourlink_range range;
+    double end; /* the last crank angle of the motion, in the deck's unit */
+    fourlink_unit units[QUANTITY_COUNT];
+    const fourlink_value *columns; /* those of its kind that the deck has */
+    unsigned long n_columns;
+    fourlink_load *loads;             /* room for those of one crank angle */
+    double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
+    int n_angles;
+} picture;
+
+/* One crank angle, with its loads. */
+typedef struct picture_row {
+    fourlink_instant now;
+    fourlink_load loads[PICTURE_LOADS + 1];
+} picture_row;
+
+/* The functions of the kinds; those with a panel for each branch are called for each, the others for the first.
+** Null, or the reason why there is nothing to draw. */
+#define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values) \
+    const char *draw(picture *p, fourlink_branch branch);
+PLOT_LIST(PLOT_FUNCTION)
+
+/* A value in the deck's unit of its quantity, and in SI units. */
+double picture_value(const picture *p, quantity q, double si);
+double picture_si(const picture *p, quantity q, double value);
+
+/* A crank angle, in the deck's unit: 60 and the sign of degrees, or 1.047 rad. */
+#define PICTURE_MARK (FORMAT_SIZE + 64)
+char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
+
+/* The crank angle that is k of so many equal steps into the motion, in the deck's unit. */
+double picture_angle(const picture *p, int k, int steps);
+
+/* The position there, without its forces.  A status. */
+int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
+                  fourlink_instant *now);
+
+/* The position to draw on a branch: the first of the request, or else of the deck's one instant, or
+** else a sixth into the motion, or the first row that the links reach; `loads` may be null.  A status. */
+int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
+                     fourlink_load *loads);
 
 #endif

@@ -26,20 +26,6 @@
 /* So many points of a curve are an obstacle for texts. */
 #define OBSTACLE 4
 
-static void put(FILE *out, double x)
-{
-    char number[FORMAT_SIZE];
-
-    fputs(format_general(x, 7, number), out);
-}
-
-static void put_place(FILE *out, fourlink_vector p)
-{
-    put(out, p.x);
-    putc(',', out);
-    put(out, p.y);
-}
-
 void sketch_include(sketch *s, fourlink_vector p)
 {
     if (s->is_fixed)
@@ -50,7 +36,7 @@ void sketch_include(sketch *s, fourlink_vector p)
     s->y_max = p.y > s->y_max ? p.y : s->y_max;
 }
 
-static fourlink_vector beside(fourlink_vector p, double dx, double dy)
+fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy)
 {
     p.x += dx;
     p.y += dy;
@@ -92,11 +78,8 @@ static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to
 {
     sketch_include(s, from);
     sketch_include(s, to);
-    fputs("set arrow from ", s->out);
-    put_place(s->out, from);
-    fputs(" to ", s->out);
-    put_place(s->out, to);
-    fprintf(s->out, " %s ls %d\n", kind, (int)p);
+    canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
+                 to.y, kind, (int)p);
     if (p != PEN_GHOST)
         add_obstacle(s, from, to, p == PEN_CONSTRUCTION || p == PEN_OTHER ? 1 : 3);
 }
@@ -123,16 +106,11 @@ void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double 
     for (i = 0; i <= n; i++) {
         double angle = from + (to - from) * i / n;
 
-        next = beside(centre, radius * cos(angle), radius * sin(angle));
+        next = sketch_beside(centre, radius * cos(angle), radius * sin(angle));
         if (i > 0)
             sketch_line(s, p, last, next);
         last = next;
     }
-}
-
-void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius)
-{
-    sketch_arc(s, p, centre, radius, 0, 2 * M_PI);
 }
 
 /* A disc, by its diameters. */
@@ -143,7 +121,7 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
     for (i = 0; i < 4; i++) {
         double x = 1.2 * radius * cos(i * M_PI / 4), y = 1.2 * radius * sin(i * M_PI / 4);
 
-        add_obstacle(s, beside(at, -x, -y), beside(at, x, y), 5);
+        add_obstacle(s, sketch_beside(at, -x, -y), sketch_beside(at, x, y), 5);
     }
 }
 
@@ -151,11 +129,10 @@ void sketch_pin(sketch *s, fourlink_vector at)
 {
     sketch_include(s, at);
     add_disc(s, at, PIN * s->letter * s->size);
-    fputs("set object circle at ", s->out);
-    put_place(s->out, at);
-    fputs(" size ", s->out);
-    put(s->out, PIN * s->letter * s->size);
-    fputs(" front fc rgb 'white' fs solid border lc rgb 'black' lw 1.5\n", s->out);
+    canvas_print(s->c,
+                 "set object circle at %.7g,%.7g size %.7g front fc rgb 'white' fs solid border "
+                 "lc rgb 'black' lw 1.5\n",
+                 at.x, at.y, PIN * s->letter * s->size);
 }
 
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
@@ -164,8 +141,8 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
     fourlink_vector tip, tail;
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
-    tip = beside(centre, radius * cos(end), radius * sin(end));
-    tail = beside(centre, radius * cos(before), radius * sin(before));
+    tip = sketch_beside(centre, radius * cos(end), radius * sin(end));
+    tail = sketch_beside(centre, radius * cos(before), radius * sin(before));
     sketch_arrow(s, p, tail, tip);
 }
 
@@ -197,14 +174,12 @@ void sketch_centre(sketch *s, fourlink_vector at)
 
     sketch_include(s, at);
     add_disc(s, at, r);
-    for (i = 0; i < 4; i++) {
-        fputs("set object circle at ", s->out);
-        put_place(s->out, at);
-        fputs(" size ", s->out);
-        put(s->out, r);
-        fprintf(s->out, " arc [%d:%d] front fc rgb '%s' fs solid border lc rgb 'black'\n", 90 * i,
-                90 * i + 90, i % 2 ? "white" : "black");
-    }
+    for (i = 0; i < 4; i++)
+        canvas_print(
+            s->c,
+            "set object circle at %.7g,%.7g size %.7g arc [%d:%d] front fc rgb '%s' fs solid "
+            "border lc rgb 'black'\n",
+            at.x, at.y, r, 90 * i, 90 * i + 90, i % 2 ? "white" : "black");
 }
 
 void sketch_ground(sketch *s, double x1, double x2, double y, double side)
@@ -218,7 +193,7 @@ void sketch_ground(sketch *s, double x1, double x2, double y, double side)
     sketch_line(s, PEN_GROUND, from, to);
     for (x = x1 + step; x <= x2 + 1e-9 * step; x += step) {
         from.x = x;
-        to = beside(from, -step, side * step);
+        to = sketch_beside(from, -step, side * step);
         put_arrow(s, PEN_CONSTRUCTION, from, to, "nohead");
     }
 }
@@ -226,7 +201,7 @@ void sketch_ground(sketch *s, double x1, double x2, double y, double side)
 void sketch_support(sketch *s, fourlink_vector at)
 {
     double r = SUPPORT * s->letter * s->size;
-    fourlink_vector left = beside(at, -0.6 * r, -r), right = beside(at, 0.6 * r, -r);
+    fourlink_vector left = sketch_beside(at, -0.6 * r, -r), right = sketch_beside(at, 0.6 * r, -r);
 
     sketch_line(s, PEN_GROUND, at, left);
     sketch_line(s, PEN_GROUND, at, right);
@@ -253,10 +228,7 @@ void sketch_point(sketch *s, fourlink_vector at)
     }
     s->n_points++;
     s->is_empty = 0;
-    put(s->out, at.x);
-    putc(' ', s->out);
-    put(s->out, at.y);
-    putc('\n', s->out);
+    canvas_print(s->c, "%.7g %.7g\n", at.x, at.y);
 }
 
 void sketch_break(sketch *s)
@@ -295,12 +267,9 @@ static void put_margin(const sketch *s)
 
     for (i = 0; i < s->n_curves; i++)
         in_key += s->curve_title[i][0] != '\0';
-    for (i = 0; i < s->n_notes; i++) {
-        fputs("set label ", s->out);
-        canvas_quote(s->out, s->notes[i]);
-        fprintf(s->out, " at graph 1.02, graph 1 offset 0,%d left\n",
-                -i - (in_key ? in_key + 1 : 0));
-    }
+    for (i = 0; i < s->n_notes; i++)
+        canvas_print(s->c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", s->notes[i],
+                     -i - (in_key ? in_key + 1 : 0));
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->out);
 }
 
@@ -313,34 +282,26 @@ static void put_labels(const sketch *s)
         double half = label->half;
         int side = label->middle.x > half ? 1 : label->middle.x < -half ? -1 : 0;
 
-        fputs("set label ", s->out);
-        canvas_quote(s->out, label->words);
-        fputs(" at ", s->out);
-        put_place(s->out, beside(label->at, s->scale * (label->middle.x - side * half),
-                                 s->scale * label->middle.y));
-        fprintf(s->out, " %s front\n", side > 0 ? "left" : side < 0 ? "right" : "center");
+        canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", label->words,
+                     label->at.x + s->scale * (label->middle.x - side * half),
+                     label->at.y + s->scale * label->middle.y,
+                     side > 0   ? "left"
+                     : side < 0 ? "right"
+                                : "center");
     }
-}
-
-static void put_range(const sketch *s, const char *axis, double middle, double length)
-{
-    fprintf(s->out, "set %srange [", axis);
-    put(s->out, middle - length / 2);
-    putc(':', s->out);
-    put(s->out, middle + length / 2);
-    fputs("]\n", s->out);
 }
 
 /* Tics of one step on both axes, so far apart that their numbers have room. */
 static void put_axes(const sketch *s)
 {
-    double step = sketch_round(TICS * CANVAS_LETTER * s->scale);
+    double x = (s->x_min + s->x_max) / 2, y = (s->y_min + s->y_max) / 2;
+    double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
-    fputs("set format '%g'; set tics ", s->out);
-    put(s->out, step);
-    putc('\n', s->out);
-    put_range(s, "x", (s->x_min + s->x_max) / 2, s->scale * s->c->box_width);
-    put_range(s, "y", (s->y_min + s->y_max) / 2, s->scale * s->c->box_height);
+    canvas_print(s->c,
+                 "set format '%%g'; set tics %.7g\n"
+                 "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
+                 sketch_round(TICS * CANVAS_LETTER * s->scale), x - width / 2, x + width / 2,
+                 y - height / 2, y + height / 2);
 }
 
 static void put_curves(const sketch *s)
@@ -351,12 +312,7 @@ static void put_curves(const sketch *s)
     for (i = 0; i < s->n_curves; i++) {
         fprintf(s->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
                 (int)s->curve_pen[i]);
-        if (s->curve_title[i][0]) {
-            fputs("title ", s->out);
-            canvas_quote(s->out, s->curve_title[i]);
-        } else {
-            fputs("notitle", s->out);
-        }
+        canvas_print(s->c, s->curve_title[i][0] ? "title %q" : "notitle", s->curve_title[i]);
     }
     fputs(s->n_curves ? "\n" : "NaN notitle\n", s->out);
 }

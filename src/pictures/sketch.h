@@ -76,7 +76,6 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 
 /* A pin, its radius a fraction of the drawing's size. */
 void sketch_pin(sketch *s, fourlink_vector at);
-void sketch_circle(sketch *s, pen p, fourlink_vector centre, double radius);
 
 /* A part of a circle from one angle to another, in rad, counter-clockwise. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
@@ -110,6 +109,9 @@ void sketch_close(sketch *s, const char *title, const char *unit_name);
 
 /* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
 void sketch_place(sketch *s, double width, double height);
+
+/* A place so far from another. */
+fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
 
 /* 1, 2 or 5 times a power of ten, at least x. */
 double sketch_round(double x);

@@ -26,18 +26,18 @@ enum {
     ENGINE = NEED_ENGINE,
     SERIES = NEED_SERIES,
     KLEIN = NEED_KLEIN,
-    EXTRAS = NEED_EXTRAS,
+    DERIVED = NEED_DERIVED,
     SPLIT = NEED_SUPERPOSITION
 };
 
-struct column_info {
+struct flk_column_info {
     const char *name;
     quantity q;
     int kinds; /* mechanisms that have it */
     int need;  /* what it is computed with: the deck has the column if it can give that */
     int usual; /* 1: printed when the deck names no columns */
     column_form form;
-    size_t x, y; /* places of the numbers in a result */
+    size_t x, y; /* places of the numbers in a row */
     const char *meaning, *source_name;
 };
 
@@ -45,15 +45,15 @@ struct column_info {
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
 #define BOTH (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
 
-#define ROW(member) offsetof(result, row.member)
-#define STATE(member) offsetof(result, state.member)
-#define FORCE(member) offsetof(result, forces.member)
-#define OF_SERIES(member) offsetof(result, series.member)
-#define OF_ENGINE(member) offsetof(result, engine.member)
-#define OF_KLEIN(member) offsetof(result, klein.member)
-#define OF_EXTRAS(member) offsetof(result, extras.member)
+#define ROW(member) offsetof(flk_row, at.row.member)
+#define STATE(member) offsetof(flk_row, at.state.member)
+#define FORCE(member) offsetof(flk_row, at.forces.member)
+#define OF_SERIES(member) offsetof(flk_row, series.member)
+#define OF_ENGINE(member) offsetof(flk_row, engine.member)
+#define OF_KLEIN(member) offsetof(flk_row, klein.member)
+#define DERIVED_PART(member) offsetof(flk_row, derived.member)
 
-static const column_info table[] = {
+static const flk_column_info table[] = {
     {"theta2", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, ROW(angle), 0, "angle of the crank",
      "thet (Alvi), thetaa (ME3491)"},
     {"time", QUANTITY_TIME, BOTH, NOTHING, 0, VALUE, ROW(time), 0, "time since the first row", ""},
@@ -122,74 +122,74 @@ static const column_info table[] = {
      "direction of F14", "theta_F14 (ME3491)"},
     {"power", QUANTITY_POWER, BOTH, FORCES, 0, PRODUCT, FORCE(Ts), ROW(crank.omega2),
      "power put into the crank", ""},
-    {"Fsx", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Fsx), 0,
+    {"Fsx", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(Fsx), 0,
      "shaking force on the frame, x", ""},
-    {"Fsy", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Fsy), 0,
+    {"Fsy", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(Fsy), 0,
      "shaking force on the frame, y", ""},
-    {"Ms", QUANTITY_TORQUE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(Ms), 0,
+    {"Ms", QUANTITY_TORQUE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(Ms), 0,
      "shaking moment on the frame about A", ""},
-    {"F12_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F12.along), 0,
+    {"F12_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F12.along), 0,
      "F12 along the line of the crank", ""},
-    {"F12_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F12.across), 0,
+    {"F12_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F12.across), 0,
      "F12 across it, to the left", ""},
-    {"F32_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F32.along), 0,
+    {"F32_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F32.along), 0,
      "F32 along the line of the crank", ""},
-    {"F32_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F32.across), 0,
+    {"F32_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F32.across), 0,
      "F32 across it, to the left", ""},
-    {"F23_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F23.along), 0,
+    {"F23_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F23.along), 0,
      "F23 along the line of the coupler or rod", ""},
-    {"F23_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F23.across), 0,
+    {"F23_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F23.across), 0,
      "F23 across it, to the left", ""},
-    {"F43_along", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F43.along), 0,
+    {"F43_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F43.along), 0,
      "F43 along the line of the coupler or rod", ""},
-    {"F43_across", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F43.across), 0,
+    {"F43_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F43.across), 0,
      "F43 across it, to the left", ""},
-    {"F34_along", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F34.along), 0,
+    {"F34_along", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F34.along), 0,
      "F34 along the line of the rocker", ""},
-    {"F34_across", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F34.across), 0,
-     "F34 across it, to the left", ""},
-    {"F14_along", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F14.along), 0,
+    {"F34_across", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F34.across),
+     0, "F34 across it, to the left", ""},
+    {"F14_along", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F14.along), 0,
      "F14 along the line of the rocker", ""},
-    {"F14_across", QUANTITY_FORCE, FOUR_BAR, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(F14.across), 0,
-     "F14 across it, to the left", ""},
-    {"Fi2", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].size), 0,
+    {"F14_across", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F14.across),
+     0, "F14 across it, to the left", ""},
+    {"Fi2", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[2].size), 0,
      "inertia force of link 2", "F_g2 (ME3491)"},
-    {"Fi2_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].direction), 0,
-     "direction of Fi2", ""},
-    {"h2", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[2].h), 0,
+    {"Fi2_dir", QUANTITY_ANGLE, BOTH, DERIVED | FORCES, 0, VALUE,
+     DERIVED_PART(inertia[2].direction), 0, "direction of Fi2", ""},
+    {"h2", QUANTITY_LENGTH, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[2].h), 0,
      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
-    {"Fi3", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].size), 0,
+    {"Fi3", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[3].size), 0,
      "inertia force of link 3", "F_g3 (ME3491)"},
-    {"Fi3_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].direction), 0,
-     "direction of Fi3", ""},
-    {"h3", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[3].h), 0,
+    {"Fi3_dir", QUANTITY_ANGLE, BOTH, DERIVED | FORCES, 0, VALUE,
+     DERIVED_PART(inertia[3].direction), 0, "direction of Fi3", ""},
+    {"h3", QUANTITY_LENGTH, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[3].h), 0,
      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
-    {"Fi4", QUANTITY_FORCE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].size), 0,
+    {"Fi4", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[4].size), 0,
      "inertia force of link 4", "F_g4 (ME3491)"},
-    {"Fi4_dir", QUANTITY_ANGLE, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].direction), 0,
-     "direction of Fi4", ""},
-    {"h4", QUANTITY_LENGTH, BOTH, EXTRAS | FORCES, 0, VALUE, OF_EXTRAS(inertia[4].h), 0,
+    {"Fi4_dir", QUANTITY_ANGLE, BOTH, DERIVED | FORCES, 0, VALUE,
+     DERIVED_PART(inertia[4].direction), 0, "direction of Fi4", ""},
+    {"h4", QUANTITY_LENGTH, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[4].h), 0,
      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)"},
-    {"mechanical_advantage", QUANTITY_NUMBER, BOTH, EXTRAS, 0, VALUE,
-     OF_EXTRAS(mechanical_advantage), 0, "omega2 / omega4; slider-crank: r omega2 / v", ""},
-    {"condition", QUANTITY_NUMBER, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(condition), 0,
+    {"mechanical_advantage", QUANTITY_NUMBER, BOTH, DERIVED, 0, VALUE,
+     DERIVED_PART(mechanical_advantage), 0, "omega2 / omega4; slider-crank: r omega2 / v", ""},
+    {"condition", QUANTITY_NUMBER, BOTH, DERIVED, 0, VALUE, DERIVED_PART(condition), 0,
      "1 / sine of the transmission angle: how errors of the data grow", ""},
-    {"I13x", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I13.x), 0,
+    {"I13x", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I13.x), 0,
      "instantaneous centre of links 1 and 3, x", ""},
-    {"I13y", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I13.y), 0,
+    {"I13y", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I13.y), 0,
      "instantaneous centre of links 1 and 3, y", ""},
-    {"I24x", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I24.x), 0,
+    {"I24x", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I24.x), 0,
      "instantaneous centre of links 2 and 4, x", ""},
-    {"I24y", QUANTITY_LENGTH, BOTH, EXTRAS, 0, VALUE, OF_EXTRAS(I24.y), 0,
+    {"I24y", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I24.y), 0,
      "instantaneous centre of links 2 and 4, y", ""},
     {"Ts_work", QUANTITY_TORQUE, BOTH, FORCES, 0, VALUE, FORCE(Ts_work), 0,
      "driving torque by virtual work, without the nine equations", ""},
-    {"Ts_static", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(Ts_static), 0,
+    {"Ts_static", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(Ts_static), 0,
      "driving torque of loads and weights at rest", ""},
-    {"Ts_inertia", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(Ts_inertia), 0,
+    {"Ts_inertia", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(Ts_inertia), 0,
      "driving torque of inertia alone", ""},
-    {"superposition", QUANTITY_NUMBER, BOTH, FORCES | SPLIT, 0, VALUE, OF_EXTRAS(superposition), 0,
-     "difference of their sum to the whole, relative to the largest force", ""},
+    {"superposition", QUANTITY_NUMBER, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(superposition),
+     0, "difference of their sum to the whole, relative to the largest force", ""},
     {"residual", QUANTITY_NUMBER, BOTH, FORCES, 1, VALUE, FORCE(residual), 0,
      "power balance, relative to its largest term", ""},
     {"x_series", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x), 0,
@@ -265,11 +265,11 @@ static int has_time(const fourlink_motion *motion)
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
 }
 
-static int has(const deck *d, const column_info *info)
+static int has(const flk_analysis *a, const flk_column_info *info)
 {
-    if (info->x == ROW(time) && !has_time(&d->motion))
+    if (info->x == ROW(time) && !has_time(&a->d->motion))
         return 0;
-    return (info->kinds & (int)d->design.kind) != 0 && (info->need & ~analysis_possible(d)) == 0;
+    return (info->kinds & (int)a->d->design.kind) != 0 && (info->need & ~a->possible) == 0;
 }
 
 /* The columns of a point. */
@@ -277,7 +277,7 @@ static int has(const deck *d, const column_info *info)
     {                                                     \
         "", q, BOTH, NOTHING, 0, VALUE, 0, 0, meaning, "" \
     }
-static const column_info point_table[DECK_POINT_COLUMNS] = {
+static const flk_column_info point_table[DECK_POINT_COLUMNS] = {
     POINT_COLUMN(QUANTITY_LENGTH, "position of the point, x"),
     POINT_COLUMN(QUANTITY_LENGTH, "position of the point, y"),
     POINT_COLUMN(QUANTITY_SPEED, "velocity of the point, x"),
@@ -287,20 +287,19 @@ static const column_info point_table[DECK_POINT_COLUMNS] = {
     POINT_COLUMN(QUANTITY_SPEED, "speed of the point"),
     POINT_COLUMN(QUANTITY_ACCELERATION, "magnitude of the acceleration of the point")};
 
-static void make(const deck *d, const column_info *info, column *c)
+static void make(const deck *d, const flk_column_info *info, flk_column *c)
 {
-    const deck_unit *u = &d->units[info->q];
+    const unit *u = &d->units[info->q].unit;
 
     c->info = info;
     c->name = info->name;
-    c->unit = u->name;
-    c->scale = u->unit.down / u->unit.up;
+    c->scale = u->down / u->up;
     c->point = NULL;
     if (info->form == VALUE && info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
 }
 
-static void make_of_point(const deck *d, const deck_point *point, int i, column *c)
+static void make_of_point(const deck *d, const deck_point *point, int i, flk_column *c)
 {
     make(d, &point_table[i], c);
     c->name = point->column_names[i];
@@ -308,100 +307,83 @@ static void make_of_point(const deck *d, const deck_point *point, int i, column 
     c->component = i;
 }
 
-int columns_are_same(const column *x, const column *y)
+size_t flk_column_limit(const deck *d)
 {
-    return strcmp(x->name, y->name) == 0 && strcmp(x->unit, y->unit) == 0;
+    return TABLE_COUNT + DECK_POINT_COLUMNS * d->n_points;
 }
 
-int columns_add(column_list *columns, const column *c)
+int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 {
-    size_t i;
+    size_t of_points = i - TABLE_COUNT;
 
-    for (i = 0; i < columns->count; i++)
-        if (columns_are_same(&columns->list[i], c))
-            return 1;
-    if (columns->count == columns->capacity) {
-        size_t capacity = columns->capacity ? 2 * columns->capacity : 64;
-        column *list = realloc(columns->list, capacity * sizeof *list);
-
-        if (!list)
-            return 0;
-        columns->list = list;
-        columns->capacity = capacity;
-    }
-    columns->list[columns->count++] = *c;
+    if (i < TABLE_COUNT && has(a, &table[i]))
+        make(a->d, &table[i], c);
+    else if (i >= TABLE_COUNT)
+        make_of_point(a->d, &a->d->points[of_points / DECK_POINT_COLUMNS],
+                      (int)(of_points % DECK_POINT_COLUMNS), c);
+    else
+        return 0;
     return 1;
 }
 
-void columns_free(column_list *columns)
-{
-    free(columns->list);
-    memset(columns, 0, sizeof *columns);
-}
-
-static int find(const deck *d, text name, int equal(text, const char *), column *c)
+/* Add a column that the list does not have yet. */
+static size_t add(flk_column *list, size_t n, const flk_column *c)
 {
     size_t i;
-    int j;
 
-    for (i = 0; i < TABLE_COUNT; i++)
-        if (equal(name, table[i].name) && has(d, &table[i])) {
-            make(d, &table[i], c);
+    for (i = 0; i < n; i++)
+        if (list[i].info == c->info && list[i].point == c->point)
+            return n;
+    list[n] = *c;
+    return n + 1;
+}
+
+static int find(const flk_analysis *a, text name, int equal(text, const char *), flk_column *c)
+{
+    size_t i;
+
+    for (i = 0; i < flk_column_limit(a->d); i++)
+        if (flk_column_number(a, i, c) && equal(name, c->name))
             return 1;
-        }
-    for (i = 0; i < d->n_points; i++)
-        for (j = 0; j < DECK_POINT_COLUMNS; j++)
-            if (equal(name, d->points[i].column_names[j])) {
-                make_of_point(d, &d->points[i], j, c);
-                return 1;
-            }
     return 0;
 }
 
-int column_find(const deck *d, text name, column *c)
+int flk_column_find(const flk_analysis *a, text name, flk_column *c)
 {
-    return find(d, name, flk_text_same, c);
+    return find(a, name, flk_text_same, c);
 }
 
-const char *column_nearest(const deck *d, text name)
+/* `a` null: among the columns of any deck. */
+const char *flk_column_nearest(const flk_analysis *a, text name)
 {
     const char *known[TABLE_COUNT + 1];
     size_t i, n = 0;
 
     for (i = 0; i < TABLE_COUNT; i++)
-        if (d->mistakes.count || has(d, &table[i]))
+        if (!a || has(a, &table[i]))
             known[n++] = table[i].name;
     known[n] = NULL;
     return flk_text_nearest(name, known);
 }
 
-static int add_all(const deck *d, int usual_only, column_list *columns)
+/* 1: printed when the deck names no columns; of a point its place. */
+static int is_usual(const flk_column *c)
 {
-    column c;
+    return c->point ? c->component < 2 : c->info->usual;
+}
+
+static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, size_t n)
+{
+    flk_column c;
     size_t i;
-    int j;
 
-    for (i = 0; i < TABLE_COUNT; i++)
-        if (has(d, &table[i]) && (table[i].usual || !usual_only)) {
-            make(d, &table[i], &c);
-            if (!columns_add(columns, &c))
-                return 0;
-        }
-    for (i = 0; i < d->n_points; i++)
-        for (j = 0; j < (usual_only ? 2 : DECK_POINT_COLUMNS); j++) {
-            make_of_point(d, &d->points[i], j, &c);
-            if (!columns_add(columns, &c))
-                return 0;
-        }
-    return 1;
+    for (i = 0; i < flk_column_limit(a->d); i++)
+        if (flk_column_number(a, i, &c) && (!usual_only || is_usual(&c)))
+            n = add(list, n, &c);
+    return n;
 }
 
-int columns_all(const deck *d, column_list *columns)
-{
-    return add_all(d, 0, columns);
-}
-
-static const char *why_missing(const deck *d, const column_info *info)
+static const char *why_missing(const deck *d, const flk_column_info *info)
 {
     if (info->x == ROW(time))
         return "needs a crank that turns";
@@ -414,23 +396,19 @@ static const char *why_missing(const deck *d, const column_info *info)
     return "needs a rod whose centre of mass is on its line";
 }
 
-static void note_missing(deck *d, text name)
+static void note_missing(const flk_analysis *a, const deck *d, text name, mistakes *m)
 {
-    const char *nearest = column_nearest(d, name);
-    char word[DECK_NAME_SIZE];
     size_t i;
 
-    flk_text_copy(name, word, sizeof word);
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake(&d->mistakes, d->columns.place, "the column '%s' %s", word,
-                        why_missing(d, &table[i]));
+            flk_mistake(m, d->columns.place, "the column '%t' %s", name, why_missing(d, &table[i]));
             return;
         }
-    flk_mistake(&d->mistakes, d->columns.place, "unknown column '%s'%h", word, nearest);
+    flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
 }
 
-int column_next_name(text *rest, text *name)
+int flk_column_next_name(text *rest, text *name)
 {
     while (rest->length && strchr(", \t", rest->start[0])) {
         rest->start++;
@@ -445,7 +423,7 @@ int column_next_name(text *rest, text *name)
     return name->length > 0;
 }
 
-int column_extreme_of(text name, text *of)
+int flk_column_extreme_of(text name, text *of)
 {
     int sign;
 
@@ -470,47 +448,46 @@ static int is_known(text name)
     return flk_text_equal(name, "all") || memchr(name.start, '.', name.length) != NULL;
 }
 
-void columns_check(deck *d)
+void flk_column_check(deck *d)
 {
     text rest = d->columns.names, name;
 
-    while (rest.start && column_next_name(&rest, &name))
+    while (rest.start && flk_column_next_name(&rest, &name))
         if (!is_known(name))
-            note_missing(d, name);
+            note_missing(NULL, d, name, &d->mistakes);
 }
 
-int columns_choose(deck *d, column_list *columns)
+size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
 {
-    text rest = d->columns.names, name;
-    column c;
+    text rest = a->d->columns.names, name;
+    size_t n = 0;
+    flk_column c;
 
     if (!rest.start)
-        return add_all(d, 1, columns) ? 1 : -1;
-    while (column_next_name(&rest, &name)) {
-        if (flk_text_equal(name, "all")) {
-            if (!columns_all(d, columns))
-                return -1;
-        } else if (!find(d, name, flk_text_same, &c) && !find(d, name, flk_text_equal, &c)) {
-            note_missing(d, name);
-        } else if (!columns_add(columns, &c)) {
-            return -1;
-        }
+        return add_all(a, 1, list, 0);
+    while (flk_column_next_name(&rest, &name)) {
+        if (flk_text_equal(name, "all"))
+            n = add_all(a, 0, list, n);
+        else if (find(a, name, flk_text_same, &c) || find(a, name, flk_text_equal, &c))
+            n = add(list, n, &c);
+        else
+            note_missing(a, a->d, name, m);
     }
-    if (!columns->count && !d->mistakes.count)
-        flk_mistake(&d->mistakes, d->columns.place, "no columns");
-    return d->mistakes.out_of_memory ? -1 : d->mistakes.count == 0;
+    if (!n && !m->count)
+        flk_mistake(m, a->d->columns.place, "no columns");
+    return n;
 }
 
-static double number_at(const result *r, size_t place)
+static double number_at(const flk_row *row, size_t place)
 {
-    return *(const double *)(const void *)((const char *)r + place);
+    return *(const double *)(const void *)((const char *)row + place);
 }
 
-static double point_value(const column *c, const result *r)
+static double point_value(const flk_column *c, const flk_row *row)
 {
     fourlink_vector p, v, a;
 
-    fourlink_point(&r->state, c->point->link, &c->point->at, &p, &v, &a);
+    fourlink_point(&row->at.state, c->point->link, &c->point->at, &p, &v, &a);
     switch (c->component) {
     case 0:
         return p.x * c->scale;
@@ -531,27 +508,34 @@ static double point_value(const column *c, const result *r)
     }
 }
 
-double column_value(const column *c, const result *r)
+static int is_of_crank(const flk_column *c)
+{
+    return !c->point && c->info->form == VALUE && c->info->x < offsetof(flk_row, at.branch);
+}
+
+double flk_column_value(const flk_column *c, const flk_row *row)
 {
     double x;
 
+    if (row->at.status != FOURLINK_OK && !is_of_crank(c))
+        return GSL_NAN;
     if (c->point)
-        return point_value(c, r);
-    x = number_at(r, c->info->x);
+        return point_value(c, row);
+    x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
         return x * c->scale; /* nearly all of them */
     switch (c->info->form) {
     case SIZE:
-        x = gsl_hypot(x, number_at(r, c->info->y));
+        x = gsl_hypot(x, number_at(row, c->info->y));
         break;
     case DIRECTION:
-        x = atan2(number_at(r, c->info->y), x);
+        x = atan2(number_at(row, c->info->y), x);
         break;
     case PRODUCT:
-        x *= number_at(r, c->info->y);
+        x *= number_at(row, c->info->y);
         break;
     case DIFFERENCE:
-        x -= number_at(r, c->info->y);
+        x -= number_at(row, c->info->y);
         break;
     case VALUE:
     default:
@@ -560,57 +544,43 @@ double column_value(const column *c, const result *r)
     return x * c->scale;
 }
 
-int column_of_crank(const column *c)
+int flk_column_flags(const flk_column *c)
 {
-    return !c->point && c->info->form == VALUE && c->info->x < offsetof(result, branch);
+    size_t x = c->info->x;
+
+    if (c->point)
+        return 0;
+    return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
+           (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
+           (x == FORCE(residual) || x == DERIVED_PART(superposition) ? FOURLINK_OF_ROUNDING : 0);
 }
 
-int column_of_rounding(const column *c)
-{
-    return !c->point && (c->info->x == FORCE(residual) || c->info->x == OF_EXTRAS(superposition));
-}
-
-int column_need(const column *c)
+int flk_column_need(const flk_column *c)
 {
     return c->info->need;
 }
 
-int columns_need(const column_list *columns)
-{
-    size_t i;
-    int needs = 0;
-
-    for (i = 0; i < columns->count; i++)
-        needs |= column_need(&columns->list[i]);
-    return needs;
-}
-
-double column_bound(const column *c)
+double flk_column_bound(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    if (!c->point && (x == OF_EXTRAS(mechanical_advantage) || x == OF_EXTRAS(I13.x) ||
-                      x == OF_EXTRAS(I13.y) || x == OF_EXTRAS(I24.x)))
+    if (!c->point && (x == DERIVED_PART(mechanical_advantage) || x == DERIVED_PART(I13.x) ||
+                      x == DERIVED_PART(I13.y) || x == DERIVED_PART(I24.x)))
         return 1e9 * c->scale;
     return GSL_POSINF;
 }
 
-int column_is_angle_of_crank(const column *c)
-{
-    return !c->point && c->info->form == VALUE && c->info->x == ROW(angle);
-}
-
-quantity column_quantity(const column *c)
+quantity flk_column_quantity(const flk_column *c)
 {
     return c->info->q;
 }
 
-const char *column_meaning(const column *c)
+const char *flk_column_meaning(const flk_column *c)
 {
     return c->info->meaning;
 }
 
-const char *column_source_name(const column *c)
+const char *flk_column_source_name(const flk_column *c)
 {
     return c->info->source_name;
 }

@@ -32,7 +32,8 @@ static double ratio(double x, double y)
 ** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
 ** r omega2 / v.
 */
-void extras_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state, extras *e)
+void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            flk_derived *e)
 {
     const fourlink_link *link = mechanism->design.link;
     const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
@@ -52,9 +53,9 @@ void extras_of_motion(const fourlink_mechanism *mechanism, const fourlink_state 
     }
 }
 
-static axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
+static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
 {
-    axial F;
+    flk_axial F;
 
     F.along = Fx * link->axis.x + Fy * link->axis.y;
     F.across = -Fx * link->axis.y + Fy * link->axis.x;
@@ -63,12 +64,12 @@ static axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
 
 /* Equivalent offset inertia force (ME3491, fig. 2): F = -m a_G at the distance h = I alpha / (m a_G) from
 ** G has the moment -I alpha about it if it passes on the left, looking along F. */
-static offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                               int i)
+static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                   int i)
 {
     const fourlink_link *link = &mechanism->design.link[i];
     fourlink_vector a;
-    offset_force F;
+    flk_offset_force F;
 
     fourlink_point(state, i, &link->cg, NULL, NULL, &a);
     F.size = link->mass * gsl_hypot(a.x, a.y);
@@ -82,8 +83,8 @@ static offset_force inertia_of(const fourlink_mechanism *mechanism, const fourli
 **    Fs = F21 + F41 = -(F12 + F14),   Ms = -(AD x F14) - Ts - M14
 **
 ** the moment about A. */
-void extras_of_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                      const fourlink_forces *f, extras *e)
+void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_forces *f, flk_derived *e)
 {
     const fourlink_vector *D = &state->link[4].origin;
     int i;
@@ -115,9 +116,9 @@ static void list_forces(const fourlink_forces *f, double length, double list[10]
     list[9] = f->Ts / length;
 }
 
-int extras_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                         const fourlink_load *loads, unsigned long n_loads,
-                         const fourlink_forces *forces, extras *e)
+int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             const fourlink_load *loads, unsigned long n_loads,
+                             const fourlink_forces *forces, flk_derived *e)
 {
     fourlink_mechanism weightless = *mechanism;
     fourlink_state rest = *state;

@@ -8,40 +8,41 @@
 #include "fourlink.h"
 
 /* A force in a link's own axes: along its line, and across it to the left. */
-typedef struct axial {
+typedef struct flk_axial {
     double along, across; /* N */
-} axial;
+} flk_axial;
 
 /* Offset inertia force of a link (ME3491, fig. 2). */
-typedef struct offset_force {
+typedef struct flk_offset_force {
     double size, direction; /* N, rad: -m a_G */
     double h;               /* m, offset from G to the left of the force */
-} offset_force;
+} flk_offset_force;
 
-typedef struct extras {
+typedef struct flk_derived {
     double Fsx, Fsy, Ms;          /* N, N m about A: of the mechanism on its frame */
-    axial F12, F32;               /* N, on the crank */
-    axial F23, F43;               /* N, on coupler or rod */
-    axial F34, F14;               /* N, on link 4 */
-    offset_force inertia[5];      /* by link number */
+    flk_axial F12, F32;           /* N, on the crank */
+    flk_axial F23, F43;           /* N, on coupler or rod */
+    flk_axial F34, F14;           /* N, on link 4 */
+    flk_offset_force inertia[5];  /* by link number */
     double mechanical_advantage;  /* 1 */
     double condition;             /* 1 */
     fourlink_vector I13, I24;     /* m, instantaneous centres */
     double Ts_static, Ts_inertia; /* N m, of loads and weights at rest, and of inertia alone */
     double superposition;         /* 1, the largest difference of all nine unknowns between their
                                         sum and the whole, relative to the largest force */
-} extras;
+} flk_derived;
 
 /* The part that follows from the motion alone. */
-void extras_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state, extras *e);
+void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            flk_derived *e);
 
 /* The part that follows from the forces. */
-void extras_of_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                      const fourlink_forces *forces, extras *e);
+void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_forces *forces, flk_derived *e);
 
 /* Loads and inertia separately.  A status of the library. */
-int extras_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                         const fourlink_load *loads, unsigned long n_loads,
-                         const fourlink_forces *forces, extras *e);
+int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                             const fourlink_load *loads, unsigned long n_loads,
+                             const fourlink_forces *forces, flk_derived *e);
 
 #endif

@@ -17,10 +17,11 @@
 
 #define PEAKS 8
 #define MOST_STEPS 1000000
+#define MINIMISER_STATE 32 /* doubles: more than any of its minimisers needs */
 
 typedef struct search {
-    analysis *a;
-    const column *c;
+    flk_analysis *a;
+    const flk_column *c;
     fourlink_branch branch;
     int sign;
     int periodic;       /* 1: one revolution, whose ends meet */
@@ -29,6 +30,7 @@ typedef struct search {
     double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
     double last_value;  /* from which such an angle goes on */
     double size;        /* the largest magnitude of the samples */
+    int left;           /* 1: a minimiser has left the angles at which there is a value */
 } search;
 
 /* The column at any angle, with its sign turned so that the extreme is a minimum; NaN where there is
@@ -36,23 +38,19 @@ typedef struct search {
 static double value_at(double angle, void *data)
 {
     const search *s = data;
-    const fourlink_motion *motion = &s->a->d->motion;
     double value;
-    result r;
+    flk_row row;
 
     if (s->periodic && (angle < s->first || angle > s->last))
         angle += angle < s->first ? s->last - s->first : s->first - s->last;
-    fourlink_motion_at(motion, angle, &r.row);
-    analysis_at(s->a, s->branch, &r.row.crank, &r);
-    if (r.status != FOURLINK_OK && !column_of_crank(s->c))
-        return GSL_NAN;
-    value = -s->sign * column_value(s->c, &r);
+    flk_analysis_at_angle(s->a, flk_column_need(s->c), s->branch, angle, &row);
+    value = -s->sign * flk_column_value(s->c, &row);
     if (s->turn > 0)
         value -= s->turn * floor((value - s->last_value) / s->turn + 0.5);
     return value;
 }
 
-static void keep_best(extreme *best, double value, double angle)
+static void keep_best(flk_extreme *best, double value, double angle)
 {
     if (value < best->value) {
         best->value = value;
@@ -60,31 +58,72 @@ static void keep_best(extreme *best, double value, double angle)
     }
 }
 
-/* One of GSL's minimisers, from a bracket on; the lowest point goes to `best`, the bracket shrinks. */
-static void minimise(search *s, const gsl_min_fminimizer_type *type, double *low, double middle,
-                     double *high, extreme *best)
+/* The column for GSL, which tells its error handler of what is not finite: this is noted here, and a
+** number too large for a minimum given instead. */
+static double finite_value_at(double angle, void *data)
 {
-    gsl_min_fminimizer *m = gsl_min_fminimizer_alloc(type);
+    search *s = data;
+    double value = value_at(angle, s);
+
+    if (gsl_finite(value))
+        return value;
+    s->left = 1;
+    return GSL_DBL_MAX;
+}
+
+static flk_extreme sample(search *s, double angle)
+{
+    flk_extreme x;
+
+    x.value = value_at(angle, s);
+    x.angle = angle;
+    return x;
+}
+
+/* 1 if three samples enclose a minimum, as GSL asks for. */
+static int encloses(const flk_extreme *low, const flk_extreme *middle, const flk_extreme *high)
+{
+    return low->angle < middle->angle && middle->angle < high->angle &&
+           middle->value < low->value && middle->value < high->value && gsl_finite(low->value) &&
+           gsl_finite(high->value);
+}
+
+/* One of GSL's minimisers, in memory of our own, from a bracket on that encloses a minimum; the lowest point
+** goes to `best`, the bracket shrinks. */
+static void minimise(search *s, const gsl_min_fminimizer_type *type, flk_extreme *low,
+                     const flk_extreme *middle, flk_extreme *high, flk_extreme *best)
+{
+    double state[MINIMISER_STATE];
+    gsl_min_fminimizer m;
     gsl_function f;
     int i;
 
-    if (!m) {
-        s->a->out_of_memory = 1;
+    if (type->size > sizeof state || !encloses(low, middle, high))
         return;
-    }
-    f.function = value_at;
+    m.type = type;
+    m.state = state;
+    f.function = finite_value_at;
     f.params = s;
-    if (gsl_min_fminimizer_set(m, &f, middle, *low, *high) == GSL_SUCCESS) {
-        for (i = 0; i < 100; i++)
-            if (gsl_min_fminimizer_iterate(m) != GSL_SUCCESS ||
-                gsl_min_test_interval(gsl_min_fminimizer_x_lower(m), gsl_min_fminimizer_x_upper(m),
-                                      0, 1e-13) == GSL_SUCCESS)
-                break;
-        *low = gsl_min_fminimizer_x_lower(m);
-        *high = gsl_min_fminimizer_x_upper(m);
-        keep_best(best, gsl_min_fminimizer_f_minimum(m), gsl_min_fminimizer_x_minimum(m));
+    s->left = 0;
+    if (gsl_min_fminimizer_set_with_values(&m, &f, middle->angle, middle->value, low->angle,
+                                           low->value, high->angle, high->value) != GSL_SUCCESS ||
+        s->left)
+        return;
+    for (i = 0; i < 100; i++) {
+        gsl_min_fminimizer before = m;
+        int status = gsl_min_fminimizer_iterate(&m);
+
+        if (s->left)
+            m = before;
+        if (status != GSL_SUCCESS || s->left ||
+            gsl_min_test_interval(m.x_lower, m.x_upper, 0, 1e-13) == GSL_SUCCESS)
+            break;
     }
-    gsl_min_fminimizer_free(m);
+    low->angle = m.x_lower;
+    low->value = m.f_lower;
+    high->angle = m.x_upper;
+    high->value = m.f_upper;
+    keep_best(best, m.f_minimum, m.x_minimum);
 }
 
 /* Twelve times the step times the slope, by five points (its error is of the fourth order). */
@@ -96,7 +135,7 @@ static double slope(search *s, double x, double step)
 
 /* A smooth minimum is flat: values tell its place to 1e-8 rad only.  A step of Newton's method on the
 ** slope tells it better. */
-static void sharpen(search *s, extreme *best)
+static void sharpen(search *s, flk_extreme *best)
 {
     double step = 0.1 * s->degree, dx = 1e-3 * s->degree, x, rise;
     double curvature =
@@ -112,14 +151,16 @@ static void sharpen(search *s, extreme *best)
 /* Refine the minimum between three angles, the middle one the lowest.  Brent's method ends at the
 ** resolution of a smooth minimum; golden sections go on to a sharp one, such as that of a transmission
 ** angle folded at 90 deg. */
-static void refine(search *s, double low, double middle, double high, extreme *best)
+static void refine(search *s, flk_extreme low, flk_extreme middle, flk_extreme high,
+                   flk_extreme *best)
 {
-    extreme here;
+    flk_extreme here = middle;
 
-    here.value = value_at(middle, s);
-    here.angle = middle;
-    minimise(s, gsl_min_fminimizer_brent, &low, middle, &high, &here);
-    minimise(s, gsl_min_fminimizer_goldensection, &low, here.angle, &high, &here);
+    if (!encloses(&low, &middle, &high))
+        return;
+    minimise(s, gsl_min_fminimizer_brent, &low, &middle, &high, &here);
+    middle = here;
+    minimise(s, gsl_min_fminimizer_goldensection, &low, &middle, &high, &here);
     sharpen(s, &here);
     keep_best(best, here.value, here.angle);
 }
@@ -145,7 +186,7 @@ static double edge(search *s, double good, double bad)
 **
 ** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
 ** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
-static int limit_at_edge(search *s, double good, double bad, extreme *limit)
+static int limit_at_edge(search *s, double good, double bad, flk_extreme *limit)
 {
     double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
 
@@ -164,7 +205,7 @@ static int limit_at_edge(search *s, double good, double bad, extreme *limit)
 }
 
 /* Keep the lowest angles of a list, the lowest first. */
-static void keep_lowest(extreme *list, int *n, double value, double angle)
+static void keep_lowest(flk_extreme *list, int *n, double value, double angle)
 {
     int i;
 
@@ -179,7 +220,7 @@ static void keep_lowest(extreme *list, int *n, double value, double angle)
 }
 
 /* Both sides of an angle of the cycle, wherever the motion comes by. */
-static void look_at(search *s, double theta2, extreme *best)
+static void look_at(search *s, double theta2, flk_extreme *best)
 {
     double rad = s->a->d->motion.angle_unit, cycle = s->a->d->cycle / rad, side = 1e-9 / rad;
     double x = theta2 / rad;
@@ -194,7 +235,7 @@ static void look_at(search *s, double theta2, extreme *best)
     }
 }
 
-static void look_at_curve(search *s, const curve *c, extreme *best)
+static void look_at_curve(search *s, const curve *c, flk_extreme *best)
 {
     size_t i;
 
@@ -204,7 +245,7 @@ static void look_at_curve(search *s, const curve *c, extreme *best)
 
 /* The corners of the loads, which a scan may step over: the ends of their windows, the points of their
 ** curves. */
-static void look_at_corners(search *s, extreme *best)
+static void look_at_corners(search *s, flk_extreme *best)
 {
     const deck *d = s->a->d;
     unsigned long i;
@@ -233,9 +274,9 @@ static long steps_of(double degrees)
 static void set_range(search *s)
 {
     const deck *d = s->a->d;
-    double end = analysis_end(s->a);
+    double end = flk_analysis_end(s->a);
 
-    s->periodic = analysis_is_periodic(s->a);
+    s->periodic = flk_analysis_is_periodic(s->a);
     s->first = d->motion.from < end ? d->motion.from : end;
     s->last = d->motion.from < end ? end : d->motion.from;
     s->degree = M_PI / 180 / d->motion.angle_unit;
@@ -249,7 +290,7 @@ static void follow(search *s, double value)
 {
     const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
 
-    if (column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
+    if (flk_column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
         s->turn = flk_unit_from_si(2 * M_PI, *u);
         s->last_value = value;
     }
@@ -289,12 +330,12 @@ static double scan_from(search *s, double step, long steps)
 
 /* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
 ** reach.  `unbounded` is set if the column has no limit at one of these. */
-static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extreme *best,
+static int scan(search *s, double step, long steps, flk_extreme peaks[PEAKS], flk_extreme *best,
                 int *unbounded)
 {
     double before, now, after;
     double from = scan_from(s, step, steps);
-    extreme limit;
+    flk_extreme limit;
     int n = 0;
     long i;
 
@@ -330,7 +371,7 @@ static int scan(search *s, double step, long steps, extreme peaks[PEAKS], extrem
     return n;
 }
 
-static void refine_peak(search *s, double step, const extreme *peak, extreme *best)
+static void refine_peak(search *s, double step, const flk_extreme *peak, flk_extreme *best)
 {
     double x = peak->angle, low = x - step, high = x + step;
 
@@ -348,13 +389,12 @@ static void refine_peak(search *s, double step, const extreme *peak, extreme *be
         low = edge(s, x, low);
     if (gsl_isnan(value_at(high, s)))
         high = edge(s, x, high);
-    if (low < x && x < high && !column_of_rounding(s->c) && value_at(x, s) < value_at(low, s) &&
-        value_at(x, s) < value_at(high, s))
-        refine(s, low, x, high, best);
+    if (!(flk_column_flags(s->c) & FOURLINK_OF_ROUNDING))
+        refine(s, sample(s, low), sample(s, x), sample(s, high), best);
 }
 
 /* Of values that are equal but for rounding the one that the motion comes by first. */
-static void keep_first(const search *s, extreme *best, const extreme *found)
+static void keep_first(const search *s, flk_extreme *best, const flk_extreme *found)
 {
     double from = s->a->d->motion.from, close = 1e-12 * s->size;
     double angle = in_revolution(s, found->angle);
@@ -366,10 +406,10 @@ static void keep_first(const search *s, extreme *best, const extreme *found)
         best->value = found->value;
 }
 
-extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
-                            extreme *found)
+int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
+                     flk_extreme *found)
 {
-    extreme peaks[PEAKS], best, found_here;
+    flk_extreme peaks[PEAKS], best, found_here;
     int n, k, unbounded = 0;
     double step;
     long steps;
@@ -391,18 +431,18 @@ extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch
         n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
     }
     if (!n)
-        return EXTREME_NONE;
+        return FOURLINK_NOT_REACHED;
     for (k = 0; k < n; k++) {
         found_here.value = GSL_POSINF;
         found_here.angle = peaks[k].angle;
         refine_peak(&s, step, &peaks[k], &found_here);
         keep_first(&s, &best, &found_here);
     }
-    if (s.last > s.first && (column_need(c) & (NEED_FORCES | NEED_ENGINE)))
+    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE)))
         look_at_corners(&s, &best);
     found->value = -sign * best.value;
     found->angle = best.angle;
-    if (unbounded || fabs(found->value) >= column_bound(c))
-        return EXTREME_UNBOUNDED;
-    return EXTREME_FOUND;
+    if (unbounded || fabs(found->value) >= flk_column_bound(c))
+        found->value = sign > 0 ? GSL_POSINF : GSL_NEGINF;
+    return FOURLINK_OK;
 }

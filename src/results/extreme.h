@@ -7,19 +7,16 @@
 
 #include "column.h"
 
-typedef struct extreme {
-    double value; /* in the column's unit */
+typedef struct flk_extreme {
+    double
+        value; /* in the column's unit; infinite: the column grows beyond all bounds, as velocities do
+                     at a dead position */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
-} extreme;
+} flk_extreme;
 
-typedef enum extreme_result {
-    EXTREME_NONE, /* the links reach at no angle of the motion */
-    EXTREME_FOUND,
-    EXTREME_UNBOUNDED /* the column grows beyond all bounds, as velocities do at a dead position */
-} extreme_result;
-
-/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows. */
-extreme_result extreme_find(analysis *a, const column *c, fourlink_branch branch, int sign,
-                            extreme *found);
+/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows.
+** FOURLINK_OK, or FOURLINK_NOT_REACHED. */
+int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
+                     flk_extreme *found);
 
 #endif

@@ -59,20 +59,25 @@ static const struct {
     const char *meaning;
 } fact_table[] = {FACT_LIST(FACT_INFO)};
 
-int fact_known(text name, quantity *q, int *of_turning)
+static int find(text name)
 {
     int i;
 
-    for (i = 0; i < FACT_COUNT; i++)
-        if (flk_text_same(name, fact_table[i].name)) {
-            *q = fact_table[i].q;
-            *of_turning = fact_table[i].turning;
-            return 1;
-        }
-    return 0;
+    for (i = 0; i < FACT_COUNT && !flk_text_same(name, fact_table[i].name); i++)
+        ;
+    return i;
 }
 
-const char *fact_nearest(text name)
+int flk_fact_group(text name)
+{
+    int i = find(name);
+
+    return i == FACT_COUNT         ? 0
+           : fact_table[i].turning ? FOURLINK_FACTS_TURNING
+                                   : FOURLINK_FACTS_LIMITS;
+}
+
+const char *flk_fact_nearest(text name)
 {
     const char *known[FACT_COUNT + 1];
     int i;
@@ -83,69 +88,69 @@ const char *fact_nearest(text name)
     return flk_text_nearest(name, known);
 }
 
+static void set_unit(const deck *d, quantity q, fourlink_value *f)
+{
+    f->unit = d->units[q].name;
+    f->quantity = flk_quantities[q].name;
+    f->to_si = d->units[q].unit.up / d->units[q].unit.down;
+}
+
+void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
+{
+    int i = find(flk_text_of(name));
+
+    memset(f, 0, sizeof *f);
+    f->name = name;
+    f->meaning = fact_table[i].meaning;
+    f->source = "";
+    set_unit(d, fact_table[i].q, f);
+}
+
+/* The facts told so far. */
 typedef struct teller {
     const deck *d;
-    fact_taker *take;
-    void *data;
     int branch;
+    fourlink_value *list;
+    unsigned long n;
 } teller;
-
-static void begin(const teller *t, fact *f, const char *name, const char *meaning)
-{
-    memset(f, 0, sizeof *f);
-    flk_text_copy(flk_text_of(name), f->name, sizeof f->name);
-    f->meaning = meaning;
-    f->unit = "";
-    f->q = QUANTITY_NUMBER;
-    f->branch = t->branch;
-}
 
 static double in_unit(const teller *t, double si, quantity q)
 {
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
-/* A fact of the table with its value. */
-static void set_value(const teller *t, fact_code code, double si, fact *f)
+static fourlink_value *tell(teller *t, fact_code code, double si)
 {
-    begin(t, f, fact_table[code].name, fact_table[code].meaning);
-    f->q = fact_table[code].q;
-    f->value = in_unit(t, si, f->q);
-    f->unit = t->d->units[f->q].name;
-}
+    fourlink_value *f = &t->list[t->n++];
 
-static void tell(const teller *t, fact_code code, double si)
-{
-    fact f;
-
-    set_value(t, code, si, &f);
-    t->take(&f, t->data);
+    flk_fact_describe(t->d, fact_table[code].name, f);
+    f->value = in_unit(t, si, fact_table[code].q);
+    f->branch = t->branch;
+    return f;
 }
 
 /* A fact with the crank angle at which it occurs. */
-static void tell_at(const teller *t, fact_code code, double si, double theta2)
+static void tell_at(teller *t, fact_code code, double si, double theta2)
 {
-    fact f;
+    fourlink_value *f = tell(t, code, si);
 
-    set_value(t, code, si, &f);
-    f.has_angle = 1;
-    f.theta2 = in_unit(t, theta2, QUANTITY_ANGLE);
-    t->take(&f, t->data);
+    f->has_angle = 1;
+    f->angle = in_unit(t, theta2, QUANTITY_ANGLE);
 }
 
-static void tell_type(const teller *t)
+static void tell_type(teller *t)
 {
     fourlink_type type = FOURLINK_TYPE_END_;
-    fact f;
+    fourlink_value *f;
 
     fourlink_type_of(&t->d->mechanism, &type);
-    begin(t, &f, fact_table[FACT_TYPE].name, fact_table[FACT_TYPE].meaning);
-    f.words = fourlink_type_text((int)type);
-    t->take(&f, t->data);
+    f = tell(t, FACT_TYPE, (double)type);
+    f->words = fourlink_type_text((int)type);
+    f->unit = "";
 }
 
 /* K = (a^2 - b^2 + c^2 + d^2) / 2 (Alvi section 3.1) */
-static void tell_freudenstein(const teller *t)
+static void tell_freudenstein(teller *t)
 {
     const fourlink_link *link = t->d->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
@@ -153,7 +158,7 @@ static void tell_freudenstein(const teller *t)
     tell(t, FACT_FREUDENSTEIN, (a * a - b * b + c * c + d * d) / 2);
 }
 
-static void tell_reach(const teller *t)
+static void tell_reach(teller *t)
 {
     fourlink_reach reach;
     int i;
@@ -167,7 +172,7 @@ static void tell_reach(const teller *t)
 
 /* The angles that link 4 can have: by symmetry those of a crank in the linkage read from D to A, with
 ** the angle 180 deg - theta4. */
-static void tell_reach_of_rocker(const teller *t)
+static void tell_reach_of_rocker(teller *t)
 {
     fourlink_design mirrored = t->d->design;
     fourlink_mechanism mechanism;
@@ -186,12 +191,11 @@ static void tell_reach_of_rocker(const teller *t)
     }
 }
 
-static void tell_rod(const teller *t)
+static void tell_rod(teller *t)
 {
     fourlink_rod rod;
 
-    if (t->d->design.kind != FOURLINK_SLIDER_CRANK ||
-        fourlink_rod_masses(&t->d->mechanism, &rod) != FOURLINK_OK)
+    if (fourlink_rod_masses(&t->d->mechanism, &rod) != FOURLINK_OK)
         return;
     tell(t, FACT_ROD_RATIO, rod.n);
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
@@ -207,7 +211,7 @@ static void tell_rod(const teller *t)
     tell(t, FACT_M_G, rod.m_g);
 }
 
-static void tell_limits(const teller *t)
+static void tell_limits(teller *t)
 {
     fourlink_limits limits;
 
@@ -227,73 +231,87 @@ static void tell_limits(const teller *t)
     }
 }
 
-static void tell_extreme(const teller *t, analysis *a, const column *c, int sign)
+int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
+                        fourlink_branch branch, int sign, fourlink_value *f)
 {
-    extreme e;
-    fact f;
-    extreme_result status = extreme_find(a, c, (fourlink_branch)t->branch, sign, &e);
+    flk_extreme e;
+    int status = flk_extreme_find(a, c, branch, sign, &e);
 
-    if (status == EXTREME_NONE)
-        return;
-    begin(t, &f, sign > 0 ? "max(" : "min(", sign > 0 ? "greatest value" : "least value");
-    strcat(f.name, c->name);
-    strcat(f.name, ")");
-    f.value = e.value;
-    f.q = column_quantity(c);
-    f.unit = c->unit;
-    f.has_angle = status == EXTREME_FOUND;
-    f.theta2 = e.angle;
-    if (status == EXTREME_UNBOUNDED)
-        f.words = "none: it grows beyond all bounds";
-    t->take(&f, t->data);
+    if (status != FOURLINK_OK)
+        return status;
+    memset(f, 0, sizeof *f);
+    f->name = name;
+    f->meaning = sign > 0 ? "greatest value" : "least value";
+    f->source = "";
+    set_unit(a->d, flk_column_quantity(c), f);
+    f->value = e.value;
+    f->has_angle = gsl_finite(e.value);
+    f->angle = e.angle;
+    f->branch = (int)branch;
+    return FOURLINK_OK;
 }
 
-static void tell_turning(const teller *t, analysis *a)
+static void tell_extremes(teller *t, flk_analysis *a, const flk_column *c, char *names)
 {
-    turning m;
+    int sign;
 
-    if (!(a->needs & NEED_FORCES) || !turning_find(a, (fourlink_branch)t->branch, &m))
+    if (flk_column_flags(c) & FOURLINK_CRANK_ANGLE)
         return;
-    tell(t, FACT_MEAN_TORQUE, m.mean_torque);
-    tell(t, FACT_MEAN_POWER, m.mean_power);
-    tell(t, FACT_ENERGY_FLUCTUATION, m.energy_fluctuation);
-    if (m.has_coefficient)
-        tell(t, FACT_ENERGY_COEFFICIENT, m.energy_coefficient);
-    if (m.inertia > 0) {
-        tell(t, FACT_FLYWHEEL_INERTIA, m.inertia);
-        tell(t, FACT_FLYWHEEL_FLUCTUATION, m.fluctuation);
+    for (sign = 1; sign >= -1; sign -= 2, names += DECK_NAME_SIZE) {
+        flk_text_join(names, DECK_NAME_SIZE, sign > 0 ? "max(" : "min(", c->name, ")",
+                      (char *)NULL);
+        t->n += flk_fact_of_extreme(a, c, names, (fourlink_branch)t->branch, sign,
+                                    &t->list[t->n]) == FOURLINK_OK;
     }
 }
 
-void facts_tell(analysis *a, int branch, int with_turning, const column_list *columns,
-                fact_taker *take, void *data)
+static void tell_turning(teller *t, flk_analysis *a)
+{
+    const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
+
+    if (!m)
+        return;
+    tell(t, FACT_MEAN_TORQUE, m->mean_torque);
+    tell(t, FACT_MEAN_POWER, m->mean_power);
+    tell(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
+    if (m->has_coefficient)
+        tell(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
+    if (m->inertia > 0) {
+        tell(t, FACT_FLYWHEEL_INERTIA, m->inertia);
+        tell(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
+    }
+}
+
+unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_column *columns,
+                            size_t n_columns, fourlink_value *list, char *names)
 {
     teller t;
-    int i;
     size_t j;
+    int i;
 
     t.d = a->d;
-    t.take = take;
-    t.data = data;
+    t.list = list;
+    t.n = 0;
     t.branch = 0;
-    tell_type(&t);
-    if (t.d->design.kind == FOURLINK_FOUR_BAR)
-        tell_freudenstein(&t);
-    tell_reach(&t);
-    if (t.d->design.kind == FOURLINK_FOUR_BAR)
-        tell_reach_of_rocker(&t);
-    tell_rod(&t);
+    if (groups & FOURLINK_FACTS_LIMITS) {
+        tell_type(&t);
+        if (t.d->design.kind == FOURLINK_FOUR_BAR)
+            tell_freudenstein(&t);
+        tell_reach(&t);
+        if (t.d->design.kind == FOURLINK_FOUR_BAR)
+            tell_reach_of_rocker(&t);
+        tell_rod(&t);
+    }
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         if (branch ? t.branch != branch : t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed)
             continue;
-        tell_limits(&t);
-        for (j = 0; columns && j < columns->count; j++)
-            if (!column_is_angle_of_crank(&columns->list[j])) {
-                tell_extreme(&t, a, &columns->list[j], 1);
-                tell_extreme(&t, a, &columns->list[j], -1);
-            }
-        if (with_turning)
+        if (groups & FOURLINK_FACTS_LIMITS)
+            tell_limits(&t);
+        for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
+            tell_extremes(&t, a, &columns[j], names + 2 * DECK_NAME_SIZE * j);
+        if (groups & FOURLINK_FACTS_TURNING)
             tell_turning(&t, a);
     }
+    return t.n;
 }

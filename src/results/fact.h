@@ -7,31 +7,27 @@
 
 #include "column.h"
 
-typedef struct fact {
-    char name[DECK_NAME_SIZE];
-    const char *words; /* a fact in words; null: it is a number */
-    double value;
-    quantity q;
-    const char *unit;
-    int has_angle; /* 1: it occurs at a crank angle, in the deck's unit */
-    double theta2;
-    int branch; /* FOURLINK_OPEN, FOURLINK_CROSSED, or 0 where it is the same for both */
-    const char *meaning;
-} fact;
+/* How many facts of the limits and of the turning moment there are at most, on both branches. */
+#define FLK_FACT_LIMIT 80
 
-/* 1 if a fact has this name, in some deck or other; its quantity, and whether it is one of the turning
-** moment. */
-int fact_known(text name, quantity *q, int *of_turning);
+/* The group of the fact of this name, FOURLINK_FACTS_LIMITS or FOURLINK_FACTS_TURNING; 0 if there is none
+** in any deck. */
+int flk_fact_group(text name);
 
 /* The name of a fact most like this one, or null. */
-const char *fact_nearest(text name);
+const char *flk_fact_nearest(text name);
 
-typedef void fact_taker(const fact *f, void *data);
+/* The name and unit of a fact without its value, as a host names it. */
+void flk_fact_describe(const deck *d, const char *name, fourlink_value *f);
 
-/* Tell the facts of a deck one by one: those of the mechanism; if `with_turning`, of its turning
-** moment; if `columns` is not null, the extremes of these; of this branch, or if it is 0 of those that the
-** deck prints. */
-void facts_tell(analysis *a, int branch, int with_turning, const column_list *columns,
-                fact_taker *take, void *data);
+/* The extreme of a column, its name being that of the fact: FOURLINK_OK, or FOURLINK_NOT_REACHED. */
+int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
+                        fourlink_branch branch, int sign, fourlink_value *f);
+
+/* List the facts of these groups on a branch, or if it is 0 on those that the deck asks for; how many.  The
+** extremes are those of the columns; `list` has room for FLK_FACT_LIMIT and four times their number,
+** `names` for two times their number of DECK_NAME_SIZE bytes. */
+unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_column *columns,
+                            size_t n_columns, fourlink_value *list, char *names);
 
 #endif

@@ -22,68 +22,93 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_roots.h>
+#include <gsl/gsl_sort.h>
 
 #include "turning.h"
 
 #define STEP (M_PI / 180)
 #define MOST_STEPS 100000
-#define POINTS 8     /* of the Gauss-Legendre rule */
-#define INSIDE 1e-10 /* rad, from a corner into the piece beside it */
+#define INSIDE 1e-10         /* rad, from a corner into the piece beside it */
+#define ROOT_SOLVER_STATE 32 /* doubles: more than Brent's needs */
 
 typedef struct moment {
-    analysis *a;
+    flk_analysis *a;
     fourlink_branch branch;
     fourlink_crank crank;
     double mean;
     double *cuts; /* rad, rising: the ends of the pieces */
     double *work; /* N m rad, of T in each piece */
     size_t n_cuts;
-    gsl_integration_glfixed_table *rule;
-    gsl_root_fsolver *solver;
+    int left; /* 1: the root finder asked for an angle that the links do not reach */
 } moment;
 
 /* T - Tm; NaN where the links do not reach. */
 static double excess(double theta2, void *data)
 {
     moment *m = data;
-    result r;
+    flk_row row;
 
     m->crank.theta2 = theta2;
-    analysis_at(m->a, m->branch, &m->crank, &r);
-    return r.status == FOURLINK_OK ? -r.forces.Ts - m->mean : GSL_NAN;
+    flk_analysis_at(m->a, NEED_FORCES, m->branch, &m->crank, &row);
+    return row.at.status == FOURLINK_OK ? -row.at.forces.Ts - m->mean : GSL_NAN;
 }
 
+/* Gauss-Legendre with eight points (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
+** table 25.4), in a table of our own: GSL's would be allocated. */
 static double area(moment *m, double from, double to)
 {
+    double x[] = {0.1834346424956498049394761, 0.5255324099163289858177390,
+                  0.7966664774136267395915539, 0.9602898564975362316835609};
+    double w[] = {0.3626837833783619829651504, 0.3137066458778872873379622,
+                  0.2223810344533744705443560, 0.1012285362903762591525314};
+    gsl_integration_glfixed_table rule;
     gsl_function f;
 
+    rule.n = 8;
+    rule.x = x;
+    rule.w = w;
+    rule.precomputed = 1;
     f.function = excess;
     f.params = m;
-    return gsl_integration_glfixed(&f, from, to, m->rule);
+    return gsl_integration_glfixed(&f, from, to, &rule);
 }
 
-/* Where T - Tm changes its sign. */
+/* The same for GSL's root finder, which tells its error handler of what is not finite. */
+static double finite_excess(double theta2, void *data)
+{
+    moment *m = data;
+    double value = excess(theta2, m);
+
+    m->left |= gsl_isnan(value);
+    return gsl_isnan(value) ? 0 : value;
+}
+
+/* Where T - Tm changes its sign, between two angles at which it differs. */
 static double crossing(moment *m, double low, double high)
 {
+    double state[ROOT_SOLVER_STATE], root = (low + high) / 2;
+    gsl_root_fsolver solver;
     gsl_function f;
     int i;
 
-    f.function = excess;
+    solver.type = gsl_root_fsolver_brent;
+    solver.state = state;
+    f.function = finite_excess;
     f.params = m;
-    gsl_root_fsolver_set(m->solver, &f, low, high);
-    for (i = 0; i < 100; i++)
-        if (gsl_root_fsolver_iterate(m->solver) != GSL_SUCCESS ||
-            gsl_root_test_interval(gsl_root_fsolver_x_lower(m->solver),
-                                   gsl_root_fsolver_x_upper(m->solver), 1e-14, 0) == GSL_SUCCESS)
+    m->left = 0;
+    if (solver.type->size > sizeof state ||
+        gsl_root_fsolver_set(&solver, &f, low, high) != GSL_SUCCESS)
+        return root;
+    for (i = 0; i < 100 && !m->left; i++) {
+        root = gsl_root_fsolver_root(&solver);
+        if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS || m->left)
+            return root;
+        root = gsl_root_fsolver_root(&solver);
+        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(&solver),
+                                   gsl_root_fsolver_x_upper(&solver), 1e-14, 0) == GSL_SUCCESS)
             break;
-    return gsl_root_fsolver_root(m->solver);
-}
-
-static int rising(const void *x, const void *y)
-{
-    double a = *(const double *)x, b = *(const double *)y;
-
-    return (a > b) - (a < b);
+    }
+    return root;
 }
 
 /* A corner, in the cycle that starts at 0. */
@@ -102,19 +127,42 @@ static void cut_at_curve(moment *m, const curve *c)
         cut_at(m, c->x[i]);
 }
 
-/* The pieces of the cycle.  0 when out of memory. */
-static int cut(moment *m, long steps)
+/* Steps of a degree in the cycle; 0 if there is no turning moment. */
+static size_t steps_of(const deck *d)
 {
-    const deck *d = m->a->d;
-    size_t most = (size_t)steps + 1 + d->gas.indicator.n, i, n;
+    double degrees = floor(d->cycle / STEP + 0.5);
+
+    return !d->has_forces || d->motion.speed == 0 || d->motion.acceleration != 0 || degrees < 1 ||
+                   degrees > MOST_STEPS
+               ? 0
+               : (size_t)degrees;
+}
+
+/* The most pieces that there can be. */
+static size_t most_cuts(const deck *d)
+{
+    size_t n = steps_of(d) + 1 + d->gas.indicator.n, i;
 
     for (i = 0; i < d->n_loads; i++)
-        most += d->variations[i].torque.n + 2;
-    m->cuts = malloc(2 * most * sizeof *m->cuts);
-    if (!m->cuts)
-        return 0;
-    m->work = m->cuts + most;
-    for (i = 0; i <= (size_t)steps; i++)
+        n += d->variations[i].torque.n + 2;
+    return n;
+}
+
+int flk_turning_open(flk_analysis *a)
+{
+    if (!steps_of(a->d))
+        return 1;
+    a->turning_memory = malloc(2 * most_cuts(a->d) * sizeof *a->turning_memory);
+    return a->turning_memory != NULL;
+}
+
+/* The pieces of the cycle. */
+static void cut(moment *m)
+{
+    const deck *d = m->a->d;
+    size_t steps = steps_of(d), i, n;
+
+    for (i = 0; i <= steps; i++)
         m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
     cut_at_curve(m, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
@@ -124,13 +172,12 @@ static int cut(moment *m, long steps)
             cut_at(m, d->variations[i].to);
         }
     }
-    qsort(m->cuts, m->n_cuts, sizeof *m->cuts, rising);
+    gsl_sort(m->cuts, 1, m->n_cuts);
     for (i = 1, n = 1; i < m->n_cuts; i++)
         if (m->cuts[i] - m->cuts[n - 1] > 4 * INSIDE)
             m->cuts[n++] = m->cuts[i];
     m->cuts[n - 1] = d->cycle;
     m->n_cuts = n;
-    return 1;
 }
 
 /* The mean over the cycle; NaN if the moment is not defined all round. */
@@ -166,10 +213,10 @@ static void take_up(energy *e, double dE)
     e->greatest = e->E > e->greatest ? e->E : e->greatest;
 }
 
-static void end_area(const moment *m, energy *e, double at, turning *t)
+static void end_area(const moment *m, energy *e, double at, fourlink_turning *t)
 {
-    if (t->n_areas < TURNING_AREAS) {
-        turning_area *new = &t->area[t->n_areas++];
+    if (t->n_areas < FOURLINK_AREAS) {
+        fourlink_area *new = &t->area[t->n_areas++];
 
         new->from = e->from;
         new->to = at;
@@ -179,7 +226,7 @@ static void end_area(const moment *m, energy *e, double at, turning *t)
     e->E_from = e->E;
 }
 
-static double fluctuation_of_energy(moment *m, turning *t)
+static double fluctuation_of_energy(moment *m, fourlink_turning *t)
 {
     energy e = {0, 0, 0, 0, 0};
     int was_below = excess(m->cuts[0] + INSIDE, m) < 0;
@@ -207,7 +254,7 @@ static double fluctuation_of_energy(moment *m, turning *t)
     return e.greatest - e.least;
 }
 
-static void find(moment *m, double scale, turning *t)
+static void find(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
     double omega = d->motion.speed;
@@ -228,38 +275,28 @@ static void find(moment *m, double scale, turning *t)
         t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }
 
-int turning_find(analysis *a, fourlink_branch branch, turning *t)
+const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch)
 {
-    const deck *d = a->d;
-    double degrees = floor(d->cycle / STEP + 0.5), scale;
-    int found = 0;
+    flk_turning *t = &a->turning[branch == FOURLINK_OPEN ? 0 : 1];
+    double scale;
     moment m;
 
-    if (!d->has_forces || d->motion.speed == 0 || d->motion.acceleration != 0 || degrees < 1 ||
-        degrees > MOST_STEPS)
-        return 0;
+    if (t->is_known || !a->turning_memory)
+        return t->is_there ? &t->t : NULL;
     m.a = a;
     m.branch = branch;
     m.crank.theta2 = 0;
-    m.crank.omega2 = d->motion.speed;
+    m.crank.omega2 = a->d->motion.speed;
     m.crank.alpha2 = 0;
     m.mean = 0;
-    m.cuts = NULL;
+    m.cuts = a->turning_memory;
+    m.work = m.cuts + most_cuts(a->d);
     m.n_cuts = 0;
-    m.rule = gsl_integration_glfixed_table_alloc(POINTS);
-    m.solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    if (m.rule && m.solver && cut(&m, (long)degrees)) {
-        m.mean = mean_of(&m, &scale);
-        found = !gsl_isnan(m.mean);
-        if (found)
-            find(&m, scale, t);
-    } else {
-        a->out_of_memory = 1;
-    }
-    free(m.cuts);
-    if (m.rule)
-        gsl_integration_glfixed_table_free(m.rule);
-    if (m.solver)
-        gsl_root_fsolver_free(m.solver);
-    return found;
+    cut(&m);
+    m.mean = mean_of(&m, &scale);
+    t->is_known = 1;
+    t->is_there = !gsl_isnan(m.mean);
+    if (t->is_there)
+        find(&m, scale, &t->t);
+    return t->is_there ? &t->t : NULL;
 }

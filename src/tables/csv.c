@@ -1,144 +1,223 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** csv.c - rows to text: the format csv, RFC 4180.
+** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
+** design.  Lines end in CR LF; numbers have 17 digits.
 */
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/format.h"
-#include "print.h"
-#include "table.h"
+#include <gsl/gsl_math.h>
 
-void csv_heading(row_buffer *row, text name, const char *unit_name)
+#include "base/text.h"
+#include "sheet.h"
+
+#define DIGITS (DBL_DIG + 2)
+
+/* Fields with a comma, a quote or the end of a line in them stand in quotes, and quotes in them are
+** doubled. */
+static void put_words(line *l, const char *s)
 {
-    char whole[400], field[500];
-
-    row_field(row, flk_text_join(field, sizeof field, flk_text_copy(name, whole, sizeof whole),
-                                 " (", unit_name, ")", (char *)NULL));
-}
-
-void csv_put_label_names(row_buffer *row, const deck *d, const csv_labels *labels)
-{
-    size_t j;
-
-    if (labels->deck_name)
-        row_text(row, "deck,", 5);
-    if (labels->sweep)
-        row_text(row, "design,", 7);
-    for (j = 0; labels->sweep && j < labels->sweep->n_variables; j++) {
-        const deck_variable *v = &labels->sweep->variables[j];
-
-        csv_heading(row, v->name, d->units[v->q].name);
-        row_text(row, ",", 1);
-    }
-}
-
-void csv_print_header(FILE *out, const deck *d, const column_list *header, const csv_labels *labels)
-{
-    row_buffer row;
-    size_t j;
-
-    row_start(&row, out);
-    csv_put_label_names(&row, d, labels);
-    row_text(&row, "branch", 6);
-    for (j = 0; j < header->count; j++) {
-        row_text(&row, ",", 1);
-        csv_heading(&row, flk_text_of(header->list[j].name), header->list[j].unit);
-    }
-    row_text(&row, ",status\r\n", 9);
-    row_end(&row);
-}
-
-/* For each column of the header, the deck's column that it is; null if it has none. */
-static const column **map_columns(const column_list *columns, const column_list *header)
-{
-    const column **map = malloc((header->count + 1) * sizeof *map);
-    size_t i, j;
-
-    for (j = 0; map && j < header->count; j++) {
-        map[j] = NULL;
-        for (i = 0; i < columns->count; i++)
-            if (columns_are_same(&header->list[j], &columns->list[i]))
-                map[j] = &columns->list[i];
-    }
-    return map;
-}
-
-void csv_put_number(row_buffer *row, double x)
-{
-    char number[FORMAT_SIZE];
-
-    row_text(row, number, (size_t)(format_general_end(x + 0.0, DBL_DIG + 2, number) - number));
-}
-
-void csv_put_labels(row_buffer *row, const csv_labels *labels)
-{
-    size_t j;
-
-    if (labels->deck_name) {
-        row_field(row, labels->deck_name);
-        row_text(row, ",", 1);
-    }
-    if (!labels->sweep)
+    if (!strpbrk(s, ",\"\r\n")) {
+        line_words(l, s);
         return;
-    csv_put_number(row, (double)labels->design + 1);
-    row_text(row, ",", 1);
-    for (j = 0; j < labels->sweep->n_variables; j++) {
-        csv_put_number(row, labels->sweep->variables[j].value);
-        row_text(row, ",", 1);
+    }
+    line_text(l, "\"", 1);
+    for (; *s; s++)
+        line_text(l, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
+    line_text(l, "\"", 1);
+}
+
+static void put_comma(line *l)
+{
+    line_text(l, ",", 1);
+}
+
+static void end_row(line *l)
+{
+    line_text(l, "\r\n", 2);
+}
+
+/* NAME (UNIT) */
+static void put_heading(line *l, const fourlink_value *column)
+{
+    char words[400];
+
+    put_words(
+        l, flk_text_join(words, sizeof words, column->name, " (", column->unit, ")", (char *)NULL));
+}
+
+static void begin(sheet *s)
+{
+    unsigned long i;
+
+    if (s->n_decks > 1)
+        line_words(&s->l, "deck,");
+    if (s->content == SHEET_SUMMARY) {
+        line_words(&s->l, "name,value,unit,theta2,branch");
+    } else if (s->content == SHEET_CHECK) {
+        line_words(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance");
+    } else {
+        if (s->n_variables)
+            line_words(&s->l, "design,");
+        for (i = 0; i < s->n_variables; i++) {
+            put_heading(&s->l, &s->variables[i]);
+            put_comma(&s->l);
+        }
+        line_words(&s->l, "branch,");
+        for (i = 0; i < s->n_header; i++) {
+            put_heading(&s->l, &s->header[i]);
+            put_comma(&s->l);
+        }
+        line_words(&s->l, "status");
+    }
+    end_row(&s->l);
+}
+
+/* What rows begin with: the deck, or the design with its quantities. */
+static void put_labels(sheet *s)
+{
+    unsigned long i;
+
+    if (s->deck_name) {
+        put_words(&s->l, s->deck_name);
+        put_comma(&s->l);
+    }
+    if (s->design) {
+        line_number(&s->l, (double)s->design, DIGITS);
+        put_comma(&s->l);
+    }
+    for (i = 0; i < s->n_variables; i++) {
+        line_number(&s->l, s->varied[i], DIGITS);
+        put_comma(&s->l);
     }
 }
 
-/* r null: a line with nothing but a reason in it. */
-static void put_csv_row(FILE *out, const column **map, size_t n, const csv_labels *labels,
-                        fourlink_branch branch, const result *r, const char *status)
+static void put_row(sheet *s, const sheet_row *row)
 {
-    row_buffer row;
-    size_t j;
+    const long *under = s->layout;
+    unsigned long i;
 
-    row_start(&row, out);
-    csv_put_labels(&row, labels);
-    row_field(&row, branch_name(branch));
-    for (j = 0; j < n; j++) {
-        row_text(&row, ",", 1);
-        if (r && map[j] && (r->status == FOURLINK_OK || column_of_crank(map[j])))
-            csv_put_number(&row, column_value(map[j], r));
+    put_labels(s);
+    line_words(&s->l, fourlink_branch_text((int)row->branch));
+    put_comma(&s->l);
+    for (i = 0; i < s->n_header; i++) {
+        double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
+
+        if (x == x)
+            line_number(&s->l, x, DIGITS);
+        put_comma(&s->l);
     }
-    row_text(&row, ",", 1);
-    row_field(&row, status);
-    row_text(&row, "\r\n", 2);
-    row_end(&row);
+    put_words(&s->l, row->status);
+    end_row(&s->l);
 }
 
-void csv_print_reason(FILE *out, const column_list *header, const csv_labels *labels,
-                      fourlink_branch branch, const char *why)
+static void open_deck(sheet *s)
 {
-    put_csv_row(out, NULL, header->count, labels, branch, NULL, why);
+    long *under = s->layout;
+    unsigned long i;
+
+    for (i = 0; s->content == SHEET_ROWS && i < s->n_header; i++)
+        under[i] = sheet_column_under(s, i);
 }
 
-int csv_print(FILE *out, analysis *a, const column_list *columns, const column_list *header,
-              const csv_labels *labels, unsigned long *failed)
+static void put_fact(sheet *s, const fourlink_value *fact)
 {
-    const column **map = map_columns(columns, header);
+    if (s->content != SHEET_SUMMARY)
+        return;
+    put_labels(s);
+    line_words(&s->l, fact->name);
+    put_comma(&s->l);
+    if (fact->words)
+        put_words(&s->l, fact->words);
+    else if (sheet_is_finite(fact))
+        line_number(&s->l, fact->value, DIGITS);
+    else
+        line_words(&s->l, SHEET_UNBOUNDED);
+    put_comma(&s->l);
+    line_words(&s->l, fact->unit);
+    put_comma(&s->l);
+    if (fact->has_angle)
+        line_number(&s->l, fact->angle, DIGITS);
+    put_comma(&s->l);
+    line_words(&s->l, fact->branch ? fourlink_branch_text(fact->branch) : "");
+    end_row(&s->l);
+}
+
+static void put_check(sheet *s, const fourlink_check *c)
+{
+    int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
+
+    put_labels(s);
+    put_words(&s->l, c->file);
+    put_comma(&s->l);
+    line_number(&s->l, (double)c->line, DIGITS);
+    put_comma(&s->l);
+    line_words(&s->l, sheet_verdicts[c->verdict]);
+    put_comma(&s->l);
+    put_words(&s->l, c->name);
+    put_comma(&s->l);
+    if (c->has_angle)
+        line_number(&s->l, c->angle, DIGITS);
+    put_comma(&s->l);
+    line_words(&s->l, fourlink_branch_text((int)c->branch));
+    put_comma(&s->l);
+    line_words(&s->l, c->unit);
+    put_comma(&s->l);
+    put_words(&s->l, c->printed_text);
+    put_comma(&s->l);
+    if (is_number)
+        line_number(&s->l, c->computed, DIGITS);
+    else
+        put_words(&s->l, c->words);
+    put_comma(&s->l);
+    if (is_number)
+        line_number(&s->l, c->tolerance, DIGITS);
+    end_row(&s->l);
+}
+
+static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
+                       const char *why)
+{
+    unsigned long i;
+
+    put_labels(s);
+    line_words(&s->l, fourlink_branch_text((int)branch));
+    put_comma(&s->l);
+    for (i = 0; i < s->n_header; i++) {
+        if (outputs && outputs[i].has_value && outputs[i].v.words)
+            put_words(&s->l, outputs[i].v.words);
+        else if (outputs && outputs[i].has_value)
+            line_number(&s->l, outputs[i].v.value, DIGITS);
+        put_comma(&s->l);
+    }
+    put_words(&s->l, why ? why : fourlink_status_text(FOURLINK_OK));
+    end_row(&s->l);
+}
+
+/* A deck that could not be read has a line with no more than that; a design its reason on each branch. */
+static void refuse(sheet *s, const char *why)
+{
     fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i, enough;
-    unsigned long k;
-    char stop[FORMAT_SIZE + 80];
-    result r;
+    int n, i;
 
-    for (i = 0; map && i < n; i++) {
-        for (k = 0; k < a->range.n_rows; k++) {
-            analysis_row(a, branches[i], k, &r);
-            put_csv_row(out, map, header->count, labels, branches[i], &r, print_status(&r));
-            *failed += r.status != FOURLINK_OK;
-        }
-        if (a->range.stops) {
-            put_csv_row(out, map, header->count, labels, branches[i], NULL, print_stop(a, stop));
-            ++*failed;
-        }
+    if (!s->design) {
+        put_labels(s);
+        line_words(&s->l, ",,");
+        line_words(&s->l, why);
+        line_words(&s->l, ",,,,,,,");
+        end_row(&s->l);
+        return;
     }
-    enough = map != NULL;
-    free((void *)map);
-    return enough;
+    n = sheet_branches(s, branches);
+    for (i = 0; i < n; i++)
+        put_design(s, branches[i], NULL, why);
 }
+
+const sheet_format csv_format = {
+    "csv",        1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS,
+    begin,        open_deck,
+    NULL,         put_fact,
+    NULL,         put_row,
+    put_check,    put_design,
+    refuse,       NULL,
+    sizeof(long), 0};

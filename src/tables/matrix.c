@@ -1,83 +1,76 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** matrix.c - the nine equations of each row to text.
+** matrix.c - the nine equations of each row, as text.
 */
-#include "base/format.h"
-#include "print.h"
-#include "table.h"
+#include "sheet.h"
 
-static void put_equation(FILE *out, const double A[9], double x, double b)
+static void put_number(line *l, double x, int digits, int width)
 {
     char number[FORMAT_SIZE];
-    int j;
 
-    for (j = 0; j < 9; j++)
-        print_right(out, format_general(A[j] + 0.0, 6, number), 13);
-    print_right(out, format_general(x, 9, number), 17);
-    print_right(out, format_general(b, 9, number), 17);
-    putc('\n', out);
+    line_field(l, format_general(x, digits, number), width);
 }
 
-static void put_system(FILE *out, const analysis *a, const result *r)
+/* theta2 = ANGLE UNIT, branch: BRANCH, and why there are no equations, if there are none. */
+static void put_title(sheet *s, const fourlink_instant *at)
 {
-    const deck *d = a->d;
-    const fourlink_forces *f = &r->forces;
-    int slider_crank = d->design.kind == FOURLINK_SLIDER_CRANK, i;
-    double A[9][9], b[9], x[9];
-    char number[FORMAT_SIZE];
-
-    fourlink_system(&d->mechanism, &r->state, a->loads, a->n_loads, A, b);
-    x[0] = f->F12x;
-    x[1] = f->F12y;
-    x[2] = f->F23x;
-    x[3] = f->F23y;
-    x[4] = f->F34x;
-    x[5] = f->F34y;
-    x[6] = slider_crank ? f->M14 : f->F14x;
-    x[7] = f->F14y;
-    x[8] = f->Ts;
-    fprintf(out, "# theta2 = %s %s, branch: %s\n", print_angle(r->row.angle, number),
-            d->units[QUANTITY_ANGLE].name, branch_name(r->branch));
-    fprintf(out, "# %11s%13s%13s%13s%13s%13s%13s%13s%13s%17s%17s\n", "F12x", "F12y", "F23x", "F23y",
-            "F34x", "F34y", slider_crank ? "M14" : "F14x", slider_crank ? "N" : "F14y", "Ts", "x",
-            "b");
-    for (i = 0; i < 9; i++)
-        put_equation(out, A[i], x[i], b[i]);
-}
-
-unsigned long matrix_print(FILE *out, analysis *a)
-{
-    const deck *d = a->d;
-    fourlink_branch branches[2];
-    int n = print_branches_of(d, branches), i, blocks = 0;
-    unsigned long k, failed = 0;
-    char stop[FORMAT_SIZE + 80], number[FORMAT_SIZE];
-    result r;
-
-    print_head(out, d);
-    fputs("# A x = b in SI units: the columns of A under their unknowns, the solution x, the right "
-          "side "
-          "b.\n# Rows: forces along x, along y, moments about the centre of mass, of links 2, 3, "
-          "4.\n",
-          out);
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < a->range.n_rows; k++) {
-            analysis_row(a, branches[i], k, &r);
-            if (blocks++)
-                fputs("\n\n", out);
-            if (r.status == FOURLINK_OK) {
-                put_system(out, a, &r);
-                continue;
-            }
-            failed++;
-            fprintf(out, "# theta2 = %s %s, branch: %s: %s\n", print_angle(r.row.angle, number),
-                    d->units[QUANTITY_ANGLE].name, branch_name(branches[i]),
-                    fourlink_status_text(r.status));
-        }
-        if (a->range.stops) {
-            fprintf(out, "# %s\n", print_stop(a, stop));
-            failed++;
-        }
+    line_words(&s->l, "# theta2 = ");
+    line_number(&s->l, at->row.angle, 12);
+    line_words(&s->l, " ");
+    line_words(&s->l, s->angle_unit);
+    line_words(&s->l, ", branch: ");
+    line_words(&s->l, fourlink_branch_text((int)at->branch));
+    if (at->status != FOURLINK_OK) {
+        line_words(&s->l, ": ");
+        line_words(&s->l, fourlink_status_text(at->status));
     }
-    return failed;
+    line_words(&s->l, "\n");
+}
+
+static void put_system(sheet *s, const fourlink_instant *at)
+{
+    const fourlink_mechanism *mechanism = &s->problem.mechanism;
+    double A[9][9], b[9], x[9];
+    int i, j;
+
+    fourlink_system(mechanism, &at->state, s->loads, s->problem.n_loads, A, b);
+    fourlink_unknowns(mechanism, &at->forces, x);
+    line_words(&s->l, "# ");
+    for (j = 0; j < 9; j++)
+        line_field(&s->l, fourlink_unknown_text((int)mechanism->design.kind, j), j ? 13 : 11);
+    line_field(&s->l, "x", 17);
+    line_field(&s->l, "b", 17);
+    line_words(&s->l, "\n");
+    for (i = 0; i < 9; i++) {
+        for (j = 0; j < 9; j++)
+            put_number(&s->l, A[i][j] + 0.0, 6, 13);
+        put_number(&s->l, x[i], 9, 17);
+        put_number(&s->l, b[i], 9, 17);
+        line_words(&s->l, "\n");
+    }
+}
+
+void matrix_write(sheet *s)
+{
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i, blocks = 0;
+    fourlink_instant at;
+    unsigned long k;
+
+    line_words(&s->l, "# A x = b in SI units: the columns of A under their unknowns, the solution "
+                      "x, the right side b.\n# Rows: forces along x, along y, moments about the "
+                      "centre of mass, of links 2, 3, 4.\n");
+    for (i = 0; i < n; i++) {
+        for (k = 0; k < s->problem.n_rows; k++) {
+            int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
+
+            line_words(&s->l, blocks++ ? "\n\n" : "");
+            put_title(s, &at);
+            if (status == FOURLINK_OK)
+                put_system(s, &at);
+            else
+                s->failed++;
+        }
+        sheet_write_stop(s, branches[i]);
+    }
 }

@@ -1,68 +1,69 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** paper.c - rows to text: the printout of Alvi, section 5.1.
+** paper.c - the format paper: the printout of Alvi, section 5.1.
 */
 #include <math.h>
 
 #include <gsl/gsl_math.h>
 
-#include "print.h"
-#include "table.h"
+#include "sheet.h"
 
-/* -0.00 is printed as 0.00 */
-static double no_minus_zero(double x)
+static void open_deck(sheet *s)
 {
-    return fabs(x) < 0.005 ? 0 : x;
+    sheet_write_gap(s);
+    line_words(&s->l, "thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n");
 }
 
-/* The printout of Alvi, section 5.1: the crossed branch first at every angle, without the closing
-** 360 deg.  Its numbers have two decimals; the crank's angle and speed no more than they need (and
-** -0 + 0 is 0). */
-static void put_paper_row(FILE *out, const result *r)
+/* A number with two decimals behind a tab; -0.00 is printed as 0.00. */
+static void put_number(line *l, double x)
 {
-    const fourlink_state *s = &r->state;
-    double degrees = r->row.crank.theta2 * 180 / M_PI, whole = floor(degrees + 0.5);
+    char number[FORMAT_SIZE];
 
-    if (fabs(degrees - whole) < 1e-9)
-        fprintf(out, "%02.0f", whole);
-    else
-        fprintf(out, "%.2f", degrees);
-    fprintf(out, "\t%.4g\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\t%.2f\n", r->row.crank.omega2 + 0.0,
-            no_minus_zero(r->row.crank.alpha2), no_minus_zero(s->link[4].theta * 180 / M_PI),
-            no_minus_zero(s->link[3].theta * 180 / M_PI), no_minus_zero(s->link[4].omega),
-            no_minus_zero(s->link[3].omega), no_minus_zero(s->link[4].alpha),
-            no_minus_zero(s->link[3].alpha));
+    line_words(l, "\t");
+    line_words(l, format_fixed(fabs(x) < 0.005 ? 0 : x, 2, number));
 }
 
-unsigned long paper_print(FILE *out, analysis *a)
+/* The crank's angle and speed have no more decimals than they need; the angle two digits at least. */
+static void put_numbers(line *l, const fourlink_instant *at)
 {
-    const deck *d = a->d;
-    unsigned long k, n_rows = a->range.n_rows, failed = 0;
-    char number[FORMAT_SIZE + 80];
-    result r;
-    int i;
+    const fourlink_link_state *coupler = &at->state.link[3], *rocker = &at->state.link[4];
+    double degrees = at->row.crank.theta2 * 180 / M_PI, whole = floor(degrees + 0.5);
+    char number[FORMAT_SIZE];
 
-    if (d->one_revolution && !a->range.stops && n_rows > 1)
-        n_rows--;
-    fputs("thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n", out);
-    for (k = 0; k < n_rows; k++)
-        for (i = 0; i < 2; i++) {
-            fourlink_branch branch = i == 0 ? FOURLINK_CROSSED : FOURLINK_OPEN;
+    if (fabs(degrees - whole) < 1e-9 && 0 <= whole && whole < 10)
+        line_words(l, "0");
+    line_words(l, format_fixed(fabs(degrees - whole) < 1e-9 ? whole : degrees,
+                               fabs(degrees - whole) < 1e-9 ? 0 : 2, number));
+    line_words(l, "\t");
+    line_number(l, at->row.crank.omega2, 4);
+    put_number(l, at->row.crank.alpha2);
+    put_number(l, rocker->theta * 180 / M_PI);
+    put_number(l, coupler->theta * 180 / M_PI);
+    put_number(l, rocker->omega);
+    put_number(l, coupler->omega);
+    put_number(l, rocker->alpha);
+    put_number(l, coupler->alpha);
+}
 
-            if (branch == FOURLINK_OPEN ? !d->open : !d->crossed)
-                continue;
-            analysis_row(a, branch, k, &r);
-            if (r.status == FOURLINK_OK)
-                put_paper_row(out, &r);
-            else
-                fprintf(out, "# %s %s, %s: %s\n", print_angle(r.row.angle, number),
-                        d->units[QUANTITY_ANGLE].name, branch_name(branch),
-                        fourlink_status_text(r.status));
-            failed += r.status != FOURLINK_OK;
+static void put_row(sheet *s, const sheet_row *row)
+{
+    if (row->at && row->at->status == FOURLINK_OK) {
+        put_numbers(&s->l, row->at);
+    } else {
+        line_words(&s->l, "# ");
+        if (row->at) {
+            line_number(&s->l, row->at->row.angle, 12);
+            line_words(&s->l, " ");
+            line_words(&s->l, s->angle_unit);
+            line_words(&s->l, ", ");
+            line_words(&s->l, fourlink_branch_text((int)row->branch));
+            line_words(&s->l, ": ");
         }
-    if (a->range.stops) {
-        fprintf(out, "# %s\n", print_stop(a, number));
-        failed++;
+        line_words(&s->l, row->status);
     }
-    return failed;
+    line_words(&s->l, "\n");
 }
+
+const sheet_format paper_format = {
+    "paper", 1 << SHEET_ROWS, NULL, open_deck, NULL, NULL, NULL, put_row, NULL, NULL, NULL, NULL, 0,
+    1};

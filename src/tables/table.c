@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** table.c - rows to text: the format table.
+** table.c - the format table: rows under each other, all that is no number in lines that begin with #.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "results/extreme.h"
-#include "results/fact.h"
-#include "base/format.h"
-#include "print.h"
+#include <gsl/gsl_math.h>
+
+#include "base/text.h"
+#include "base/units.h"
 #include "table.h"
 
 /* How the numbers of a column are written: all alike, so that they stand under each other. */
@@ -17,55 +16,56 @@ typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
-    double limit;         /* a number below it has room in the width, with a sign and a blank */
-    extreme_result found; /* the extreme of the column last looked for */
-    extreme at;
+    double limit; /* a number below it has room in the width, with a sign and a blank */
+    double size;  /* the largest magnitude of the column */
+    int has_extreme;
+    fourlink_value extreme; /* the one last looked for */
 } style;
 
 #define SAMPLES 200
 
 /* The largest magnitude of each column, over rows spread evenly over the motion; 0 for what is no
 ** more than the rounding of other columns of the same quantity. */
-static void find_sizes(analysis *a, const column_list *columns, double *size)
+static void find_sizes(sheet *s, style *styles)
 {
-    unsigned long n_rows = a->range.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k;
+    unsigned long n_rows = s->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
     double of_quantity[QUANTITY_COUNT] = {0};
     fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i;
-    result r;
-    size_t j;
+    int n = sheet_branches(s, branches), i;
 
-    for (j = 0; j < columns->count; j++)
-        size[j] = 0;
+    for (j = 0; j < s->n_columns; j++)
+        styles[j].size = 0;
     for (i = 0; i < n; i++)
         for (k = 0; k < samples; k++) {
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
 
-            analysis_row(a, branches[i], (unsigned long)(share * (double)(n_rows - 1) + 0.5), &r);
-            for (j = 0; j < columns->count; j++)
-                if (r.status == FOURLINK_OK || column_of_crank(&columns->list[j])) {
-                    double x = fabs(column_value(&columns->list[j], &r));
-
-                    size[j] = x > size[j] ? x : size[j];
-                }
+            fourlink_results_row(s->results, branches[i],
+                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), s->values,
+                                 NULL, NULL);
+            for (j = 0; j < s->n_columns; j++)
+                if (fabs(s->values[j]) > styles[j].size)
+                    styles[j].size = fabs(s->values[j]);
         }
-    for (j = 0; j < columns->count; j++) {
-        quantity q = column_quantity(&columns->list[j]);
+    for (j = 0; j < s->n_columns; j++) {
+        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
 
-        of_quantity[q] = size[j] > of_quantity[q] ? size[j] : of_quantity[q];
+        *largest = GSL_MAX_DBL(*largest, styles[j].size);
     }
-    for (j = 0; j < columns->count; j++)
-        if (size[j] <= 1e-12 * of_quantity[column_quantity(&columns->list[j])])
-            size[j] = 0;
+    for (j = 0; j < s->n_columns; j++)
+        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(s->columns[j].quantity)])
+            styles[j].size = 0;
 }
 
 /* The decimals that write a multiple of the interval exactly, if these are few. */
-static int decimals_of_angle(const analysis *a, int otherwise)
+static int decimals_of_angle(const sheet *s, int otherwise)
 {
-    const fourlink_motion *motion = &a->d->motion;
-    double last = a->range.stops ? motion->from : analysis_end(a), step = 1;
+    const fourlink_motion *motion = &s->problem.motion;
+    double last = motion->from, step = 1;
+    fourlink_row row;
     int decimals;
 
+    if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
+        last = row.angle;
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
         double x = motion->from * step, y = last * step, z = motion->interval * step;
 
@@ -76,44 +76,44 @@ static int decimals_of_angle(const analysis *a, int otherwise)
     return otherwise;
 }
 
-static void find_style(const analysis *a, const column *c, double size, style *s)
+static void find_style(const sheet *s, const fourlink_value *c, style *x)
 {
     char number[FORMAT_SIZE];
     size_t width;
 
-    s->exponent = size > 0 && (size < 1e-6 || size >= 1e9);
-    s->decimals = a->d->digits - 1;
-    if (column_of_rounding(c)) {
-        s->exponent = 1;
-        s->decimals = 1;
-    } else if (!s->exponent && size > 0) {
-        s->decimals -= (int)floor(log10(size));
-        if (s->decimals < 0)
-            s->decimals = 0;
-        if (column_of_crank(c) && column_quantity(c) == QUANTITY_ANGLE)
-            s->decimals = decimals_of_angle(a, s->decimals);
+    x->exponent = x->size > 0 && (x->size < 1e-6 || x->size >= 1e9);
+    x->decimals = s->problem.digits - 1;
+    if (c->flags & FOURLINK_OF_ROUNDING) {
+        x->exponent = 1;
+        x->decimals = 1;
+    } else if (!x->exponent && x->size > 0) {
+        x->decimals -= (int)floor(log10(x->size));
+        if (x->decimals < 0)
+            x->decimals = 0;
+        if (c->flags & FOURLINK_CRANK_ANGLE)
+            x->decimals = decimals_of_angle(s, x->decimals);
     }
-    if (s->exponent)
-        width = strlen(format_exponent(-1, s->decimals, number));
+    if (x->exponent)
+        width = strlen(format_exponent(-1, x->decimals, number));
     else
-        width = strlen(format_fixed(-size, s->decimals, number));
+        width = strlen(format_fixed(-x->size, x->decimals, number));
     if (strlen(c->name) > width)
         width = strlen(c->name);
     if (strlen(c->unit) > width)
         width = strlen(c->unit);
-    s->width = width + 2;
-    s->limit = s->exponent ? 0 : pow(10, (double)s->width - s->decimals - 3) - 1;
+    x->width = width + 2;
+    x->limit = x->exponent ? 0 : pow(10, (double)x->width - x->decimals - 3) - 1;
 }
 
 /* A cell's text and its end.  A number that is 0 to the decimals printed carries no sign. */
-static const char *cell_text(double x, const style *s, char out[FORMAT_SIZE], const char **end)
+static const char *cell_text(double value, const style *x, char out[FORMAT_SIZE], const char **end)
 {
     const char *c = out + 1;
 
-    if (s->exponent)
-        *end = format_exponent_end(x + 0.0, s->decimals, out); /* -0 + 0 is 0 */
+    if (x->exponent)
+        *end = format_exponent_end(value + 0.0, x->decimals, out); /* -0 + 0 is 0 */
     else
-        *end = format_fixed_end(x, s->decimals, out);
+        *end = format_fixed_end(value, x->decimals, out);
     if (out[0] != '-')
         return out;
     while (*c == '0' || *c == '.')
@@ -121,145 +121,136 @@ static const char *cell_text(double x, const style *s, char out[FORMAT_SIZE], co
     return c == *end ? out + 1 : out;
 }
 
-/* Names or units of the columns, as a comment above them. */
-static void put_names(FILE *out, const column_list *columns, const style *styles, int units)
+static void put_cell(line *l, double value, const style *x, size_t width)
 {
-    size_t j;
+    char number[FORMAT_SIZE];
+    const char *end, *cell = cell_text(value, x, number, &end);
 
-    putc('#', out);
-    for (j = 0; j < columns->count; j++)
-        print_right(out, units ? columns->list[j].unit : columns->list[j].name,
-                    styles[j].width - (j == 0));
-    putc('\n', out);
+    line_right(l, cell, (size_t)(end - cell), width);
 }
 
-/* A fact in the head of the table. */
-static void put_fact(const fact *f, void *data)
+static void open_deck(sheet *s)
 {
-    FILE *out = data;
-    char number[FORMAT_SIZE];
+    style *styles = s->layout;
+    unsigned long j;
 
-    fprintf(out, "# %s", f->name);
-    if (f->branch)
-        fprintf(out, " (%s)", branch_name((fourlink_branch)f->branch));
-    if (f->words)
-        fprintf(out, ": %s\n", f->words);
-    else
-        fprintf(out, ": %s%s%s", format_general(f->value, 9, number),
-                strcmp(f->unit, "1") ? " " : "", strcmp(f->unit, "1") ? f->unit : "");
-    if (!f->words && f->has_angle)
-        fprintf(out, " at theta2 = %s", format_general(f->theta2, 9, number));
-    if (!f->words)
-        putc('\n', out);
+    sheet_write_gap(s);
+    if (s->design)
+        table_put_design_comment(s);
+    if (s->content == SHEET_ROWS) {
+        find_sizes(s, styles);
+        for (j = 0; j < s->n_columns; j++)
+            find_style(s, &s->columns[j], &styles[j]);
+    }
+    if (s->content != SHEET_CHECK && s->content != SHEET_LIST)
+        sheet_write_head(s);
+    if (s->content == SHEET_SUMMARY)
+        table_put_summary_head(s);
+    if (s->content == SHEET_LIST)
+        table_put_list_head(s);
+}
+
+/* Names or units of the columns, as a comment above them. */
+static void put_names(sheet *s, int units)
+{
+    const style *styles = s->layout;
+    unsigned long j;
+
+    line_words(&s->l, "#");
+    for (j = 0; j < s->n_columns; j++)
+        line_field(&s->l, units ? s->columns[j].unit : s->columns[j].name,
+                   (int)styles[j].width - (j == 0));
+    line_words(&s->l, "\n");
+}
+
+static void find_extreme(sheet *s, fourlink_branch branch, int sign, const fourlink_value *c,
+                         style *x)
+{
+    char name[80];
+
+    flk_text_join(name, sizeof name, sign > 0 ? "max(" : "min(", c->name, ")", (char *)NULL);
+    x->has_extreme =
+        !(c->flags & FOURLINK_CRANK_ANGLE) &&
+        fourlink_results_value(s->results, name, branch, 0, &x->extreme) == FOURLINK_OK;
 }
 
 /* The extremes of the columns and where they are, as comments above the rows. */
-static void put_extremes(FILE *out, analysis *a, const column_list *columns, style *styles,
-                         fourlink_branch branch)
+static void put_extremes(sheet *s, fourlink_branch branch)
 {
-    static const style angle = {3, 0, 0, 0, EXTREME_NONE, {0, 0}};
-    char number[FORMAT_SIZE];
-    int sign, line;
-    size_t j;
+    static const style angle = {3, 0, 0, 0, 0, 0, {0}};
+    style *styles = s->layout;
+    int sign, at_angle;
+    unsigned long j;
 
     for (sign = 1; sign >= -1; sign -= 2) {
-        for (j = 0; j < columns->count; j++)
-            styles[j].found = column_is_angle_of_crank(&columns->list[j])
-                                  ? EXTREME_NONE
-                                  : extreme_find(a, &columns->list[j], branch, sign, &styles[j].at);
-        for (line = 0; line < 2; line++) {
-            putc('#', out);
-            for (j = 0; j < columns->count; j++) {
-                const style *s = &styles[j];
-                const char *cell = "", *end;
+        for (j = 0; j < s->n_columns; j++)
+            find_extreme(s, branch, sign, &s->columns[j], &styles[j]);
+        for (at_angle = 0; at_angle < 2; at_angle++) {
+            line_words(&s->l, "#");
+            for (j = 0; j < s->n_columns; j++) {
+                const style *x = &styles[j];
+                size_t width = x->width - (j == 0);
 
-                if (s->found == EXTREME_FOUND)
-                    cell = line == 0 ? cell_text(s->at.value, s, number, &end)
-                                     : cell_text(s->at.angle, &angle, number, &end);
-                else if (s->found == EXTREME_UNBOUNDED && line == 0)
-                    cell = "none";
-                print_right(out, cell, s->width - (j == 0));
+                if (x->has_extreme && at_angle && x->extreme.has_angle)
+                    put_cell(&s->l, x->extreme.angle, &angle, width);
+                else if (x->has_extreme && !at_angle && sheet_is_finite(&x->extreme))
+                    put_cell(&s->l, x->extreme.value, x, width);
+                else
+                    line_field(&s->l, x->has_extreme && !at_angle ? "none" : "", (int)width);
             }
-            fprintf(out, "  %s\n", line == 1 ? "at theta2" : sign > 0 ? "max" : "min");
+            line_words(&s->l, at_angle ? "  at theta2\n" : sign > 0 ? "  max\n" : "  min\n");
         }
     }
 }
 
-static void put_row(row_buffer *row, const deck *d, const column_list *columns, const style *styles,
-                    const result *r)
+static void put_block(sheet *s, fourlink_branch branch)
 {
-    char number[FORMAT_SIZE];
-    size_t j;
-
-    if (r->status == FOURLINK_OK) {
-        for (j = 0; j < columns->count; j++) {
-            double x = column_value(&columns->list[j], r);
-
-            if (!(fabs(x) < styles[j].limit) ||
-                !row_fixed(row, x, styles[j].decimals, styles[j].width)) {
-                const char *end, *cell = cell_text(x, &styles[j], number, &end);
-
-                row_right(row, cell, (size_t)(end - cell), styles[j].width);
-            }
-        }
-        row_text(row, "\n", 1);
-    }
-    if (!print_is_ordinary(r)) {
-        row_end(row);
-        fprintf(row->out, "# theta2 = %s %s: %s\n", print_angle(r->row.angle, number),
-                d->units[QUANTITY_ANGLE].name, print_status(r));
-    }
+    if (s->list)
+        line_words(&s->l, "\n\n");
+    s->list = "branches";
+    line_words(&s->l, "# branch: ");
+    line_words(&s->l, fourlink_branch_text((int)branch));
+    line_words(&s->l, "\n");
+    put_names(s, 0);
+    put_names(s, 1);
+    if (s->problem.n_rows > 1 && !s->design) /* of a sweep max() and min() on request */
+        put_extremes(s, branch);
 }
 
-static unsigned long print_branch(FILE *out, analysis *a, const column_list *columns, style *styles,
-                                  fourlink_branch branch)
+static void put_reason(sheet *s, const sheet_row *row)
 {
-    unsigned long k, failed = 0;
-    char stop[FORMAT_SIZE + 80];
-    row_buffer row;
-    result r;
-
-    fprintf(out, "# branch: %s\n", branch_name(branch));
-    put_names(out, columns, styles, 0);
-    put_names(out, columns, styles, 1);
-    if (a->range.n_rows > 1 && !a->d->sweep.n_variables) /* of a sweep max() and min() on request */
-        put_extremes(out, a, columns, styles, branch);
-    row_start(&row, out);
-    for (k = 0; k < a->range.n_rows; k++) {
-        analysis_row(a, branch, k, &r);
-        put_row(&row, a->d, columns, styles, &r);
-        failed += r.status != FOURLINK_OK;
+    line_words(&s->l, "# ");
+    if (row->at) {
+        line_words(&s->l, "theta2 = ");
+        line_number(&s->l, row->at->row.angle, 12);
+        line_words(&s->l, " ");
+        line_words(&s->l, s->angle_unit);
+        line_words(&s->l, ": ");
     }
-    row_end(&row);
-    if (a->range.stops) {
-        fprintf(out, "# %s\n", print_stop(a, stop));
-        failed++;
-    }
-    return failed;
+    line_words(&s->l, row->status);
+    line_words(&s->l, "\n");
 }
 
-int table_print(FILE *out, analysis *a, const column_list *columns, unsigned long *failed)
+static void put_row(sheet *s, const sheet_row *row)
 {
-    style *styles = malloc(columns->count * sizeof *styles);
-    double *size = malloc(columns->count * sizeof *size);
-    fourlink_branch branches[2];
-    int n = print_branches_of(a->d, branches), i, enough;
-    size_t j;
+    const style *styles = s->layout;
+    unsigned long j;
 
-    if (styles && size) {
-        find_sizes(a, columns, size);
-        for (j = 0; j < columns->count; j++)
-            find_style(a, &columns->list[j], size[j], &styles[j]);
-        print_head(out, a->d);
-        facts_tell(a, 0, 0, NULL, put_fact, out);
-        for (i = 0; i < n; i++) {
-            if (i > 0)
-                fputs("\n\n", out);
-            *failed += print_branch(out, a, columns, styles, branches[i]);
-        }
+    if (row->at && row->at->status == FOURLINK_OK) {
+        for (j = 0; j < s->n_columns; j++)
+            if (!(fabs(row->values[j]) < styles[j].limit) ||
+                !line_fixed(&s->l, row->values[j], styles[j].decimals, styles[j].width))
+                put_cell(&s->l, row->values[j], &styles[j], styles[j].width);
+        line_text(&s->l, "\n", 1);
     }
-    enough = styles && size;
-    free(styles);
-    free(size);
-    return enough;
+    if (!row->is_ordinary)
+        put_reason(s, row);
 }
+
+const sheet_format table_format = {"table",          (1 << SHEET_CONTENT_COUNT) - 1,
+                                   table_begin,      open_deck,
+                                   table_put_column, table_put_fact,
+                                   put_block,        put_row,
+                                   table_put_check,  table_put_design,
+                                   table_refuse,     table_close,
+                                   sizeof(style),    0};

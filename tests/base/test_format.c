@@ -8,7 +8,7 @@
 #include "base/format.h"
 #include "locales.h"
 #include "base/number.h"
-#include "tables/print.h"
+#include "tables/line.h"
 
 #define MANY 100000
 #define MOST_DECIMALS 20

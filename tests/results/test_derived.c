@@ -14,7 +14,7 @@ typedef struct sample {
     fourlink_load loads[2];
     fourlink_state state;
     fourlink_forces forces;
-    extras e;
+    flk_derived e;
 } sample;
 
 static uint64_t seed = 491;
@@ -55,9 +55,9 @@ static void draw(sample *x)
     } while (fourlink_analyse(&x->m, x->branch, &x->crank, x->loads, 2, &x->state, &x->forces) !=
                  FOURLINK_OK ||
              fabs(x->state.sine) < 0.3);
-    extras_of_motion(&x->m, &x->state, &x->e);
-    extras_of_forces(&x->m, &x->state, &x->forces, &x->e);
-    assert_int_equal(extras_superposition(&x->m, &x->state, x->loads, 2, &x->forces, &x->e),
+    flk_derive_from_motion(&x->m, &x->state, &x->e);
+    flk_derive_from_forces(&x->m, &x->state, &x->forces, &x->e);
+    assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 2, &x->forces, &x->e),
                      FOURLINK_OK);
 }
 
@@ -171,7 +171,7 @@ static void test_offset_inertia_force(void **unused)
         draw(&x);
         for (i = 2; i <= 4; i++) {
             const fourlink_link *link = &x.m.design.link[i];
-            const offset_force *F = &x.e.inertia[i];
+            const flk_offset_force *F = &x.e.inertia[i];
             double fx = F->size * cos(F->direction), fy = F->size * sin(F->direction);
             fourlink_vector G, a, H;
 

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** command.c - exit status and complaints of the command.
+*/
+#include <stdio.h>
+#include <string.h>
+
+#include "command.h"
+
+int command_worse(int status, int other)
+{
+    return other > status ? other : status;
+}
+
+int command_complain(const char *what, const char *name, const char *why)
+{
+    fprintf(stderr, "fourlink: %s %s: %s\n", what, name, why);
+    return EXIT_FILES;
+}
+
+void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
+{
+    if (!line)
+        fprintf(stderr, "fourlink: %s: error: %s", file, message);
+    else
+        fprintf(stderr, "%s:%ld: error: %s", file, line, message);
+    if (deck_name && strcmp(file, deck_name) != 0)
+        fprintf(stderr, " (%s)", deck_name);
+    putc('\n', stderr);
+}

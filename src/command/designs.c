@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** designs.c - the designs of a deck's [sweep], one after the other.
+**
+** Every design is a deck of its own, read from the same text: what it prints depends on its number
+** alone, so parts that are put together are the whole, and memory is that of one design.
+*/
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with SA_RESTART */
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "designs.h"
+
+static volatile sig_atomic_t stopped_by;
+
+static void on_signal(int number)
+{
+    stopped_by = number;
+}
+
+/* Note the signals that end a program; or put back what was before. */
+static void watch_signals(int begin, struct sigaction old[3])
+{
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action;
+    int i;
+
+    memset(&action, 0, sizeof action);
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART; /* a line that is being written is written to its end */
+    sigemptyset(&action.sa_mask);
+    for (i = 0; i < 3; i++)
+        if (!begin)
+            sigaction(signals[i], &old[i], NULL);
+        else if (sigaction(signals[i], NULL, &old[i]) == 0 && old[i].sa_handler != SIG_IGN)
+            sigaction(signals[i], &action, NULL);
+}
+
+/* Progress on a terminal, once a second. */
+typedef struct progress {
+    int is_shown, is_told;
+    time_t start, last;
+} progress;
+
+static void tell_progress(progress *p, unsigned long done, unsigned long of)
+{
+    double share = (double)done / (double)of;
+    time_t now = p->is_shown ? time(NULL) : p->last;
+
+    if (now == p->last || now <= p->start + 1)
+        return;
+    p->last = now;
+    p->is_told = 1;
+    fprintf(stderr, "\rfourlink: %lu of %lu designs, %.0f %%, %.0f s to go    ", done, of,
+            100 * share, difftime(now, p->start) * (1 / share - 1));
+}
+
+/* Where part k of n ends: k D / n, rounded down.  n is at most 10^6: the product is exact. */
+static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
+{
+    return designs / n * k + (unsigned long)((double)(designs % n) * (double)k / (double)n);
+}
+
+/* One design; 0 when out of memory. */
+static int write_design(sheet *s, const input *in, unsigned long i, double *varied)
+{
+    fourlink_source source = in->source;
+    fourlink_results *results = NULL;
+    const fourlink_value *list;
+    fourlink_mistake mistake;
+    unsigned long n, k;
+    int status;
+
+    source.design = i;
+    status = fourlink_results_open(&source, 1, &results, &mistake, NULL);
+    if (status == FOURLINK_OK) {
+        fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n);
+        for (k = 0; k < n; k++)
+            varied[k] = list[k].value;
+    } else if (status != FOURLINK_BAD_DECK ||
+               fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK) {
+        return 0;
+    }
+    sheet_write_design(s, results, in->results, i, varied, mistake.message);
+    fourlink_results_free(results);
+    return !s->out_of_memory;
+}
+
+static int write_all(sheet *s, const input *in, double *varied)
+{
+    unsigned long n = in->problem.n_designs, parts = in->o->parts ? in->o->parts : 1;
+    unsigned long part = in->o->parts ? in->o->part : 1, i;
+    unsigned long from = end_of_part(n, part - 1, parts), to = end_of_part(n, part, parts);
+    FILE *out = s->l.out;
+    progress p;
+    int enough = 1;
+
+    p.is_shown = isatty(STDERR_FILENO) && !isatty(fileno(out));
+    p.is_told = 0;
+    p.start = p.last = time(NULL);
+    for (i = from; i < to && enough && !stopped_by && !ferror(out); i++) {
+        enough = write_design(s, in, i, varied);
+        tell_progress(&p, i + 1 - from, to - from);
+    }
+    if (p.is_told)
+        fprintf(stderr, "\r%75s\r", "");
+    return enough;
+}
+
+int designs_write(FILE *out, const input *in, int *signal_number)
+{
+    struct sigaction old[3];
+    double *varied;
+    sheet s;
+    int enough;
+
+    memset(&s, 0, sizeof s);
+    s.format = in->o->format;
+    s.content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
+    s.problem = in->problem;
+    fourlink_results_list(in->results, FOURLINK_VARIABLES, &s.variables, &s.n_variables);
+    fourlink_results_list(in->results,
+                          in->problem.has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &s.header,
+                          &s.n_header);
+    varied = malloc((s.n_variables + 1) * sizeof *varied);
+    if (!varied)
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    stopped_by = 0;
+    watch_signals(1, old);
+    sheet_begin(&s, out, !in->o->parts || in->o->part == 1);
+    enough = write_all(&s, in, varied);
+    watch_signals(0, old);
+    free(varied);
+    *signal_number = (int)stopped_by;
+    if (!enough)
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    if (stopped_by)
+        return command_complain("stopped", in->name, "interrupted: the part can be run again");
+    return s.failed ? EXIT_ROWS : 0;
+}

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** input.c - a deck of the command line, opened for results.
+*/
+#define _POSIX_C_SOURCE 200112L
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "clash.h"
+#include "command.h"
+#include "files.h"
+#include "input.h"
+
+/* A file that a deck names, kept: the designs of a sweep are of one reading of it. */
+typedef struct named_file {
+    struct named_file *next;
+    char *name; /* as the deck has it, */
+    char *contents;
+    size_t length;
+} named_file;
+
+/* A path relative to the deck's folder; null when out of memory. */
+static char *path_beside(const char *deck_name, const char *file_name)
+{
+    const char *slash = strrchr(deck_name, '/');
+    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
+    char *path = malloc(folder + strlen(file_name) + 1);
+
+    if (path) {
+        memcpy(path, deck_name, folder);
+        strcpy(path + folder, file_name);
+    }
+    return path;
+}
+
+/* The deck reader's loader: a file that the deck names. */
+static const char *load_file(void *host, const char *file_name, unsigned long *length)
+{
+    input *in = host;
+    named_file *f;
+    char *path;
+
+    for (f = in->files; f; f = f->next)
+        if (strcmp(f->name, file_name) == 0) {
+            *length = (unsigned long)f->length;
+            return f->contents;
+        }
+    f = calloc(1, sizeof *f);
+    path = path_beside(in->name, file_name);
+    if (f)
+        f->name = malloc(strlen(file_name) + 1);
+    if (!path || !f || !f->name) {
+        free(path);
+        free(f);
+        return NULL;
+    }
+    strcpy(f->name, file_name);
+    in->names_output |= clash_is_output(in->o, path);
+    f->contents = files_read_path(path, &f->length);
+    f->next = in->files;
+    in->files = f;
+    free(path);
+    *length = (unsigned long)f->length;
+    return f->contents;
+}
+
+/* Refuse an option that this deck cannot serve; 1 if there is none. */
+static int serves_options(const input *in)
+{
+    const options *o = in->o;
+    const fourlink_problem *p = &in->problem;
+    const char *why = NULL, *name = in->name;
+    int is_sweep = p->n_designs > 0;
+
+    if (o->content == SHEET_CHECK && !p->n_expected) {
+        why = "nothing to check: there is no [expect] or [misprint]";
+        name = o->check_file ? o->check_file : in->name;
+    } else if (o->content == SHEET_MATRIX && !p->has_forces) {
+        why = "--matrix needs masses or loads, which the deck has not";
+    } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
+        why = "--format=paper is for the paper's mechanism, a four-bar";
+    } else if (!is_sweep && o->parts) {
+        why = "--part needs a [sweep], which the deck has not";
+    } else if (is_sweep && o->n_decks > 1) {
+        why = "a [sweep] is worked on alone, not with other decks";
+    } else if (is_sweep && ((o->content != SHEET_ROWS && o->content != SHEET_LIST) ||
+                            o->format == &paper_format)) {
+        why = "a [sweep] is printed in the formats table and csv; --check, --matrix and --summary "
+              "are for one design";
+    }
+    if (why)
+        fprintf(stderr, "%s:1: error: %s\n", name, why);
+    return !why;
+}
+
+#define MOST_MISTAKES 100
+
+/* Tell the mistakes of a deck; the exit status. */
+static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned long n)
+{
+    unsigned long i;
+
+    for (i = 0; i < n && i < MOST_MISTAKES; i++)
+        command_tell_mistake(list[i].file, list[i].line, list[i].message,
+                             in->o->n_decks > 1 ? in->name : NULL);
+    if (n > MOST_MISTAKES)
+        fprintf(stderr, "fourlink: and %lu more mistakes\n", n - MOST_MISTAKES);
+    return EXIT_USAGE;
+}
+
+static int open_results(input *in)
+{
+    fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
+    unsigned long n = 0;
+    int status = FOURLINK_NO_MEMORY;
+
+    if (list)
+        status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+    if (in->names_output)
+        status = command_complain("cannot write", "a file that the deck names", "it is an input");
+    else if (status == FOURLINK_BAD_DECK)
+        status = tell_mistakes(in, list, n);
+    else if (status != FOURLINK_OK)
+        status = command_complain("cannot read", in->name, "not enough memory");
+    free(list);
+    return status;
+}
+
+int input_read(input *in, const char *path, const options *o, const char *answers,
+               size_t answers_length)
+{
+    size_t length;
+    int status;
+
+    in->o = o;
+    in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
+    if (in->name != path && isatty(STDIN_FILENO))
+        fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
+    in->text = files_read(path, &length);
+    if (!in->text && errno == EFBIG) {
+        fprintf(stderr, "%s:1: error: a file of more than 64 MB: not a deck\n", in->name);
+        return EXIT_USAGE;
+    }
+    if (!in->text)
+        return command_complain("cannot read", in->name, strerror(errno));
+    in->source.name = in->name;
+    in->source.text = in->text;
+    in->source.length = (unsigned long)length;
+    in->source.load = load_file;
+    in->source.host = in;
+    in->source.changes = o->changes;
+    in->source.n_changes = (unsigned long)o->n_changes;
+    in->source.answers_name = o->check_file;
+    in->source.answers = answers;
+    in->source.answers_length = (unsigned long)answers_length;
+    in->source.design = FOURLINK_ANY_DESIGN;
+    status = open_results(in);
+    if (status || !in->results)
+        return status;
+    fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
+    in->source.design = in->problem.design;
+    if (serves_options(in))
+        return 0;
+    fourlink_results_free(in->results);
+    in->results = NULL;
+    return EXIT_USAGE;
+}
+
+void input_close(input *in)
+{
+    while (in->files) {
+        named_file *f = in->files;
+
+        in->files = f->next;
+        free(f->name);
+        free(f->contents);
+        free(f);
+    }
+    fourlink_results_free(in->results);
+    free(in->text);
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** graph.c - columns of a deck as curves over its motion, and the axes that they need.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "graph.h"
+#include "sketch.h"
+
+const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
+
+/* rad, transmission angles: below the first a dead position is near, where values say little but that
+** they grow; above the second it is far.  Curves that are so many times higher near it go on beyond the
+** picture. */
+#define NEAR 0.2
+#define SOUND 0.6
+#define HIGHER 3
+
+void graph_extend(graph_extent *e, double value, double mu)
+{
+    e->low = GSL_MIN_DBL(e->low, value);
+    e->high = GSL_MAX_DBL(e->high, value);
+    e->mu = GSL_MIN_DBL(e->mu, mu);
+    if (mu > SOUND) {
+        e->sound_low = GSL_MIN_DBL(e->sound_low, value);
+        e->sound_high = GSL_MAX_DBL(e->sound_high, value);
+    }
+}
+
+int graph_is_cut(const graph_extent *e)
+{
+    return e->mu < NEAR && e->sound_high > e->sound_low &&
+           e->high - e->low > HIGHER * (e->sound_high - e->sound_low);
+}
+
+int graph_column(const picture *p, const char *name)
+{
+    unsigned long i;
+
+    for (i = 0; i < p->n_columns; i++)
+        if (strcmp(p->columns[i].name, name) == 0)
+            return (int)i;
+    return -1;
+}
+
+int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
+                 fourlink_instant *now)
+{
+    return fourlink_results_at(p->results, branch, picture_angle(p, k, GRAPH_STEPS), values, now,
+                               NULL) == FOURLINK_OK;
+}
+
+/* The same where a curve can be drawn. */
+static int sound_sample(const picture *p, fourlink_branch branch, int k,
+                        double values[PICTURE_COLUMNS], fourlink_instant *now)
+{
+    return graph_sample(p, branch, k, values, now) && !(now->state.mu < 1e-3);
+}
+
+/* The value of an angle goes on from the one before it, past half a turn. */
+static double go_on(double value, double last, double turn)
+{
+    return turn > 0 && !gsl_isnan(last) ? value + turn * floor((last - value) / turn + 0.5) : value;
+}
+
+/* 1 if the motion is one revolution whose ends are one position, at one speed. */
+static int is_periodic(const picture *p)
+{
+    const fourlink_motion *motion = &p->problem.motion;
+
+    return p->problem.one_revolution && motion->run_up <= 0 && !p->range.stops &&
+           (motion->acceleration == 0 || motion->hold) &&
+           p->mechanism->change_stretched == p->mechanism->change_folded;
+}
+
+/* The sample behind the last gap of a revolution, and the value from which an angle goes on there, so that
+** it is the same at both ends; -1 if there is none. */
+static int behind_gap(const picture *p, fourlink_branch branch, int y, double turn, double *last)
+{
+    double values[PICTURE_COLUMNS];
+    fourlink_instant now;
+    int k;
+
+    if (!(turn > 0) || !is_periodic(p) || !sound_sample(p, branch, 0, values, &now))
+        return -1;
+    *last = values[y];
+    for (k = GRAPH_STEPS; k >= 0; k--) {
+        if (!sound_sample(p, branch, k, values, &now))
+            return k + 1;
+        *last = go_on(values[y], *last, turn);
+    }
+    return -1;
+}
+
+int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
+              graph_extent *e)
+{
+    int is_angle = strcmp(p->columns[y].quantity, "angle") == 0;
+    double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0;
+    double last = GSL_NAN, behind = GSL_NAN, values[PICTURE_COLUMNS];
+    int k, n = 0, from = behind_gap(p, branch, y, turn, &behind);
+    fourlink_instant now;
+
+    fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
+    for (k = 0; k <= GRAPH_STEPS; k++) {
+        if (!sound_sample(p, branch, k, values, &now)) {
+            putc('\n', p->on.out);
+            last = GSL_NAN; /* behind a gap an angle starts anew */
+            continue;
+        }
+        last = go_on(values[y], k == from ? behind : last, turn);
+        graph_extend(e, last, now.state.mu);
+        canvas_print(&p->on, "%.8g %.8g\n", values[x], last);
+        n++;
+    }
+    fputs("EOD\n", p->on.out);
+    return n;
+}
+
+/* In degrees, parts of a turn. */
+double graph_angle_step(const picture *p, double span)
+{
+    static const double parts[] = {5, 10, 15, 30, 45, 60, 90, 180, 360, 720};
+    double least = 6 * CANVAS_LETTER * span / p->on.box_width;
+    size_t i;
+
+    if (strcmp(p->units[QUANTITY_ANGLE].name, "deg") == 0)
+        for (i = 0; i < sizeof parts / sizeof parts[0]; i++)
+            if (parts[i] >= least)
+                return least < 2 ? sketch_round(least) : parts[i];
+    return sketch_round(least);
+}
+
+void graph_plot(picture *p, fourlink_branch branch, const char *name, int line)
+{
+    fprintf(p->on.out, "%s $%s_%s using 1:2 with lines lt %d title ", p->on.curves++ ? "," : "plot",
+            name, fourlink_branch_text(branch), line);
+}

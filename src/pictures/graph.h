@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** graph.h - columns of a deck as curves over its motion, and the axes that they need.
+*/
+#ifndef FOURLINK_GRAPH_H
+#define FOURLINK_GRAPH_H
+
+#include "picture.h"
+
+#define GRAPH_STEPS 720
+
+/* The least and the greatest value of curves: of all, and of those away from dead positions. */
+typedef struct graph_extent {
+    double low, high;
+    double sound_low, sound_high;
+    double mu; /* rad, the least transmission angle */
+} graph_extent;
+
+extern const graph_extent graph_nothing;
+
+void graph_extend(graph_extent *e, double value, double mu);
+
+/* 1 if the picture ends before the curves do. */
+int graph_is_cut(const graph_extent *e);
+
+/* The number of one of the picture's columns; -1 if the deck does not have it. */
+int graph_column(const picture *p, const char *name);
+
+/* Sample k of GRAPH_STEPS + 1 spread over the motion; 0 where the links do not reach. */
+int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
+                 fourlink_instant *now);
+
+/* Two columns over the motion as $NAME_BRANCH; breaks where the links do not reach.  How many points. */
+int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
+              graph_extent *e);
+
+/* A step of the numbers on the axis of crank angles, for the width of the panel. */
+double graph_angle_step(const picture *p, double span);
+
+/* Plot a curve of the panel, up to its title; `line` is that of gnuplot. */
+void graph_plot(picture *p, fourlink_branch branch, const char *name, int line);
+
+#endif

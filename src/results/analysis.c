@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** analysis.c - a deck at work: all that is known of one crank position on one branch.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "analysis.h"
+
+/* What a deck can give. */
+static int possible(const deck *d)
+{
+    int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0);
+    fourlink_rod rod;
+    int status = fourlink_rod_masses(&d->mechanism, &rod);
+
+    if (status == FOURLINK_NOT_AN_ENGINE)
+        return needs;
+    return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
+           (d->has_forces && status == FOURLINK_OK ? NEED_ENGINE : 0);
+}
+
+int flk_analysis_open(flk_analysis *a, const deck *d)
+{
+    memset(a, 0, sizeof *a);
+    a->d = d;
+    a->possible = possible(d);
+    fourlink_motion_range(&d->motion, &a->range); /* which the deck's reader has tried */
+    a->n_loads = d->n_loads + (d->gas.area > 0 ? 1 : 0);
+    a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
+    return a->loads != NULL;
+}
+
+void flk_analysis_close(flk_analysis *a)
+{
+    free(a->loads);
+    free(a->turning_memory);
+    memset(a, 0, sizeof *a);
+}
+
+void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
+                     const fourlink_crank *crank, flk_row *row)
+{
+    const fourlink_mechanism *mechanism = &a->d->mechanism;
+    int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
+                   const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
+        a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
+    int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
+    fourlink_instant *at = &row->at;
+
+    at->branch = branch;
+    at->status = FOURLINK_OK;
+    if (forces || (needs & NEED_ENGINE))
+        at->status = fourlink_deck_loads(a->d, branch, crank->theta2, a->loads, &at->gas_force);
+    if (at->status == FOURLINK_OK)
+        at->status = analyse(mechanism, branch, crank, a->loads, a->n_loads, &at->state,
+                             forces ? &at->forces : NULL);
+    if (at->status == FOURLINK_OK && (needs & NEED_ENGINE))
+        at->status = fourlink_engine_method(mechanism, &at->state, at->gas_force, a->loads,
+                                            a->d->n_loads, a->d->approximation, &row->engine);
+    if (at->status == FOURLINK_OK && (needs & NEED_SERIES))
+        at->status = fourlink_textbook_series(mechanism, &at->state, &row->series);
+    if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))
+        at->status = fourlink_klein_construction(mechanism, &at->state, &row->klein);
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED))
+        flk_derive_from_motion(mechanism, &at->state, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
+        flk_derive_from_forces(mechanism, &at->state, &at->forces, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
+        at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
+                                              &at->forces, &row->derived);
+}
+
+void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
+                      flk_row *row)
+{
+    fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
+    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+}
+
+void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
+                           flk_row *row)
+{
+    fourlink_motion_at(&a->d->motion, angle, &row->at.row);
+    flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+}
+
+double flk_analysis_end(const flk_analysis *a)
+{
+    fourlink_row last;
+
+    fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
+    return a->range.stops ? a->range.stop_angle : last.angle;
+}
+
+int flk_analysis_is_periodic(const flk_analysis *a)
+{
+    const deck *d = a->d;
+
+    return d->one_revolution && d->motion.run_up <= 0 && !a->range.stops &&
+           (d->motion.acceleration == 0 || d->motion.hold) &&
+           d->mechanism.change_stretched == d->mechanism.change_folded;
+}
+
+/* The angle after which all is as before: that of the cycle, a turn at least, and two where one change
+** point lets the links come back on the other side. */
+static double period(const deck *d)
+{
+    double turns = d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1;
+
+    return d->cycle > turns * 2 * M_PI ? d->cycle : turns * 2 * M_PI;
+}
+
+int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
+{
+    const fourlink_motion *motion = &a->d->motion;
+    double turn = period(a->d) / motion->angle_unit, tiny = 1e-9 * turn, end = flk_analysis_end(a);
+    double first = motion->from < end ? motion->from : end,
+           last = motion->from < end ? end : motion->from;
+
+    *at = angle;
+    if (angle < first - tiny || angle > last + tiny)
+        *at = angle + turn * ceil((first - tiny - angle) / turn);
+    return *at <= last + tiny;
+}

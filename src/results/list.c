@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** list.c - the lists of a deck: columns, inputs, what a sweep varies and gives.
+*/
+#include <string.h>
+
+#include "list.h"
+
+/* An entry without name and value. */
+static void describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
+{
+    const deck_unit *u = &d->units[q];
+
+    memset(v, 0, sizeof *v);
+    v->unit = u->name;
+    v->quantity = flk_quantities[q].name;
+    v->meaning = meaning;
+    v->source = "";
+    v->to_si = u->unit.up / u->unit.down;
+}
+
+void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
+{
+    describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
+    v->name = c->name;
+    v->source = flk_column_source_name(c);
+    v->flags = flk_column_flags(c);
+}
+
+void flk_list_columns(const flk_analysis *a, flk_list *columns)
+{
+    flk_column c;
+    size_t i;
+
+    for (i = 0; i < flk_column_limit(a->d); i++)
+        if (flk_column_number(a, i, &c))
+            flk_list_column(a->d, &c, &columns->list[columns->n++]);
+}
+
+void flk_list_variables(const deck *d, flk_list *variables, char *names)
+{
+    size_t i;
+
+    for (i = 0; i < d->sweep.n_variables; i++) {
+        const deck_variable *x = &d->sweep.variables[i];
+        fourlink_value *v = &variables->list[variables->n++];
+
+        describe(d, x->q, "", v);
+        v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
+        v->value = x->value;
+    }
+}
+
+/* The inputs told so far. */
+typedef struct teller {
+    const deck *d;
+    flk_list *to;
+    char *names;
+} teller;
+
+/* SECTION.KEY in SI units. */
+static fourlink_value *tell(teller *t, const char *section, const char *key, quantity q, double si,
+                            const char *meaning)
+{
+    char *name = t->names + DECK_NAME_SIZE * t->to->n;
+    fourlink_value *v = &t->to->list[t->to->n++];
+
+    describe(t->d, q, meaning, v);
+    v->name = flk_text_join(name, DECK_NAME_SIZE, section, ".", key, (char *)NULL);
+    v->value = flk_unit_from_si(si, t->d->units[q].unit);
+    return v;
+}
+
+/* One that is left out where it is 0. */
+static void tell_if(teller *t, const char *section, const char *key, quantity q, double si,
+                    const char *meaning)
+{
+    if (si != 0)
+        tell(t, section, key, q, si, meaning);
+}
+
+/* One whose value is words. */
+static void tell_words(teller *t, const char *section, const char *key, const char *words,
+                       const char *meaning)
+{
+    fourlink_value *v = tell(t, section, key, QUANTITY_NUMBER, 0, meaning);
+
+    v->words = words;
+    v->unit = "";
+}
+
+static void tell_link(teller *t, int i)
+{
+    const fourlink_link *link = &t->d->design.link[i];
+    const char *name = fourlink_link_text((int)t->d->design.kind, i);
+
+    tell_if(t, name, "length", QUANTITY_LENGTH, link->length, "length");
+    tell_if(t, name, "mass", QUANTITY_MASS, link->mass, "mass");
+    tell_if(t, name, "inertia", QUANTITY_INERTIA, link->inertia,
+            "moment of inertia about the centre of mass");
+    tell_if(t, name, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
+    tell_if(t, name, "cg.y", QUANTITY_LENGTH, link->cg.y,
+            "centre of mass, to the left of the link");
+}
+
+/* An angle of the motion, which is in the deck's unit already. */
+static void tell_angle(teller *t, const char *key, double angle, const char *meaning)
+{
+    tell(t, "motion", key, QUANTITY_ANGLE, 0, meaning)->value = angle;
+}
+
+static void tell_motion(teller *t)
+{
+    const fourlink_motion *motion = &t->d->motion;
+
+    tell(t, "motion", "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
+    tell_if(t, "motion", "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
+            "acceleration of the crank");
+    if (t->d->one_instant) {
+        tell_angle(t, "at", motion->from, "crank angle");
+        return;
+    }
+    tell_angle(t, "from", motion->from, "first crank angle");
+    if (motion->run_up > 0)
+        tell_angle(t, "run_up", motion->run_up, "angle of the run-up from rest");
+    else
+        tell_angle(t, "to", motion->to, "last crank angle");
+    tell_angle(t, "interval", motion->interval, "interval of the crank angle");
+    tell(t, "motion", "cycle", QUANTITY_ANGLE, t->d->cycle, "period of curves and loads");
+    if (motion->hold)
+        tell_words(t, "motion", "hold", "yes", "every row has this speed and acceleration");
+}
+
+static void tell_load(teller *t, const fourlink_load *load, const deck_load *variation)
+{
+    char section[DECK_NAME_SIZE];
+
+    flk_text_join(section, sizeof section - 10, "load ", variation->name, (char *)NULL);
+    tell_words(t, section, "link", fourlink_link_text((int)t->d->design.kind, load->link),
+               "the link it acts on");
+    tell_if(t, section, "force.x", QUANTITY_FORCE, load->force.x, "force, x");
+    tell_if(t, section, "force.y", QUANTITY_FORCE, load->force.y, "force, y");
+    tell_if(t, section, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
+    tell_if(t, section, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
+    if (load->frame == FOURLINK_FRAME_LINK)
+        tell_words(t, section, "frame", "link", "the force turns with the link");
+    if (variation->torque.n)
+        tell_words(t, section, "torque", "a curve", "torque, counter-clockwise positive");
+    else
+        tell_if(t, section, "torque", QUANTITY_TORQUE, load->torque,
+                "torque, counter-clockwise positive");
+    if (variation->is_windowed) {
+        tell(t, section, "from", QUANTITY_ANGLE, variation->from, "it acts from this crank angle");
+        tell(t, section, "to", QUANTITY_ANGLE, variation->to, "to this one");
+    }
+}
+
+static void tell_gas(teller *t)
+{
+    const deck_gas *gas = &t->d->gas;
+
+    if (gas->area <= 0)
+        return;
+    tell(t, "gas", "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
+    if (gas->back_area != gas->area)
+        tell(t, "gas", "back_area", QUANTITY_AREA, gas->back_area,
+             "area of the piston on the crank side");
+    if (gas->indicator.n)
+        tell_words(t, "gas", "indicator", "a curve", "pressure on the cover side");
+    else
+        tell(t, "gas", "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
+    tell_if(t, "gas", "back_pressure", QUANTITY_PRESSURE, gas->back_pressure,
+            "pressure on the crank side");
+}
+
+#define MOST_OF_DECK 50 /* links 20, offset, gravity 2, motion 8, gas 5, flywheel 2 */
+#define MOST_OF_LOAD 9
+
+size_t flk_list_input_limit(const deck *d)
+{
+    return MOST_OF_DECK + MOST_OF_LOAD * d->n_loads;
+}
+
+void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
+{
+    unsigned long i;
+    teller t;
+    int link;
+
+    t.d = d;
+    t.to = inputs;
+    t.names = names;
+    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
+        tell_link(&t, link);
+    tell_if(&t, "ground", "offset", QUANTITY_LENGTH, d->design.offset,
+            "offset of the line of stroke");
+    tell(&t, "gravity", "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
+    tell(&t, "gravity", "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
+    tell_motion(&t);
+    for (i = 0; i < d->n_loads; i++)
+        tell_load(&t, &d->loads[i], &d->variations[i]);
+    tell_gas(&t);
+    tell_if(&t, "flywheel", "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
+            "moment of inertia of the flywheel");
+    tell_if(&t, "flywheel", "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
+            "coefficient of fluctuation of speed");
+}

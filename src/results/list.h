@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** list.h - the lists of a deck: columns, inputs, what a sweep varies and gives.
+*/
+#ifndef FOURLINK_LIST_H
+#define FOURLINK_LIST_H
+
+#include "column.h"
+
+/* A list, in memory that was taken when the deck was opened. */
+typedef struct flk_list {
+    fourlink_value *list;
+    unsigned long n;
+} flk_list;
+
+/* Describe a column without a value. */
+void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
+
+/* All columns that the deck has. */
+void flk_list_columns(const flk_analysis *a, flk_list *columns);
+
+/* The most inputs that a deck can have. */
+size_t flk_list_input_limit(const deck *d);
+
+/* The inputs of a deck as they were understood; what its sweep varies, with the values of this design.  Both
+** in its units, with names written to `names`, of DECK_NAME_SIZE bytes each. */
+void flk_list_inputs(const deck *d, flk_list *inputs, char *names);
+void flk_list_variables(const deck *d, flk_list *variables, char *names);
+
+#endif

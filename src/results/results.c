@@ -1,0 +1,408 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** results.c - results by name: from the text of a deck to its columns, facts, extremes, turning moment and
+** the comparison with expected values.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include "expected.h"
+#include "fact.h"
+#include "results.h"
+#include "turning.h"
+
+/* ------------------------------------------------------------------------------------------ opening */
+
+/* A name of [sweep] output: a fact or an extreme; a column only of a deck of one instant. */
+static void check_output(fourlink_results *r, text name, mistakes *m)
+{
+    text of = name;
+    int sign = flk_column_extreme_of(name, &of);
+    char nearest[DECK_NAME_SIZE];
+    const char *column;
+    flk_column c;
+
+    if (flk_column_find(&r->a, of, &c) ? sign || r->d.one_instant : !sign && flk_fact_group(name))
+        return;
+    column = flk_column_nearest(&r->a, of);
+    if (sign && column)
+        flk_text_join(nearest, sizeof nearest, sign > 0 ? "max(" : "min(", column, ")",
+                      (char *)NULL);
+    flk_mistake(m, r->d.sweep.output.place,
+                flk_column_find(&r->a, name, &c)
+                    ? "'%t' has many values: name its extremes, max() or min()%h"
+                    : "'%t' is no fact, and no max() or min() of a column, of this deck%h",
+                name, !sign ? flk_fact_nearest(name) : column ? nearest : NULL);
+}
+
+static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
+{
+    text of = flk_text_of(name);
+    flk_column c;
+
+    flk_column_extreme_of(of, &of);
+    if (flk_column_find(&r->a, of, &c))
+        flk_list_column(&r->d, &c, v);
+    else if (flk_fact_group(of))
+        flk_fact_describe(&r->d, name, v);
+    v->name = name;
+}
+
+#define MOST_OUTPUTS 64
+
+static void list_outputs(fourlink_results *r)
+{
+    text rest = r->d.sweep.output.names, name;
+    flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
+    mistakes *m = &r->d.mistakes;
+
+    while (rest.start && flk_column_next_name(&rest, &name)) {
+        char *copy = r->names + DECK_NAME_SIZE * outputs->n;
+
+        if (outputs->n == MOST_OUTPUTS) {
+            flk_mistake(m, r->d.sweep.output.place, "more than 64 outputs");
+            return;
+        }
+        check_output(r, name, m);
+        describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), &outputs->list[outputs->n++]);
+    }
+    if (r->d.sweep.output.names.start && !outputs->n)
+        flk_mistake(m, r->d.sweep.output.place, "output names nothing");
+}
+
+/* All lists in one piece of memory, the facts before them; 0 when out of memory. */
+static int take_memory(fourlink_results *r)
+{
+    size_t columns = flk_column_limit(&r->d), inputs = flk_list_input_limit(&r->d);
+    size_t variables = r->d.sweep.n_variables, size[FOURLINK_OUTPUTS + 1], total = 0;
+    fourlink_value *next;
+    int i;
+
+    size[0] = FLK_FACT_LIMIT + 4 * columns;
+    size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
+    size[FOURLINK_INPUTS] = inputs;
+    size[FOURLINK_VARIABLES] = variables;
+    size[FOURLINK_OUTPUTS] = MOST_OUTPUTS;
+    for (i = 0; i <= FOURLINK_OUTPUTS; i++)
+        total += size[i];
+    r->columns = malloc(columns * sizeof *r->columns);
+    r->names = malloc((MOST_OUTPUTS + variables + inputs + 2 * columns) * DECK_NAME_SIZE);
+    r->facts = next = malloc(total * sizeof *next);
+    for (i = 0; next && i <= FOURLINK_OUTPUTS; next += size[i++])
+        r->lists[i].list = next;
+    return r->columns && r->names && r->facts && flk_turning_open(&r->a);
+}
+
+/* Of a deck that is in order.  0 when out of memory. */
+static int open_deck(fourlink_results *r)
+{
+    flk_list *list = &r->lists[FOURLINK_COLUMNS];
+    size_t i;
+
+    if (r->d.sweep.n_variables && !r->d.solver)
+        r->d.solver = SOLVER_DYAD;
+    if (!flk_analysis_open(&r->a, &r->d) || !take_memory(r))
+        return 0;
+    r->n_columns = flk_column_choose(&r->a, &r->d.mistakes, r->columns);
+    for (i = 0; i < r->n_columns; i++) {
+        flk_list_column(&r->d, &r->columns[i], &list->list[list->n++]);
+        r->needs |= flk_column_need(&r->columns[i]);
+    }
+    list_outputs(r);
+    flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES],
+                       r->names + MOST_OUTPUTS * DECK_NAME_SIZE);
+    return 1;
+}
+
+#define TRIES 1000
+
+/* Read a deck.  For FOURLINK_ANY_DESIGN it is the first design that is in order, or if none of those that
+** are tried is, the first. */
+static int read_deck(const fourlink_source *source, fourlink_results *r)
+{
+    fourlink_source one = *source;
+    unsigned long n, i;
+    deck other;
+    int status;
+
+    if (source->design != FOURLINK_ANY_DESIGN)
+        return flk_deck_read(source, &r->d);
+    one.design = 0;
+    status = flk_deck_read(&one, &r->d);
+    n = r->d.sweep.n_designs;
+    for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
+        one.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
+        if (flk_deck_read(&one, &other) == 1) {
+            flk_deck_free(&r->d);
+            r->d = other;
+            r->d.sweep.design = one.design;
+            return 1;
+        }
+        flk_deck_free(&other);
+    }
+    return status;
+}
+
+/* A cycle in place of one instant, of which speed and acceleration are held. */
+static void hold_instant(deck *d)
+{
+    fourlink_motion *motion = &d->motion;
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
+
+    motion->from = 0;
+    motion->to = turn < 0 ? -cycle : cycle;
+    motion->interval = cycle / 72;
+    motion->hold = 1;
+    d->one_instant = 0;
+}
+
+int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
+                          fourlink_results **results, fourlink_mistake *list,
+                          unsigned long *n_mistakes)
+{
+    fourlink_results *r;
+    int status;
+
+    if (!source || !source->text || !results || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    r = calloc(1, sizeof *r);
+    if (!r)
+        return FOURLINK_NO_MEMORY;
+    status = read_deck(source, r);
+    if (status > 0 && source->whole_cycle && r->d.one_instant)
+        hold_instant(&r->d);
+    if (status > 0 && !open_deck(r))
+        status = -1;
+    else if (status == 0)
+        flk_column_check(&r->d);
+    if (status < 0 || r->d.mistakes.out_of_memory) {
+        fourlink_results_free(r);
+        return FOURLINK_NO_MEMORY;
+    }
+    if (!r->d.mistakes.count) {
+        *results = r;
+        return FOURLINK_OK;
+    }
+    flk_mistakes_sort(&r->d.mistakes);
+    flk_deck_give_mistakes(&r->d, max_mistakes, list, n_mistakes);
+    fourlink_results_free(r);
+    return FOURLINK_BAD_DECK;
+}
+
+int fourlink_source_design(const fourlink_source *source, unsigned long max, double *values)
+{
+    deck d;
+    size_t i;
+    int status;
+
+    if (!source || !source->text || !values)
+        return FOURLINK_NULL;
+    status = flk_deck_read(source, &d);
+    for (i = 0; i < d.sweep.n_variables && i < max; i++)
+        values[i] = d.sweep.variables[i].value;
+    flk_deck_free(&d);
+    return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
+}
+
+void fourlink_results_free(fourlink_results *r)
+{
+    if (!r)
+        return;
+    flk_analysis_close(&r->a);
+    flk_deck_free(&r->d);
+    free(r->columns);
+    free(r->names);
+    free(r->facts);
+    free(r);
+}
+
+/* -------------------------------------------------------------------------------------------- lists */
+
+const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
+{
+    return r ? &r->d : NULL;
+}
+
+/* Inputs and all columns are listed when they are asked for first. */
+static void fill(fourlink_results *r, int which)
+{
+    flk_list *list = &r->lists[which];
+    size_t names = MOST_OUTPUTS + r->d.sweep.n_variables;
+
+    if (which == FOURLINK_ALL_COLUMNS)
+        flk_list_columns(&r->a, list);
+    else if (which == FOURLINK_INPUTS)
+        flk_list_inputs(&r->d, list, r->names + names * DECK_NAME_SIZE);
+}
+
+int fourlink_results_list(fourlink_results *r, int which, const fourlink_value **list,
+                          unsigned long *n)
+{
+    if (!r || !list || !n)
+        return FOURLINK_NULL;
+    if (which < FOURLINK_COLUMNS || which > FOURLINK_OUTPUTS)
+        return FOURLINK_NO_SUCH_LIST;
+    if (!r->lists[which].n)
+        fill(r, which);
+    *list = r->lists[which].list;
+    *n = r->lists[which].n;
+    return FOURLINK_OK;
+}
+
+static int is_branch(int branch)
+{
+    return branch == FOURLINK_OPEN || branch == FOURLINK_CROSSED;
+}
+
+int fourlink_results_facts(fourlink_results *r, int branch, int groups,
+                           const fourlink_value **facts, unsigned long *n)
+{
+    size_t names;
+
+    if (!r || !facts || !n)
+        return FOURLINK_NULL;
+    if (branch && !is_branch(branch))
+        return FOURLINK_BAD_BRANCH;
+    names = MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
+    *n = flk_fact_list(&r->a, branch, groups, r->columns, r->n_columns, r->facts,
+                       r->names + names * DECK_NAME_SIZE);
+    *facts = r->facts;
+    return FOURLINK_OK;
+}
+
+/* --------------------------------------------------------------------------------------------- rows */
+
+/* What of a row is asked for. */
+static int give_row(const fourlink_results *r, const flk_row *row, double *values,
+                    fourlink_instant *instant, fourlink_load *loads)
+{
+    size_t i;
+
+    for (i = 0; values && i < r->n_columns; i++)
+        values[i] = flk_column_value(&r->columns[i], row);
+    if (instant)
+        *instant = row->at;
+    if (loads)
+        fourlink_deck_loads(&r->d, row->at.branch, row->at.row.crank.theta2, loads, NULL);
+    return row->at.status;
+}
+
+/* Forces are computed for their columns, and for an instant. */
+static int needs_of(const fourlink_results *r, const double *values,
+                    const fourlink_instant *instant)
+{
+    return (values ? r->needs : 0) | (instant ? r->a.possible & NEED_FORCES : 0);
+}
+
+int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
+                         double *values, fourlink_instant *instant, fourlink_load *loads)
+{
+    flk_row row;
+
+    if (!r)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    if (i >= r->a.range.n_rows)
+        return FOURLINK_NO_SUCH_ROW;
+    flk_analysis_row(&r->a, needs_of(r, values, instant), branch, i, &row);
+    return give_row(r, &row, values, instant, loads);
+}
+
+int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angle, double *values,
+                        fourlink_instant *instant, fourlink_load *loads)
+{
+    double at;
+    flk_row row;
+
+    if (!r)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    if (!flk_analysis_find_angle(&r->a, angle, &at))
+        return FOURLINK_NO_SUCH_ANGLE;
+    flk_analysis_at_angle(&r->a, needs_of(r, values, instant), branch, at, &row);
+    return give_row(r, &row, values, instant, loads);
+}
+
+/* ------------------------------------------------------------------------------------------ by name */
+
+static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_branch branch,
+                           double angle, fourlink_value *value)
+{
+    fourlink_value v;
+    double at;
+    flk_row row;
+
+    if (!flk_analysis_find_angle(&r->a, angle, &at))
+        return FOURLINK_NO_SUCH_ANGLE;
+    flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
+    flk_list_column(&r->d, c, &v);
+    v.value = flk_column_value(c, &row);
+    v.has_angle = 1;
+    v.angle = row.at.row.angle;
+    v.branch = (int)branch;
+    if (row.at.status != FOURLINK_OK && !(v.flags & FOURLINK_OF_CRANK))
+        return row.at.status;
+    *value = v;
+    return FOURLINK_OK;
+}
+
+static int value_of_fact(fourlink_results *r, text name, int group, fourlink_branch branch,
+                         fourlink_value *value)
+{
+    unsigned long n = flk_fact_list(&r->a, (int)branch, group, NULL, 0, r->facts, NULL), i;
+
+    for (i = 0; i < n; i++)
+        if (flk_text_same(name, r->facts[i].name)) {
+            *value = r->facts[i];
+            return FOURLINK_OK;
+        }
+    return FOURLINK_NO_SUCH_FACT;
+}
+
+int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,
+                           double angle, fourlink_value *value)
+{
+    text whole, of;
+    int sign, group;
+    flk_column c;
+
+    if (!r || !name || !value)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    whole = of = flk_text_of(name);
+    sign = flk_column_extreme_of(whole, &of);
+    if (flk_column_find(&r->a, of, &c))
+        return sign ? flk_fact_of_extreme(&r->a, &c, name, branch, sign, value)
+                    : value_of_column(r, &c, branch, angle, value);
+    group = flk_fact_group(whole);
+    return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
+}
+
+int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourlink_turning *turning)
+{
+    const fourlink_turning *found;
+
+    if (!r || !turning)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    found = flk_turning_find(&r->a, branch);
+    if (!found)
+        return FOURLINK_NO_TURNING_MOMENT;
+    *turning = *found;
+    return FOURLINK_OK;
+}
+
+int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check *check)
+{
+    if (!r || !check)
+        return FOURLINK_NULL;
+    if (i >= r->d.n_expectations)
+        return FOURLINK_NO_SUCH_ROW;
+    flk_expected_compare(&r->a, &r->d.expectations[i], r->facts, check);
+    return FOURLINK_OK;
+}

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** json.c - the format json, RFC 8259: an object for a deck; of several decks, and of the designs of a sweep, an
+** object a line.  Numbers have 17 digits; what is undefined is null, what is unbounded "inf" or "-inf".
+*/
+#include <float.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "sheet.h"
+
+/* The length of the UTF-8 sequence that a text begins with; 0 if it is none. */
+static size_t sequence(const unsigned char *c)
+{
+    size_t n = c[0] < 0x80                   ? 1
+               : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
+               : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
+               : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
+                                             : 0;
+    size_t i;
+
+    for (i = 1; i < n; i++)
+        if ((c[i] & 0xc0) != 0x80)
+            return 0;
+    /* overlong forms, surrogates, and what is beyond Unicode */
+    if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
+        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
+        return 0;
+    return n;
+}
+
+/* A string; bytes that are not UTF-8 become the replacement character. */
+static void put_string(line *l, const char *s)
+{
+    static const char hex[] = "0123456789abcdef";
+
+    line_text(l, "\"", 1);
+    while (*s) {
+        unsigned char c = (unsigned char)*s;
+        size_t n = sequence((const unsigned char *)s);
+
+        if (c < ' ' || c == 0x7f) {
+            line_words(l, "\\u00");
+            line_text(l, &hex[c / 16], 1);
+            line_text(l, &hex[c % 16], 1);
+        } else if (n) {
+            line_text(l, "\\", c == '"' || c == '\\');
+            line_text(l, s, n);
+        } else {
+            line_words(l, "\\ufffd");
+        }
+        s += n ? n : 1;
+    }
+    line_text(l, "\"", 1);
+}
+
+static void put_number(line *l, double x)
+{
+    if (gsl_isnan(x))
+        line_words(l, "null");
+    else if (gsl_isinf(x))
+        line_words(l, x > 0 ? "\"inf\"" : "\"-inf\"");
+    else
+        line_number(l, x, DBL_DIG + 2);
+}
+
+/* "name": with a comma before it, unless it is the first of its object. */
+static void put_name(line *l, const char *name, int is_first)
+{
+    line_text(l, ",", !is_first);
+    put_string(l, name);
+    line_text(l, ":", 1);
+}
+
+static void put_text(line *l, const char *name, const char *text)
+{
+    put_name(l, name, 0);
+    put_string(l, text);
+}
+
+static void put_value(line *l, const fourlink_value *v)
+{
+    if (v->words)
+        put_string(l, v->words);
+    else
+        put_number(l, v->value);
+}
+
+/* Lines are for one deck; several, and designs, have a line each. */
+static void put_newline(sheet *s)
+{
+    if (!s->deck_name && !s->design)
+        line_text(&s->l, "\n", 1);
+}
+
+/* Close the list that is open. */
+static void end_list(sheet *s)
+{
+    if (s->list)
+        line_text(&s->l, "]", 1);
+    s->list = NULL;
+}
+
+/* The next item of a list of the deck's object; it opens the list, if that is another than before. */
+static void put_item(sheet *s, const char *list)
+{
+    int goes_on = s->list && strcmp(s->list, list) == 0;
+
+    if (!goes_on)
+        end_list(s);
+    line_text(&s->l, ",", 1);
+    if (!goes_on) {
+        put_newline(s);
+        put_name(&s->l, list, 1);
+        line_text(&s->l, "[", 1);
+    }
+    s->list = list;
+    put_newline(s);
+}
+
+/* Name, unit and meaning of something, without the end of its object. */
+static void put_described(sheet *s, const fourlink_value *v)
+{
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "name", 1);
+    put_string(&s->l, v->name);
+    put_text(&s->l, "unit", v->unit);
+    put_text(&s->l, "meaning", v->meaning);
+}
+
+static void put_column(sheet *s, const fourlink_value *column)
+{
+    put_item(s, "columns");
+    put_described(s, column);
+    if (s->content == SHEET_LIST)
+        put_text(&s->l, "source", column->source);
+    line_text(&s->l, "}", 1);
+}
+
+static void put_inputs(sheet *s)
+{
+    const fourlink_value *list;
+    unsigned long n, i;
+
+    fourlink_results_list(s->results, FOURLINK_INPUTS, &list, &n);
+    for (i = 0; i < n; i++) {
+        put_item(s, "inputs");
+        put_described(s, &list[i]);
+        put_name(&s->l, "value", 0);
+        put_value(&s->l, &list[i]);
+        line_text(&s->l, "}", 1);
+    }
+}
+
+/* What the object of a deck or a design begins with. */
+static void put_labels(sheet *s)
+{
+    unsigned long i;
+
+    line_text(&s->l, "{", 1);
+    if (s->design) {
+        put_name(&s->l, "design", 1);
+        line_number(&s->l, (double)s->design, DBL_DIG + 2);
+    } else {
+        put_name(&s->l, "deck", 1);
+        if (s->deck_name)
+            put_string(&s->l, s->deck_name);
+        else
+            line_words(&s->l, "null");
+    }
+    for (i = 0; i < s->n_variables && s->design; i++) {
+        put_name(&s->l, s->variables[i].name, 0);
+        put_number(&s->l, s->varied[i]);
+    }
+}
+
+static void open_deck(sheet *s)
+{
+    unsigned long i;
+
+    put_labels(s);
+    put_text(&s->l, "title", s->problem.title);
+    put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
+    if (s->content == SHEET_LIST)
+        return;
+    put_inputs(s);
+    for (i = 0; s->content == SHEET_ROWS && i < s->n_columns; i++)
+        put_column(s, &s->columns[i]);
+}
+
+static void put_fact(sheet *s, const fourlink_value *fact)
+{
+    put_item(s, "facts");
+    put_described(s, fact);
+    if (s->content != SHEET_LIST) {
+        put_name(&s->l, "value", 0);
+        put_value(&s->l, fact);
+        put_name(&s->l, "theta2", 0);
+        put_number(&s->l, fact->has_angle ? fact->angle : GSL_NAN);
+        put_name(&s->l, "branch", 0);
+        if (fact->branch)
+            put_string(&s->l, fourlink_branch_text(fact->branch));
+        else
+            line_words(&s->l, "null");
+    }
+    line_text(&s->l, "}", 1);
+}
+
+/* The rows of a branch are a list in the object of the branch, in the list of branches. */
+static void put_block(sheet *s, fourlink_branch branch)
+{
+    if (s->list && strcmp(s->list, "rows") == 0)
+        line_words(&s->l, "]},");
+    else {
+        end_list(s);
+        line_text(&s->l, ",", 1);
+        put_newline(s);
+        line_words(&s->l, "\"branches\":[");
+    }
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "branch", 1);
+    put_string(&s->l, fourlink_branch_text((int)branch));
+    line_words(&s->l, ",\"rows\":[");
+    s->list = "branches";
+}
+
+static void put_row(sheet *s, const sheet_row *row)
+{
+    unsigned long i;
+
+    line_text(&s->l, ",", strcmp(s->list, "rows") == 0);
+    s->list = "rows";
+    put_newline(s);
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "status", 1);
+    put_string(&s->l, row->status);
+    line_words(&s->l, ",\"values\":");
+    for (i = 0; row->values && i < s->n_columns; i++) {
+        line_text(&s->l, i ? "," : "[", 1);
+        put_number(&s->l, row->values[i]);
+    }
+    line_words(&s->l, row->values ? "]}" : "null}");
+}
+
+static void put_check(sheet *s, const fourlink_check *c)
+{
+    int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
+
+    put_item(s, "checks");
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "result", 1);
+    put_string(&s->l, sheet_verdicts[c->verdict]);
+    put_text(&s->l, "file", c->file);
+    put_name(&s->l, "line", 0);
+    put_number(&s->l, (double)c->line);
+    put_text(&s->l, "name", c->name);
+    put_name(&s->l, "theta2", 0);
+    put_number(&s->l, c->has_angle ? c->angle : GSL_NAN);
+    put_text(&s->l, "branch", fourlink_branch_text((int)c->branch));
+    put_text(&s->l, "unit", c->unit);
+    put_text(&s->l, "printed", c->printed_text);
+    put_name(&s->l, "computed", 0);
+    if (c->words[0])
+        put_string(&s->l, c->words);
+    else
+        put_number(&s->l, is_number ? c->computed : GSL_NAN);
+    put_name(&s->l, "tolerance", 0);
+    put_number(&s->l, is_number ? c->tolerance : GSL_NAN);
+    if (c->message[0])
+        put_text(&s->l, "message", c->message);
+    line_text(&s->l, "}", 1);
+}
+
+/* A sheet of designs begins with a line that names what the others hold. */
+static void begin(sheet *s)
+{
+    unsigned long i;
+
+    if (s->content != SHEET_DESIGNS)
+        return;
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "title", 1);
+    put_string(&s->l, s->problem.title);
+    s->design = 1; /* one line */
+    for (i = 0; i < s->n_variables; i++)
+        put_column(s, &s->variables[i]);
+    for (i = 0; i < s->n_header; i++)
+        put_column(s, &s->header[i]);
+    end_list(s);
+    line_words(&s->l, "}\n");
+}
+
+static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
+                       const char *why)
+{
+    unsigned long i;
+
+    put_labels(s);
+    put_text(&s->l, "branch", fourlink_branch_text((int)branch));
+    for (i = 0; i < s->n_header; i++) {
+        put_name(&s->l, s->header[i].name, 0);
+        if (outputs[i].has_value)
+            put_value(&s->l, &outputs[i].v);
+        else
+            line_words(&s->l, "null");
+    }
+    put_text(&s->l, "status", why ? why : fourlink_status_text(FOURLINK_OK));
+    line_words(&s->l, "}\n");
+}
+
+static void refuse(sheet *s, const char *why)
+{
+    put_labels(s);
+    put_text(&s->l, "status", why);
+    line_words(&s->l, "}\n");
+}
+
+static void close_deck(sheet *s)
+{
+    int is_in_rows = s->content == SHEET_ROWS;
+
+    put_newline(s);
+    line_words(&s->l, is_in_rows ? "]}" : "");
+    line_words(&s->l, s->list ? "]}\n" : "}\n");
+}
+
+const sheet_format json_format = {"json",     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX),
+                                  begin,      open_deck,
+                                  put_column, put_fact,
+                                  put_block,  put_row,
+                                  put_check,  put_design,
+                                  refuse,     close_deck,
+                                  0,          0};

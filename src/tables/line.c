@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** line.c - lines of text on their way to a stream, through a buffer.
+*/
+#include <string.h>
+
+#include "base/digits.h"
+#include "line.h"
+
+void line_start(line *l, FILE *out)
+{
+    l->out = out;
+    l->length = 0;
+}
+
+void line_end(line *l)
+{
+    fwrite(l->bytes, 1, l->length, l->out);
+    l->length = 0;
+}
+
+/* Make room for so much more; 0 if it is more than the buffer holds. */
+static int room(line *l, size_t length)
+{
+    if (length > sizeof l->bytes - l->length)
+        line_end(l);
+    return length <= sizeof l->bytes;
+}
+
+void line_text(line *l, const char *s, size_t length)
+{
+    if (room(l, length)) {
+        memcpy(l->bytes + l->length, s, length);
+        l->length += length;
+    } else {
+        fwrite(s, 1, length, l->out);
+    }
+}
+
+void line_right(line *l, const char *s, size_t length, size_t width)
+{
+    size_t blanks = length < width ? width - length : 1;
+
+    if (room(l, blanks)) {
+        memset(l->bytes + l->length, ' ', blanks);
+        l->length += blanks;
+    } else {
+        for (; blanks > 0; blanks--)
+            putc(' ', l->out);
+    }
+    line_text(l, s, length);
+}
+
+/* Blanks that are written at once, whether they are all needed or not. */
+#define BLANKS 16
+
+int line_fixed(line *l, double value, int decimals, size_t width)
+{
+    char *begin;
+
+    if (!room(l, width + BLANKS))
+        return 0;
+    begin = l->bytes + l->length;
+    memset(begin, ' ', BLANKS);
+    if (width > BLANKS)
+        memset(begin + BLANKS, ' ', width - BLANKS);
+    if (!flk_digits_fixed_before(value, decimals, begin + width))
+        return 0;
+    l->length += width;
+    return 1;
+}
+
+void line_words(line *l, const char *s)
+{
+    line_text(l, s, strlen(s));
+}
+
+void line_field(line *l, const char *s, int width)
+{
+    size_t n = strlen(s);
+
+    if (width >= 0) {
+        line_right(l, s, n, (size_t)width);
+        return;
+    }
+    line_text(l, s, n);
+    for (; n < (size_t)-width; n++)
+        line_text(l, " ", 1);
+}
+
+void line_number(line *l, double value, int digits)
+{
+    char number[FORMAT_SIZE];
+
+    line_text(l, number, (size_t)(format_general_end(value + 0.0, digits, number) - number));
+}

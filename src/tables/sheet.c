@@ -1,0 +1,381 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sheet.c - what stands on a sheet of results, whatever its format.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/text.h"
+#include "sheet.h"
+
+const sheet_format *const sheet_formats[] = {&table_format, &csv_format, &json_format,
+                                             &paper_format, NULL};
+
+const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
+                                      "no value"};
+
+const sheet_format *sheet_find_format(const char *name)
+{
+    const sheet_format *const *f = sheet_formats;
+
+    while (*f && strcmp((*f)->name, name) != 0)
+        f++;
+    return *f;
+}
+
+int sheet_branches(const sheet *s, fourlink_branch branches[2])
+{
+    int n = 0;
+
+    if (s->problem.open)
+        branches[n++] = FOURLINK_OPEN;
+    if (s->problem.crossed)
+        branches[n++] = FOURLINK_CROSSED;
+    return n;
+}
+
+long sheet_column_under(const sheet *s, unsigned long i)
+{
+    unsigned long j;
+
+    for (j = 0; j < s->n_columns; j++)
+        if (strcmp(s->header[i].name, s->columns[j].name) == 0 &&
+            strcmp(s->header[i].unit, s->columns[j].unit) == 0)
+            return (long)j;
+    return -1;
+}
+
+fourlink_unit sheet_unit(const sheet *s, const char *quantity)
+{
+    fourlink_unit u = {"", 1, 1};
+
+    fourlink_deck_unit(fourlink_results_deck(s->results), quantity, &u);
+    return u;
+}
+
+const char *sheet_unit_behind(const char *unit, char out[80])
+{
+    return flk_text_join(out, 80, strcmp(unit, "1") == 0 ? "" : " ",
+                         strcmp(unit, "1") == 0 ? "" : unit, (char *)NULL);
+}
+
+int sheet_is_finite(const fourlink_value *v)
+{
+    return gsl_finite(v->value);
+}
+
+static void write_length(sheet *s, const char *before, const char *name, double length)
+{
+    fourlink_unit u = sheet_unit(s, "length");
+
+    line_words(&s->l, before);
+    line_words(&s->l, name);
+    line_words(&s->l, " ");
+    line_number(&s->l, length * u.down / u.up, 12);
+    line_words(&s->l, " ");
+    line_words(&s->l, u.name);
+}
+
+void sheet_write_gap(sheet *s)
+{
+    char name[1024];
+
+    if (s->design ? s->design > 1 : s->n_written > 0)
+        line_words(&s->l, "\n\n");
+    if (!s->deck_name)
+        return;
+    line_words(&s->l, "# deck: ");
+    line_words(&s->l, flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
+    line_words(&s->l, "\n");
+}
+
+void sheet_write_head(sheet *s)
+{
+    static const int order[] = {FOURLINK_CRANK, FOURLINK_COUPLER, FOURLINK_FOLLOWER,
+                                FOURLINK_GROUND};
+    const fourlink_design *design = &s->problem.mechanism.design;
+    int i;
+
+    if (s->problem.title[0]) {
+        line_words(&s->l, "# ");
+        line_words(&s->l, s->problem.title);
+        line_words(&s->l, "\n");
+    }
+    line_words(&s->l, "# ");
+    line_words(&s->l, fourlink_kind_text((int)design->kind));
+    for (i = 0; i < 4; i++)
+        if (design->link[order[i]].length > 0)
+            write_length(s, i ? ", " : ": ", fourlink_link_text((int)design->kind, order[i]),
+                         design->link[order[i]].length);
+    if (design->offset != 0)
+        write_length(s, ", ", "offset", design->offset);
+    line_words(&s->l, "\n");
+}
+
+/* ------------------------------------------------------------------------------------------ content */
+
+/* A dead position is told before it is reached: within a degree of it, errors of the data grow more than
+** 57 times. */
+static void find_status(sheet_row *row)
+{
+    int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
+
+    row->status = is_near ? "near a dead position: the transmission angle is less than 1 deg"
+                          : fourlink_status_text(row->at->status);
+    row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
+}
+
+/* Row k of a branch. */
+static void write_row(sheet *s, fourlink_branch branch, unsigned long k)
+{
+    fourlink_instant at;
+    sheet_row row;
+
+    s->failed += fourlink_results_row(s->results, branch, k, s->values, &at, NULL) != FOURLINK_OK;
+    row.values = s->values;
+    row.branch = branch;
+    row.at = &at;
+    find_status(&row);
+    s->format->row(s, &row);
+}
+
+void sheet_write_stop(sheet *s, fourlink_branch branch)
+{
+    char words[FORMAT_SIZE + 80], number[FORMAT_SIZE];
+    sheet_row row;
+
+    if (!s->range.stops)
+        return;
+    memset(&row, 0, sizeof row);
+    row.branch = branch;
+    row.status = flk_text_join(words, sizeof words, "the crank comes to rest at ",
+                               format_general(s->range.stop_angle, 12, number), " ", s->angle_unit,
+                               (char *)NULL);
+    s->failed++;
+    s->format->row(s, &row);
+}
+
+static void write_facts(sheet *s, int branch, int groups)
+{
+    const fourlink_value *facts;
+    unsigned long n, i;
+
+    if (!s->format->fact)
+        return;
+    fourlink_results_facts(s->results, branch, groups, &facts, &n);
+    for (i = 0; i < n; i++)
+        s->format->fact(s, &facts[i]);
+}
+
+static void write_block(sheet *s, fourlink_branch branch)
+{
+    unsigned long k;
+
+    if (s->format->block)
+        s->format->block(s, branch);
+    for (k = 0; k < s->problem.n_rows; k++)
+        write_row(s, branch, k);
+    sheet_write_stop(s, branch);
+}
+
+static void write_by_angle(sheet *s, const fourlink_branch *branches, int n)
+{
+    unsigned long n_rows = s->problem.n_rows, k;
+    int i;
+
+    if (s->problem.one_revolution && !s->range.stops && n_rows > 1)
+        n_rows--;
+    for (k = 0; k < n_rows; k++)
+        for (i = n - 1; i >= 0; i--)
+            write_row(s, branches[i], k);
+    sheet_write_stop(s, branches[0]);
+}
+
+static void write_rows(sheet *s)
+{
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+
+    write_facts(s, 0, FOURLINK_FACTS_LIMITS);
+    if (s->format->is_by_angle)
+        write_by_angle(s, branches, n);
+    for (i = 0; i < n && !s->format->is_by_angle; i++)
+        write_block(s, branches[i]);
+}
+
+static void write_checks(sheet *s)
+{
+    fourlink_check check;
+    unsigned long i;
+
+    for (i = 0; i < s->problem.n_expected; i++) {
+        fourlink_results_check(s->results, i, &check);
+        s->checks[check.verdict]++;
+        s->format->check(s, &check);
+        if (check.verdict == FOURLINK_NO_VALUE && s->no_value)
+            s->no_value(&check, s->deck_name);
+    }
+}
+
+/* All names, each once. */
+static void write_list(sheet *s)
+{
+    static const char *const extremes[][2] = {{"max(COLUMN)", "greatest value of any column"},
+                                              {"min(COLUMN)", "least value of any column"}};
+    const fourlink_value *list;
+    fourlink_value extreme;
+    unsigned long n, i, k;
+
+    fourlink_results_list(s->results, FOURLINK_ALL_COLUMNS, &list, &n);
+    for (i = 0; i < n; i++)
+        s->format->column(s, &list[i]);
+    fourlink_results_facts(s->results, FOURLINK_OPEN,
+                           FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, &list, &n);
+    for (i = 0; i < n; i++) {
+        for (k = 0; k < i && strcmp(list[k].name, list[i].name) != 0; k++)
+            ;
+        if (k == i)
+            s->format->fact(s, &list[i]);
+    }
+    memset(&extreme, 0, sizeof extreme);
+    extreme.unit = "";
+    for (i = 0; i < 2; i++) {
+        extreme.name = extremes[i][0];
+        extreme.meaning = extremes[i][1];
+        s->format->fact(s, &extreme);
+    }
+}
+
+/* ------------------------------------------------------------------------------------ decks, designs */
+
+void sheet_begin(sheet *s, FILE *out, int has_head)
+{
+    line_start(&s->l, out);
+    if (has_head && s->format->begin)
+        s->format->begin(s);
+    line_end(&s->l);
+}
+
+/* Take up the results of a deck or design; 0 when out of memory. */
+static int open_results(sheet *s, fourlink_results *results)
+{
+    const fourlink_value *list;
+    unsigned long n;
+
+    s->results = results;
+    fourlink_deck_problem(fourlink_results_deck(results), &s->problem);
+    fourlink_motion_range(&s->problem.motion, &s->range);
+    s->angle_unit = sheet_unit(s, "angle").name;
+    fourlink_results_list(results, FOURLINK_COLUMNS, &s->columns, &s->n_columns);
+    if (!s->design && fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n) == FOURLINK_OK)
+        s->variables = list;
+    s->values = malloc((s->n_columns + 1) * sizeof *s->values);
+    s->loads = malloc((s->problem.n_loads + 1) * sizeof *s->loads);
+    s->layout = malloc((s->n_columns + s->n_header + 1) * (s->format->layout_size + 1));
+    s->list = NULL;
+    memset(s->checks, 0, sizeof s->checks);
+    return s->values && s->loads && s->layout;
+}
+
+static void close_results(sheet *s)
+{
+    free(s->values);
+    free(s->loads);
+    free(s->layout);
+    s->n_written++;
+    line_end(&s->l);
+}
+
+static void write_content(sheet *s)
+{
+    if (s->format->open)
+        s->format->open(s);
+    switch (s->content) {
+    case SHEET_SUMMARY:
+        write_facts(s, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING);
+        break;
+    case SHEET_CHECK:
+        write_checks(s);
+        break;
+    case SHEET_LIST:
+        write_list(s);
+        break;
+    case SHEET_MATRIX:
+        matrix_write(s);
+        break;
+    case SHEET_ROWS:
+    default:
+        write_rows(s);
+    }
+    if (s->format->close)
+        s->format->close(s);
+}
+
+void sheet_write(sheet *s, fourlink_results *results, const char *deck_name)
+{
+    s->deck_name = s->n_decks > 1 ? deck_name : NULL;
+    if (!results) {
+        if (s->content == SHEET_CHECK && s->deck_name)
+            s->format->refuse(s, "bad deck");
+        line_end(&s->l);
+        return;
+    }
+    if (open_results(s, results))
+        write_content(s);
+    else
+        s->out_of_memory = 1;
+    close_results(s);
+}
+
+/* The value of an output; why it has none, or null.  A fact that this design has not is no reason. */
+static const char *find_output(sheet *s, fourlink_branch branch, const char *name,
+                               sheet_output *output)
+{
+    int status =
+        fourlink_results_value(s->results, name, branch, s->problem.motion.from, &output->v);
+
+    output->has_value = status == FOURLINK_OK;
+    return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
+           : status == FOURLINK_NO_SUCH_NAME ? "this design has not all columns of the first"
+                                             : fourlink_status_text(status);
+}
+
+/* A line of a design for each branch. */
+static void write_lines(sheet *s)
+{
+    sheet_output outputs[SHEET_OUTPUTS];
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+    unsigned long k;
+
+    for (i = 0; i < n; i++) {
+        const char *why = NULL;
+
+        for (k = 0; k < s->n_header; k++) {
+            const char *reason = find_output(s, branches[i], s->header[k].name, &outputs[k]);
+
+            why = why ? why : reason;
+        }
+        s->failed += why != NULL;
+        s->format->design(s, branches[i], outputs, why);
+    }
+}
+
+void sheet_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
+                        unsigned long i, const double *varied, const char *why)
+{
+    s->design = i + 1;
+    s->varied = varied;
+    if (!open_results(s, results ? results : first))
+        s->out_of_memory = 1;
+    else if (!results)
+        s->format->refuse(s, why);
+    else if (s->content == SHEET_DESIGNS)
+        write_lines(s);
+    else
+        write_content(s);
+    s->failed += !results;
+    close_results(s);
+}

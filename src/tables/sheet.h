@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sheet.h - a sheet of results, and the formats it can be written in.
+**
+** sheet.c makes what stands on a sheet, once for all formats; a format is a record of functions that write
+** it (table.c, csv.c, json.c, paper.c), and one line in the table of formats.
+*/
+#ifndef FOURLINK_SHEET_H
+#define FOURLINK_SHEET_H
+
+#include "fourlink.h"
+#include "line.h"
+
+#define SHEET_OUTPUTS 64 /* of a sweep, at most */
+
+/* What a sheet shows. */
+typedef enum sheet_content {
+    SHEET_ROWS,
+    SHEET_SUMMARY,
+    SHEET_CHECK,
+    SHEET_LIST,
+    SHEET_MATRIX,
+    SHEET_DESIGNS, /* a line for each design of a sweep */
+    SHEET_CONTENT_COUNT
+} sheet_content;
+
+struct sheet_format;
+
+/* Zero it, then use sheet_begin. */
+typedef struct sheet {
+    line l;
+    const struct sheet_format *format;
+    sheet_content content;
+    int n_decks; /* several: each tells its name */
+    const fourlink_value
+        *header;            /* the columns of all decks, of which a deck has some; of designs the */
+    unsigned long n_header; /* outputs */
+
+    /* the deck, or design, that is being written */
+    const char *deck_name; /* null: it is the only one */
+    fourlink_results *results;
+    fourlink_problem problem;
+    fourlink_range range;
+    const char *angle_unit;
+    const fourlink_value *columns, *variables;
+    unsigned long n_columns, n_variables;
+    unsigned long design;    /* of a sweep, from 1; 0: no sweep */
+    const double *varied;    /* the values of its variables */
+    double *values;          /* of a row */
+    fourlink_load *loads;    /* of a row */
+    void *layout;            /* of the format */
+    unsigned long n_written; /* decks or designs */
+    const char *list;        /* for the format: the list that is open, or null */
+
+    unsigned long failed;    /* rows, or designs, that could not be computed */
+    unsigned long checks[5]; /* of this deck, by fourlink_verdict */
+    void (*no_value)(const fourlink_check *check, const char *deck_name); /* is told of these */
+    int out_of_memory;
+} sheet;
+
+/* One row: values by the deck's columns. */
+typedef struct sheet_row {
+    const double *values; /* null: nothing but the words */
+    fourlink_branch branch;
+    const fourlink_instant *at; /* null as well */
+    const char *status;         /* in words */
+    int is_ordinary;            /* 1: they are "ok" */
+} sheet_row;
+
+/* One output of a design. */
+typedef struct sheet_output {
+    int has_value;
+    fourlink_value v;
+} sheet_output;
+
+/* How a format writes the parts of a sheet; null: it passes them over. */
+typedef struct sheet_format {
+    const char *name;
+    int writes;              /* which contents, 1 << SHEET_ROWS ... */
+    void (*begin)(sheet *s); /* before all decks */
+    void (*open)(sheet *s);  /* a deck or design begins */
+    void (*column)(sheet *s, const fourlink_value *column); /* of SHEET_LIST */
+    void (*fact)(sheet *s, const fourlink_value *fact);
+    void (*block)(sheet *s, fourlink_branch branch); /* the rows of a branch begin */
+    void (*row)(sheet *s, const sheet_row *row);
+    void (*check)(sheet *s, const fourlink_check *check);
+    void (*design)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
+    void (*refuse)(sheet *s, const char *why); /* in place of a deck or design */
+    void (*close)(sheet *s);                   /* a deck or design ends */
+    size_t layout_size;                        /* of s->layout, for each column */
+    int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
+                           that closes a revolution */
+} sheet_format;
+
+extern const sheet_format table_format, csv_format, json_format, paper_format;
+
+/* The formats, ended by null; the one of that name, or null. */
+extern const sheet_format *const sheet_formats[];
+const sheet_format *sheet_find_format(const char *name);
+
+/* Begin a sheet: format, content, n_decks and header are set, and of a sweep its problem and variables.
+** `has_head` 0: it goes on behind one that is there already. */
+void sheet_begin(sheet *s, FILE *out, int has_head);
+
+/* Write a deck; one that could not be read, results being null, as such. */
+void sheet_write(sheet *s, fourlink_results *results, const char *deck_name);
+
+/* Write design i, from 0, of a sweep, `varied` being the values of its variables: its rows or, with
+** SHEET_DESIGNS, a line for each branch.  Results null: why there are none, on the branches of `first`. */
+void sheet_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
+                        unsigned long i, const double *varied, const char *why);
+
+/* ---------------------------------------------------------------- what the formats share */
+
+/* The branches that the deck asks for; how many. */
+int sheet_branches(const sheet *s, fourlink_branch branches[2]);
+
+/* The column of the deck that stands under column i of the header; -1 if it has none. */
+long sheet_column_under(const sheet *s, unsigned long i);
+
+/* Blank lines behind the deck or design before, and the deck's name, as comments; title and mechanism. */
+void sheet_write_gap(sheet *s);
+void sheet_write_head(sheet *s);
+
+/* The end of the rows where the crank comes to rest, if it does. */
+void sheet_write_stop(sheet *s, fourlink_branch branch);
+
+/* The nine equations at each row, as text. */
+void matrix_write(sheet *s);
+
+/* The deck's unit of a quantity. */
+fourlink_unit sheet_unit(const sheet *s, const char *quantity);
+
+/* "unit" with a blank before it; "" for a plain number. */
+const char *sheet_unit_behind(const char *unit, char out[80]);
+
+/* A value that grows beyond all bounds, in words. */
+#define SHEET_UNBOUNDED "none: it grows beyond all bounds"
+int sheet_is_finite(const fourlink_value *v);
+
+/* The outcomes of a comparison in words. */
+extern const char *const sheet_verdicts[];
+
+#endif

@@ -1,0 +1,76 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_failures.sh FOURLINK DATA - exit status and messages: bad decks, missing files, rows that cannot be
+# computed, output that cannot be written.
+. "$(dirname "$0")/../harness.sh"
+
+cp "$decks/reach.deck" "$decks/bad.deck" .
+cp "$decks/pump.deck" engine.deck
+
+run 2 bad.deck
+nothing
+says 'bad.deck:5: error: the length must be positive, not -20 mm'
+says "bad.deck:7: error: unknown key 'lenght' in [coupler]; did you mean 'length'?"
+says "bad.deck:9: error: '56 kg' is a mass; expected a length"
+lines err 4
+cut -d: -f2 err >numbers
+sort -n numbers >sorted
+same numbers sorted
+run 2 -c nonsense bad.deck # all mistakes in one run, those of the options as well
+says 'bad.deck:5: error:'
+says "fourlink: --columns: error: unknown column 'nonsense'"
+for format in table csv paper; do
+    run 2 -f $format bad.deck
+    nothing
+done
+run 2 -l bad.deck
+nothing
+run 2 -m "$alvi"
+nothing
+says '--matrix'
+run 2 -f paper engine.deck
+nothing
+says '--format=paper'
+
+run 3 missing.deck
+nothing
+says 'missing.deck'
+says 'No such file'
+run 3 "$work"
+nothing
+says 'Is a directory'
+: >empty.deck
+run 2 empty.deck
+nothing
+says 'empty.deck:1: error:'
+printf 'mechanism = four-bar\000\n' >null.deck
+run 2 null.deck
+nothing
+says 'null.deck:1: error: a control character (0x00)'
+
+# a row that cannot be computed
+run 1 reach.deck
+quiet
+prints '# theta2 = 200 deg: the links do not reach: B and D are too far apart'
+run 1 -f csv reach.deck
+run 1 -f paper reach.deck
+prints '# 200 deg, open: the links do not reach'
+run 0 -s 'motion.from=-40 deg' -s 'motion.to=40 deg' reach.deck
+run 1 -s 'motion.at=180 deg' reach.deck
+run 1 -s 'motion.acceleration=-1 rad/s2' "$alvi" -s 'motion.speed=1 rad/s'
+prints '# the crank comes to rest at'
+
+# writing fails
+if [ -c /dev/full ]; then
+    for arguments in "$alvi" "-i 0.1 $alvi" "-f csv $alvi" --help --version "-l $alvi" "-m $matrix"; do
+        "$fourlink" $arguments >/dev/full 2>err
+        check "/dev/full: fourlink $arguments" test $? -eq 3
+        says 'No space left on device'
+    done
+fi
+"$fourlink" "$alvi" 2>err >&-
+check 'standard output closed' test $? -eq 3
+says 'standard output'
+
+finish

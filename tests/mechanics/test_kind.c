@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_kind.c - the table of kinds as callers see it: names, sliders, the nine unknowns; and the angles
+** of links, for every kind.
+*/
+#include "samples.h"
+
+static void test_names(void **unused)
+{
+    static const char *const links[2][5] = {{"", "ground", "crank", "coupler", "rocker"},
+                                            {"", "ground", "crank", "rod", "piston"}};
+    static const char *const forces[2][9] = {
+        {"F12x", "F12y", "F23x", "F23y", "F34x", "F34y", "F14x", "F14y", "Ts"},
+        {"F12x", "F12y", "F23x", "F23y", "F34x", "F34y", "M14", "N", "Ts"}};
+    static const int none[] = {-1, 0, 3};
+    int kind, i;
+
+    (void)unused;
+    assert_string_equal(fourlink_kind_text(FOURLINK_FOUR_BAR), "four-bar linkage");
+    assert_string_equal(fourlink_kind_text(FOURLINK_SLIDER_CRANK), "slider-crank");
+    for (kind = FOURLINK_FOUR_BAR; kind <= FOURLINK_SLIDER_CRANK; kind++) {
+        for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
+            assert_string_equal(fourlink_link_text(kind, i), links[kind - 1][i]);
+        for (i = 0; i < 9; i++)
+            assert_string_equal(fourlink_unknown_text(kind, i), forces[kind - 1][i]);
+        assert_string_equal(fourlink_link_text(kind, 0), "unknown link");
+        assert_string_equal(fourlink_link_text(kind, 5), "unknown link");
+        assert_string_equal(fourlink_unknown_text(kind, -1), "unknown");
+        assert_string_equal(fourlink_unknown_text(kind, 9), "unknown");
+    }
+    for (i = 0; i < 3; i++) {
+        kind = none[i];
+        assert_string_equal(fourlink_kind_text(kind), "unknown kind");
+        assert_string_equal(fourlink_link_text(kind, FOURLINK_CRANK), "unknown link");
+        assert_string_equal(fourlink_unknown_text(kind, 0), "unknown");
+        assert_int_equal(fourlink_slides(kind, FOURLINK_FOLLOWER), 0);
+    }
+}
+
+/* Of all links only the piston slides, along the ground. */
+static void test_sliders(void **unused)
+{
+    int link;
+
+    (void)unused;
+    for (link = -1; link <= 6; link++) {
+        assert_int_equal(fourlink_slides(FOURLINK_FOUR_BAR, link), 0);
+        assert_int_equal(fourlink_slides(FOURLINK_SLIDER_CRANK, link),
+                         link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : 0);
+    }
+}
+
+/* Draw until the links reach, and not too near a dead position. */
+static void draw(uint64_t *seed, int n, sample *s)
+{
+    do
+        draw_design(seed, n, s);
+    while (fourlink_prepare(&s->design, &s->mechanism) != FOURLINK_OK ||
+           fourlink_analyse(&s->mechanism, s->branch, &s->crank, s->load, s->n_loads, &s->state,
+                            &s->forces) != FOURLINK_OK ||
+           fabs(s->state.sine) < 0.1);
+}
+
+/* The unknowns solve the system of their position. */
+static void test_unknowns(void **unused)
+{
+    uint64_t seed = 1;
+    double A[9][9], b[9], x[9];
+    sample s;
+    int n, i, j;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        draw(&seed, n, &s);
+        assert_int_equal(fourlink_system(&s.mechanism, &s.state, s.load, s.n_loads, A, b),
+                         FOURLINK_OK);
+        assert_int_equal(fourlink_unknowns(&s.mechanism, &s.forces, x), FOURLINK_OK);
+        for (i = 0; i < 9; i++) {
+            double left = 0, size = fabs(b[i]);
+
+            for (j = 0; j < 9; j++) {
+                left += A[i][j] * x[j];
+                size += fabs(A[i][j] * x[j]);
+            }
+            assert_near(left, b[i], 1e-13 * size + 1e-12);
+        }
+    }
+    assert_int_equal(fourlink_unknowns(NULL, &s.forces, x), FOURLINK_NULL);
+    assert_int_equal(fourlink_unknowns(&s.mechanism, NULL, x), FOURLINK_NULL);
+    assert_int_equal(fourlink_unknowns(&s.mechanism, &s.forces, NULL), FOURLINK_NULL);
+}
+
+/* Links turn fully, and their angles are those of their axes. */
+static void test_angles(void **unused)
+{
+    uint64_t seed = 2;
+    sample s;
+    int n, i;
+
+    (void)unused;
+    for (n = 0; n < 100000; n++) {
+        draw(&seed, n, &s);
+        for (i = FOURLINK_COUPLER; i <= FOURLINK_FOLLOWER; i++) {
+            const fourlink_link_state *link = &s.state.link[i];
+
+            if (fabs(link->axis.y) >= 4e-16)
+                assert_near(link->theta, atan2(link->axis.y, link->axis.x), 8e-16);
+        }
+    }
+}
+
+/* A rod that is at 180 deg but for rounding is at 180 deg, not at -180. */
+static void test_half_turn(void **unused)
+{
+    static const struct {
+        double slope, open, crossed;
+    } rods[] = {{0, 0, PI}, {-0.0, 0, PI}, {3e-16, 0, PI}, {-3e-16, 0, PI}, {-5e-16, 0, -PI}};
+    fourlink_mechanism mechanism;
+    fourlink_design design;
+    fourlink_state state;
+    size_t i;
+
+    (void)unused;
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_SLIDER_CRANK;
+    design.link[FOURLINK_CRANK].length = 0.25;
+    design.link[FOURLINK_COUPLER].length = 1;
+    for (i = 0; i < sizeof rods / sizeof rods[0]; i++) {
+        design.offset = rods[i].slope;
+        assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+        assert_int_equal(fourlink_position(&mechanism, FOURLINK_OPEN, 0, &state), FOURLINK_OK);
+        assert_near(state.link[3].theta, rods[i].open, 1e-15);
+        assert_int_equal(fourlink_position(&mechanism, FOURLINK_CROSSED, 0, &state), FOURLINK_OK);
+        assert_near(state.link[3].theta, rods[i].crossed, 1e-15);
+        assert_true(state.link[4].theta == 0);
+    }
+}
+
+/* A mechanism that was not prepared. */
+static void test_not_prepared(void **unused)
+{
+    uint64_t seed = 3;
+    double A[9][9], b[9];
+    fourlink_mechanism none;
+    fourlink_type type;
+    fourlink_reach reach;
+    fourlink_limits limits;
+    sample s;
+
+    (void)unused;
+    draw(&seed, 0, &s);
+    memset(&none, 0, sizeof none);
+    assert_int_equal(fourlink_type_of(&none, &type), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_reach_of(&none, &reach), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_limits_of(&none, FOURLINK_OPEN, &limits), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_velocity(&none, 1, &s.state), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_acceleration(&none, 1, &s.state), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_solve(&none, &s.state, NULL, 0, &s.forces), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_solve_dyad(&none, &s.state, NULL, 0, &s.forces), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_system(&none, &s.state, NULL, 0, A, b), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_unknowns(&none, &s.forces, b), FOURLINK_BAD_KIND);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_names),     cmocka_unit_test(test_sliders),
+        cmocka_unit_test(test_unknowns),  cmocka_unit_test(test_angles),
+        cmocka_unit_test(test_half_turn), cmocka_unit_test(test_not_prepared),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# pictures.sh - what the tests of pictures share besides harness.sh: reading scripts and pictures, gnuplot.
+. "$(dirname "$0")/../harness.sh"
+fourbar=$decks/coupler-point.deck
+engine=$decks/engine.deck
+set +u # a number that is missing is a failed check
+kinds='mechanism motion forces turning-moment polar vectors klein animation'
+version=$("$fourlink" --version | sed -n 's/^fourlink //p')
+not() { ! "$@"; }
+
+# ------------------------------------------------------------------------- numbers of a script, no gnuplot
+
+# arrows SCRIPT [HEAD]: "PANEL<tab>PEN<tab>X1 Y1 X2 Y2" of each arrow with a head, and
+# "PANEL<tab>note<tab>NAME VALUE"
+arrows() {
+    awk -v head="${2:-head}" '
+        /^unset arrow; unset label; unset object/ {n = 0}
+        /^set arrow / && $7 == head {split($4, a, ","); split($6, b, ",")
+            line[++n] = $NF "\t" a[1] " " a[2] " " b[1] " " b[2]}
+        /^set label .* at graph/ {words = $0; sub(/^set label ./, "", words); sub(/. at graph.*/, "", words)
+            line[++n] = "note\t" words}
+        /^set title / {title = $0; sub(/^set title ./, "", title); sub(/" offset [^"]*$/, "", title); gsub(/\047\047/, "\047", title)
+            for (i = 1; i <= n; i++) print title "\t" line[i]; n = 0}' "$1"
+}
+# size X Y: of a vector
+size() { awk -v x="$1" -v y="$2" 'BEGIN {printf "%.9g\n", sqrt(x * x + y * y)}'; }
+# number COLUMN: of the one row in csv
+number() {
+    awk -F, -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) {sub(/ .*/, "", $i); if ($i == name) c = i}}
+        NR == 2 {print c ? $c : "none"}' csv
+}
+near() { # near WHAT X Y TOLERANCE, relative to Y
+    check "$1: $2, expected $3" awk -v x="$2" -v y="$3" -v e="$4" 'BEGIN {
+        d = x - y; s = y < 0 ? -y : y; exit !(x != "" && y != "none" && d <= e * s + 1e-9 && -d <= e * s + 1e-9)}'
+}
+
+# --------------------------------------------------------------------------------------- pictures
+
+needs_gnuplot() {
+    command -v gnuplot >/dev/null || {
+        echo 'skipped: gnuplot is not there'
+        finish
+    }
+}
+# pictures_of DECK KIND...: such pictures, under the names that test_kinds.sh gives them
+pictures_of() {
+    deck=$1
+    shift
+    for kind in "$@"; do
+        picture=$(basename "$deck" .deck)-$kind.svg
+        [ $kind = animation ] && picture=$(basename "$deck" .deck).gif
+        "$fourlink" --plot=$picture --plot-kind=$kind "$deck" >out 2>err
+    done
+}
+# long_title: the four-bar with a title of 480 letters
+long_title() {
+    awk 'BEGIN {for (i = 0; i < 60; i++) s = s "äé"; print "title = " s s s s}'
+    sed '/^title/d' "$fourbar"
+}
+# Every tag is closed by its own, every & is the start of an entity, and there is nothing behind </svg>.
+well_formed() {
+    awk 'BEGIN {RS = "<"; entity = "&(lt|gt|amp|quot|apos|#[0-9]+|#x[0-9a-fA-F]+);"}
+        NR == 1 {if ($0 != "") exit bad = 1; next}
+        /^[?!]/ {next}
+        {end = index($0, ">"); if (!end) exit bad = 1
+            tag = substr($0, 1, end - 1); words = substr($0, end + 1); all = $0
+            gsub(entity, "", all); if (all ~ /&/) exit bad = 1
+            n = split(tag, part, /[ \t\n\/]+/)
+            if (tag ~ /^\//) {if (!depth || stack[depth] != part[2]) exit bad = 1; depth--; last = part[2]}
+            else if (tag !~ /\/$/) stack[++depth] = part[1]
+            if (!depth && words !~ /^[ \t\r\n]*$/) exit bad = 1
+            if (substr(tag, 1, 1) != "/") count++}
+        END {exit !(!bad && depth == 0 && last == "svg" && count > 10)}' "$1"
+}
+svg() { # svg FILE: a whole picture
+    check "$1: the head of an SVG file" test "$(head -c 14 "$1")" = '<?xml version='
+    check "$1: ends in </svg>" test "$(tail -n 3 "$1" | tr -d '\n')" = '</g></svg>'
+    check "$1: well-formed" well_formed "$1"
+}
+# words FILE: its texts, one a line, without the escapes of XML
+words() {
+    sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' "$1" |
+        sed 's/<[^>]*>//g; s/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&apos;/'"'"'/g; s/&#160;/ /g; s/&amp;/\&/g'
+}
+shows() { # shows FILE TEXT...: each is a text of its own in the picture
+    file=$1
+    words "$file" >"$work/texts"
+    shift
+    for text in "$@"; do
+        check "$file: no text '$text'" grep -qxF -e "$text" "$work/texts"
+    done
+}
+# bytes FILE FROM COUNT: as numbers
+bytes() { od -An -v -tu1 -j "$2" -N "$3" "$1" | tr -s ' \n' '  ' | sed 's/^ //; s/ $//'; }
+magic() { check "$1: begins with $(bytes "$1" 0 8)" test "$(bytes "$1" 0 "$2")" = "$3"; }
+# The number of pictures of a GIF file, after walking over all its blocks to its very end; -1 if it is broken.
+frames() {
+    od -An -v -tu1 "$1" | awk '{for (i = 1; i <= NF; i++) b[n++] = $i}
+        function blocks() {while (i < n && b[i]) i += b[i] + 1; i++}
+        END {i = 13; if (b[10] >= 128) i += 3 * 2 ^ (b[10] % 8 + 1)
+            while (i < n) {
+                if (b[i] == 59) {i++; ended = 1; break}
+                else if (b[i] == 33) {if (b[i + 1] == 249) control++; i += 2; blocks()}
+                else if (b[i] == 44) {images++; flags = b[i + 9]; i += 10
+                    if (flags >= 128) i += 3 * 2 ^ (flags % 8 + 1); i++; blocks()}
+                else break}
+            print ended && i == n && (control == images || images == 1) ? images + 0 : -1}'
+}
+
+# In a locale without a degree sign gnuplot complains of that before it reads anything.
+a_gnuplot() { LC_ALL=C.UTF-8 gnuplot "$@"; }
+# draw SCRIPT: run it; what gnuplot says is in the file said, but for the number of pictures of an animation
+draw() {
+    a_gnuplot - <"$1" >drawn 2>said.all
+    drawn=$?
+    grep -v '^[0-9]* frames in animation sequence' said.all >said
+    check "gnuplot: exit status $drawn of $1" test $drawn -eq 0
+    check "gnuplot on $1: $(head -n 2 said)" test ! -s said
+}

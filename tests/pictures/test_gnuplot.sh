@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_gnuplot.sh FOURLINK DATA - without gnuplot, with one that fails, and with one that repeats its script.
+. "$(dirname "$0")/pictures.sh"
+
+"$fourlink" "$fourbar" >table
+
+# broken WHAT PATH MESSAGE: exit status 3, the table, no picture, no old picture touched
+broken() {
+    for old in yes no; do
+        rm -rf pictures
+        mkdir pictures
+        [ $old = no ] || echo old >pictures/x.svg
+        env PATH="$2" "$fourlink" --plot=pictures/x.svg "$fourbar" >out 2>err </dev/null
+        check "$1: exit status $?" test $? -eq 3
+        same out table
+        says 'cannot draw pictures/x.svg'
+        says "$3"
+        if [ $old = yes ]; then
+            check "$1: the old picture" test "$(cat pictures/x.svg)" = old
+            only_file pictures x.svg
+        else
+            only_file pictures ''
+        fi
+    done
+}
+broken 'no gnuplot' /nonexistent gnuplot-nox
+mkdir bin
+broken 'no gnuplot in an empty folder' "$work/bin" gnuplot-nox
+"$(command -v env)" PATH=/nonexistent "$fourlink" --plot-script=x.gp "$fourbar" >out 2>err
+check 'a script needs no gnuplot' test $? -eq 0
+quiet
+
+fake() {
+    printf '%s\n' '#!/bin/sh' "$@" >bin/gnuplot
+    chmod +x bin/gnuplot
+}
+fake 'echo half of a picture' 'echo this is what went wrong >&2' 'exit 1'
+broken 'gnuplot fails' "$work/bin" 'gnuplot failed'
+says 'this is what went wrong'
+fake 'echo half of a picture' 'kill -9 $$'
+broken 'gnuplot is killed' "$work/bin" 'gnuplot failed'
+fake 'exec 0<&-' 'exit 2'
+broken 'gnuplot reads nothing' "$work/bin" 'gnuplot failed'
+chmod -x bin/gnuplot
+broken 'gnuplot cannot be run' "$work/bin" 'gnuplot'
+
+# What is written is what gnuplot says: a fake one that repeats its script.
+fake 'cat'
+rm -f x.svg x.gp
+env PATH="$work/bin:$PATH" "$fourlink" --plot=x.svg "$fourbar" >out 2>err
+check 'a fake gnuplot' test $? -eq 0
+quiet
+same out table
+run 0 --plot-script=x.gp "$fourbar"
+same x.svg x.gp
+check 'the head of the script' grep -q '^# mechanism of a deck, by fourlink [0-9.]*: for gnuplot 5 or later$' x.gp
+rm bin/gnuplot
+
+finish

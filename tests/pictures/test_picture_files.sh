@@ -1,0 +1,92 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_picture_files.sh FOURLINK DATA - the files of pictures: inputs are kept, links and rights stay.
+. "$(dirname "$0")/pictures.sh"
+
+run 0 "$fourbar"
+mv out table
+cp "$fourbar" input.svg
+cp "$fourbar" input.copy
+ln -s input.svg link.svg
+for option in --plot=input.svg --plot=./input.svg --plot=link.svg --plot-script=input.svg --plot-script=link.svg; do
+    run 3 $option input.svg
+    says 'it is an input'
+    same input.svg input.copy
+done
+"$fourlink" --plot=input.svg <input.svg >out 2>err
+check 'standard input is not written over' test $? -eq 3
+same input.svg input.copy
+mkdir folder.svg
+run 3 --plot-script=folder.svg "$fourbar"
+says 'folder.svg: Is a directory'
+same out table
+run 3 --plot-script=missing/x.gp "$fourbar"
+says 'missing/x.gp: No such file'
+same out table
+run 3 --plot=x.svg missing.deck
+nothing
+says 'missing.deck'
+check 'no picture without a deck' test ! -e x.svg
+printf 'title = nothing\n' >empty.deck
+run 2 --plot=x.svg empty.deck
+check 'no picture of a wrong deck' test ! -e x.svg
+# one file is not both results and picture
+for pair in '--output=both.svg --plot=both.svg' '--output=both.svg --plot-script=both.svg' \
+    '--plot=both.svg --plot-script=both.svg' '--output=./both.svg --plot=both.svg'; do
+    rm -f both.svg
+    "$fourlink" $pair "$fourbar" >out 2>err
+    check "one file for two: $pair" test $? -ne 0
+done
+# - is standard output, as for --output
+"$fourlink" --plot-script=- "$fourbar" >out 2>err
+check '--plot-script=- writes no file of that name' test ! -e ./-
+
+# A file that the deck names is an input, and a link to a file is that file.
+sed 's/^pressure *=.*/indicator = file card.txt/' "$engine" >card.deck
+printf '0 1e5\n90 20e5\n180 3e5\n' >card.txt
+cp card.txt before.txt
+for option in --output=card.txt --plot-script=card.txt; do
+    run 3 "$option" card.deck
+    says 'it is an input'
+    same card.txt before.txt
+done
+: >aim.svg
+ln -s aim.svg alias.svg
+run 3 --output=aim.svg --plot=alias.svg card.deck
+says 'two results would be written to it'
+check 'the file is as it was' test ! -s aim.svg
+
+needs_gnuplot
+"$fourlink" "$fourbar" >table
+pictures_of "$fourbar" mechanism
+
+# --- files: a link stays one, rights stay, nothing is left beside
+mkdir place
+run 0 --plot=place/x.svg "$fourbar"
+only_file place x.svg
+ln -s place/x.svg to.svg
+echo old >place/x.svg
+chmod 640 place/x.svg
+run 0 --plot=to.svg "$fourbar"
+same place/x.svg coupler-point-mechanism.svg
+check 'a link stays one' test -h to.svg
+check 'rights stay' test "$(ls -l place/x.svg | cut -c1-10)" = -rw-r-----
+only_file place x.svg
+run 3 --plot=folder.svg "$fourbar"
+says 'cannot write folder.svg: Is a directory'
+same out table
+run 3 --plot=missing/x.svg "$fourbar"
+says 'cannot write missing/x.svg: No such file'
+same out table
+if [ "$(id -u)" -ne 0 ]; then
+    chmod 555 place
+    run 3 --plot=place/new.svg "$fourbar"
+    says 'Permission denied'
+    chmod 755 place
+    chmod 444 place/x.svg
+    run 3 --plot=place/x.svg "$fourbar"
+    only_file place x.svg
+fi
+
+finish

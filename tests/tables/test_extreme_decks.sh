@@ -1,0 +1,51 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_extreme_decks.sh FOURLINK DATA - finite numbers from extreme values; memory for a million rows.
+. "$(dirname "$0")/../harness.sh"
+
+cp "$decks/pump.deck" engine.deck
+
+# finite ARGUMENT...: no number that is none
+finite() {
+    "$fourlink" "$@" >out 2>err
+    status=$?
+    check "exit status $status: fourlink $*" test $status -le 2
+    check "nan or inf: fourlink $*" none -Eiw -e '[-+]?(nan|inf|infinity)' out
+}
+long=$(awk 'BEGIN {printf "m"; for (i = 0; i < 60; i++) printf ".km4"; for (i = 0; i < 60; i++) printf "/km4"}')
+for format in table csv paper; do
+    for change in 'motion.speed=0' 'motion.speed=1e29 rad/s' 'motion.acceleration=1e29 rad/s2' \
+        'motion.speed=-0' 'motion.speed=1e-300' 'crank.length=1e-14 m' 'crank.mass=1e29 kg' \
+        'crank.inertia=1e29 kg m2' 'gravity.acceleration=0' 'crank.length=70 mm' \
+        'ground.length=20 mm' 'coupler.length=80 mm' 'crank.length=1e14 m' 'motion.at=1e29 rad' \
+        'motion.from=1e15' 'table.digits=17' 'load Tl.torque=1e29 N m' "units.length=$long" \
+        'units.torque=N m' 'load Tl.force=1e29 N at 20 deg'; do
+        finite -f $format -s "$change" "$matrix"
+    done
+done
+finite -s "units.length=$long" engine.deck
+finite -f csv -s "units.length=$long" engine.deck
+run 0 -f csv -c all engine.deck
+run 0 -f csv -c all -s 'motion.speed=0' -s 'rod.mass=0' -s 'rod.inertia=0' -s 'piston.mass=0' engine.deck
+check 'a machine at rest without weight' none -Eiw 'nan|inf' out
+
+# an angle beyond what can be computed is a mistake, not an empty table
+run 2 -s 'motion.at=1e30 rad' "$alvi"
+nothing
+
+# Memory does not grow with the number of rows.  (A sanitizer needs more address space than this.)
+if (ulimit -v 65536 && "$fourlink" "$matrix" >out) 2>err; then
+    check 'a million rows in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -b open -i 0.00036 "$1" | wc -l | grep -q "^ *10000[0-9][0-9]"' "$fourlink" "$matrix"
+fi
+
+# the facts and extremes of the summary
+cp "$decks/gas-engine.deck" engine.deck
+for change in 'motion.speed=0' 'motion.speed=1e29 rad/s' 'crank.length=2 m' 'ground.offset=199 mm' \
+    'motion.at=40 deg' 'motion.run_up=90 deg' 'rod.length=1e14 m' 'piston.mass=1e29 kg' \
+    'flywheel.fluctuation=1e-29' 'motion.cycle=0.1 deg' 'crank.length=300 mm' \
+    'units.energy=MN m' 'motion.to=0' 'gas.bore=1e-14 m'; do
+    finite -S -s "$change" engine.deck
+done
+
+finish

@@ -1,0 +1,134 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_summary.sh FOURLINK DATA - --summary: facts, extremes, turning moment, as a table and in csv.
+. "$(dirname "$0")/../harness.sh"
+
+cp "$decks/gas-engine.deck" engine.deck
+
+# ---------------------------------------------------------------------------- --summary, table
+
+for form in -S --summary; do
+    run 0 $form "$alvi"
+    quiet
+done
+prints '# Crank-rocker of Alvi et al., section 5.1'
+holds 'the type in words' '$1 == "type" && /crank-rocker$/ {ok = 1} END {exit !ok}'
+holds 'limits of both branches, with unit and crank angle' '
+    function near(x, y) {return x - y < 1e-7 && y - x < 1e-7}
+    $1 == "theta4_max" && $3 == "deg" && $5 == "open" {
+        open = near($2, 145.906609189) && near($4, 223.031532078)}
+    $1 == "theta4_max" && $3 == "deg" && $5 == "crossed" {
+        crossed = near($2, -103.818044198) && near($4, 320.778684351)}
+    END {exit !(open && crossed)}'
+holds 'extremes of the columns' '
+    function near(x, y, d) {return x - y < d && y - x < d}
+    $1 == "min(theta4)" && $5 == "open" {ok = near($2, 103.818044198, 1e-8) && near($4, 39.2213156, 1e-5)}
+    $1 == "max(mu)" {mu++}
+    $1 == "max(theta2)" || $1 == "max(F12x)" {bad = 1}
+    END {exit !ok || mu != 2 || bad}'
+holds 'no rows' '/^ *[-0-9.]/ {bad = 1} END {exit bad}'
+run 0 -S -b crossed -c mu "$alvi"
+check 'one branch' none -w open out
+holds 'the columns that are chosen' '/^(max|min)\(/ {n++} END {exit n != 2}'
+# coarse or fine, at the same angles
+run 0 -S -i 40 "$alvi"
+cp out coarse
+run 0 -S -i 3 "$alvi"
+same out coarse
+run 0 -S -o summary "$alvi"
+nothing
+same summary coarse
+"$fourlink" -S -i 40 <"$alvi" >out
+same out coarse
+
+run 0 -S engine.deck
+for fact in n stroke inner_dead_centre outer_dead_centre mean_torque mean_power energy_fluctuation \
+    energy_coefficient flywheel_inertia flywheel_fluctuation 'max(Ts)' 'min(x)'; do
+    holds "the fact $fact, twice at most" '$1 == "'"$fact"'" {n++} END {exit n < 1 || n > 2}'
+done
+holds 'power = torque x speed, dE = I Cs omega^2, dE = coefficient x torque x cycle' '
+    function close_to(x, y) {return x != 0 && (x - y) / x < 1e-9 && (y - x) / x < 1e-9}
+    /crossed/ {next} {value[$1] = $2}
+    END {pi = atan2(0, -1); w = 4 * pi
+         exit !(close_to(value["mean_power"], value["mean_torque"] * w) &&
+                close_to(value["energy_fluctuation"], value["flywheel_inertia"] * 0.02 * w * w) &&
+                close_to(value["energy_fluctuation"],
+                         value["energy_coefficient"] * value["mean_torque"] * 4 * pi) &&
+                value["mean_torque"] > 0 && value["flywheel_fluctuation"] == 0.02)}'
+# no forces are asked for by the columns, and the turning moment is there all the same
+run 0 -S -c x,v engine.deck
+prints 'mean_torque'
+check 'no extremes of other columns' none -F 'max(Ts)' out
+run 0 -S -s 'motion.acceleration=1 rad/s2' engine.deck
+check 'no turning moment of an accelerated crank' none -E 'torque|energy|flywheel' out
+run 0 -S "$alvi" engine.deck
+check 'each deck under its name' test "$(grep -c '^# deck: ' out)" -eq 2
+run 3 -S missing.deck engine.deck
+prints 'mean_torque'
+
+# ------------------------------------------------------------------------------ --summary, csv
+
+run 0 -S -f csv -b open -c theta4 "$alvi"
+quiet
+records out >records
+cp records out
+check 'RFC 4180' none '^bad' out
+check 'the header' test "$(head -n 1 out)" = 'name|value|unit|theta2|branch'
+holds 'five fields' 'BEGIN {FS = "|"} NF != 5 {bad = 1} END {exit bad || NR < 10}'
+check 'the type' grep -qx 'type|crank-rocker|||' out
+holds 'a limit' '
+    BEGIN {FS = "|"} function near(x, y) {return x - y < 1e-11 && y - x < 1e-11}
+    $1 == "theta4_min" {ok = near($2, 103.8180441982515182) && $3 == "deg" &&
+                             near($4, 39.22131564862997612) && $5 == "open"}
+    END {exit !ok}'
+holds '17 digits' '
+    BEGIN {FS = "|"} NR > 2 && sprintf("%.17g", $2) != $2 {bad = 1} length($2) > 16 {long++}
+    END {exit bad || long < 5}'
+run 0 -S -f csv engine.deck
+records out >records
+check 'a comma in a fact is quoted' grep -qx 'type|slider-crank, the crank turns fully|||' records
+check 'the quotes' grep -q '^type,"slider-crank, the crank turns fully",,,' out
+check 'the end of the lines' test "$(grep -c "$cr\$" out)" -eq "$(wc -l <out)"
+cp engine.deck 'a "b", c.deck'
+run 0 -S -f csv "$alvi" 'a "b", c.deck'
+records out >records
+cp records out
+check 'RFC 4180, with names of decks' none '^bad' out
+check 'a column deck' test "$(head -n 1 out)" = 'deck|name|value|unit|theta2|branch'
+check 'one header' test "$(grep -c 'name|value' out)" -eq 1
+check 'its name' grep -q '^a "b", c.deck|mean_torque|' out
+holds 'six fields' 'BEGIN {FS = "|"} NF != 6 {bad = 1} END {exit bad}'
+# the same numbers in both formats
+run 0 -S -f csv -b open engine.deck
+records out >records
+run 0 -S -b open engine.deck
+awk 'NR == FNR {split($0, field, "|"); if (field[1] != "type") value[field[1]] = field[2]; next}
+    /^#/ || $1 == "type" {next}
+    {d = $2 - value[$1]; if (d < 0) d = -d; if (d > 1e-10 * (value[$1] < 0 ? -value[$1] : value[$1])) bad = 1
+     n++}
+    END {exit bad || n < 10}' records out
+check 'the same numbers as a table and in csv' test $? -eq 0
+
+# ---------------------------------------------------------------------------------------- extremes
+
+# Of extremes that are equal the first is told: over two revolutions, and over a clockwise one; angles are
+# followed from the first row.
+run 0 --summary --format=csv --columns=x,v,theta3 --branch=open --set 'motion.cycle=720 deg' \
+    --set 'motion.to=720 deg' "$decks/engine.deck"
+check 'max(x) of two revolutions' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,1\(80\|79.9999\|80.0000\)[0-9]*,open' out
+check 'min(v) of two revolutions' grep -q '^min(v),-16.566[0-9]*,m/s,286.8[0-9]*,open' out
+run 0 --summary --format=csv --columns=x --branch=open --set 'motion.speed=-1000 rpm' \
+    "$decks/engine.deck"
+check 'max(x) clockwise' grep -q '^max(x),\(300\|299.9999\|300.0000\)[0-9]*,mm,-1\(80\|79.9999\|80.0000\)[0-9]*,open' out
+run 0 --summary --format=csv --columns=theta4 "$data/me3491-exercise-1.deck"
+check 'from the first row of a clockwise range' grep -q '^max(theta4),244.53[0-9]*,deg,-40.1[0-9]*,crossed' out
+
+# A drag link's rocker turns with the crank: in a revolution by a whole turn, from -83.53 deg on.
+printf 'mechanism = four-bar\n[ground]\nlength = 60 mm\n[crank]\nlength = 200 mm\n[coupler]\nlength = 180 mm\n' >drag.deck
+printf '[rocker]\nlength = 130 mm\n[motion]\nspeed = 1 rad/s\n' >>drag.deck
+run 0 --summary --format=csv --columns=theta4 --branch=open drag.deck
+check 'max(theta4) of a drag link' grep -q '^max(theta4),276.467[0-9]*,deg,360,open' out
+check 'min(theta4) of a drag link' grep -q '^min(theta4),-83.532[0-9]*,deg,0,open' out
+
+finish

@@ -1,0 +1,96 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_table.sh FOURLINK DATA - --format=table: blocks, names, units, widths and numbers.
+. "$(dirname "$0")/../harness.sh"
+
+cp "$decks/reach.deck" .
+cp "$decks/pump.deck" engine.deck
+
+"$fourlink" "$alvi" >out
+prints '# Crank-rocker of Alvi et al., section 5.1'
+holds 'two blocks of ten rows, two blank lines apart' '
+    /^$/ {blank++; next}
+    {if (blank && blank != 2) bad = 1; if (blank) blocks++; blank = 0}
+    /^#/ {next}
+    {rows[blocks + 0]++}
+    END {exit bad || blocks != 1 || rows[0] != 10 || rows[1] != 10}'
+holds 'besides comments, numbers' '
+    /^#/ || /^$/ {next}
+    {for (i = 1; i <= NF; i++) if ($i !~ /^-?[0-9]+(\.[0-9]+)?(e[-+][0-9]+)?$/) bad = 1}
+    END {exit bad}'
+holds 'aligned' '/^#/ || /^$/ {next} {if (n++ && length != width) bad = 1; width = length} END {exit bad}'
+holds 'names and units above each column' '
+    /^# *theta2/ {names = NF - 1} /^# *deg/ {units = NF - 1} /^ *40 / && NF != names {bad = 1}
+    END {exit bad || names != 8 || units != 8}'
+holds 'each branch under its comment' '
+    /^# branch: / {branch = $3} $1 == 40 {sign[branch] = $2 > 0 ? 1 : -1}
+    END {exit !(sign["open"] == 1 && sign["crossed"] == -1)}'
+# reference values of the equations solved by other means
+run 0 -b open -s table.digits=9 "$alvi"
+holds 'the row of 40 deg' '
+    function near(x, y) {return x - y < 1e-6 && y - x < 1e-6}
+    $1 == 40 {ok = near($2, 38.986348) && near($3, -3.1548742) && near($4, 20.9564894) &&
+              near($5, 103.820765) && near($6, 0.0732971) && near($7, 56.4557805)}
+    END {exit !ok}'
+run 0 -b open -c theta2,F12x,F12y,F23x,F34y,F14x,F14y,Ts -s table.digits=9 "$matrix"
+holds 'the forces at 40 deg' '
+    function near(x, y) {return x - y < 1e-6 && y - x < 1e-6}
+    $1 == 40 {ok = near($2, 7.06332168) && near($3, 8.4656654) && near($4, 7.14777808) &&
+              near($5, 4.98155676) && near($6, -8.24612757) && near($7, -2.589694) &&
+              near($8, 0.03138230954551688)}
+    END {exit !ok}'
+
+# constant_fields: the rows of the table have a field for each name above them.
+constant_fields() {
+    holds 'as many fields in each row as names above' \
+        '/^# *theta2 +theta3 / {n = NF - 1} /^#/ || /^$/ {next} {rows++} NF != n {bad = 1}
+        END {exit bad || n < 3 || rows < 2}'
+}
+run 1 reach.deck
+constant_fields
+holds 'a row that cannot be computed is a comment' '
+    /^# theta2 = (160|200) deg: ./ {comments++} $1 == 160 || $1 == 200 {bad = 1}
+    $1 == 40 {rows++}
+    END {exit bad || comments != 4 || rows != 2}'
+run 0 engine.deck
+constant_fields
+# a peak between the rows from which the widths of the columns are taken
+cat >peak.deck <<'EOF'
+mechanism = four-bar
+[ground]
+length = 80 mm
+[crank]
+length = 20 mm
+[coupler]
+length = 80.0000001 mm
+[rocker]
+length = 20 mm
+[motion]
+speed = 10 rad/s
+interval = 0.1 deg
+EOF
+run 1 peak.deck
+constant_fields
+run 0 -s 'motion.speed=1e9 rad/s' "$matrix"
+constant_fields
+# 0 has no sign, in whichever form it is written
+run 1 -s 'crank.length=300 mm' -s 'rod.length=100 mm' -s motion.interval=90 engine.deck
+check 'no -0 in the table' none -Ee '-0(\.0*)?(e[-+]?[0-9]+)?( |$)' out
+run 0 -s motion.speed=0 engine.deck
+check 'no -0 in the table of a machine at rest' none -Ee '-0(\.0*)?(e[-+]?[0-9]+)?( |$)' out
+run 0 -s 'motion.speed=0' "$alvi"
+constant_fields
+for units in 'length=in' 'angle=rad' 'angle=rev' 'angular_speed=rpm' 'force=kip' 'torque=N m'; do
+    run 0 -s "units.$units" "$matrix"
+    constant_fields
+    holds 'a unit above each column' '/^# branch: open/ {getline; getline; exit !/^#/}'
+done
+run 0 -s 'motion.at=40 deg' "$alvi"
+holds 'one instant, a row for each branch' '/^ *40 / {n++} !/^#/ && NF {rows++} END {exit n != 2 || rows != 2}'
+run 0 -i 7 "$alvi"
+holds 'the last row is the end of the range' '!/^#/ && NF {last = $1} END {exit last != 360}'
+run 0 -i 0.1 "$alvi"
+holds 'no rounding in the angles' '!/^#/ && NF && $1 !~ /^[0-9]+\.[0-9]$/ {bad = 1} END {exit bad}'
+
+finish
