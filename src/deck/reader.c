@@ -163,18 +163,3 @@ int flk_deck_read(const fourlink_source *source, deck *d)
         return -1;
     return d->mistakes.count == 0;
 }
-
-int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
-                           double *digit)
-{
-    char why[MESSAGE_SIZE];
-    quantity_value result;
-
-    if (!flk_quantity_read(value, value, q, d->units[q].unit, &result, why)) {
-        flk_mistake(&d->mistakes, place, "%s", why);
-        return 0;
-    }
-    *si = result.si;
-    *digit = result.digit;
-    return 1;
-}
