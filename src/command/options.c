@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "base/message.h"
 #include "options.h"
 
 const char *const options_help[] = {
