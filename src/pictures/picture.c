@@ -222,7 +222,8 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
     p->design = &p->mechanism->design;
-    p->slides = fourlink_slides(p->design->kind, FOURLINK_FOLLOWER);
+    p->kind = (int)p->design->kind;
+    p->slides = fourlink_slides(p->kind, FOURLINK_FOLLOWER);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
     p->n_branches = 0;
