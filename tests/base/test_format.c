@@ -304,7 +304,7 @@ static void test_rows(void **unused)
 
             fprintf(expected, "%s%*s%s", strlen(s) < width ? "" : " ", (int)width, s, s);
             line_right(&row, s, strlen(s), width);
-            line_words(&row, s);
+            line_text(&row, s, strlen(s));
         }
         putc('\n', expected);
         line_text(&row, "\n", 1);
