@@ -134,7 +134,7 @@ if command -v nm >/dev/null; then
     # Where a deck is read memory is needed; one row of results needs none.
     nm -A --undefined-only "$lib/libfourlink.a" | grep -wE 'malloc|calloc|realloc|free|[a-z_]*alloc' |
         sed 's/.*:\([a-z0-9_]*\)\.c\.o:.*/\1/' | sort -u >allocating
-    check 'memory is for decks' sh -c "printf '%s\n' curve deck deck_lines deck_sweep problem text | cmp - allocating"
+    check 'memory is for decks' sh -c "printf '%s\n' analysis build_loads build_motion curve deck message problem reader results settings turning | cmp - allocating"
 fi
 # No state: nothing that can be written to.  (A sanitizer has some of its own.)
 case $CFLAGS in
