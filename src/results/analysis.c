@@ -47,7 +47,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     const fourlink_mechanism *mechanism = &a->d->mechanism;
     int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
                    const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
-        a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
+        a->is_fast || a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
     int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
     fourlink_instant *at = &row->at;
 

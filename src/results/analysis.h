@@ -40,6 +40,7 @@ typedef struct flk_analysis {
     fourlink_range range;
     unsigned long n_loads;  /* the gas included */
     fourlink_load *loads;   /* memory for those of the row that is being computed */
+    int is_fast;            /* 1: rows are computed in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
 } flk_analysis;

@@ -1,448 +1,730 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** extreme.c - the largest and smallest value of a column over a deck's motion.
+** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
-** The motion is scanned in steps of a degree at most; every peak of the samples that comes near the
-** highest is refined by GSL's minimisers.  Where the links stop reaching, and at the corners of the loads,
-** the column's limit counts too.
+** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
+** columns, in steps of a degree or less, over a parameter s in which square roots at its ends are smooth:
+**
+**    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
+**
+** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
+** is refined by a polynomial through its neighbours; the row at the peak of the polynomial is computed, and if
+** it is not what the polynomial says, there are new samples about it, ever closer.  Where there is no row, at
+** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.
 */
 #include <math.h>
-#include <stdlib.h>
+#include <string.h>
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_min.h>
 
 #include "extreme.h"
+#include "motion_pieces.h"
 
-#define PEAKS 8
-#define MOST_STEPS 1000000
-#define MINIMISER_STATE 32 /* doubles: more than any of its minimisers needs */
+#define MOST_SAMPLES 1000 /* of a stretch, */
+#define STRETCH 400       /* which begins with so many at the most, */
+#define LEAST_SAMPLES 12  /* and at the least */
+#define MOST_STEPS 1e6    /* of all of the motion */
+#define NODES 7           /* of a polynomial */
+#define INSIDE 5e-11      /* rad, from a corner into the piece beside it */
+#define CLOSE 1e-12       /* of a column's size: what is equal but for rounding */
+
+/* A column in the search. */
+typedef struct tracked {
+    const flk_column *c;
+    double turn;         /* of an angle: a turn in its unit; else 0 */
+    double last;         /* the angle goes on from here, NaN: it starts anew */
+    double first;        /* at the first row */
+    double size;         /* the largest magnitude */
+    flk_extreme best[2]; /* greatest, least */
+    flk_extreme here[2]; /* since the angle started anew */
+} tracked;
 
 typedef struct search {
     flk_analysis *a;
-    const flk_column *c;
     fourlink_branch branch;
-    int sign;
-    int periodic;       /* 1: one revolution, whose ends meet */
-    double first, last; /* crank angles in the deck's unit */
-    double degree;      /* a degree in that unit */
-    double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
-    double last_value;  /* from which such an angle goes on */
-    double size;        /* the largest magnitude of the samples */
-    int left;           /* 1: a minimiser has left the angles at which there is a value */
+    int needs;
+    flk_extreme_pair *pairs;
+    size_t n_columns;
+    tracked *columns;
+    flk_piece piece;
+    double low, high; /* of the stretch in the piece, s */
+    size_t n;         /* samples: */
+    double *s;        /* the parameter, */
+    double *values;   /* and a row of MOST_SAMPLES for each column, NaN where it has no value */
 } search;
 
-/* The column at any angle, with its sign turned so that the extreme is a minimum; NaN where there is
-** none. */
-static double value_at(double angle, void *data)
+size_t flk_extreme_size(size_t n)
 {
-    const search *s = data;
+    return MOST_SAMPLES * (n + 1) + n * (sizeof(tracked) / sizeof(double) + 1);
+}
+
+/* ----------------------------------------------------------------------------------------- one angle */
+
+static int is_root(flk_piece_end end)
+{
+    return end == FLK_END_ROOT || end == FLK_END_DEAD;
+}
+
+/* The angle that the motion has passed at a parameter of the piece; just inside at its ends. */
+static double passed_at(const search *x, double s)
+{
+    double from = x->piece.from, length = x->piece.to - from, share = s;
+
+    if (is_root(x->piece.begin) && is_root(x->piece.end))
+        share = 0.5 - 0.5 * cos(M_PI * s);
+    else if (is_root(x->piece.begin))
+        share = s * s;
+    else if (is_root(x->piece.end))
+        share = s * (2 - s);
+    if (s <= 0 && from > 0)
+        return from + GSL_MIN_DBL(INSIDE, length / 4);
+    if (s >= 1 && x->piece.to < flk_pieces_length(x->a))
+        return x->piece.to - GSL_MIN_DBL(INSIDE, length / 4);
+    return from + length * share;
+}
+
+/* The crank angle at which a parameter is told: at corners that of the corner. */
+static double angle_at(const search *x, double s)
+{
+    return flk_pieces_angle(x->a, s <= 0 ? x->piece.from : s >= 1 ? x->piece.to : passed_at(x, s));
+}
+
+static void compute(const search *x, int needs, double passed, flk_row *row)
+{
+    flk_analysis_at_angle(x->a, needs, x->branch, flk_pieces_angle(x->a, passed), row);
+}
+
+/* A column at a parameter; an angle is the one nearest to `near`. */
+static double value_at(const search *x, const tracked *t, double s, double near)
+{
     double value;
     flk_row row;
 
-    if (s->periodic && (angle < s->first || angle > s->last))
-        angle += angle < s->first ? s->last - s->first : s->first - s->last;
-    flk_analysis_at_angle(s->a, flk_column_need(s->c), s->branch, angle, &row);
-    value = -s->sign * flk_column_value(s->c, &row);
-    if (s->turn > 0)
-        value -= s->turn * floor((value - s->last_value) / s->turn + 0.5);
-    return value;
+    compute(x, flk_column_need(t->c), passed_at(x, s), &row);
+    value = flk_column_value(t->c, &row);
+    return t->turn > 0 ? value + t->turn * floor((near - value) / t->turn + 0.5) : value;
 }
 
-static void keep_best(flk_extreme *best, double value, double angle)
+/* ------------------------------------------------------------------------------------------- samples */
+
+static double *row_of(const search *x, size_t column)
 {
-    if (value < best->value) {
+    return x->values + MOST_SAMPLES * column;
+}
+
+/* There is no row at a dead position and at a change point. */
+static int has_row(const search *x, double s)
+{
+    return !(s <= 0 && (x->piece.begin == FLK_END_DEAD || x->piece.begin == FLK_END_CHANGE)) &&
+           !(s >= 1 && (x->piece.end == FLK_END_DEAD || x->piece.end == FLK_END_CHANGE));
+}
+
+/* Put a sample of all columns before number i. */
+static void insert(search *x, size_t i, double s)
+{
+    flk_row row;
+    size_t c;
+
+    compute(x, x->needs, passed_at(x, s), &row);
+    memmove(x->s + i + 1, x->s + i, (x->n - i) * sizeof *x->s);
+    x->s[i] = s;
+    for (c = 0; c < x->n_columns; c++) {
+        double *values = row_of(x, c), value = flk_column_value(x->columns[c].c, &row);
+
+        memmove(values + i + 1, values + i, (x->n - i) * sizeof *values);
+        values[i] = value;
+        if (fabs(value) > x->columns[c].size && gsl_finite(value))
+            x->columns[c].size = fabs(value);
+    }
+    x->n++;
+}
+
+static void sample(search *x, size_t steps)
+{
+    size_t i;
+
+    x->n = 0;
+    for (i = 0; i <= steps; i++) {
+        double s = i == steps ? x->high : x->low + (x->high - x->low) * (double)i / (double)steps;
+
+        if (has_row(x, s))
+            insert(x, x->n, s);
+    }
+}
+
+/* Angles go on from sample to sample past half a turn.  Where one leaps by more than a sixth of a turn there are
+** more samples, until it does not or they are too close: a force that passes through zero turns by half a turn at
+** once, and its direction starts anew. */
+#define LEAP (1.0 / 6)
+#define CLOSEST_SAMPLES 1e-7
+
+static double leap(const tracked *t, double from, double to)
+{
+    double d = (to - from) / t->turn;
+
+    return fabs(d - floor(d + 0.5));
+}
+
+static int leaps(const search *x, size_t i)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++) {
+        const double *values = row_of(x, c);
+
+        if (x->columns[c].turn > 0 && leap(&x->columns[c], values[i], values[i + 1]) > LEAP)
+            return 1;
+    }
+    return 0;
+}
+
+static void resolve_leaps(search *x)
+{
+    size_t i;
+
+    for (i = 0; i + 1 < x->n; i++)
+        while (x->n < MOST_SAMPLES && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && leaps(x, i))
+            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+}
+
+/* ------------------------------------------------------------------------------------------- the best */
+
+static double signed_value(int which, double value)
+{
+    return which == 0 ? value : -value;
+}
+
+/* Keep a value if it is better than what there is; of equal ones the first. */
+static void offer(flk_extreme *best, int which, double value, double angle)
+{
+    double close = CLOSE * GSL_MAX_DBL(fabs(value), fabs(best->value));
+
+    if (gsl_isnan(value))
+        return;
+    if (!best->is_there || signed_value(which, value) >
+                               signed_value(which, best->value) + (gsl_finite(close) ? close : 0)) {
+        best->is_there = 1;
         best->value = value;
         best->angle = angle;
     }
 }
 
-/* The column for GSL, which tells its error handler of what is not finite: this is noted here, and a
-** number too large for a minimum given instead. */
-static double finite_value_at(double angle, void *data)
+/* Close what has been found since an angle started anew, which is shifted by whole turns. */
+static void commit(tracked *t, double shift)
 {
-    search *s = data;
-    double value = value_at(angle, s);
+    int which;
 
-    if (gsl_finite(value))
-        return value;
-    s->left = 1;
-    return GSL_DBL_MAX;
+    for (which = 0; which < 2; which++)
+        if (t->here[which].is_there)
+            offer(&t->best[which], which, t->here[which].value + shift, t->here[which].angle);
+    memset(t->here, 0, sizeof t->here);
 }
 
-static flk_extreme sample(search *s, double angle)
-{
-    flk_extreme x;
-
-    x.value = value_at(angle, s);
-    x.angle = angle;
-    return x;
-}
-
-/* 1 if three samples enclose a minimum, as GSL asks for. */
-static int encloses(const flk_extreme *low, const flk_extreme *middle, const flk_extreme *high)
-{
-    return low->angle < middle->angle && middle->angle < high->angle &&
-           middle->value < low->value && middle->value < high->value && gsl_finite(low->value) &&
-           gsl_finite(high->value);
-}
-
-/* One of GSL's minimisers, in memory of our own, from a bracket on that encloses a minimum; the lowest point
-** goes to `best`, the bracket shrinks. */
-static void minimise(search *s, const gsl_min_fminimizer_type *type, flk_extreme *low,
-                     const flk_extreme *middle, flk_extreme *high, flk_extreme *best)
-{
-    double state[MINIMISER_STATE];
-    gsl_min_fminimizer m;
-    gsl_function f;
-    int i;
-
-    if (type->size > sizeof state || !encloses(low, middle, high))
-        return;
-    m.type = type;
-    m.state = state;
-    f.function = finite_value_at;
-    f.params = s;
-    s->left = 0;
-    if (gsl_min_fminimizer_set_with_values(&m, &f, middle->angle, middle->value, low->angle,
-                                           low->value, high->angle, high->value) != GSL_SUCCESS ||
-        s->left)
-        return;
-    for (i = 0; i < 100; i++) {
-        gsl_min_fminimizer before = m;
-        int status = gsl_min_fminimizer_iterate(&m);
-
-        if (s->left)
-            m = before;
-        if (status != GSL_SUCCESS || s->left ||
-            gsl_min_test_interval(m.x_lower, m.x_upper, 0, 1e-13) == GSL_SUCCESS)
-            break;
-    }
-    low->angle = m.x_lower;
-    low->value = m.f_lower;
-    high->angle = m.x_upper;
-    high->value = m.f_upper;
-    keep_best(best, m.f_minimum, m.x_minimum);
-}
-
-/* Twelve times the step times the slope, by five points (its error is of the fourth order). */
-static double slope(search *s, double x, double step)
-{
-    return 8 * (value_at(x + step, s) - value_at(x - step, s)) -
-           (value_at(x + 2 * step, s) - value_at(x - 2 * step, s));
-}
-
-/* A smooth minimum is flat: values tell its place to 1e-8 rad only.  A step of Newton's method on the
-** slope tells it better. */
-static void sharpen(search *s, flk_extreme *best)
-{
-    double step = 0.1 * s->degree, dx = 1e-3 * s->degree, x, rise;
-    double curvature =
-        (slope(s, best->angle + dx, step) - slope(s, best->angle - dx, step)) / (2 * dx);
-
-    x = best->angle - slope(s, best->angle, step) / curvature;
-    rise = fabs(value_at(best->angle + step, s) - best->value);
-    if (fabs(x - best->angle) < 1e-3 * s->degree &&
-        value_at(x, s) <= best->value + 1e-9 * rise + 1e-15 * fabs(best->value))
-        best->angle = x;
-}
-
-/* Refine the minimum between three angles, the middle one the lowest.  Brent's method ends at the
-** resolution of a smooth minimum; golden sections go on to a sharp one, such as that of a transmission
-** angle folded at 90 deg. */
-static void refine(search *s, flk_extreme low, flk_extreme middle, flk_extreme high,
-                   flk_extreme *best)
-{
-    flk_extreme here = middle;
-
-    if (!encloses(&low, &middle, &high))
-        return;
-    minimise(s, gsl_min_fminimizer_brent, &low, &middle, &high, &here);
-    middle = here;
-    minimise(s, gsl_min_fminimizer_goldensection, &low, &middle, &high, &here);
-    sharpen(s, &here);
-    keep_best(best, here.value, here.angle);
-}
-
-/* The last angle at which the column has a value, from one at which it has towards one at which not. */
-static double edge(search *s, double good, double bad)
-{
-    int i;
-
-    for (i = 0; i < 100; i++) {
-        double middle = 0.5 * (good + bad);
-
-        if (gsl_isnan(value_at(middle, s)))
-            bad = middle;
-        else
-            good = middle;
-    }
-    return good;
-}
-
-/* The limit of the column where the links stop reaching, between two angles, at the first of which it has
-** a value.  1, or 0 if it grows beyond all bounds there.
-**
-** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
-** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
-static int limit_at_edge(search *s, double good, double bad, flk_extreme *limit)
-{
-    double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
-
-    good = edge(s, good, bad);
-    v1 = value_at(good + x, s);
-    v2 = value_at(good + 4 * x, s);
-    limit->value = 2 * v1 - v2;
-    if (fabs(limit->value) < 1e-4 * fabs(v1))
-        limit->value = 0; /* of a transmission angle nothing else is left */
-    limit->angle = good;
-    if (gsl_isnan(limit->value)) {
-        limit->value = value_at(good, s);
-        return 1;
-    }
-    return fabs(limit->value - v2) <= fabs(v2 - value_at(far, s)) + 1e-9 * fabs(v2);
-}
-
-/* Keep the lowest angles of a list, the lowest first. */
-static void keep_lowest(flk_extreme *list, int *n, double value, double angle)
-{
-    int i;
-
-    if (*n == PEAKS && value >= list[PEAKS - 1].value)
-        return;
-    if (*n < PEAKS)
-        (*n)++;
-    for (i = *n - 1; i > 0 && list[i - 1].value > value; i--)
-        list[i] = list[i - 1];
-    list[i].value = value;
-    list[i].angle = angle;
-}
-
-/* Both sides of an angle of the cycle, wherever the motion comes by. */
-static void look_at(search *s, double theta2, flk_extreme *best)
-{
-    double rad = s->a->d->motion.angle_unit, cycle = s->a->d->cycle / rad, side = 1e-9 / rad;
-    double x = theta2 / rad;
-
-    for (x += cycle * ceil((s->first - x) / cycle); x <= s->last; x += cycle) {
-        double before = value_at(x - side, s), after = value_at(x + side, s);
-
-        if (x - side >= s->first && !gsl_isnan(before))
-            keep_best(best, before, x);
-        if (x + side <= s->last && !gsl_isnan(after))
-            keep_best(best, after, x);
-    }
-}
-
-static void look_at_curve(search *s, const curve *c, flk_extreme *best)
+/* Make an angle go on through the samples of a stretch. */
+static void follow(search *x, tracked *t, double *values)
 {
     size_t i;
 
-    for (i = 0; i < c->n; i++)
-        look_at(s, c->x[i], best);
-}
-
-/* The corners of the loads, which a scan may step over: the ends of their windows, the points of their
-** curves. */
-static void look_at_corners(search *s, flk_extreme *best)
-{
-    const deck *d = s->a->d;
-    unsigned long i;
-
-    look_at_curve(s, &d->gas.indicator, best);
-    for (i = 0; i < d->n_loads; i++) {
-        look_at_curve(s, &d->variations[i].torque, best);
-        if (d->variations[i].is_windowed) {
-            look_at(s, d->variations[i].from, best);
-            look_at(s, d->variations[i].to, best);
+    for (i = 0; i < x->n; i++) {
+        if (x->piece.from <= 0 && x->low <= 0 && i == 0)
+            t->first = values[i];
+        if (gsl_isnan(values[i]) ||
+            (!gsl_isnan(t->last) && leap(t, t->last, values[i]) > 0.5 - 1e-6)) {
+            commit(t, 0);
+            t->last = values[i];
+            continue;
         }
+        if (!gsl_isnan(t->last))
+            values[i] += t->turn * floor((t->last - values[i]) / t->turn + 0.5);
+        t->last = values[i];
     }
 }
 
-/* A step for each degree; not fewer than 360, and where there are very many revolutions no more than can be
-** waited for. */
-static long steps_of(double degrees)
+/* ---------------------------------------------------------------------------------------- polynomials */
+
+/* A polynomial by divided differences. */
+typedef struct polynomial {
+    int n;
+    double x[NODES + 1], c[NODES + 1];
+} polynomial;
+
+static void add_node(polynomial *p, double x, double y)
 {
-    if (degrees <= 0)
+    int i;
+
+    p->x[p->n] = x;
+    p->c[p->n] = y;
+    for (i = 0; i < p->n; i++)
+        p->c[p->n] = (p->c[p->n] - p->c[i]) / (x - p->x[i]);
+    p->n++;
+}
+
+static double value_of(const polynomial *p, double x, double *slope)
+{
+    double value = 0;
+    int i;
+
+    *slope = 0;
+    for (i = p->n - 1; i >= 0; i--) {
+        *slope = *slope * (x - p->x[i]) + value;
+        value = value * (x - p->x[i]) + p->c[i];
+    }
+    return value;
+}
+
+/* Where the slope of a polynomial vanishes between two places; 0 if it has one sign at both. */
+static int find_flat(const polynomial *p, double low, double high, double *at)
+{
+    double rise_low, rise_high, rise;
+    int i;
+
+    value_of(p, low, &rise_low);
+    value_of(p, high, &rise_high);
+    if ((rise_low > 0) == (rise_high > 0))
         return 0;
-    if (degrees > MOST_STEPS)
-        return MOST_STEPS;
-    return degrees > 360 ? (long)ceil(degrees - 1e-6) : 360;
-}
-
-static void set_range(search *s)
-{
-    const deck *d = s->a->d;
-    double end = flk_analysis_end(s->a);
-
-    s->periodic = flk_analysis_is_periodic(s->a);
-    s->first = d->motion.from < end ? d->motion.from : end;
-    s->last = d->motion.from < end ? end : d->motion.from;
-    s->degree = M_PI / 180 / d->motion.angle_unit;
-    s->turn = 0;
-    s->last_value = 0;
-    s->size = 0;
-}
-
-/* Start to follow an angle past 180 deg. */
-static void follow(search *s, double value)
-{
-    const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
-
-    if (flk_column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
-        s->turn = flk_unit_from_si(2 * M_PI, *u);
-        s->last_value = value;
+    for (i = 0; i < 60; i++) {
+        *at = 0.5 * (low + high);
+        value_of(p, *at, &rise);
+        if ((rise > 0) == (rise_low > 0))
+            low = *at;
+        else
+            high = *at;
     }
+    return 1;
 }
 
-/* One revolution has its extremes between its first angle and its last, which are one position. */
-static double in_revolution(const search *s, double angle)
+/* The polynomial through the samples nearest to number i; 0 if there are too few. */
+static int through_samples(const search *x, const double *values, size_t i, polynomial *p)
 {
-    double turn = s->last - s->first, close = 1e-6 * s->degree;
+    size_t from = i, to = i; /* inclusive */
 
-    if (!s->periodic)
-        return angle;
-    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
-    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
-                                                                           : angle;
-}
+    while (to - from + 1 < NODES) {
+        int lower = from > 0 && !gsl_isnan(values[from - 1]);
+        int upper = to + 1 < x->n && !gsl_isnan(values[to + 1]);
 
-/* Where a scan begins: at the first row, and in a revolution with a gap behind the last gap before it, so
-** that an angle is the same at both ends of the revolution.  An angle is followed from the first row. */
-static double scan_from(search *s, double step, long steps)
-{
-    double from = s->a->d->motion.from, value = value_at(from, s);
-    long i;
-
-    follow(s, value);
-    if (!s->periodic || gsl_isnan(value))
-        return from;
-    for (i = 1; i < steps; i++) {
-        value = value_at(from - (double)i * step, s);
-        if (gsl_isnan(value))
-            return from - (double)(i - 1) * step;
-        s->last_value = value;
+        if (!lower && !upper)
+            break;
+        if (lower && (!upper || x->s[i] - x->s[from - 1] <= x->s[to + 1] - x->s[i]))
+            from--;
+        else
+            to++;
     }
-    follow(s, value_at(from, s));
-    return from;
+    p->n = 0;
+    for (; from <= to; from++)
+        add_node(p, x->s[from], values[from]);
+    return p->n > 2;
 }
 
-/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
-** reach.  `unbounded` is set if the column has no limit at one of these. */
-static int scan(search *s, double step, long steps, flk_extreme peaks[PEAKS], flk_extreme *best,
-                int *unbounded)
+/* ---------------------------------------------------------------------------------------- refinement */
+
+/* The magnitude of a column about sample i. */
+static double size_about(const search *x, const double *values, size_t i)
 {
-    double before, now, after;
-    double from = scan_from(s, step, steps);
-    flk_extreme limit;
-    int n = 0;
-    long i;
+    double size = 0;
+    size_t k, to = i + 3 < x->n ? i + 3 : x->n;
 
-    now = value_at(from, s);
-    before = s->periodic ? value_at(from - step, s) : GSL_NAN;
-    for (i = 0; i <= steps - s->periodic; i++) {
-        double x = from + (double)i * step;
-        int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
+    for (k = i < 2 ? 0 : i - 2; k < to; k++)
+        if (fabs(values[k]) > size)
+            size = fabs(values[k]);
+    return size;
+}
 
-        if (gsl_isnan(now))
-            s->turn = 0; /* a gap: the angle starts anew */
-        if (fabs(now) > s->size)
-            s->size = fabs(now);
-        after = goes_on ? value_at(x + step, s) : GSL_NAN;
-        /* a NaN on one side is an end */
-        if (!gsl_isnan(now) && !(before < now) && !(after < now))
-            keep_lowest(peaks, &n, now, x);
-        if (!gsl_isnan(now) && gsl_isnan(after) && goes_on) {
-            *unbounded |= !limit_at_edge(s, x, x + step, &limit) && limit.value < now;
-            keep_best(best, limit.value, in_revolution(s, limit.angle));
+/* A place and the value there. */
+typedef struct place {
+    double s, value;
+} place;
+
+/* Samples about a place, closer and closer, until a parabola through three of them says what the row at its top
+** is, or they cannot be told apart: `best` climbs. */
+static void climb(search *x, const tracked *t, int which, double low, double high, double size,
+                  place *best)
+{
+    double step = (high - low) / 8;
+    int i;
+
+    for (i = 0; i < 60 && step > 1e-14; i++) {
+        place left, right, top;
+        polynomial p;
+        double slope;
+
+        p.n = 0;
+        left.s = GSL_MAX_DBL(best->s - step, low);
+        right.s = GSL_MIN_DBL(best->s + step, high);
+        left.value = value_at(x, t, left.s, best->value);
+        right.value = value_at(x, t, right.s, best->value);
+        if (signed_value(which, left.value) > signed_value(which, best->value) &&
+            signed_value(which, left.value) >= signed_value(which, right.value)) {
+            *best = left;
+            continue;
         }
-        if (!gsl_isnan(now) && gsl_isnan(before) && came) {
-            *unbounded |= !limit_at_edge(s, x, x - step, &limit) && limit.value < now;
-            keep_best(best, limit.value, in_revolution(s, limit.angle));
+        if (signed_value(which, right.value) > signed_value(which, best->value)) {
+            *best = right;
+            continue;
         }
-        before = now;
-        now = after;
-        if (s->turn == 0)
-            follow(s, now);
-        else if (!gsl_isnan(now))
-            s->last_value = now;
+        step /= 4;
+        if (!(left.s < best->s && best->s < right.s) || gsl_isnan(left.value + right.value))
+            continue;
+        add_node(&p, left.s, left.value);
+        add_node(&p, best->s, best->value);
+        add_node(&p, right.s, right.value);
+        if (!find_flat(&p, left.s, right.s, &top.s))
+            continue;
+        top.value = value_at(x, t, top.s, best->value);
+        if (fabs(top.value - value_of(&p, top.s, &slope)) <= CLOSE * size) {
+            *best = top;
+            return;
+        }
+        if (signed_value(which, top.value) > signed_value(which, best->value))
+            *best = top;
     }
-    return n;
 }
 
-static void refine_peak(search *s, double step, const flk_extreme *peak, flk_extreme *best)
+/* The peak that the samples have at or beside number i. */
+static void refine(search *x, const tracked *t, const double *values, int which, size_t i,
+                   flk_extreme *found)
 {
-    double x = peak->angle, low = x - step, high = x + step;
+    double low = i > 0 && !gsl_isnan(values[i - 1]) ? x->s[i - 1] : x->s[i];
+    double high = i + 1 < x->n && !gsl_isnan(values[i + 1]) ? x->s[i + 1] : x->s[i];
+    double size = size_about(x, values, i), slope;
+    polynomial p;
+    place best, top;
 
-    follow(s, peak->value); /* the scan may have ended in a gap */
-    keep_best(best, peak->value, x);
-    if (low < s->first && !s->periodic) { /* at an end: is there a minimum just inside it? */
-        low = s->first;
-        x = s->first + 1e-3 * step;
+    best.s = x->s[i];
+    best.value = values[i];
+    if (!(flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) && through_samples(x, values, i, &p) &&
+        find_flat(&p, low, high, &top.s)) {
+        top.value = value_at(x, t, top.s, best.value);
+        if (!(fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size)) {
+            if (signed_value(which, top.value) > signed_value(which, best.value))
+                best = top;
+            climb(x, t, which, low, high, size, &best);
+        } else if (signed_value(which, top.value) > signed_value(which, best.value)) {
+            best = top;
+        }
     }
-    if (high > s->last && !s->periodic) {
-        high = s->last;
-        x = s->last - 1e-3 * step;
-    }
-    if (gsl_isnan(value_at(low, s)))
-        low = edge(s, x, low);
-    if (gsl_isnan(value_at(high, s)))
-        high = edge(s, x, high);
-    if (!(flk_column_flags(s->c) & FOURLINK_OF_ROUNDING))
-        refine(s, sample(s, low), sample(s, x), sample(s, high), best);
+    offer(found, which, best.value, angle_at(x, best.s));
 }
 
-/* Of values that are equal but for rounding the one that the motion comes by first. */
-static void keep_first(const search *s, flk_extreme *best, const flk_extreme *found)
+/* How far sample i is from what its neighbours say: by so much the column may differ from a smooth curve. */
+static double roughness(const search *x, const double *values, size_t i)
 {
-    double from = s->a->d->motion.from, close = 1e-12 * s->size;
-    double angle = in_revolution(s, found->angle);
+    polynomial p;
+    double slope, d;
+    size_t k, from = i < 2 ? 0 : i > x->n - 3 ? x->n - 5 : i - 2;
 
-    if (found->value < best->value - close ||
-        (found->value <= best->value + close && fabs(angle - from) < fabs(best->angle - from)))
-        best->angle = angle;
-    if (found->value < best->value)
-        best->value = found->value;
+    if (x->n < 5)
+        return 0;
+    p.n = 0;
+    for (k = from; k < from + 5; k++)
+        if (k != i)
+            add_node(&p, x->s[k], values[k]);
+    d = value_of(&p, x->s[i], &slope) - values[i];
+    return gsl_isnan(d) ? 0 : fabs(d);
 }
 
-int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
-                     flk_extreme *found)
-{
-    flk_extreme peaks[PEAKS], best, found_here;
-    int n, k, unbounded = 0;
-    double step;
-    long steps;
-    search s;
+#define ROUGH 1e-3 /* of the column's size: below it nothing hides between samples */
 
-    s.a = a;
-    s.c = c;
-    s.branch = branch;
-    s.sign = sign;
-    set_range(&s);
-    steps = steps_of((s.last - s.first) / s.degree);
-    step = steps ? (s.last - s.first) / (double)steps : 0;
-    best.value = GSL_POSINF;
-    best.angle = s.first;
-    n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
-    if (!n && s.periodic && s.turn > 0) { /* an angle that goes on: its ends do not meet */
-        set_range(&s);
-        s.periodic = 0;
-        n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
+/* The most that a column may reach about sample i. */
+static double promise(const search *x, const double *values, int which, size_t i)
+{
+    return signed_value(which, values[i]) + 8 * roughness(x, values, i);
+}
+
+/* Halve the steps about a sample if a better extreme of a column may hide there. */
+static int may_hide(const search *x, const tracked *t, const double *values, size_t i)
+{
+    int which;
+
+    if ((flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) || gsl_isnan(values[i]) ||
+        roughness(x, values, i) < ROUGH * size_about(x, values, i) + 1e-9 * t->size)
+        return 0;
+    for (which = 0; which < 2; which++)
+        if (promise(x, values, which, i) > signed_value(which, t->here[which].value) &&
+            fabs(t->here[which].value) < flk_column_bound(t->c))
+            return 1;
+    return 0;
+}
+
+static void resolve_narrow(search *x)
+{
+    size_t i, c;
+
+    for (i = 0; i + 1 < x->n; i++) {
+        int hides = 0;
+
+        if (x->n >= MOST_SAMPLES || x->s[i + 1] - x->s[i] < 1e-12)
+            continue;
+        for (c = 0; c < x->n_columns && !hides; c++)
+            hides = may_hide(x, &x->columns[c], row_of(x, c), i) ||
+                    may_hide(x, &x->columns[c], row_of(x, c), i + 1);
+        if (hides) {
+            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+            for (c = 0; c < x->n_columns; c++) {
+                tracked *t = &x->columns[c];
+                double *values = row_of(x, c);
+
+                if (t->turn > 0)
+                    values[i + 1] += t->turn * floor((values[i] - values[i + 1]) / t->turn + 0.5);
+            }
+            i = i > 2 ? i - 3 : (size_t)-1;
+        }
     }
-    if (!n)
-        return FOURLINK_NOT_REACHED;
-    for (k = 0; k < n; k++) {
-        found_here.value = GSL_POSINF;
-        found_here.angle = peaks[k].angle;
-        refine_peak(&s, step, &peaks[k], &found_here);
-        keep_first(&s, &best, &found_here);
+}
+
+/* ------------------------------------------------------------------------------------------ the stretch */
+
+/* Offer the samples of a column, then refine the peaks that may be better. */
+static void offer_samples(const search *x, tracked *t, const double *values)
+{
+    size_t i;
+    int which;
+
+    for (i = 0; i < x->n; i++)
+        for (which = 0; which < 2; which++)
+            offer(&t->here[which], which, values[i], angle_at(x, x->s[i]));
+}
+
+/* 1 if sample i is a peak of the samples; NaN is no neighbour. */
+static int is_peak(const search *x, const double *values, int which, size_t i)
+{
+    double here = signed_value(which, values[i]);
+
+    return !gsl_isnan(here) && !(i > 0 && signed_value(which, values[i - 1]) > here) &&
+           !(i + 1 < x->n && signed_value(which, values[i + 1]) > here);
+}
+
+static void refine_peaks(search *x, tracked *t, const double *values)
+{
+    size_t i;
+    int which;
+
+    for (i = 0; i < x->n; i++)
+        for (which = 0; which < 2; which++) {
+            double gain = 0;
+
+            if (!is_peak(x, values, which, i))
+                continue;
+            if (i > 0 && i + 1 < x->n)
+                gain = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
+            if (gsl_isnan(gain) || i == 0 || i + 1 == x->n)
+                gain = size_about(x, values, i);
+            if (promise(x, values, which, i) + gain >= signed_value(which, t->here[which].value))
+                refine(x, t, values, which, i, &t->here[which]);
+        }
+}
+
+/* ---------------------------------------------------------------------------------------------- limits */
+
+#define LIMIT_NODES (NODES + 1)
+
+/* The value at 0 of the polynomial through x_k^power y_k, and how much its last node counts. */
+static double extrapolate(const double *x, const double *y, int power, double *error)
+{
+    polynomial p;
+    double slope, before, value;
+    int k;
+
+    p.n = 0;
+    for (k = 0; k < LIMIT_NODES - 1; k++)
+        add_node(&p, x[k], gsl_pow_int(x[k], power) * y[k]);
+    before = value_of(&p, 0, &slope);
+    add_node(&p, x[k], gsl_pow_int(x[k], power) * y[k]);
+    value = value_of(&p, 0, &slope);
+    *error = fabs(value - before);
+    return value;
+}
+
+/* How a column behaves towards a place without a row, x away: a pole, +-1 by the sign of it, or 0. */
+static int pole_of(const double *x, const double *y, int order)
+{
+    for (; order > 0; order--) {
+        double error, largest = 0, value = extrapolate(x, y, order, &error);
+        int k;
+
+        for (k = 0; k < LIMIT_NODES; k++)
+            largest = GSL_MAX_DBL(largest, fabs(gsl_pow_int(x[k], order) * y[k]));
+        if (fabs(value) > 1e-3 * largest)
+            return value > 0 ? 1 : -1;
     }
-    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE)))
-        look_at_corners(&s, &best);
-    found->value = -sign * best.value;
-    found->angle = best.angle;
-    if (unbounded || fabs(found->value) >= flk_column_bound(c))
-        found->value = sign > 0 ? GSL_POSINF : GSL_NEGINF;
-    return FOURLINK_OK;
+    return 0;
+}
+
+/* The limits of all columns at an end of the piece where there is no row, or that they have none.  Rows at
+** x_k from it are computed on two scales: the small one is more exact for what has no poles, the large one
+** where poles cancel.  At a dead position x is the root of the angle. */
+static void find_limits(search *x, int at_end)
+{
+    static const double scales[2][2] = {{0.016, 0.1}, {0.008, 0.06}};
+    flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
+    int is_dead = kind == FLK_END_DEAD, scale, k, which;
+    double length = x->piece.to - x->piece.from, edge = at_end ? x->piece.to : x->piece.from;
+    double place[2][LIMIT_NODES], y[2][LIMIT_NODES];
+    flk_row rows[2][LIMIT_NODES];
+    size_t c;
+
+    if (kind != FLK_END_DEAD && kind != FLK_END_CHANGE)
+        return;
+    for (scale = 0; scale < 2; scale++)
+        for (k = 0; k < LIMIT_NODES; k++) {
+            double most = scales[is_dead ? 0 : 1][scale];
+
+            most = GSL_MIN_DBL(most, is_dead ? sqrt(length / 2) : length / 2);
+            place[scale][k] = most * (k + 1) / LIMIT_NODES;
+            compute(x, x->needs,
+                    edge + (at_end ? -1 : 1) * (is_dead ? place[scale][k] : 1) * place[scale][k],
+                    &rows[scale][k]);
+        }
+    for (c = 0; c < x->n_columns; c++) {
+        tracked *t = &x->columns[c];
+        double near = row_of(x, c)[at_end ? x->n - 1 : 0], limit[2], error[2];
+        int pole;
+
+        if (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING)
+            continue;
+        for (scale = 0; scale < 2; scale++)
+            for (k = 0; k < LIMIT_NODES; k++) {
+                y[scale][k] = flk_column_value(t->c, &rows[scale][k]);
+                if (t->turn > 0)
+                    y[scale][k] += t->turn * floor((near - y[scale][k]) / t->turn + 0.5);
+            }
+        pole = t->turn > 0 ? 0 : pole_of(place[1], y[1], is_dead ? 3 : 2);
+        if (pole) {
+            offer(&t->here[pole > 0 ? 0 : 1], pole > 0 ? 0 : 1, pole > 0 ? GSL_POSINF : GSL_NEGINF,
+                  flk_pieces_angle(x->a, edge));
+            continue;
+        }
+        for (scale = 0; scale < 2; scale++)
+            limit[scale] = extrapolate(place[scale], y[scale], 0, &error[scale]);
+        scale = error[1] < error[0];
+        if (fabs(limit[scale]) < 1e-9 * t->size)
+            limit[scale] = 0; /* of a transmission angle nothing is left */
+        for (which = 0; which < 2; which++)
+            offer(&t->here[which], which, limit[scale], flk_pieces_angle(x->a, edge));
+    }
+}
+
+/* --------------------------------------------------------------------------------------- the motion */
+
+static void search_stretch(search *x, size_t steps)
+{
+    size_t c;
+
+    sample(x, steps);
+    resolve_leaps(x);
+    for (c = 0; c < x->n_columns; c++) {
+        if (x->columns[c].turn > 0)
+            follow(x, &x->columns[c], row_of(x, c));
+        offer_samples(x, &x->columns[c], row_of(x, c));
+    }
+    resolve_narrow(x);
+    if (x->low <= 0)
+        find_limits(x, 0);
+    if (x->high >= 1)
+        find_limits(x, 1);
+    for (c = 0; c < x->n_columns; c++)
+        refine_peaks(x, &x->columns[c], row_of(x, c));
+}
+
+/* A piece in stretches of a step for each degree. */
+static void search_piece(search *x, int is_reached)
+{
+    double length = x->piece.to - x->piece.from;
+    double step = GSL_MAX_DBL(M_PI / 180, flk_pieces_length(x->a) / MOST_STEPS);
+    size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
+
+    steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
+    stretches = (steps + STRETCH - 1) / STRETCH;
+    for (i = 0; i < stretches; i++) {
+        x->low = (double)i / (double)stretches;
+        x->high = (double)(i + 1) / (double)stretches;
+        search_stretch(x, (steps + stretches - 1) / stretches);
+    }
+}
+
+/* 1 if the linkage can be assembled in the piece. */
+static int is_reached(const search *x)
+{
+    flk_row row;
+
+    compute(x, 0, 0.5 * (x->piece.from + x->piece.to), &row);
+    return row.at.status == FOURLINK_OK;
+}
+
+static void start(search *x, double *memory)
+{
+    size_t c;
+
+    x->s = memory;
+    x->values = memory + MOST_SAMPLES;
+    x->columns = (tracked *)(void *)(x->values + MOST_SAMPLES * x->n_columns);
+    x->needs = 0;
+    x->n = 0;
+    memset(x->columns, 0, x->n_columns * sizeof *x->columns);
+    x->a->is_fast = 1;
+    for (c = 0; c < x->n_columns; c++) {
+        tracked *t = &x->columns[c];
+
+        t->c = &x->pairs[c].c;
+        if (flk_column_quantity(t->c) == QUANTITY_ANGLE)
+            t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
+        t->last = t->first = GSL_NAN;
+        x->needs |= flk_column_need(t->c);
+        if (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING)
+            x->a->is_fast = 0; /* it is the rounding of the deck's own solver */
+    }
+    memset(&x->piece, 0, sizeof x->piece);
+}
+
+/* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
+static void finish(search *x, int has_gap)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++) {
+        tracked *t = &x->columns[c];
+        double shift = 0;
+        int which;
+
+        if (has_gap && t->turn > 0 && flk_analysis_is_periodic(x->a) &&
+            !gsl_isnan(t->first + t->last))
+            shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
+        commit(t, shift);
+        for (which = 0; which < 2; which++)
+            if (fabs(t->best[which].value) >= flk_column_bound(t->c))
+                t->best[which].value = which == 0 ? GSL_POSINF : GSL_NEGINF;
+        x->pairs[c].max = t->best[0];
+        x->pairs[c].min = t->best[1];
+    }
+    x->a->is_fast = 0;
+}
+
+void flk_extreme_find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
+                      double *memory)
+{
+    int has_gap = 0;
+    search x;
+    size_t c;
+
+    x.a = a;
+    x.branch = branch;
+    x.pairs = pairs;
+    x.n_columns = n;
+    start(&x, memory);
+    if (flk_pieces_length(a) <= 0) {
+        x.low = x.high = 0;
+        search_stretch(&x, 0);
+    }
+    while (flk_pieces_next(a, &x.piece)) {
+        int reached = is_reached(&x);
+
+        search_piece(&x, reached);
+        for (c = 0; c < n; c++)
+            if (!reached && x.columns[c].turn > 0 &&
+                !(flk_column_flags(x.columns[c].c) & FOURLINK_OF_CRANK)) {
+                commit(&x.columns[c], 0);
+                x.columns[c].last = GSL_NAN;
+            }
+        has_gap |= !reached;
+    }
+    finish(&x, has_gap);
 }
