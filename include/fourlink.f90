@@ -677,6 +677,19 @@ contains
     call copy_text(fourlink_status_text_c(status), text)
   end function fourlink_status_text
 
+  function fourlink_branch_text(branch) result(text)
+    integer(c_int), intent(in) :: branch
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_branch_text_c(branch) bind(c, name="fourlink_branch_text")
+        import
+        integer(c_int), value :: branch
+      end function fourlink_branch_text_c
+    end interface
+
+    call copy_text(fourlink_branch_text_c(branch), text)
+  end function fourlink_branch_text
+
   function fourlink_type_text(type) result(text)
     integer(c_int), intent(in) :: type
     character(len=80) :: text

@@ -14,11 +14,10 @@ program consumer
   integer(c_long) :: n
   integer :: i
   do
-    read (*, '(a)', iostat=i) line
-    if (i /= 0) exit
+    read (*, '(a)', end=10) line
     text = trim(text) // trim(line) // c_new_line
   end do
-  source%text = c_loc(text)
+  10 source%text = c_loc(text)
   source%length = len(text)
   if (fourlink_results_open(source, 1_c_long, results, mistakes, n) /= fourlink_ok) &
     write (*, '(i0, 2a)') mistakes(1)%line, ': ', trim(fourlink_text(mistakes(1)%message))
