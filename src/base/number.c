@@ -75,22 +75,6 @@ static long read_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-static void write_whole(long value, char *out)
-{
-    char digits[24];
-    int n = 0;
-
-    if (value < 0)
-        *out++ = '-';
-    value = value < 0 ? -value : value;
-    do
-        digits[n++] = (char)('0' + value % 10);
-    while ((value /= 10) > 0);
-    while (n > 0)
-        *out++ = digits[--n];
-    *out = '\0';
-}
-
 /* strtod rounds correctly but looks for the decimal mark of the host's locale, so it is given a whole
 ** number and an exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
@@ -122,7 +106,7 @@ number_status flk_number_read(text *rest, double *value)
     if (i < n)
         exponent += read_exponent(s + i + 1, s + n);
     *end++ = 'e';
-    write_whole(exponent, end);
+    flk_digits_short((double)exponent, 9, end);
     result = strtod(copy, NULL);
     if (result - result != 0)
         return NUMBER_NOT_FINITE;

@@ -86,6 +86,49 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+/* A tab is a blank. */
+static int is_at(text t, size_t i, const char *separator)
+{
+    for (; *separator; separator++, i++)
+        if (t.start[i] != *separator && !(t.start[i] == '\t' && *separator == ' '))
+            return 0;
+    return 1;
+}
+
+static void cut(text t, size_t i, size_t n, text *before, text *after)
+{
+    before->start = t.start;
+    before->length = i;
+    after->start = t.start + i + n;
+    after->length = t.length - i - n;
+    *before = flk_text_trim(*before);
+    *after = flk_text_trim(*after);
+}
+
+int flk_text_cut(text t, const char *separator, text *before, text *after)
+{
+    size_t n = strlen(separator), i;
+
+    for (i = 0; i + n <= t.length; i++)
+        if (is_at(t, i, separator)) {
+            cut(t, i, n, before, after);
+            return 1;
+        }
+    return 0;
+}
+
+int flk_text_cut_last(text t, const char *separator, text *before, text *after)
+{
+    size_t n = strlen(separator), i;
+
+    for (i = t.length; i >= n; i--)
+        if (is_at(t, i - n, separator)) {
+            cut(t, i - n, n, before, after);
+            return 1;
+        }
+    return 0;
+}
+
 char *flk_text_copy(text t, char *out, size_t size)
 {
     size_t i, n = t.length < size ? t.length : size - 1;

@@ -34,6 +34,11 @@ int flk_text_same(text t, const char *word);
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 when nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
 
+/* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
+** A tab is as good as a blank of the separator. */
+int flk_text_cut(text t, const char *separator, text *before, text *after);
+int flk_text_cut_last(text t, const char *separator, text *before, text *after);
+
 /* A copy that fits into `size` bytes, null-terminated, what cannot be printed replaced, what does
 ** not fit replaced by "..." */
 char *flk_text_copy(text t, char *out, size_t size);

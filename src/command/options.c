@@ -9,6 +9,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "base/message.h"
 #include "options.h"
 
 const char *const options_help[] = {

@@ -95,7 +95,7 @@ void flk_build_gas(parser *p)
 /* The link that a load or a point is on. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
-    const flk_kind *kind = flk_kind_of(p->d->design.kind);
+    const flk_kind *kind = flk_kind_of((int)p->d->design.kind);
     const char *const *own = kind->link;
 
     if (!link->place.source)
@@ -104,17 +104,6 @@ static void check_link(parser *p, const section_use *use, const setting *link)
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
         flk_mistake(p->mistakes, link->place, "a %s has no %t: its links are %s, %s and %s",
                     kind->words, link->value, own[2], own[3], own[4]);
-}
-
-static char *joined(parser *p, text name, const char *ending)
-{
-    char *result = flk_reader_keep(p, name.length + strlen(ending) + 1);
-
-    if (result) {
-        memcpy(result, name.start, name.length);
-        strcpy(result + name.length, ending);
-    }
-    return result;
 }
 
 /* The crank angles between which a load acts. */
@@ -164,9 +153,9 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
     new->link = link->word;
     new->at.x = at->si[0];
     new->at.y = at->si[1];
-    new->name = joined(p, use->name, "");
+    new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
-        new->column_names[i] = joined(p, use->name, endings[i]);
+        new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
 void flk_build_points(parser *p)
@@ -199,7 +188,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     if (!force->place.source && !torque->place.source)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
-        flk_kind_of(p->d->design.kind)->has_length[link->word])
+        flk_kind_of((int)p->d->design.kind)->has_length[link->word])
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (at->place.source && !force->place.source)
@@ -211,7 +200,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     load->at.x = at->si[0];
     load->at.y = at->si[1];
     load->torque = torque->si[0];
-    variation->name = joined(p, use->name, "");
+    variation->name = flk_reader_copy(p, use->name, "");
     build_curve(p, torque, &variation->torque);
     build_window(p, use, variation);
 }

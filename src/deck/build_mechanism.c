@@ -168,8 +168,8 @@ int flk_build_kind(parser *p)
                         use->section == SECTION_COUPLER || use->section == SECTION_ROD
                             ? "a %s has no [%s]; its link 3 is the [%s]"
                             : "a %s has no [%s]",
-                        fourlink_kind_text(kind), flk_section_table[use->section].name,
-                        fourlink_link_text(kind, FOURLINK_COUPLER));
+                        fourlink_kind_text((int)kind), flk_section_table[use->section].name,
+                        fourlink_link_text((int)kind, FOURLINK_COUPLER));
             continue;
         }
         for (k = first; k < first + n; k++) {
@@ -178,8 +178,8 @@ int flk_build_kind(parser *p)
                 flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
                             use->section == SECTION_TOP ? "" : "the ",
                             flk_section_table[use->section].name,
-                            use->section == SECTION_TOP ? "a " : " of a ", fourlink_kind_text(kind),
-                            flk_key_table[k].name);
+                            use->section == SECTION_TOP ? "a " : " of a ",
+                            fourlink_kind_text((int)kind), flk_key_table[k].name);
         }
     }
     return 1;
@@ -239,7 +239,7 @@ static void check_reach(parser *p, const flk_kind *kind)
 void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->design;
-    const flk_kind *kind = flk_kind_of(design->kind);
+    const flk_kind *kind = flk_kind_of((int)design->kind);
     double direction, g;
     int i;
 

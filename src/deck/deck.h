@@ -126,11 +126,6 @@ struct fourlink_deck {
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
-** deck if it is none of that quantity. */
-int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
-                           double *digit);
-
 /* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
 void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);

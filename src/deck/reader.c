@@ -22,6 +22,17 @@ void *flk_reader_keep(parser *p, size_t size)
     return result;
 }
 
+char *flk_reader_copy(parser *p, text t, const char *ending)
+{
+    char *copy = flk_reader_keep(p, t.length + strlen(ending) + 1);
+
+    if (!copy)
+        return NULL;
+    if (t.length)
+        memcpy(copy, t.start, t.length);
+    return strcpy(copy + t.length, ending) - t.length;
+}
+
 text_place flk_reader_end(const parser *p)
 {
     text_place place;
@@ -31,34 +42,14 @@ text_place flk_reader_end(const parser *p)
     return place;
 }
 
-static char *keep_string(parser *p, const char *string)
-{
-    char *copy = flk_reader_keep(p, strlen(string) + 1);
-
-    return copy ? strcpy(copy, string) : NULL;
-}
-
-/* A copy of the text that lasts as long as the deck, read as lines. */
-static void read_copy(parser *p, text contents)
-{
-    char *copy = flk_reader_keep(p, contents.length + 1);
-
-    if (!copy)
-        return;
-    if (contents.length)
-        memcpy(copy, contents.start, contents.length);
-    contents.start = copy;
-    flk_lines_read(p, contents, copy);
-}
-
 /* [SECTION[ NAME].]KEY=VALUE */
 static void change(parser *p, const fourlink_change *c)
 {
-    const char *assignment = keep_string(p, c->assignment);
+    const char *assignment = flk_reader_copy(p, flk_text_of(c->assignment), "");
     text key, value;
     text_place place;
 
-    place.source = keep_string(p, c->origin);
+    place.source = flk_reader_copy(p, flk_text_of(c->origin), "");
     place.line = 0;
     if (p->out_of_memory)
         return;
@@ -98,7 +89,7 @@ static void start(parser *p, const fourlink_source *source, const char *name, de
     p->mistakes = &d->mistakes;
     p->load = source->load;
     p->host = source->host;
-    p->name = keep_string(p, name ? name : "");
+    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
 }
 
 static void finish(parser *p)
@@ -110,14 +101,25 @@ static void finish(parser *p)
     free(p->named_slots);
 }
 
+/* The lines of a copy of the text. */
+static void read_lines(parser *p, const char *start, unsigned long length)
+{
+    text contents;
+    char *copy;
+
+    contents.start = start;
+    contents.length = length;
+    copy = flk_reader_copy(p, contents, "");
+    contents.start = copy;
+    if (copy)
+        flk_lines_read(p, contents, copy);
+}
+
 static void read_deck(parser *p, const fourlink_source *source)
 {
     unsigned long i;
-    text contents;
 
-    contents.start = source->text;
-    contents.length = source->length;
-    read_copy(p, contents);
+    read_lines(p, source->text, source->length);
     for (i = 0; i < source->n_changes && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
@@ -133,13 +135,9 @@ static void read_deck(parser *p, const fourlink_source *source)
 /* The [expect] and [misprint] sections of another text, in place of the deck's. */
 static void read_answers(parser *p, const fourlink_source *source)
 {
-    text contents;
-
-    contents.start = source->answers;
-    contents.length = source->answers_length;
     p->expectations_only = 1;
     p->d->n_expectations = 0;
-    read_copy(p, contents);
+    read_lines(p, source->answers, source->answers_length);
     if (!p->out_of_memory)
         flk_values_read(p);
     if (!p->out_of_memory)
@@ -164,19 +162,4 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     if (p.out_of_memory || d->mistakes.out_of_memory)
         return -1;
     return d->mistakes.count == 0;
-}
-
-int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
-                           double *digit)
-{
-    char why[MESSAGE_SIZE];
-    quantity_value result;
-
-    if (!flk_quantity_read(value, value, q, d->units[q].unit, &result, why)) {
-        flk_mistake(&d->mistakes, place, "%s", why);
-        return 0;
-    }
-    *si = result.si;
-    *digit = result.digit;
-    return 1;
 }

@@ -83,6 +83,9 @@ typedef struct parser {
 /* Memory that lasts as long as the deck; null when there is none. */
 void *flk_reader_keep(parser *p, size_t size);
 
+/* A copy of a text, with an ending, that lasts as long; null-terminated. */
+char *flk_reader_copy(parser *p, text t, const char *ending);
+
 /* The end of the deck, for a mistake about what is not in it. */
 text_place flk_reader_end(const parser *p);
 

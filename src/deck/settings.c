@@ -133,7 +133,7 @@ void flk_section_unknown(parser *p, text_place place, text name)
     flk_mistake(p->mistakes, place, "unknown section '%t'%h", name, nearest_word(name, known));
 }
 
-/* A section, but for the top and the units, that has this key; SECTION_TOP if none has. */
+/* The first section, but for the units, that has this key; SECTION_COUNT if none has. */
 static section_code section_with(text key)
 {
     int i;
@@ -141,17 +141,7 @@ static section_code section_with(text key)
     for (i = 0; i < KEY_COUNT; i++)
         if (flk_text_equal(key, flk_key_table[i].name) && flk_key_table[i].section != SECTION_UNITS)
             return flk_key_table[i].section;
-    return SECTION_TOP;
-}
-
-static int is_top_key(text key)
-{
-    int n = flk_key_count(SECTION_TOP), i;
-
-    for (i = 0; i < n; i++)
-        if (flk_text_equal(key, flk_key_table[i].name))
-            return 1;
-    return 0;
+    return SECTION_COUNT;
 }
 
 static void note_unknown_key(parser *p, text_place place, section_code section, text key)
@@ -169,9 +159,9 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
                 section == SECTION_TOP ? "unknown key '%t' before the first section"
                                        : "unknown key '%t' in [%s]",
                 key, flk_section_table[section].name);
-    if (is_top_key(key))
+    if (other == SECTION_TOP)
         flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
-    else if (!nearest && other != SECTION_TOP)
+    else if (!nearest && other != SECTION_COUNT)
         flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
                     flk_section_table[other].name);
     else
@@ -343,22 +333,6 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
         set_target(p, place, &t, value, 0);
 }
 
-/* Cut a text at its last point; 0 if it has none. */
-static int cut_at_point(text t, text *before, text *after)
-{
-    size_t i;
-
-    for (i = t.length; i > 0 && t.start[i - 1] != '.'; i--)
-        ;
-    before->start = t.start;
-    before->length = i ? i - 1 : 0;
-    after->start = t.start + i;
-    after->length = t.length - i;
-    *before = flk_text_trim(*before);
-    *after = flk_text_trim(*after);
-    return i > 0;
-}
-
 /* The part that SECTION.KEY.PART means; it is taken off. */
 static vector_part take_part(text *key)
 {
@@ -366,7 +340,8 @@ static vector_part take_part(text *key)
     text before, part, section, rest;
     int i;
 
-    if (cut_at_point(*key, &before, &part) && cut_at_point(before, &section, &rest))
+    if (flk_text_cut_last(*key, ".", &before, &part) &&
+        flk_text_cut_last(before, ".", &section, &rest))
         for (i = 0; i < PART_NONE; i++)
             if (flk_text_equal(part, parts[i])) {
                 *key = before;
@@ -426,31 +401,21 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
 
 int flk_setting_target(parser *p, text_place place, text key, target *t)
 {
-    static const char sweep[] = "sweep.";
-    text section = key, name = {"", 0}, last;
+    vector_part part = take_part(&key);
+    text section = key, name = {"", 0}, last = key;
     section_code code = SECTION_TOP;
-    vector_part part = PART_NONE;
     section_use *use;
 
-    section.length = key.length < strlen(sweep) ? key.length : strlen(sweep);
-    if (flk_text_equal(section, sweep)) { /* the key is all that follows the section */
-        code = SECTION_SWEEP;
-        last = key;
-        last.start += strlen(sweep);
-        last.length -= strlen(sweep);
-    } else {
-        part = take_part(&key);
-        if (cut_at_point(key, &section, &last)) {
-            flk_section_split(&section, &name);
-            code = flk_find_section(section);
-        }
+    if (flk_text_cut_last(key, ".", &section, &last)) {
+        flk_section_split(&section, &name);
+        code = flk_find_section(section);
     }
     if (code == SECTION_COUNT) {
         flk_section_unknown(p, place, section);
         return 0;
     }
     use = find_section(p, place, code, name);
-    if (!use || !find_key(p, place, use, flk_text_trim(last), t))
+    if (!use || !find_key(p, place, use, last, t))
         return 0;
     t->part = part;
     return part == PART_NONE || has_parts(p, place, t, key);
@@ -458,8 +423,17 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)
 {
+    static const text no_name = {"", 0};
+    const section_use *sweep;
+    text section, name;
     target t;
 
-    if (flk_setting_target(p, place, key, &t))
-        set_target(p, place, &t, value, 1);
+    if (flk_text_cut(key, ".", &section, &name) && flk_text_equal(section, "sweep")) {
+        sweep = find_section(p, place, SECTION_SWEEP, no_name); /* all that follows is a name */
+        if (!sweep || !find_key(p, place, sweep, name, &t))
+            return;
+    } else if (!flk_setting_target(p, place, key, &t)) {
+        return;
+    }
+    set_target(p, place, &t, value, 1);
 }

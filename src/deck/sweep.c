@@ -34,50 +34,6 @@ typedef struct variation {
     double count; /* of values; 1 for a tolerance */
 } variation;
 
-/* A tab is a blank. */
-static int is_at(text t, size_t i, const char *separator)
-{
-    for (; *separator; separator++, i++)
-        if (t.start[i] != *separator && !(t.start[i] == '\t' && *separator == ' '))
-            return 0;
-    return 1;
-}
-
-static void cut(text t, size_t i, size_t n, text *before, text *after)
-{
-    before->start = t.start;
-    before->length = i;
-    after->start = t.start + i + n;
-    after->length = t.length - i - n;
-    *before = flk_text_trim(*before);
-    *after = flk_text_trim(*after);
-}
-
-/* The words before and after a separator, if it is there: the first one, or the last. */
-static int cut_at(text t, const char *separator, text *before, text *after)
-{
-    size_t n = strlen(separator), i;
-
-    for (i = 0; i + n <= t.length; i++)
-        if (is_at(t, i, separator)) {
-            cut(t, i, n, before, after);
-            return 1;
-        }
-    return 0;
-}
-
-static int cut_at_last(text t, const char *separator, text *before, text *after)
-{
-    size_t n = strlen(separator), i;
-
-    for (i = t.length; i >= n; i--)
-        if (is_at(t, i - n, separator)) {
-            cut(t, i - n, n, before, after);
-            return 1;
-        }
-    return 0;
-}
-
 static text next_item(text *rest)
 {
     text item = {"", 0};
@@ -134,9 +90,10 @@ static int read_range(parser *p, variation *v)
     double end, steps;
     int in_steps;
 
-    cut_at(v->value, " to ", &first, &rest);
-    in_steps = !cut_at(rest, " step ", &last, &step);
-    if (in_steps && !cut_at_last(rest, " in ", &last, &number)) { /* or inches: 1 in to 2 in in 3 */
+    flk_text_cut(v->value, " to ", &first, &rest);
+    in_steps = !flk_text_cut(rest, " step ", &last, &step);
+    if (in_steps &&
+        !flk_text_cut_last(rest, " in ", &last, &number)) { /* or inches: 1 in to 2 in in 3 */
         flk_mistake(p->mistakes, v->place,
                     "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "
                     "values, '20 mm to 30 mm in 6'");
@@ -185,12 +142,13 @@ static int read_tolerance(parser *p, text nominal, text t, const key_info *key, 
 
     v->form = VARY_TOLERANCE;
     v->count = 1;
-    if (cut_at_last(t, " ", &before, &after) &&
+    if (flk_text_cut_last(t, " ", &before, &after) &&
         (flk_text_equal(after, "normal") || flk_text_equal(after, "uniform"))) {
         v->is_normal = flk_text_equal(after, "normal");
         t = before;
     }
-    if (memchr(nominal.start, ',', nominal.length) || cut_at(nominal, " to ", &before, &after)) {
+    if (memchr(nominal.start, ',', nominal.length) ||
+        flk_text_cut(nominal, " to ", &before, &after)) {
         flk_mistake(p->mistakes, v->place, "a tolerance is of one value, not of a list or a range");
         return 0;
     }
@@ -250,9 +208,9 @@ static int read_variation(parser *p, const key_info *key, unsigned long design, 
     size_t i;
 
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
-        if (cut_at(v->value, signs[i], &before, &after))
+        if (flk_text_cut(v->value, signs[i], &before, &after))
             return read_tolerance(p, before, after, key, v);
-    if (cut_at(v->value, " to ", &before, &after))
+    if (flk_text_cut(v->value, " to ", &before, &after))
         return read_range(p, v);
     return read_list(p, v, design);
 }

@@ -130,19 +130,14 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
 static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
                               text contents)
 {
-    char *file = flk_reader_keep(p, name.length + 1);
     setting row = *s;
     text line;
     size_t n = 0;
 
-    if (!file)
-        return 0;
-    memcpy(file, name.start, name.length);
-    file[name.length] = '\0';
-    row.place.source = file;
+    row.place.source = flk_reader_copy(p, name, "");
     row.place.line = 0;
     contents = flk_text_without_mark(contents);
-    while (flk_text_split(&contents, '\n', &line)) {
+    while (!p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
         const char *comma;
 
         row.place.line++;
@@ -151,11 +146,10 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
             continue;
         comma = memchr(row.value.start, ',', row.value.length);
         if (comma) {
-            char *copy = flk_reader_keep(p, row.value.length + 1);
+            char *copy = flk_reader_copy(p, row.value, "");
 
             if (!copy)
-                return 0;
-            memcpy(copy, row.value.start, row.value.length);
+                break;
             copy[comma - row.value.start] = ' ';
             row.value.start = copy;
         }
@@ -173,20 +167,25 @@ static size_t count(text t, int c)
     return n;
 }
 
+static text unquoted(text t)
+{
+    if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+        t.start++;
+        t.length -= 2;
+    }
+    return t;
+}
+
 /* file NAME */
 static void load_curve(parser *p, setting *s, quantity q, text name)
 {
     char file[1024];
     size_t before = p->mistakes->count;
     unsigned long length;
-    const char *data;
+    const char *data = NULL;
     text contents;
 
-    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
-        name.start++;
-        name.length -= 2;
-    }
-    data = NULL;
+    name = unquoted(name);
     if (p->load && name.length && name.length < sizeof file)
         data = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
     if (!data) {
@@ -294,39 +293,30 @@ static void note_vector(parser *p, const setting *s, int needs_angle)
 /* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
 static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
-    text t = s->value, part;
+    text size_text = s->value, angle_text, last;
     double size, angle = 0, x, y;
-    size_t i;
 
-    if (t.length && t.start[0] == '(') {
+    if (s->value.start[0] == '(') {
         read_components(p, s, q);
         return;
     }
-    if (memchr(t.start, ',', t.length)) {
+    if (memchr(s->value.start, ',', s->value.length)) {
         note_vector(p, s, needs_angle);
         return;
     }
-    part = t;
-    for (i = 1; i + 3 < t.length; i++)
-        if (is_blank(t.start[i - 1]) && t.start[i] == 'a' && t.start[i + 1] == 't' &&
-            is_blank(t.start[i + 2]))
-            break;
-    if (t.length > 3 && is_blank(t.start[t.length - 3]) && t.start[t.length - 2] == 'a' &&
-        t.start[t.length - 1] == 't') {
+    if (flk_text_cut_last(s->value, " ", &size_text, &last) && flk_text_same(last, "at")) {
         flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'", s->value);
         return;
     }
-    if (i + 3 < t.length) {
-        part.length = i - 1;
-        t.start += i + 3;
-        t.length -= i + 3;
-        if (!read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
+    size_text = s->value;
+    if (flk_text_cut(s->value, " at ", &size_text, &angle_text)) {
+        if (!read_quantity(p, s, angle_text, QUANTITY_ANGLE, &angle))
             return;
     } else if (needs_angle) {
         note_vector(p, s, needs_angle);
         return;
     }
-    if (!read_quantity(p, s, part, q, &size))
+    if (!read_quantity(p, s, size_text, q, &size))
         return;
     flk_values_direction(angle, &x, &y);
     s->si[0] = size * x;
@@ -451,10 +441,7 @@ static void read_value(parser *p, key_code code, setting *s)
         return;
     switch (key->form) {
     case FORM_TEXT:
-        if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
-            s->value.start++;
-            s->value.length -= 2;
-        }
+        s->value = unquoted(t);
         return;
     case FORM_WORD:
         read_word(p, code, s);

@@ -10,8 +10,8 @@
 #include "base/text.h"
 #include "sheet.h"
 
-const sheet_format *const sheet_formats[] = {&table_format, &csv_format, &json_format,
-                                             &paper_format, NULL};
+#define SHEET_ENTRY(name) &name##_format,
+const sheet_format *const sheet_formats[] = {SHEET_FORMATS(SHEET_ENTRY) NULL};
 
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                       "no value"};

@@ -92,9 +92,13 @@ typedef struct sheet_format {
                            that closes a revolution */
 } sheet_format;
 
-extern const sheet_format table_format, csv_format, json_format, paper_format;
+/* The formats, each in a file of its own. */
+#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(paper)
 
-/* The formats, ended by null; the one of that name, or null. */
+#define SHEET_FORMAT(name) extern const sheet_format name##_format;
+SHEET_FORMATS(SHEET_FORMAT)
+
+/* Ended by null; the one of a name, or null. */
 extern const sheet_format *const sheet_formats[];
 const sheet_format *sheet_find_format(const char *name);
 
