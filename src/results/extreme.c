@@ -13,6 +13,7 @@
 ** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.
 */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -34,7 +35,8 @@ typedef struct tracked {
     double turn;         /* of an angle: a turn in its unit; else 0 */
     double last;         /* the angle goes on from here, NaN: it starts anew */
     double first;        /* at the first row */
-    double size;         /* the largest magnitude */
+    double size, bound;  /* the largest magnitude, and that beyond which it is infinite */
+    int is_noise;        /* 1: a measure of rounding */
     flk_extreme best[2]; /* greatest, least */
     flk_extreme here[2]; /* since the angle started anew */
 } tracked;
@@ -46,17 +48,15 @@ typedef struct search {
     flk_extreme_pair *pairs;
     size_t n_columns;
     tracked *columns;
+    double from, length,
+        per_rad; /* of the motion: first angle, rad passed in all, deck's units for each */
+    double end;  /* last angle, in the deck's unit as the first */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
     size_t n;         /* samples: */
     double *s;        /* the parameter, */
     double *values;   /* and a row of MOST_SAMPLES for each column, NaN where it has no value */
 } search;
-
-size_t flk_extreme_size(size_t n)
-{
-    return MOST_SAMPLES * (n + 1) + n * (sizeof(tracked) / sizeof(double) + 1);
-}
 
 /* ----------------------------------------------------------------------------------------- one angle */
 
@@ -78,23 +78,39 @@ static double passed_at(const search *x, double s)
         share = s * (2 - s);
     if (s <= 0 && from > 0)
         return from + GSL_MIN_DBL(INSIDE, length / 4);
-    if (s >= 1 && x->piece.to < flk_pieces_length(x->a))
+    if (s >= 1 && x->piece.to < x->length)
         return x->piece.to - GSL_MIN_DBL(INSIDE, length / 4);
     return from + length * share;
+}
+
+static double angle_of(const search *x, double passed)
+{
+    return passed >= x->length ? x->end : x->from + x->per_rad * passed;
 }
 
 /* The crank angle at which a parameter is told: at corners that of the corner. */
 static double angle_at(const search *x, double s)
 {
-    return flk_pieces_angle(x->a, s <= 0 ? x->piece.from : s >= 1 ? x->piece.to : passed_at(x, s));
+    return angle_of(x, s <= 0 ? x->piece.from : s >= 1 ? x->piece.to : passed_at(x, s));
 }
 
 static void compute(const search *x, int needs, double passed, flk_row *row)
 {
-    flk_analysis_at_angle(x->a, needs, x->branch, flk_pieces_angle(x->a, passed), row);
+    flk_analysis_at_angle(x->a, needs, x->branch, angle_of(x, passed), row);
 }
 
-/* A column at a parameter; an angle is the one nearest to `near`. */
+/* By which part of a turn an angle leaps, at most a half. */
+static double leap(const tracked *t, double from, double to)
+{
+    double d = (to - from) / t->turn;
+
+    return fabs(d - floor(d + 0.5));
+}
+
+/* A force that passes through zero turns by half a turn at once: its direction does not go on there. */
+#define HALF_TURN (0.5 - 1e-6)
+
+/* A column at a parameter; an angle is the one nearest to `near`, NaN half a turn from it. */
 static double value_at(const search *x, const tracked *t, double s, double near)
 {
     double value;
@@ -102,7 +118,11 @@ static double value_at(const search *x, const tracked *t, double s, double near)
 
     compute(x, flk_column_need(t->c), passed_at(x, s), &row);
     value = flk_column_value(t->c, &row);
-    return t->turn > 0 ? value + t->turn * floor((near - value) / t->turn + 0.5) : value;
+    if (!(t->turn > 0))
+        return value;
+    return leap(t, near, value) > HALF_TURN
+               ? GSL_NAN
+               : value + t->turn * floor((near - value) / t->turn + 0.5);
 }
 
 /* ------------------------------------------------------------------------------------------- samples */
@@ -153,17 +173,9 @@ static void sample(search *x, size_t steps)
 }
 
 /* Angles go on from sample to sample past half a turn.  Where one leaps by more than a sixth of a turn there are
-** more samples, until it does not or they are too close: a force that passes through zero turns by half a turn at
-** once, and its direction starts anew. */
+** more samples, until it does not or they are too close. */
 #define LEAP (1.0 / 6)
 #define CLOSEST_SAMPLES 1e-7
-
-static double leap(const tracked *t, double from, double to)
-{
-    double d = (to - from) / t->turn;
-
-    return fabs(d - floor(d + 0.5));
-}
 
 static int leaps(const search *x, size_t i)
 {
@@ -229,7 +241,7 @@ static void follow(search *x, tracked *t, double *values)
         if (x->piece.from <= 0 && x->low <= 0 && i == 0)
             t->first = values[i];
         if (gsl_isnan(values[i]) ||
-            (!gsl_isnan(t->last) && leap(t, t->last, values[i]) > 0.5 - 1e-6)) {
+            (!gsl_isnan(t->last) && leap(t, t->last, values[i]) > HALF_TURN)) {
             commit(t, 0);
             t->last = values[i];
             continue;
@@ -391,8 +403,7 @@ static void refine(search *x, const tracked *t, const double *values, int which,
 
     best.s = x->s[i];
     best.value = values[i];
-    if (!(flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) && through_samples(x, values, i, &p) &&
-        find_flat(&p, low, high, &top.s)) {
+    if (!t->is_noise && through_samples(x, values, i, &p) && find_flat(&p, low, high, &top.s)) {
         top.value = value_at(x, t, top.s, best.value);
         if (!(fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size)) {
             if (signed_value(which, top.value) > signed_value(which, best.value))
@@ -405,83 +416,126 @@ static void refine(search *x, const tracked *t, const double *values, int which,
     offer(found, which, best.value, angle_at(x, best.s));
 }
 
-/* How far sample i is from what its neighbours say: by so much the column may differ from a smooth curve. */
+/* 1 if the samples about number i are evenly spaced. */
+static int is_even(const search *x, size_t i)
+{
+    const double *s = x->s + i;
+    double step = s[1] - s[0];
+
+    return fabs(s[-1] - s[-2] - step) + fabs(s[0] - s[-1] - step) + fabs(s[2] - s[1] - step) <
+           1e-9 * step;
+}
+
+/* How far sample i is from what its four neighbours say: by so much the column may differ from a smooth
+** curve. */
 static double roughness(const search *x, const double *values, size_t i)
 {
+    size_t k, from = i < 2 ? 0 : i + 3 > x->n ? x->n - 5 : i - 2;
+    const double *v = values + i;
     polynomial p;
     double slope, d;
-    size_t k, from = i < 2 ? 0 : i > x->n - 3 ? x->n - 5 : i - 2;
 
     if (x->n < 5)
         return 0;
-    p.n = 0;
-    for (k = from; k < from + 5; k++)
-        if (k != i)
-            add_node(&p, x->s[k], values[k]);
-    d = value_of(&p, x->s[i], &slope) - values[i];
-    return gsl_isnan(d) ? 0 : fabs(d);
+    if (i >= 2 && i + 2 < x->n && is_even(x, i)) {
+        d = (v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
+    } else {
+        p.n = 0;
+        for (k = from; k < from + 5; k++)
+            if (k != i)
+                add_node(&p, x->s[k], values[k]);
+        d = value_of(&p, x->s[i], &slope) - values[i];
+    }
+    return d == d ? fabs(d) : 0;
 }
 
 #define ROUGH 1e-3 /* of the column's size: below it nothing hides between samples */
+#define MARGIN 8   /* a column may reach so many times its roughness beyond a sample */
 
-/* The most that a column may reach about sample i. */
-static double promise(const search *x, const double *values, int which, size_t i)
-{
-    return signed_value(which, values[i]) + 8 * roughness(x, values, i);
-}
-
-/* Halve the steps about a sample if a better extreme of a column may hide there. */
+/* 1 if a better extreme of a column may hide beside a sample. */
 static int may_hide(const search *x, const tracked *t, const double *values, size_t i)
 {
-    int which;
+    double rough = roughness(x, values, i);
 
-    if ((flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) || gsl_isnan(values[i]) ||
-        roughness(x, values, i) < ROUGH * size_about(x, values, i) + 1e-9 * t->size)
+    if (!(rough > 1e-9 * t->size) || (values[i] + MARGIN * rough <= t->here[0].value &&
+                                      values[i] - MARGIN * rough >= t->here[1].value))
         return 0;
-    for (which = 0; which < 2; which++)
-        if (promise(x, values, which, i) > signed_value(which, t->here[which].value) &&
-            fabs(t->here[which].value) < flk_column_bound(t->c))
+    return rough > ROUGH * size_about(x, values, i) && !t->is_noise &&
+           fabs(t->here[0].value) < t->bound && fabs(t->here[1].value) < t->bound;
+}
+
+static int hides(const search *x, size_t i)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++)
+        if (may_hide(x, &x->columns[c], row_of(x, c), i))
             return 1;
     return 0;
 }
 
+/* Halve the step before number i. */
+static void halve(search *x, size_t i)
+{
+    size_t c;
+
+    if (x->n >= MOST_SAMPLES || x->s[i] - x->s[i - 1] < 1e-12)
+        return;
+    insert(x, i, 0.5 * (x->s[i - 1] + x->s[i]));
+    for (c = 0; c < x->n_columns; c++) {
+        tracked *t = &x->columns[c];
+        double *v = row_of(x, c) + i;
+
+        if (t->turn > 0)
+            v[0] +=
+                t->turn *
+                floor(((leap(t, v[-1], v[0]) > HALF_TURN ? v[1] : v[-1]) - v[0]) / t->turn + 0.5);
+        offer(&t->here[0], 0, v[0], angle_at(x, x->s[i]));
+        offer(&t->here[1], 1, v[0], angle_at(x, x->s[i]));
+    }
+}
+
 static void resolve_narrow(search *x)
 {
-    size_t i, c;
+    size_t i, before;
 
-    for (i = 0; i + 1 < x->n; i++) {
-        int hides = 0;
-
-        if (x->n >= MOST_SAMPLES || x->s[i + 1] - x->s[i] < 1e-12)
+    for (i = 0; i < x->n; i++) {
+        before = x->n;
+        if (!hides(x, i))
             continue;
-        for (c = 0; c < x->n_columns && !hides; c++)
-            hides = may_hide(x, &x->columns[c], row_of(x, c), i) ||
-                    may_hide(x, &x->columns[c], row_of(x, c), i + 1);
-        if (hides) {
-            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
-            for (c = 0; c < x->n_columns; c++) {
-                tracked *t = &x->columns[c];
-                double *values = row_of(x, c);
-
-                if (t->turn > 0)
-                    values[i + 1] += t->turn * floor((values[i] - values[i + 1]) / t->turn + 0.5);
-            }
-            i = i > 2 ? i - 3 : (size_t)-1;
-        }
+        if (i + 1 < x->n)
+            halve(x, i + 1);
+        if (i > 0)
+            halve(x, i);
+        if (x->n > before)
+            i = i > 3 ? i - 4 : (size_t)-1;
     }
 }
 
 /* ------------------------------------------------------------------------------------------ the stretch */
 
-/* Offer the samples of a column, then refine the peaks that may be better. */
+/* Offer the first of the best samples of a column. */
 static void offer_samples(const search *x, tracked *t, const double *values)
 {
-    size_t i;
-    int which;
+    size_t i, most = x->n, least = x->n;
 
-    for (i = 0; i < x->n; i++)
-        for (which = 0; which < 2; which++)
-            offer(&t->here[which], which, values[i], angle_at(x, x->s[i]));
+    for (i = 0; i < x->n; i++) {
+        if (most == x->n ? values[i] == values[i] : values[i] > values[most])
+            most = i;
+        if (least == x->n ? values[i] == values[i] : values[i] < values[least])
+            least = i;
+    }
+    if (most == x->n)
+        return;
+    for (i = 0;
+         values[i] != values[most] && !(values[i] > values[most] - CLOSE * fabs(values[most])); i++)
+        ;
+    offer(&t->here[0], 0, values[i], angle_at(x, x->s[i]));
+    for (i = 0;
+         values[i] != values[least] && !(values[i] < values[least] + CLOSE * fabs(values[least]));
+         i++)
+        ;
+    offer(&t->here[1], 1, values[i], angle_at(x, x->s[i]));
 }
 
 /* 1 if sample i is a peak of the samples; NaN is no neighbour. */
@@ -508,7 +562,8 @@ static void refine_peaks(search *x, tracked *t, const double *values)
                 gain = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
             if (gsl_isnan(gain) || i == 0 || i + 1 == x->n)
                 gain = size_about(x, values, i);
-            if (promise(x, values, which, i) + gain >= signed_value(which, t->here[which].value))
+            gain += MARGIN * roughness(x, values, i);
+            if (signed_value(which, values[i]) + gain >= signed_value(which, t->here[which].value))
                 refine(x, t, values, which, i, &t->here[which]);
         }
 }
@@ -516,6 +571,7 @@ static void refine_peaks(search *x, tracked *t, const double *values)
 /* ---------------------------------------------------------------------------------------------- limits */
 
 #define LIMIT_NODES (NODES + 1)
+#define SCALES 4
 
 /* The value at 0 of the polynomial through x_k^power y_k, and how much its last node counts. */
 static double extrapolate(const double *x, const double *y, int power, double *error)
@@ -550,56 +606,57 @@ static int pole_of(const double *x, const double *y, int order)
 }
 
 /* The limits of all columns at an end of the piece where there is no row, or that they have none.  Rows at
-** x_k from it are computed on two scales: the small one is more exact for what has no poles, the large one
-** where poles cancel.  At a dead position x is the root of the angle. */
+** x_k from it are computed on several scales: the small ones are more exact for what has no poles, the large
+** ones where poles cancel.  At a dead position x is the root of the angle. */
 static void find_limits(search *x, int at_end)
 {
-    static const double scales[2][2] = {{0.016, 0.1}, {0.008, 0.06}};
+    static const double scales[2][SCALES] = {{0.016, 0.06, 0.15, 0.3}, {0.008, 0.03, 0.08, 0.2}};
     flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
     int is_dead = kind == FLK_END_DEAD, scale, k, which;
     double length = x->piece.to - x->piece.from, edge = at_end ? x->piece.to : x->piece.from;
-    double place[2][LIMIT_NODES], y[2][LIMIT_NODES];
-    flk_row rows[2][LIMIT_NODES];
+    double away[SCALES][LIMIT_NODES], y[SCALES][LIMIT_NODES];
+    flk_row rows[SCALES][LIMIT_NODES];
     size_t c;
 
     if (kind != FLK_END_DEAD && kind != FLK_END_CHANGE)
         return;
-    for (scale = 0; scale < 2; scale++)
+    for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < LIMIT_NODES; k++) {
             double most = scales[is_dead ? 0 : 1][scale];
 
             most = GSL_MIN_DBL(most, is_dead ? sqrt(length / 2) : length / 2);
-            place[scale][k] = most * (k + 1) / LIMIT_NODES;
+            away[scale][k] = most * (k + 1) / LIMIT_NODES;
             compute(x, x->needs,
-                    edge + (at_end ? -1 : 1) * (is_dead ? place[scale][k] : 1) * place[scale][k],
+                    edge + (at_end ? -1 : 1) * (is_dead ? away[scale][k] : 1) * away[scale][k],
                     &rows[scale][k]);
         }
     for (c = 0; c < x->n_columns; c++) {
         tracked *t = &x->columns[c];
-        double near = row_of(x, c)[at_end ? x->n - 1 : 0], limit[2], error[2];
+        double near = row_of(x, c)[at_end ? x->n - 1 : 0], limit[SCALES], error[SCALES];
         int pole;
 
-        if (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING)
+        if (t->is_noise)
             continue;
-        for (scale = 0; scale < 2; scale++)
+        for (scale = 0; scale < SCALES; scale++)
             for (k = 0; k < LIMIT_NODES; k++) {
                 y[scale][k] = flk_column_value(t->c, &rows[scale][k]);
                 if (t->turn > 0)
                     y[scale][k] += t->turn * floor((near - y[scale][k]) / t->turn + 0.5);
             }
-        pole = t->turn > 0 ? 0 : pole_of(place[1], y[1], is_dead ? 3 : 2);
+        pole = t->turn > 0 ? 0 : pole_of(away[1], y[1], is_dead ? 3 : 2);
         if (pole) {
             offer(&t->here[pole > 0 ? 0 : 1], pole > 0 ? 0 : 1, pole > 0 ? GSL_POSINF : GSL_NEGINF,
-                  flk_pieces_angle(x->a, edge));
+                  angle_of(x, edge));
             continue;
         }
-        for (scale = 0; scale < 2; scale++)
-            limit[scale] = extrapolate(place[scale], y[scale], 0, &error[scale]);
-        scale = error[1] < error[0];
+        for (scale = 0; scale < SCALES; scale++)
+            limit[scale] = extrapolate(away[scale], y[scale], 0, &error[scale]);
+        for (scale = 0, k = 1; k < SCALES; k++)
+            scale = error[k] < error[scale] ? k : scale;
         if (fabs(limit[scale]) < 1e-9 * t->size)
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
-            offer(&t->here[which], which, limit[scale], flk_pieces_angle(x->a, edge));
+            offer(&t->here[which], which, limit[scale], angle_of(x, edge));
     }
 }
 
@@ -629,7 +686,7 @@ static void search_stretch(search *x, size_t steps)
 static void search_piece(search *x, int is_reached)
 {
     double length = x->piece.to - x->piece.from;
-    double step = GSL_MAX_DBL(M_PI / 180, flk_pieces_length(x->a) / MOST_STEPS);
+    double step = GSL_MAX_DBL(M_PI / 180, x->length / MOST_STEPS);
     size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
 
     steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
@@ -657,6 +714,10 @@ static void start(search *x, double *memory)
     x->s = memory;
     x->values = memory + MOST_SAMPLES;
     x->columns = (tracked *)(void *)(x->values + MOST_SAMPLES * x->n_columns);
+    x->length = flk_pieces_length(x->a);
+    x->from = x->a->d->motion.from;
+    x->end = flk_analysis_end(x->a);
+    x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
     x->needs = 0;
     x->n = 0;
     memset(x->columns, 0, x->n_columns * sizeof *x->columns);
@@ -668,8 +729,10 @@ static void start(search *x, double *memory)
         if (flk_column_quantity(t->c) == QUANTITY_ANGLE)
             t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
         t->last = t->first = GSL_NAN;
+        t->bound = flk_column_bound(t->c);
+        t->is_noise = (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) != 0;
         x->needs |= flk_column_need(t->c);
-        if (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING)
+        if (t->is_noise)
             x->a->is_fast = 0; /* it is the rounding of the deck's own solver */
     }
     memset(&x->piece, 0, sizeof x->piece);
@@ -690,7 +753,7 @@ static void finish(search *x, int has_gap)
             shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
         commit(t, shift);
         for (which = 0; which < 2; which++)
-            if (fabs(t->best[which].value) >= flk_column_bound(t->c))
+            if (fabs(t->best[which].value) >= t->bound)
                 t->best[which].value = which == 0 ? GSL_POSINF : GSL_NEGINF;
         x->pairs[c].max = t->best[0];
         x->pairs[c].min = t->best[1];
@@ -698,8 +761,9 @@ static void finish(search *x, int has_gap)
     x->a->is_fast = 0;
 }
 
-void flk_extreme_find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
-                      double *memory)
+/* Find the extremes of n columns on a branch. */
+static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
+                 double *memory)
 {
     int has_gap = 0;
     search x;
@@ -710,7 +774,7 @@ void flk_extreme_find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair 
     x.pairs = pairs;
     x.n_columns = n;
     start(&x, memory);
-    if (flk_pieces_length(a) <= 0) {
+    if (x.length <= 0) {
         x.low = x.high = 0;
         search_stretch(&x, 0);
     }
@@ -727,4 +791,57 @@ void flk_extreme_find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair 
         has_gap |= !reached;
     }
     finish(&x, has_gap);
+}
+
+/* ------------------------------------------------------------------------------------- the asked for */
+
+int flk_extremes_open(flk_extremes *x, size_t most)
+{
+    size_t numbers = MOST_SAMPLES * (most + 1) + most * (sizeof(tracked) / sizeof(double) + 1);
+
+    x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
+    x->pairs[1] = x->pairs[0] + most + 1;
+    x->memory = malloc(numbers * sizeof *x->memory);
+    return x->pairs[0] && x->memory;
+}
+
+void flk_extremes_close(flk_extremes *x)
+{
+    free(x->pairs[0]);
+    free(x->memory);
+}
+
+static int is_same(const flk_column *x, const flk_column *y)
+{
+    return x->info == y->info && x->point == y->point;
+}
+
+void flk_extremes_ask(flk_extremes *x, const flk_column *c)
+{
+    size_t i;
+
+    for (i = 0; i < x->n; i++)
+        if (is_same(&x->pairs[0][i].c, c))
+            return;
+    x->pairs[0][x->n].c = x->pairs[1][x->n].c = *c;
+    x->n++;
+}
+
+const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
+                                        fourlink_branch branch)
+{
+    int k = branch == FOURLINK_OPEN ? 0 : 1;
+    flk_extreme_pair *pairs = x->pairs[k];
+    size_t i;
+
+    for (i = 0; i < x->n && !is_same(&pairs[i].c, c); i++)
+        ;
+    if (i == x->n) {
+        pairs[i].c = *c;
+        find(a, branch, &pairs[i], 1, x->memory);
+    } else if (!x->is_known[k]) {
+        find(a, branch, pairs, x->n, x->memory);
+        x->is_known[k] = 1;
+    }
+    return &pairs[i];
 }

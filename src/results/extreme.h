@@ -9,7 +9,8 @@
 
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
-    double value; /* in the column's unit; infinite: unbounded, as velocities are at a dead position */
+    double
+        value; /* in the column's unit; infinite: unbounded, as velocities are at a dead position */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } flk_extreme;
 
@@ -19,11 +20,23 @@ typedef struct flk_extreme_pair {
     flk_extreme min, max;
 } flk_extreme_pair;
 
-/* How many numbers of memory a search for the extremes of n columns needs. */
-size_t flk_extreme_size(size_t n);
+/* The extremes that a deck asks for: all are found when the first is asked for. */
+typedef struct flk_extremes {
+    flk_extreme_pair *pairs[2]; /* open, crossed; behind them one for any other column */
+    size_t n;
+    int is_known[2];
+    double *memory; /* of the search */
+} flk_extremes;
 
-/* Find the extremes of n columns on a branch, in one pass over the motion, refined between its samples. */
-void flk_extreme_find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
-                      double *memory);
+/* Take the memory for at most so many columns, and give it back.  0 when out of memory. */
+int flk_extremes_open(flk_extremes *x, size_t most);
+void flk_extremes_close(flk_extremes *x);
+
+/* Ask for a column's, which is not asked for yet. */
+void flk_extremes_ask(flk_extremes *x, const flk_column *c);
+
+/* The extremes of any column; they last until the next call. */
+const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
+                                        fourlink_branch branch);
 
 #endif

@@ -7,7 +7,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "extreme.h"
 #include "fact.h"
 #include "turning.h"
 
@@ -231,27 +230,28 @@ static void tell_limits(teller *t)
     }
 }
 
-int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
+int flk_fact_of_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
                         fourlink_branch branch, int sign, fourlink_value *f)
 {
-    flk_extreme e;
-    int status = flk_extreme_find(a, c, branch, sign, &e);
+    const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch);
+    const flk_extreme *e = sign > 0 ? &pair->max : &pair->min;
 
-    if (status != FOURLINK_OK)
-        return status;
+    if (!e->is_there)
+        return FOURLINK_NOT_REACHED;
     memset(f, 0, sizeof *f);
     f->name = name;
     f->meaning = sign > 0 ? "greatest value" : "least value";
     f->source = "";
     set_unit(a->d, flk_column_quantity(c), f);
-    f->value = e.value;
-    f->has_angle = gsl_finite(e.value);
-    f->angle = e.angle;
+    f->value = e->value;
+    f->has_angle = gsl_finite(e->value);
+    f->angle = e->angle;
     f->branch = (int)branch;
     return FOURLINK_OK;
 }
 
-static void tell_extremes(teller *t, flk_analysis *a, const flk_column *c, char *names)
+static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk_column *c,
+                          char *names)
 {
     int sign;
 
@@ -260,7 +260,7 @@ static void tell_extremes(teller *t, flk_analysis *a, const flk_column *c, char 
     for (sign = 1; sign >= -1; sign -= 2, names += DECK_NAME_SIZE) {
         flk_text_join(names, DECK_NAME_SIZE, sign > 0 ? "max(" : "min(", c->name, ")",
                       (char *)NULL);
-        t->n += flk_fact_of_extreme(a, c, names, (fourlink_branch)t->branch, sign,
+        t->n += flk_fact_of_extreme(a, x, c, names, (fourlink_branch)t->branch, sign,
                                     &t->list[t->n]) == FOURLINK_OK;
     }
 }
@@ -282,8 +282,9 @@ static void tell_turning(teller *t, flk_analysis *a)
     }
 }
 
-unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_column *columns,
-                            size_t n_columns, fourlink_value *list, char *names)
+unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
+                            const flk_column *columns, size_t n_columns, fourlink_value *list,
+                            char *names)
 {
     teller t;
     size_t j;
@@ -309,7 +310,7 @@ unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_c
         if (groups & FOURLINK_FACTS_LIMITS)
             tell_limits(&t);
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
-            tell_extremes(&t, a, &columns[j], names + 2 * DECK_NAME_SIZE * j);
+            tell_extremes(&t, a, x, &columns[j], names + 2 * DECK_NAME_SIZE * j);
         if (groups & FOURLINK_FACTS_TURNING)
             tell_turning(&t, a);
     }

@@ -32,7 +32,30 @@ static void check_output(fourlink_results *r, text name, mistakes *m)
                 flk_column_find(&r->a, name, &c)
                     ? "'%t' has many values: name its extremes, max() or min()%h"
                     : "'%t' is no fact, and no max() or min() of a column, of this deck%h",
-                name, !sign ? flk_fact_nearest(name) : column ? nearest : NULL);
+                name,
+                !sign    ? flk_fact_nearest(name)
+                : column ? nearest
+                         : NULL);
+}
+
+/* Ask for the extremes that are told together: those of a sweep's outputs, or of the columns; and those that
+** are expected. */
+static void ask_extremes(fourlink_results *r)
+{
+    text rest = r->d.sweep.output.names, name;
+    flk_column c;
+    size_t i;
+
+    while (rest.start && flk_column_next_name(&rest, &name))
+        if (flk_column_extreme_of(name, &name) && flk_column_find(&r->a, name, &c))
+            flk_extremes_ask(&r->extremes, &c);
+    for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
+        if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
+            flk_extremes_ask(&r->extremes, &r->columns[i]);
+    for (i = 0; i < r->d.n_expectations; i++)
+        if (flk_column_extreme_of(r->d.expectations[i].name, &name) &&
+            flk_column_find(&r->a, name, &c))
+            flk_extremes_ask(&r->extremes, &c);
 }
 
 static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
@@ -90,7 +113,8 @@ static int take_memory(fourlink_results *r)
     r->facts = next = malloc(total * sizeof *next);
     for (i = 0; next && i <= FOURLINK_OUTPUTS; next += size[i++])
         r->lists[i].list = next;
-    return r->columns && r->names && r->facts && flk_turning_open(&r->a);
+    return r->columns && r->names && r->facts && flk_turning_open(&r->a) &&
+           flk_extremes_open(&r->extremes, columns);
 }
 
 /* Of a deck that is in order.  0 when out of memory. */
@@ -109,6 +133,7 @@ static int open_deck(fourlink_results *r)
         r->needs |= flk_column_need(&r->columns[i]);
     }
     list_outputs(r);
+    ask_extremes(r);
     flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES],
                        r->names + MOST_OUTPUTS * DECK_NAME_SIZE);
     return 1;
@@ -209,6 +234,7 @@ void fourlink_results_free(fourlink_results *r)
 {
     if (!r)
         return;
+    flk_extremes_close(&r->extremes);
     flk_analysis_close(&r->a);
     flk_deck_free(&r->d);
     free(r->columns);
@@ -265,7 +291,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
     names = MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
-    *n = flk_fact_list(&r->a, branch, groups, r->columns, r->n_columns, r->facts,
+    *n = flk_fact_list(&r->a, &r->extremes, branch, groups, r->columns, r->n_columns, r->facts,
                        r->names + names * DECK_NAME_SIZE);
     *facts = r->facts;
     return FOURLINK_OK;
@@ -352,7 +378,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
 static int value_of_fact(fourlink_results *r, text name, int group, fourlink_branch branch,
                          fourlink_value *value)
 {
-    unsigned long n = flk_fact_list(&r->a, (int)branch, group, NULL, 0, r->facts, NULL), i;
+    unsigned long n = flk_fact_list(&r->a, NULL, (int)branch, group, NULL, 0, r->facts, NULL), i;
 
     for (i = 0; i < n; i++)
         if (flk_text_same(name, r->facts[i].name)) {
@@ -376,7 +402,7 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
     whole = of = flk_text_of(name);
     sign = flk_column_extreme_of(whole, &of);
     if (flk_column_find(&r->a, of, &c))
-        return sign ? flk_fact_of_extreme(&r->a, &c, name, branch, sign, value)
+        return sign ? flk_fact_of_extreme(&r->a, &r->extremes, &c, name, branch, sign, value)
                     : value_of_column(r, &c, branch, angle, value);
     group = flk_fact_group(whole);
     return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
@@ -403,6 +429,6 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
         return FOURLINK_NULL;
     if (i >= r->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    flk_expected_compare(&r->a, &r->d.expectations[i], r->facts, check);
+    flk_expected_compare(&r->a, &r->extremes, &r->d.expectations[i], r->facts, check);
     return FOURLINK_OK;
 }
