@@ -17,9 +17,4 @@ char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);
 
-/* Write a number with so many decimals so that its text ends before `end`, without a sign if it is 0 to
-** these; where it begins, or null, and nothing is written, if it is left to format_fixed.  At most 12
-** characters. */
-char *format_fixed_before(double value, int decimals, char *end);
-
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** number.c - numbers from the text of a deck, and into its messages.
+** number.c - numbers from the text of a deck.
 */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -76,29 +75,11 @@ static long read_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-/* Write a whole number; returns where it ends. */
-static char *write_whole(long value, char *out)
-{
-    char digits[24];
-    int n = 0;
-
-    if (value < 0)
-        *out++ = '-';
-    value = value < 0 ? -value : value;
-    do
-        digits[n++] = (char)('0' + value % 10);
-    while ((value /= 10) > 0);
-    while (n > 0)
-        *out++ = digits[--n];
-    *out = '\0';
-    return out;
-}
-
 /* strtod rounds correctly but looks for the decimal mark of the host's locale, so it is given a whole
 ** number and an exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
 {
-    char copy[NUMBER_SIZE], *end = copy;
+    char copy[400], *end = copy;
     const char *s = rest->start;
     size_t n, point, i;
     long exponent = 0;
@@ -125,7 +106,7 @@ number_status flk_number_read(text *rest, double *value)
     if (i < n)
         exponent += read_exponent(s + i + 1, s + n);
     *end++ = 'e';
-    write_whole(exponent, end);
+    flk_digits_short((double)exponent, 9, end);
     result = strtod(copy, NULL);
     if (result - result != 0)
         return NUMBER_NOT_FINITE;
@@ -135,42 +116,16 @@ number_status flk_number_read(text *rest, double *value)
     return NUMBER_OK;
 }
 
-char *flk_number_write(double value, int digits, char out[NUMBER_SIZE])
+char *flk_number_shortest(double value, char out[DIGITS_SIZE])
 {
-    char figures[32], *end = out;
-    int exponent, n, i, point;
-    double scaled;
+    double same;
+    int digits;
 
-    if (fabs(value) < 1e-290) /* whose scale below would be infinite */
-        return strcpy(out, "0");
-    if (value < 0)
-        *end++ = '-';
-    value = fabs(value);
-    exponent = (int)floor(log10(value));
-    scaled = floor(value * pow(10, digits - 1 - exponent) + 0.5);
-    if (scaled >= pow(10, digits)) {
-        scaled /= 10;
-        exponent++;
-    }
-    n = (int)(write_whole((long)scaled, figures) - figures);
-    while (n > 1 && figures[n - 1] == '0')
-        n--;
-    point = -4 <= exponent && exponent < digits ? exponent + 1 : 1;
-    if (point <= 0) {
-        *end++ = '0';
-        *end++ = '.';
-    }
-    for (i = point; i < 0; i++)
-        *end++ = '0';
-    for (i = 0; i < n || i < point; i++) {
-        if (i > 0 && i == point)
-            *end++ = '.';
-        *end++ = i < n ? figures[i] : '0';
-    }
-    *end = '\0';
-    if (exponent < -4 || exponent >= digits) {
-        *end++ = 'e';
-        write_whole(exponent, end);
+    for (digits = 15; digits <= 17; digits++) {
+        text t = flk_text_of(flk_digits_short(value, digits, out));
+
+        if (flk_number_read(&t, &same) == NUMBER_OK && same == value)
+            break;
     }
     return out;
 }

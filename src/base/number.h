@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** number.h - numbers from the text of a deck, and into its messages; the same under every locale.
+** number.h - numbers from the text of a deck; the same under every locale.
 */
 #ifndef FOURLINK_NUMBER_H
 #define FOURLINK_NUMBER_H
 
+#include "digits.h"
 #include "text.h"
 
 typedef enum number_status {
@@ -19,10 +20,7 @@ typedef enum number_status {
 /* Take a decimal number off the front of `rest`; on a failure `rest` is unchanged. */
 number_status flk_number_read(text *rest, double *value);
 
-#define NUMBER_SIZE 400
-
-/* Write a number for a message, with so many significant digits at most: at most 9, rounded to the
-** nearest but for what is lost in scaling it. */
-char *flk_number_write(double value, int digits, char out[NUMBER_SIZE]);
+/* Write a number with the fewest digits, from 15 on, that are read as the same number. */
+char *flk_number_shortest(double value, char out[DIGITS_SIZE]);
 
 #endif

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** text.c - pieces of text within a larger one, and messages about them.
+** text.c - pieces of text within a larger one.
 */
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "text.h"
@@ -87,6 +86,49 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+/* A tab is a blank. */
+static int is_at(text t, size_t i, const char *separator)
+{
+    for (; *separator; separator++, i++)
+        if (t.start[i] != *separator && !(t.start[i] == '\t' && *separator == ' '))
+            return 0;
+    return 1;
+}
+
+static void cut(text t, size_t i, size_t n, text *before, text *after)
+{
+    before->start = t.start;
+    before->length = i;
+    after->start = t.start + i + n;
+    after->length = t.length - i - n;
+    *before = flk_text_trim(*before);
+    *after = flk_text_trim(*after);
+}
+
+int flk_text_cut(text t, const char *separator, text *before, text *after)
+{
+    size_t n = strlen(separator), i;
+
+    for (i = 0; i + n <= t.length; i++)
+        if (is_at(t, i, separator)) {
+            cut(t, i, n, before, after);
+            return 1;
+        }
+    return 0;
+}
+
+int flk_text_cut_last(text t, const char *separator, text *before, text *after)
+{
+    size_t n = strlen(separator), i;
+
+    for (i = t.length; i >= n; i--)
+        if (is_at(t, i - n, separator)) {
+            cut(t, i - n, n, before, after);
+            return 1;
+        }
+    return 0;
+}
+
 char *flk_text_copy(text t, char *out, size_t size)
 {
     size_t i, n = t.length < size ? t.length : size - 1;
@@ -153,87 +195,18 @@ const char *flk_text_nearest(text t, const char *const *words)
     return nearest;
 }
 
-const char *flk_hint(const char *nearest)
-{
-    return nearest ? "; did you mean '" : "";
-}
-
-const char *flk_hint_word(const char *nearest)
-{
-    return nearest ? nearest : "";
-}
-
-const char *flk_hint_end(const char *nearest)
-{
-    return nearest ? "'?" : "";
-}
-
-#define MOST_MISTAKES 100
-
-static void join(char *out, size_t size, va_list pieces)
+char *flk_text_join(char *out, size_t size, ...)
 {
     const char *piece;
     size_t used = 0;
+    va_list pieces;
 
     out[0] = '\0';
+    va_start(pieces, size);
     while ((piece = va_arg(pieces, const char *)) != NULL) {
         flk_text_copy(flk_text_of(piece), out + used, size - used);
         used += strlen(out + used);
     }
-}
-
-char *flk_text_join(char *out, size_t size, ...)
-{
-    va_list pieces;
-
-    va_start(pieces, size);
-    join(out, size, pieces);
     va_end(pieces);
     return out;
-}
-
-void flk_mistake_note(mistakes *m, text_place place, ...)
-{
-    struct mistake *new;
-    va_list pieces;
-
-    if (m->count == m->capacity && m->count < MOST_MISTAKES) {
-        size_t capacity = m->capacity ? 2 * m->capacity : 8;
-        struct mistake *list = realloc(m->list, capacity * sizeof *list);
-
-        if (list) {
-            m->list = list;
-            m->capacity = capacity;
-        }
-    }
-    if (m->count == m->capacity || m->count >= MOST_MISTAKES) {
-        m->out_of_memory = m->count < MOST_MISTAKES;
-        m->left_out++;
-        return;
-    }
-    new = &m->list[m->count++];
-    new->place = place;
-    va_start(pieces, place);
-    join(new->message, sizeof new->message, pieces);
-    va_end(pieces);
-}
-
-/* An insertion sort: the list is short, and lines of equal number keep their order. */
-void flk_mistakes_sort(mistakes *m)
-{
-    size_t i, j;
-
-    for (i = 1; i < m->count; i++)
-        for (j = i; j > 0 && m->list[j].place.line < m->list[j - 1].place.line; j--) {
-            struct mistake swap = m->list[j];
-
-            m->list[j] = m->list[j - 1];
-            m->list[j - 1] = swap;
-        }
-}
-
-void flk_mistakes_free(mistakes *m)
-{
-    free(m->list);
-    memset(m, 0, sizeof *m);
 }

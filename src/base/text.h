@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** text.h - pieces of text within a larger one, and messages about them.
+** text.h - pieces of text within a larger one.
 */
 #ifndef FOURLINK_TEXT_H
 #define FOURLINK_TEXT_H
@@ -34,6 +34,11 @@ int flk_text_same(text t, const char *word);
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 when nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
 
+/* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
+** A tab is as good as a blank of the separator. */
+int flk_text_cut(text t, const char *separator, text *before, text *after);
+int flk_text_cut_last(text t, const char *separator, text *before, text *after);
+
 /* A copy that fits into `size` bytes, null-terminated, what cannot be printed replaced, what does
 ** not fit replaced by "..." */
 char *flk_text_copy(text t, char *out, size_t size);
@@ -41,35 +46,5 @@ char *flk_text_copy(text t, char *out, size_t size);
 /* The word of a list, ended by a null pointer, that is most like `t`: a typing mistake or two away.
 ** Null if none is. */
 const char *flk_text_nearest(text t, const char *const *words);
-
-/* "; did you mean '", the word, and "'?" to put around a nearest word; all empty if there is none. */
-const char *flk_hint(const char *nearest);
-const char *flk_hint_word(const char *nearest);
-const char *flk_hint_end(const char *nearest);
-
-/* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
-typedef struct text_place {
-    const char *source;
-    long line;
-} text_place;
-
-/* The mistakes found in a deck, in the order of its lines. */
-typedef struct mistakes {
-    struct mistake *list;
-    size_t count, capacity, left_out;
-    int out_of_memory; /* 1: there was one that could not be noted */
-} mistakes;
-
-struct mistake {
-    text_place place;
-    char message[400];
-};
-
-/* Note a mistake: the message is made of the strings given, up to a null pointer. */
-void flk_mistake_note(mistakes *m, text_place place, ...);
-
-/* Sort by line, for printing. */
-void flk_mistakes_sort(mistakes *m);
-void flk_mistakes_free(mistakes *m);
 
 #endif

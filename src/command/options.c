@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/message.h"
 #include "base/number.h"
+#include "base/message.h"
 #include "options.h"
 
 const char *const options_help[] = {
@@ -137,15 +139,10 @@ static int set_plot_kind(options *o, const char *value, char message[400])
             return 1;
         }
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
-    say(message, "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, ",
-        "klein or animation, not '", "");
-    flk_text_copy(flk_text_of(value), message + strlen(message), 60);
-    strcat(message, "'");
-    if (nearest) {
-        strcat(message, flk_hint(nearest));
-        strcat(message, nearest);
-        strcat(message, flk_hint_end(nearest));
-    }
+    flk_message(message, 400,
+                "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
+                "klein or animation, not '%t'%h",
+                flk_text_of(value), nearest);
     return 0;
 }
 

@@ -7,6 +7,7 @@
 
 #include "curve.h"
 #include "fourlink.h"
+#include "base/message.h"
 #include "base/units.h"
 
 #define DECK_NAME_SIZE 64
@@ -65,9 +66,7 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    double value;   /* of this design, in the deck's unit of the quantity */
-    size_t setting; /* for the reader: where it is set, */
-    int part;       /* and which part of it, if it is one of a vector's */
+    double value; /* of this design, in the deck's unit of the quantity */
 } deck_variable;
 
 /* [sweep]; without variables there is none. */
@@ -127,15 +126,15 @@ struct fourlink_deck {
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Read a value with a unit, in SI units; `digit` is that of its last digit.  0 and a mistake of the
-** deck if it is none of that quantity. */
-int flk_deck_read_quantity(deck *d, text_place place, text value, quantity q, double *si,
-                           double *digit);
-
 /* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
 void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
+/* Set up a deck without anything but the default units; give back its memory. */
+void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
+
+/* Memory that lasts as long as the deck; null when there is none. */
+void *flk_deck_keep(deck *d, size_t size);
 
 #endif

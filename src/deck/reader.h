@@ -1,25 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** reader.h - what the three passes over a deck share: lines to settings (lines.c), settings to
-** values (values.c), values to a problem (deck.c).
+** reader.h - what the three passes over a deck share: lines to settings (lines.c, settings.c), settings to
+** values (values.c), values to a problem (build_*.c).
 */
 #ifndef FOURLINK_READER_H
 #define FOURLINK_READER_H
 
+#include "base/quantity.h"
 #include "deck.h"
 #include "schema.h"
+
+/* The parts of a force or a point that can be set on their own: load F.force.size. */
+typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
 /* What the deck sets a key to. */
 typedef struct setting {
     text_place place; /* source null: not set */
-    text value;
-    double number; /* as written */
-    unit unit;     /* its unit */
-    int is_given;  /* 1: number and unit are those of a sweep, not of the text */
-    int is_void;   /* 1: not to be read, for there is a mistake about it already */
-    double si[2];  /* the value in SI units and radians, or the two components */
+    text value;       /* empty: there is a mistake about it already */
+    double number;    /* as written */
+    unit unit;        /* its unit */
+    double si[2];     /* the value in SI units and radians, or the two components */
     int word;
-    struct point *curve; /* its points, if it is a curve */
+    struct setting *parts; /* of a vector: those set on their own, by vector_part; or null */
+    struct point *curve;   /* its points, if it is a curve */
     size_t n_points;
 } setting;
 
@@ -40,15 +43,25 @@ typedef struct section_use {
     size_t first;
 } section_use;
 
-/* A value of a section that takes names of its own: [expect], [misprint]. */
+/* A value of a section that takes names of its own: [expect], [misprint], [sweep]. */
 typedef struct named_value {
     size_t use; /* number of its section */
     text name;
-    setting s;
+    text_place place;
+    text value;
 } named_value;
+
+/* What a key of a section means: one of the schema, a part of its vector, or a name of its own. */
+typedef struct target {
+    size_t use;
+    key_code key; /* KEY_COUNT: `name` */
+    vector_part part;
+    text name;
+} target;
 
 typedef struct parser {
     deck *d;
+    mistakes *mistakes; /* the deck's */
     const char *name;
     fourlink_loader *load;
     void *host; /* for it */
@@ -58,72 +71,94 @@ typedef struct parser {
     size_t n_settings, settings_capacity;
     named_value *named;
     size_t n_named, named_capacity;
-    setting *parts; /* for each variable of a sweep: its value, if it is a part of a vector */
+    size_t *named_slots; /* of a hash of their names: number + 1; 0: free */
+    size_t n_slots;
     int expectations_only;
+    int lacks_values; /* 1: values are missing, due to a mistake: what follows from values is not judged */
     int not_text; /* 1: the reading ended at what is no text */
     long last_line;
     int out_of_memory;
 } parser;
 
-#define WORD_SIZE 64
+/* Memory that lasts as long as the deck; null when there is none. */
+void *flk_reader_keep(parser *p, size_t size);
 
-/* A copy for a message. */
-char *flk_word_of(text t, char out[WORD_SIZE]);
+/* A copy of a text, with an ending, that lasts as long; null-terminated. */
+char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* The value of a setting for a message, as it is written, or as a sweep gives it. */
-char *flk_value_of(const setting *s, char out[WORD_SIZE]);
+/* The end of the deck, for a mistake about what is not in it. */
+text_place flk_reader_end(const parser *p);
 
 /* A section of the deck, null if it has none of that kind. */
-section_use *flk_find_use(parser *p, section_code section);
+section_use *flk_section_find(parser *p, section_code section);
 
-/* The key that a setting belongs to. */
-key_code flk_key_of(parser *p, const setting *s);
+/* The same with this name, in which case matters. */
+section_use *flk_section_find_named(parser *p, section_code section, text name);
+
+/* Parts "section NAME"; the name may be empty. */
+void flk_section_split(text *section, text *name);
+
+/* Open a section; its settings are all unset.  Null when there is no memory for it. */
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
+
+/* Note that there is no section of this name. */
+void flk_section_unknown(parser *p, text_place place, text name);
 
 /* The setting of a key in a section that has it. */
 setting *flk_setting_of(parser *p, const section_use *use, key_code key);
 
 /* The setting of a key of a section that does not repeat; null if the deck does not set it. */
-setting *flk_find(parser *p, key_code key);
+setting *flk_setting_find(parser *p, key_code key);
+
+/* The same of the key with this name; null also if the section has no such key. */
+setting *flk_setting_by_name(parser *p, section_code section, const char *key);
+
+/* Its value in SI units, or what it is when the deck does not set it; in the deck's unit of it, without
+** rounding if it is written in that. */
+double flk_setting_or(parser *p, key_code key, double otherwise);
+double flk_setting_in_unit(parser *p, const setting *s, quantity q);
+
+/* Set a key in a section, once. */
+void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value);
+
+/* What [SECTION[ NAME].]KEY[.PART] means; 0 and mostly a mistake if it means nothing.  A section that the
+** deck has not is opened. */
+int flk_setting_target(parser *p, text_place place, text key, target *t);
+
+/* Set it, from elsewhere than its section: by --set, or for a design of a sweep. */
+void flk_setting_assign(parser *p, text_place place, text key, text value);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, but
 ** not within quotes. */
-text flk_without_comment(text line);
+text flk_line_without_comment(text line);
 
-/* First pass: the lines of the deck, all in `copy`, and an assignment from outside it. */
-void flk_read_lines(parser *p, text rest, char *copy);
-void flk_apply_change(parser *p, const char *option, text assignment);
+/* First pass: the lines of the deck, all in `copy`. */
+void flk_lines_read(parser *p, text rest, char *copy);
 
-/* Set a key from elsewhere than its section: [SECTION[ NAME].]KEY.  Null, and mostly a mistake, if it has
-** no setting in the schema.  A value that is null leaves it as it is. */
-setting *flk_set_key(parser *p, text_place place, text key, text value);
+/* Second pass: the units, which decide how bare numbers are read; the assignments of a design of the
+** [sweep]; the values. */
+void flk_values_read_section(parser *p, const section_use *use);
+void flk_values_read_units(parser *p);
+void flk_sweep_read(parser *p, unsigned long design);
+void flk_values_read(parser *p);
 
-/* The parts of a force or a point that a sweep can vary: load F.force.size. */
-typedef enum vector_part { PART_NONE, PART_X, PART_Y, PART_SIZE, PART_ANGLE } vector_part;
-
-/* Second pass: the units, which decide how bare numbers are read; the values that [sweep] has for a
-** design; the values. */
-void flk_read_section(parser *p, const section_use *use);
-void flk_read_units(parser *p);
-void flk_read_sweep(parser *p, unsigned long design);
-void flk_read_values(parser *p);
-
-/* After it: put the parts that vary into their vectors; tell what the quantities of the sweep are in this
-** design. */
-void flk_set_parts(parser *p);
-void flk_build_sweep(parser *p);
-
-/* A quantity in SI units, with its size checked; 0 and a mistake if it is none.  As it is written, or with
-** the number and unit that a sweep gives. */
-int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si);
-int flk_read_given(parser *p, setting *s, quantity q);
-
-/* A quantity in the deck's unit of it, without rounding if it is written in that. */
-double flk_in_deck_unit(parser *p, const setting *s, quantity q);
-
-/* Memory that lasts as long as the deck; null when there is none. */
-void *flk_keep(parser *p, size_t size);
+/* A quantity; 0 and a mistake if it is none.  `whole` is what it is a piece of. */
+int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
+                        quantity_value *value);
 
 /* Sine and cosine, exact for whole quarters of a turn. */
-void flk_direction_of(double angle, double *x, double *y);
+void flk_values_direction(double angle, double *x, double *y);
+
+/* Third pass. */
+int flk_build_kind(parser *p);
+void flk_build_mechanism(parser *p);
+void flk_build_gas(parser *p);
+void flk_build_loads(parser *p);
+void flk_build_points(parser *p);
+void flk_build_series(parser *p);
+void flk_build_motion(parser *p);
+void flk_build_flywheel(parser *p);
+void flk_build_table(parser *p);
+void flk_build_expectations(parser *p);
 
 #endif

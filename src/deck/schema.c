@@ -42,11 +42,6 @@ const word_info flk_word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOU
                                     {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
                                     {KEY_COUNT, NULL, 0}};
 
-const char *flk_kind_words(fourlink_kind kind)
-{
-    return kind == FOURLINK_FOUR_BAR ? "four-bar linkage" : "slider-crank";
-}
-
 int flk_first_key(section_code section)
 {
     int k = 0;

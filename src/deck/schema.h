@@ -178,6 +178,4 @@ int flk_key_count(section_code section);
 /* The section of that name, SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);
 
-const char *flk_kind_words(fourlink_kind kind);
-
 #endif

@@ -16,161 +16,59 @@ static int is_blank(int c)
     return c == ' ' || c == '\t';
 }
 
-char *flk_value_of(const setting *s, char out[WORD_SIZE])
+static int refuse(parser *p, text_place place, const char *why)
 {
-    text rest = s->value;
-    char number[NUMBER_SIZE];
-    double written;
-    size_t used;
-
-    if (!s->is_given || flk_number_read(&rest, &written) != NUMBER_OK)
-        return flk_word_of(s->value, out);
-    used = strlen(strcpy(out, flk_number_write(s->number, 9, number)));
-    flk_text_copy(rest, out + used, WORD_SIZE - used); /* with its unit */
-    return out;
-}
-
-static void note_expected(parser *p, const setting *s, const char *expected, const char *example)
-{
-    char word[WORD_SIZE];
-
-    flk_mistake_note(&p->d->mistakes, s->place, "expected ", expected, example ? ", such as " : "",
-                     example ? example : "", ", not '", flk_word_of(s->value, word), "'",
-                     (char *)NULL);
-}
-
-/* The name of a quantity of this dimension, or null. */
-static const char *words_of(dimension dim)
-{
-    int q;
-
-    for (q = 0; q < QUANTITY_COUNT; q++)
-        if (flk_dimension_equal(dim, flk_quantities[q].dim))
-            return flk_quantities[q].words;
-    return NULL;
-}
-
-/* The number at the front of `rest`; 0 and a mistake if there is none. */
-static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
-{
-    char word[WORD_SIZE];
-
-    flk_word_of(s->value, word);
-    *rest = flk_text_trim(*rest);
-    switch (flk_number_read(rest, number)) {
-    case NUMBER_OK:
-        return 1;
-    case NUMBER_NOT_FINITE:
-        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "' is not a finite number",
-                         (char *)NULL);
-        return 0;
-    case NUMBER_HEX:
-        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': numbers are decimal",
-                         (char *)NULL);
-        return 0;
-    case NUMBER_COMMA:
-        flk_mistake_note(&p->d->mistakes, s->place, "'", word,
-                         "': the decimal mark is a point, not a comma", (char *)NULL);
-        return 0;
-    case NUMBER_TOO_LONG:
-        flk_mistake_note(&p->d->mistakes, s->place, "'", word, "': a number of too many digits",
-                         (char *)NULL);
-        return 0;
-    case NUMBER_NONE:
-    default:
-        note_expected(p, s, flk_quantities[q].words, flk_quantities[q].example);
-        return 0;
-    }
-}
-
-/* The unit that is all of `t`, or where t is empty that of the deck. */
-static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
-{
-    char word[WORD_SIZE], value[WORD_SIZE];
-    const char *nearest, *words;
-    text bad;
-
-    t = flk_text_trim(t);
-    if (!t.length) {
-        *u = p->d->units[q].unit;
-        return 1;
-    }
-    flk_word_of(s->value, value);
-    if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
-        if (flk_text_same(t, "1"))
-            bad = t;
-        nearest = flk_unit_nearest(bad, bad.length == t.length ? &flk_quantities[q].dim : NULL);
-        if (nearest && flk_text_same(bad, nearest))
-            nearest = NULL;
-        if (flk_text_equal(bad, "clockwise") || flk_text_equal(bad, "cw") ||
-            flk_text_equal(bad, "counterclockwise") || flk_text_equal(bad, "ccw")) {
-            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
-                             "': counter-clockwise is positive, clockwise negative", (char *)NULL);
-            return 0;
-        }
-        if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length)) {
-            flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '", flk_word_of(bad, word),
-                             "': a comment needs a blank before it", (char *)NULL);
-            return 0;
-        }
-        flk_mistake_note(&p->d->mistakes, s->place, "unknown unit '",
-                         flk_word_of(bad.length ? bad : t, word), "' in '", value, "'",
-                         flk_hint(nearest), flk_hint_word(nearest), flk_hint_end(nearest),
-                         (char *)NULL);
-        return 0;
-    }
-    if (!flk_dimension_equal(u->dim, flk_quantities[q].dim)) {
-        words = words_of(u->dim);
-        if (words)
-            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is ", words, "; expected ",
-                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
-                             (char *)NULL);
-        else
-            flk_mistake_note(&p->d->mistakes, s->place, "'", value, "' is not ",
-                             flk_quantities[q].words, ", such as ", flk_quantities[q].example,
-                             (char *)NULL);
-        return 0;
-    }
-    return 1;
-}
-
-/* Beyond 1e9 rad the digits of an angle are those of its revolutions. */
-#define ANGLE_MAX 1e9
-
-static int check_size(parser *p, const setting *s, quantity q, double si)
-{
-    char word[WORD_SIZE];
-    double max = q == QUANTITY_ANGLE    ? ANGLE_MAX
-                 : q == QUANTITY_LENGTH ? FOURLINK_LENGTH_MAX
-                                        : FOURLINK_NUMBER_MAX;
-
-    if (-max <= si && si <= max)
-        return 1;
-    flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
-                     "' is beyond what the program computes with", (char *)NULL);
+    flk_mistake(p->mistakes, place, "%s", why);
     return 0;
 }
 
-int flk_read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+/* The number at the front of `rest`, and the unit that is all of `t` (where it is empty, that of the deck); 0
+** and a mistake if there is none. */
+static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
 {
-    double number;
-    unit u;
+    char why[MESSAGE_SIZE];
 
-    if (!read_number(p, s, &t, q, &number) || !read_unit(p, s, t, q, &u))
-        return 0;
-    s->number = number;
-    s->unit = u;
-    *si = flk_unit_to_si(number, u);
-    return check_size(p, s, q, *si);
+    return flk_quantity_number(rest, s->value, q, number, why) || refuse(p, s->place, why);
 }
 
-int flk_read_given(parser *p, setting *s, quantity q)
+static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
 {
-    s->si[0] = flk_unit_to_si(s->number, s->unit);
-    return check_size(p, s, q, s->si[0]);
+    char why[MESSAGE_SIZE];
+
+    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, why) ||
+           refuse(p, s->place, why);
 }
 
-void flk_direction_of(double angle, double *x, double *y)
+static int check_size(parser *p, const setting *s, quantity q, double si)
+{
+    char why[MESSAGE_SIZE];
+
+    return flk_quantity_size(si, s->value, q, why) || refuse(p, s->place, why);
+}
+
+int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
+                        quantity_value *value)
+{
+    char why[MESSAGE_SIZE];
+
+    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, why) || refuse(p, place, why);
+}
+
+/* A piece of a setting's value that is a quantity. */
+static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
+{
+    quantity_value value;
+    int is_one;
+
+    memset(&value, 0, sizeof value);
+    is_one = flk_values_quantity(p, s->place, t, s->value, q, &value);
+    s->number = value.number;
+    s->unit = value.unit;
+    *si = value.si;
+    return is_one;
+}
+
+void flk_values_direction(double angle, double *x, double *y)
 {
     double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
 
@@ -209,8 +107,8 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
         return 0;
     i = second_number(t);
     if (i >= t.length) {
-        note_expected(p, s, "an angle and a value",
-                      q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m");
+        flk_mistake(p->mistakes, s->place, "expected an angle and a value, such as %s, not '%t'",
+                    q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m", s->value);
         return 0;
     }
     angle = t;
@@ -232,32 +130,26 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
 static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
                               text contents)
 {
-    char *file = flk_keep(p, name.length + 1);
     setting row = *s;
     text line;
     size_t n = 0;
 
-    if (!file)
-        return 0;
-    memcpy(file, name.start, name.length);
-    file[name.length] = '\0';
-    row.place.source = file;
+    row.place.source = flk_reader_copy(p, name, "");
     row.place.line = 0;
     contents = flk_text_without_mark(contents);
-    while (flk_text_split(&contents, '\n', &line)) {
+    while (!p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
         const char *comma;
 
         row.place.line++;
-        row.value = flk_without_comment(line);
+        row.value = flk_line_without_comment(line);
         if (!row.value.length)
             continue;
         comma = memchr(row.value.start, ',', row.value.length);
         if (comma) {
-            char *copy = flk_keep(p, row.value.length + 1);
+            char *copy = flk_reader_copy(p, row.value, "");
 
             if (!copy)
-                return 0;
-            memcpy(copy, row.value.start, row.value.length);
+                break;
             copy[comma - row.value.start] = ' ';
             row.value.start = copy;
         }
@@ -275,33 +167,37 @@ static size_t count(text t, int c)
     return n;
 }
 
+static text unquoted(text t)
+{
+    if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+        t.start++;
+        t.length -= 2;
+    }
+    return t;
+}
+
 /* file NAME */
 static void load_curve(parser *p, setting *s, quantity q, text name)
 {
-    char word[WORD_SIZE], file[1024];
-    size_t before = p->d->mistakes.count;
+    char file[1024];
+    size_t before = p->mistakes->count;
     unsigned long length;
-    const char *data;
+    const char *data = NULL;
     text contents;
 
-    if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
-        name.start++;
-        name.length -= 2;
-    }
-    data = NULL;
+    name = unquoted(name);
     if (p->load && name.length && name.length < sizeof file)
         data = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
     if (!data) {
-        flk_mistake_note(&p->d->mistakes, s->place, "cannot read the file '",
-                         flk_word_of(name, word), "'", (char *)NULL);
+        flk_mistake(p->mistakes, s->place, "cannot read the file '%t'", name);
         return;
     }
     contents.start = data;
     contents.length = length;
-    s->curve = flk_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
+    s->curve = flk_reader_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
     if (s->curve)
         s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
-    if (p->d->mistakes.count > before)
+    if (p->mistakes->count > before)
         s->curve = NULL;
 }
 
@@ -319,15 +215,15 @@ static void read_curve(parser *p, setting *s, quantity q)
         return;
     }
     if (flk_number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
-        flk_read_quantity(p, s, rest, q, &number);
+        read_quantity(p, s, rest, q, &number);
         return;
     }
     if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
         q != QUANTITY_PRESSURE) {
-        flk_read_quantity(p, s, rest, q, &s->si[0]);
+        read_quantity(p, s, rest, q, &s->si[0]);
         return;
     }
-    s->curve = flk_keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
+    s->curve = flk_reader_keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
     while (s->curve && flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (!item.length && !rest.start)
@@ -338,13 +234,19 @@ static void read_curve(parser *p, setting *s, quantity q)
         }
         if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
             s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
-            flk_mistake_note(&p->d->mistakes, s->place,
-                             "the values of a curve have either all a unit or none", (char *)NULL);
+            flk_mistake(p->mistakes, s->place,
+                        "the values of a curve have either all a unit or none");
             s->curve = NULL;
             return;
         }
         s->n_points++;
     }
+}
+
+static void note_components(parser *p, const setting *s, quantity q)
+{
+    flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
+                q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
 }
 
 /* (10, 5) mm */
@@ -358,7 +260,7 @@ static void read_components(parser *p, setting *s, quantity q)
     rest.length--;
     flk_text_split(&rest, ')', &inside);
     if (!rest.start || count(inside, ',') != 1) {
-        note_expected(p, s, "two components", q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+        note_components(p, s, q);
         return;
     }
     if (!read_unit(p, s, rest, q, &u))
@@ -370,8 +272,7 @@ static void read_components(parser *p, setting *s, quantity q)
         if (!read_number(p, s, &x, q, &number))
             return;
         if (flk_text_trim(x).length) {
-            note_expected(p, s, "two components",
-                          q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm");
+            note_components(p, s, q);
             return;
         }
         s->si[i] = flk_unit_to_si(number, u);
@@ -380,46 +281,44 @@ static void read_components(parser *p, setting *s, quantity q)
     }
 }
 
+static void note_vector(parser *p, const setting *s, int needs_angle)
+{
+    flk_mistake(p->mistakes, s->place,
+                needs_angle ? "expected a force with its direction, such as 50 N at 30 deg or "
+                              "(43, 25) N, not '%t'"
+                            : "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
+                s->value);
+}
+
 /* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
 static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
-    text t = s->value, part;
+    text size_text = s->value, angle_text, last;
     double size, angle = 0, x, y;
-    size_t i;
 
-    if (t.length && t.start[0] == '(') {
+    if (s->value.start[0] == '(') {
         read_components(p, s, q);
         return;
     }
-    if (memchr(t.start, ',', t.length)) {
-        note_expected(p, s, needs_angle ? "a force with its direction" : "a point",
-                      needs_angle ? "50 N at 30 deg or (43, 25) N"
-                                  : "10 mm at 5 deg or (10, 5) mm");
+    if (memchr(s->value.start, ',', s->value.length)) {
+        note_vector(p, s, needs_angle);
         return;
     }
-    part = t;
-    for (i = 1; i + 3 < t.length; i++)
-        if (is_blank(t.start[i - 1]) && t.start[i] == 'a' && t.start[i + 1] == 't' &&
-            is_blank(t.start[i + 2]))
-            break;
-    if (t.length > 3 && is_blank(t.start[t.length - 3]) && t.start[t.length - 2] == 'a' &&
-        t.start[t.length - 1] == 't') {
-        note_expected(p, s, "an angle after 'at'", NULL);
+    if (flk_text_cut_last(s->value, " ", &size_text, &last) && flk_text_same(last, "at")) {
+        flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'", s->value);
         return;
     }
-    if (i + 3 < t.length) {
-        part.length = i - 1;
-        t.start += i + 3;
-        t.length -= i + 3;
-        if (!flk_read_quantity(p, s, t, QUANTITY_ANGLE, &angle))
+    size_text = s->value;
+    if (flk_text_cut(s->value, " at ", &size_text, &angle_text)) {
+        if (!read_quantity(p, s, angle_text, QUANTITY_ANGLE, &angle))
             return;
     } else if (needs_angle) {
-        note_expected(p, s, "a force with its direction", "50 N at 30 deg or (43, 25) N");
+        note_vector(p, s, needs_angle);
         return;
     }
-    if (!flk_read_quantity(p, s, part, q, &size))
+    if (!read_quantity(p, s, size_text, q, &size))
         return;
-    flk_direction_of(angle, &x, &y);
+    flk_values_direction(angle, &x, &y);
     s->si[0] = size * x;
     s->si[1] = size * y;
 }
@@ -427,9 +326,8 @@ static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
 static void read_word(parser *p, key_code key, setting *s)
 {
     const char *known[16];
-    char list[200] = "", word[WORD_SIZE];
+    char list[200] = "";
     size_t i, n = 0;
-    const char *nearest;
 
     for (i = 0; flk_word_table[i].word; i++)
         if (flk_word_table[i].key == key) {
@@ -444,26 +342,21 @@ static void read_word(parser *p, key_code key, setting *s)
         strcat(list, i == 0 ? "" : i + 1 < n ? ", " : " or ");
         strcat(list, known[i]);
     }
-    nearest = flk_text_nearest(s->value, known);
-    flk_mistake_note(&p->d->mistakes, s->place, "expected ", list, ", not '",
-                     flk_word_of(s->value, word), "'", flk_hint(nearest), flk_hint_word(nearest),
-                     flk_hint_end(nearest), (char *)NULL);
+    flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h", list, s->value,
+                flk_text_nearest(s->value, known));
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
 {
-    char word[WORD_SIZE];
-
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
-        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name, " must be positive, not ",
-                         flk_value_of(s, word), (char *)NULL);
+        flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake_note(&p->d->mistakes, s->place, "the ", key->name,
-                         " must not be negative, not ", flk_value_of(s, word), (char *)NULL);
+        flk_mistake(p->mistakes, s->place, "the %s must not be negative, not %t", key->name,
+                    s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
-        flk_mistake_note(&p->d->mistakes, s->place, "'", flk_value_of(s, word),
-                         "' is beyond what the program computes with", (char *)NULL);
+        flk_mistake(p->mistakes, s->place, "'%t' is beyond what the program computes with",
+                    s->value);
 }
 
 /* The name of a unit for tables: in one word, kgf.m for "kgf m". */
@@ -514,25 +407,41 @@ static void read_pin(parser *p, setting *s, quantity q)
         read_vector(p, s, q, 0);
 }
 
+/* The parts of a vector that are set on their own, each of the others from the vector as a whole. */
+static void read_parts(parser *p, setting *s, quantity q)
+{
+    double part[PART_NONE], x, y;
+    int i, is_polar = 0;
+
+    part[PART_X] = s->si[0];
+    part[PART_Y] = s->si[1];
+    part[PART_SIZE] = gsl_hypot(s->si[0], s->si[1]);
+    part[PART_ANGLE] = atan2(s->si[1], s->si[0]);
+    for (i = 0; i < PART_NONE; i++) {
+        setting *own = &s->parts[i];
+
+        if (!own->place.source)
+            continue;
+        read_quantity(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
+        part[i] = own->si[0];
+        is_polar = i >= PART_SIZE;
+    }
+    flk_values_direction(part[PART_ANGLE], &x, &y);
+    s->si[0] = is_polar ? part[PART_SIZE] * x : part[PART_X];
+    s->si[1] = is_polar ? part[PART_SIZE] * y : part[PART_Y];
+}
+
 static void read_value(parser *p, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
-    size_t before = p->d->mistakes.count;
+    size_t before = p->mistakes->count;
     text t = s->value;
 
-    if (s->is_void)
+    if (!t.length)
         return;
-    if (s->is_given) {
-        if (flk_read_given(p, s, key->q))
-            check_sign(p, key, s);
-        return;
-    }
     switch (key->form) {
     case FORM_TEXT:
-        if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
-            s->value.start++;
-            s->value.length -= 2;
-        }
+        s->value = unquoted(t);
         return;
     case FORM_WORD:
         read_word(p, code, s);
@@ -542,13 +451,13 @@ static void read_value(parser *p, key_code code, setting *s)
             set_unit(p->d, key->q, t, s->unit);
         return;
     case FORM_QUANTITY:
-        flk_read_quantity(p, s, t, key->q, &s->si[0]);
+        read_quantity(p, s, t, key->q, &s->si[0]);
         break;
     case FORM_VECTOR:
-        read_vector(p, s, key->q, 1);
-        return;
     case FORM_POINT:
-        read_vector(p, s, key->q, 0);
+        read_vector(p, s, key->q, key->form == FORM_VECTOR);
+        if (s->parts)
+            read_parts(p, s, key->q);
         return;
     case FORM_PIN:
         read_pin(p, s, key->q);
@@ -560,17 +469,17 @@ static void read_value(parser *p, key_code code, setting *s)
         if (!read_number(p, s, &t, key->q, &s->si[0]))
             return;
         if (t.length || s->si[0] != floor(s->si[0]))
-            note_expected(p, s, "a whole number", NULL);
+            flk_mistake(p->mistakes, s->place, "expected a whole number, not '%t'", s->value);
         break;
     case FORM_NAMES:
     default:
         return;
     }
-    if (p->d->mistakes.count == before)
+    if (p->mistakes->count == before)
         check_sign(p, key, s);
 }
 
-void flk_read_section(parser *p, const section_use *use)
+void flk_values_read_section(parser *p, const section_use *use)
 {
     int first = flk_first_key(use->section), n = flk_key_count(use->section), k;
 
@@ -582,20 +491,20 @@ void flk_read_section(parser *p, const section_use *use)
     }
 }
 
-void flk_read_units(parser *p)
+void flk_values_read_units(parser *p)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
         if (p->uses[i].section == SECTION_UNITS)
-            flk_read_section(p, &p->uses[i]);
+            flk_values_read_section(p, &p->uses[i]);
 }
 
-void flk_read_values(parser *p)
+void flk_values_read(parser *p)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
         if (p->uses[i].section != SECTION_UNITS && p->uses[i].section != SECTION_SWEEP)
-            flk_read_section(p, &p->uses[i]);
+            flk_values_read_section(p, &p->uses[i]);
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
 #include "picture.h"
 #include "sketch.h"
 
@@ -221,7 +222,8 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
     p->design = &p->mechanism->design;
-    p->slides = fourlink_slides(p->design->kind, FOURLINK_FOLLOWER);
+    p->kind = (int)p->design->kind;
+    p->slides = fourlink_slides(p->kind, FOURLINK_FOLLOWER);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
     p->n_branches = 0;
@@ -282,30 +284,23 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     return opened;
 }
 
-/* FOR THE TIME BEING: to be replaced by base/quantity.h. */
-static int read_angle(const fourlink_source *source, text item, double *angle,
-                      fourlink_mistake *mistake)
+static int read_angle(const picture *p, text item, double *angle, fourlink_mistake *mistake)
 {
-    fourlink_source other = *source;
-    fourlink_results *results;
-    fourlink_problem problem;
-    fourlink_change change;
-    char assignment[400] = "motion.at=", word[300];
+    char message[MESSAGE_SIZE];
+    quantity_value value;
+    unit bare;
 
-    change.origin = "--plot-at";
-    change.assignment = strcat(assignment, flk_text_copy(item, word, sizeof word));
-    other.changes = &change;
-    other.n_changes = 1;
-    if (fourlink_results_open(&other, 1, &results, mistake, NULL) != FOURLINK_OK)
-        return 0;
-    fourlink_deck_problem(fourlink_results_deck(results), &problem);
-    *angle = problem.motion.from;
-    fourlink_results_free(results);
+    bare.up = p->units[QUANTITY_ANGLE].up;
+    bare.down = p->units[QUANTITY_ANGLE].down;
+    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
+    if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, message))
+        return refuse(mistake, "--plot-at", message, "");
+    *angle = picture_value(p, QUANTITY_ANGLE, value.si);
     return 1;
 }
 
 /* The crank angles of --plot-at, separated by commas. */
-static int read_angles(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
+static int read_angles(picture *p, fourlink_mistake *mistake)
 {
     text rest = flk_text_of(p->request->at), item;
     char word[60];
@@ -317,7 +312,7 @@ static int read_angles(picture *p, const fourlink_source *source, fourlink_mista
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return refuse(mistake, "--plot-at", plot_names[p->request->kind],
                           " is drawn at one position, not at several");
-        if (!read_angle(source, flk_text_trim(item), &angle, mistake))
+        if (!read_angle(p, flk_text_trim(item), &angle, mistake))
             return 0;
         if (fourlink_results_at(p->results, p->branches[0], angle, NULL, NULL, NULL) ==
             FOURLINK_NO_SUCH_ANGLE)
@@ -380,7 +375,7 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
         return 0;
     lay_out(p, out);
     put_head(p, source->name, held);
-    if (p->request->at && !read_angles(p, source, mistake))
+    if (p->request->at && !read_angles(p, mistake))
         return 0;
     why = draw(p);
     return why ? refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;

@@ -82,6 +82,7 @@ typedef struct picture {
     fourlink_problem problem;
     const fourlink_mechanism *mechanism; /* of the problem; as the next */
     const fourlink_design *design;
+    int kind;   /* of the design */
     int slides; /* 1: link 4 slides on the ground */
     fourlink_branch branches[2];
     int n_branches;

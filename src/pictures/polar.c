@@ -144,8 +144,8 @@ static int component(const picture *p, const bearing *b, const char *end)
 /* The force of a link on another, in the axes of the latter: those of one that slides are x and y. */
 static int put_bearing(picture *p, int by, int on)
 {
-    int kind = p->design->kind, slides = fourlink_slides(kind, on);
-    const char *link = fourlink_link_text(kind, on);
+    int slides = fourlink_slides(p->kind, on);
+    const char *link = fourlink_link_text(p->kind, on);
     char title[120];
     bearing b;
 
@@ -154,7 +154,7 @@ static int put_bearing(picture *p, int by, int on)
     b.y = component(p, &b, slides ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, b.name, ", ", fourlink_link_text(kind, by), " on ", link,
+    flk_text_join(title, sizeof title, b.name, ", ", fourlink_link_text(p->kind, by), " on ", link,
                   ", in the ", link, "'s axes", (char *)NULL);
     return put_polar(p, &b, title);
 }

@@ -231,7 +231,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, int lin
                       fourlink_vector first, fourlink_vector second, fourlink_vector G)
 {
     static const char *const letters[3][2] = {{"A", "B"}, {"B", "C"}, {"C", "D"}};
-    int slides = fourlink_slides(p->design->kind, link);
+    int slides = fourlink_slides(p->kind, link);
     unsigned long i;
 
     if (slides)
@@ -293,8 +293,8 @@ static void put_free_body(picture *p, const picture_row *r, int link)
     s.letter = LETTER;
     draw_body(&s, p, r, link, first, second, G);
     draw_loads(&s, p, r, link, first, G, size);
-    flk_text_join(words, sizeof words, "free body of the ",
-                  fourlink_link_text(p->design->kind, link), (char *)NULL);
+    flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, link),
+                  (char *)NULL);
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
 }
 
@@ -313,7 +313,7 @@ static void put_force_polygon(picture *p, const picture_row *r, int link)
         at = put_side(&g, arrows.list[i].kind, arrows.list[i].name, at,
                       in_unit(&g, arrows.list[i].F));
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->design->kind, link),
+    flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->kind, link),
                   (char *)NULL);
     sketch_close(&g.s, words, p->units[QUANTITY_FORCE].name);
 }

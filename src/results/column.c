@@ -398,19 +398,14 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
 
 static void note_missing(const flk_analysis *a, const deck *d, text name, mistakes *m)
 {
-    const char *nearest = flk_column_nearest(a, name);
-    char word[DECK_NAME_SIZE];
     size_t i;
 
-    flk_text_copy(name, word, sizeof word);
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake_note(m, d->columns.place, "the column '", word, "' ",
-                             why_missing(d, &table[i]), (char *)NULL);
+            flk_mistake(m, d->columns.place, "the column '%t' %s", name, why_missing(d, &table[i]));
             return;
         }
-    flk_mistake_note(m, d->columns.place, "unknown column '", word, "'", flk_hint(nearest),
-                     flk_hint_word(nearest), flk_hint_end(nearest), (char *)NULL);
+    flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
 }
 
 int flk_column_next_name(text *rest, text *name)
@@ -479,7 +474,7 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
             note_missing(a, a->d, name, m);
     }
     if (!n && !m->count)
-        flk_mistake_note(m, a->d->columns.place, "no columns", (char *)NULL);
+        flk_mistake(m, a->d->columns.place, "no columns");
     return n;
 }
 

@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/number.h"
+#include "base/quantity.h"
 #include "expected.h"
 #include "extreme.h"
 #include "fact.h"
@@ -25,11 +25,8 @@ typedef struct found {
 /* A name that is neither column nor fact, and the one that is most like it. */
 static int unknown(fourlink_check *c, text name, const char *nearest)
 {
-    char word[DECK_NAME_SIZE];
-
-    flk_text_join(c->message, sizeof c->message, "'", flk_text_copy(name, word, sizeof word),
-                  "' is no column and no fact of this deck", flk_hint(nearest),
-                  flk_hint_word(nearest), flk_hint_end(nearest), (char *)NULL);
+    flk_message(c->message, sizeof c->message, "'%t' is no column and no fact of this deck%h", name,
+                nearest);
     return 0;
 }
 
@@ -87,7 +84,6 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
 static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fourlink_check *c)
 {
     const char *name = a->d->units[QUANTITY_ANGLE].name;
-    char number[NUMBER_SIZE];
     double at;
     flk_row row;
 
@@ -98,72 +94,52 @@ static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fou
         f->value = x.value;
         if (status == FOURLINK_OK && gsl_finite(x.value))
             return 1;
-        flk_text_join(c->message, sizeof c->message,
-                      status == FOURLINK_OK ? "it grows beyond all bounds"
-                                            : fourlink_status_text(status),
-                      (char *)NULL);
+        flk_message(c->message, sizeof c->message, "%s",
+                    status == FOURLINK_OK ? "it grows beyond all bounds"
+                                          : fourlink_status_text(status));
         return 0;
     }
-    flk_number_write(e->at, 9, number);
     if (!e->has_at) {
-        flk_text_join(c->message, sizeof c->message,
-                      "a column is expected at a crank angle: give the section 'at = ...'",
-                      (char *)NULL);
+        flk_message(c->message, sizeof c->message,
+                    "a column is expected at a crank angle: give the section 'at = ...'");
         return 0;
     }
     if (!flk_analysis_find_angle(a, e->at, &at)) {
-        flk_text_join(c->message, sizeof c->message, "the motion does not reach theta2 = ", number,
-                      " ", name, (char *)NULL);
+        flk_message(c->message, sizeof c->message, "the motion does not reach theta2 = %g %s",
+                    e->at, name);
         return 0;
     }
     flk_analysis_at_angle(a, flk_column_need(&f->c), e->branch, at, &row);
     f->value = flk_column_value(&f->c, &row);
     if (row.at.status == FOURLINK_OK || !gsl_isnan(f->value))
         return 1;
-    flk_text_join(c->message, sizeof c->message, "no value at theta2 = ", number, " ", name, ", ",
-                  fourlink_branch_text((int)e->branch), ": ", fourlink_status_text(row.at.status),
-                  (char *)NULL);
+    flk_message(c->message, sizeof c->message, "no value at theta2 = %g %s, %s: %s", e->at, name,
+                fourlink_branch_text((int)e->branch), fourlink_status_text(row.at.status));
     return 0;
 }
 
-static int read_quantity(const deck *d, text t, quantity q, double *si, double *digit,
-                         fourlink_check *c)
-{
-    deck copy = *d;
-    text_place place = {"", 0};
-    int good;
-
-    memset(&copy.mistakes, 0, sizeof copy.mistakes);
-    good = flk_deck_read_quantity(&copy, place, t, q, si, digit);
-    if (!good && copy.mistakes.count)
-        strcpy(c->message, copy.mistakes.list[0].message);
-    flk_mistakes_free(&copy.mistakes);
-    return good;
-}
-
 /* The tolerance in SI units: half of the last printed digit, a quantity, or per cent of the value. */
-static int read_tolerance(const deck *d, const deck_expectation *e, quantity q, double si,
-                          double digit, double *tolerance, fourlink_check *c)
+static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
+                          const quantity_value *printed, double *tolerance, fourlink_check *c)
 {
     text t = e->tolerance;
     int is_percent = t.length && t.start[t.length - 1] == '%';
+    quantity_value value;
 
-    if (!t.length) {
-        *tolerance = digit / 2;
+    *tolerance = printed->digit / 2;
+    if (!t.length)
         return 1;
-    }
     c->message_line = e->tolerance_place.line;
     if (is_percent) {
         t.length--;
         q = QUANTITY_NUMBER;
     }
-    if (!read_quantity(d, flk_text_trim(t), q, tolerance, &digit, c))
+    if (!flk_quantity_read(flk_text_trim(t), t, q, d->units[q].unit, &value, c->message))
         return 0;
-    if (is_percent)
-        *tolerance *= fabs(si) / 100;
+    *tolerance = is_percent ? value.si * (fabs(printed->si) / 100) : value.si;
     if (*tolerance >= 0)
         return 1;
-    flk_text_join(c->message, sizeof c->message, "a tolerance must not be negative", (char *)NULL);
+    flk_message(c->message, sizeof c->message, "a tolerance must not be negative");
     return 0;
 }
 
@@ -179,8 +155,9 @@ static double difference(double x, double y, quantity q, double turn)
 static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                    fourlink_check *c)
 {
-    double si, digit, tolerance, turn;
+    quantity_value printed;
     const deck_unit *u;
+    double tolerance, turn;
     unsigned long i;
     found f;
 
@@ -193,14 +170,14 @@ static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *f
     }
     u = &a->d->units[f.q];
     c->unit = u->name;
-    if (!read_quantity(a->d, e->value, f.q, &si, &digit, c) ||
-        !read_tolerance(a->d, e, f.q, si, digit, &tolerance, c))
+    if (!flk_quantity_read(e->value, e->value, f.q, u->unit, &printed, c->message) ||
+        !read_tolerance(a->d, e, f.q, &printed, &tolerance, c))
         return -1;
     c->message_line = e->place.line;
     if (!f.n_facts && !value_there(a, e, &f, c))
         return -1;
     turn = flk_unit_from_si(2 * M_PI, u->unit);
-    c->printed = flk_unit_from_si(si, u->unit);
+    c->printed = flk_unit_from_si(printed.si, u->unit);
     for (i = 1; i < f.n_facts; i++) /* that nearest to the printed one is meant */
         if (fabs(difference(f.facts[i].value, c->printed, f.q, turn)) <
             fabs(difference(f.value, c->printed, f.q, turn)))

@@ -18,23 +18,21 @@ static void check_output(fourlink_results *r, text name, mistakes *m)
 {
     text of = name;
     int sign = flk_column_extreme_of(name, &of);
-    char word[DECK_NAME_SIZE];
-    const char *nearest;
+    char nearest[DECK_NAME_SIZE];
+    const char *column;
     flk_column c;
 
     if (flk_column_find(&r->a, of, &c) ? sign || r->d.one_instant : !sign && flk_fact_group(name))
         return;
-    nearest = sign ? flk_column_nearest(&r->a, of) : flk_fact_nearest(name);
-    flk_mistake_note(m, r->d.sweep.output.place, "'", flk_text_copy(name, word, sizeof word),
-                     flk_column_find(&r->a, name, &c)
-                         ? "' has many values: name its extremes, max() or min()"
-                         : "' is no fact, and no max() or min() of a column, of this deck",
-                     flk_hint(nearest),
-                     !sign || !nearest ? ""
-                     : sign > 0        ? "max("
-                                       : "min(",
-                     flk_hint_word(nearest), sign && nearest ? ")" : "", flk_hint_end(nearest),
-                     (char *)NULL);
+    column = flk_column_nearest(&r->a, of);
+    if (sign && column)
+        flk_text_join(nearest, sizeof nearest, sign > 0 ? "max(" : "min(", column, ")",
+                      (char *)NULL);
+    flk_mistake(m, r->d.sweep.output.place,
+                flk_column_find(&r->a, name, &c)
+                    ? "'%t' has many values: name its extremes, max() or min()%h"
+                    : "'%t' is no fact, and no max() or min() of a column, of this deck%h",
+                name, !sign ? flk_fact_nearest(name) : column ? nearest : NULL);
 }
 
 static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
@@ -62,14 +60,14 @@ static void list_outputs(fourlink_results *r)
         char *copy = r->names + DECK_NAME_SIZE * outputs->n;
 
         if (outputs->n == MOST_OUTPUTS) {
-            flk_mistake_note(m, r->d.sweep.output.place, "more than 64 outputs", (char *)NULL);
+            flk_mistake(m, r->d.sweep.output.place, "more than 64 outputs");
             return;
         }
         check_output(r, name, m);
         describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), &outputs->list[outputs->n++]);
     }
     if (r->d.sweep.output.names.start && !outputs->n)
-        flk_mistake_note(m, r->d.sweep.output.place, "output names nothing", (char *)NULL);
+        flk_mistake(m, r->d.sweep.output.place, "output names nothing");
 }
 
 /* All lists in one piece of memory, the facts before them; 0 when out of memory. */

@@ -18,7 +18,7 @@
 static void put_words(line *l, const char *s)
 {
     if (!strpbrk(s, ",\"\r\n")) {
-        line_words(l, s);
+        line_text(l, s, strlen(s));
         return;
     }
     line_text(l, "\"", 1);
@@ -27,50 +27,35 @@ static void put_words(line *l, const char *s)
     line_text(l, "\"", 1);
 }
 
-static void put_comma(line *l)
-{
-    line_text(l, ",", 1);
-}
-
-static void end_row(line *l)
-{
-    line_text(l, "\r\n", 2);
-}
-
-/* NAME (UNIT) */
+/* NAME (UNIT) and a comma */
 static void put_heading(line *l, const fourlink_value *column)
 {
     char words[400];
 
     put_words(
         l, flk_text_join(words, sizeof words, column->name, " (", column->unit, ")", (char *)NULL));
+    line_text(l, ",", 1);
 }
 
 static void begin(sheet *s)
 {
     unsigned long i;
 
-    if (s->n_decks > 1)
-        line_words(&s->l, "deck,");
+    line_put(&s->l, s->n_decks > 1 ? "deck," : s->n_variables ? "design," : "");
     if (s->content == SHEET_SUMMARY) {
-        line_words(&s->l, "name,value,unit,theta2,branch");
-    } else if (s->content == SHEET_CHECK) {
-        line_words(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance");
-    } else {
-        if (s->n_variables)
-            line_words(&s->l, "design,");
-        for (i = 0; i < s->n_variables; i++) {
-            put_heading(&s->l, &s->variables[i]);
-            put_comma(&s->l);
-        }
-        line_words(&s->l, "branch,");
-        for (i = 0; i < s->n_header; i++) {
-            put_heading(&s->l, &s->header[i]);
-            put_comma(&s->l);
-        }
-        line_words(&s->l, "status");
+        line_put(&s->l, "name,value,unit,theta2,branch\r\n");
+        return;
     }
-    end_row(&s->l);
+    if (s->content == SHEET_CHECK) {
+        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n");
+        return;
+    }
+    for (i = 0; i < s->n_variables; i++)
+        put_heading(&s->l, &s->variables[i]);
+    line_put(&s->l, "branch,");
+    for (i = 0; i < s->n_header; i++)
+        put_heading(&s->l, &s->header[i]);
+    line_put(&s->l, "status\r\n");
 }
 
 /* What rows begin with: the deck, or the design with its quantities. */
@@ -80,35 +65,12 @@ static void put_labels(sheet *s)
 
     if (s->deck_name) {
         put_words(&s->l, s->deck_name);
-        put_comma(&s->l);
+        line_text(&s->l, ",", 1);
     }
-    if (s->design) {
-        line_number(&s->l, (double)s->design, DIGITS);
-        put_comma(&s->l);
-    }
-    for (i = 0; i < s->n_variables; i++) {
-        line_number(&s->l, s->varied[i], DIGITS);
-        put_comma(&s->l);
-    }
-}
-
-static void put_row(sheet *s, const sheet_row *row)
-{
-    const long *under = s->layout;
-    unsigned long i;
-
-    put_labels(s);
-    line_words(&s->l, fourlink_branch_text((int)row->branch));
-    put_comma(&s->l);
-    for (i = 0; i < s->n_header; i++) {
-        double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
-
-        if (x == x)
-            line_number(&s->l, x, DIGITS);
-        put_comma(&s->l);
-    }
-    put_words(&s->l, row->status);
-    end_row(&s->l);
+    if (s->design)
+        line_put(&s->l, "%lu,", s->design);
+    for (i = 0; i < s->n_variables && s->design; i++)
+        line_put(&s->l, "%17g,", s->varied[i]);
 }
 
 static void open_deck(sheet *s)
@@ -120,59 +82,60 @@ static void open_deck(sheet *s)
         under[i] = sheet_column_under(s, i);
 }
 
-static void put_fact(sheet *s, const fourlink_value *fact)
+static void put_row(sheet *s, const sheet_row *row)
+{
+    const long *under = s->layout;
+    const char *branch = fourlink_branch_text((int)row->branch);
+    unsigned long i;
+
+    put_labels(s);
+    line_text(&s->l, branch, strlen(branch));
+    line_text(&s->l, ",", 1);
+    for (i = 0; i < s->n_header; i++) {
+        double x = row->values && under[i] >= 0 ? row->values[under[i]] : GSL_NAN;
+
+        if (!gsl_isnan(x))
+            line_number(&s->l, x, DIGITS);
+        line_text(&s->l, ",", 1);
+    }
+    put_words(&s->l, row->status);
+    line_text(&s->l, "\r\n", 2);
+}
+
+static void put_fact(sheet *s, const fourlink_value *f)
 {
     if (s->content != SHEET_SUMMARY)
         return;
     put_labels(s);
-    line_words(&s->l, fact->name);
-    put_comma(&s->l);
-    if (fact->words)
-        put_words(&s->l, fact->words);
-    else if (sheet_is_finite(fact))
-        line_number(&s->l, fact->value, DIGITS);
+    line_put(&s->l, "%s,", f->name);
+    if (!f->words && sheet_is_finite(f))
+        line_number(&s->l, f->value, DIGITS);
     else
-        line_words(&s->l, SHEET_UNBOUNDED);
-    put_comma(&s->l);
-    line_words(&s->l, fact->unit);
-    put_comma(&s->l);
-    if (fact->has_angle)
-        line_number(&s->l, fact->angle, DIGITS);
-    put_comma(&s->l);
-    line_words(&s->l, fact->branch ? fourlink_branch_text(fact->branch) : "");
-    end_row(&s->l);
+        put_words(&s->l, f->words ? f->words : SHEET_UNBOUNDED);
+    line_put(&s->l, ",%s,", f->unit);
+    if (f->has_angle)
+        line_number(&s->l, f->angle, DIGITS);
+    line_put(&s->l, ",%s\r\n", f->branch ? fourlink_branch_text(f->branch) : "");
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
 {
-    int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
-
     put_labels(s);
     put_words(&s->l, c->file);
-    put_comma(&s->l);
-    line_number(&s->l, (double)c->line, DIGITS);
-    put_comma(&s->l);
-    line_words(&s->l, sheet_verdicts[c->verdict]);
-    put_comma(&s->l);
+    line_put(&s->l, ",%lu,%s,", (unsigned long)c->line, sheet_verdicts[c->verdict]);
     put_words(&s->l, c->name);
-    put_comma(&s->l);
+    line_text(&s->l, ",", 1);
     if (c->has_angle)
         line_number(&s->l, c->angle, DIGITS);
-    put_comma(&s->l);
-    line_words(&s->l, fourlink_branch_text((int)c->branch));
-    put_comma(&s->l);
-    line_words(&s->l, c->unit);
-    put_comma(&s->l);
+    line_put(&s->l, ",%s,%s,", fourlink_branch_text((int)c->branch), c->unit);
     put_words(&s->l, c->printed_text);
-    put_comma(&s->l);
-    if (is_number)
-        line_number(&s->l, c->computed, DIGITS);
-    else
+    line_text(&s->l, ",", 1);
+    if (c->words[0] || c->verdict == FOURLINK_NO_VALUE) {
         put_words(&s->l, c->words);
-    put_comma(&s->l);
-    if (is_number)
-        line_number(&s->l, c->tolerance, DIGITS);
-    end_row(&s->l);
+        line_put(&s->l, ",\r\n");
+    } else {
+        line_put(&s->l, "%17g,%17g\r\n", c->computed, c->tolerance);
+    }
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -181,34 +144,28 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     unsigned long i;
 
     put_labels(s);
-    line_words(&s->l, fourlink_branch_text((int)branch));
-    put_comma(&s->l);
+    line_put(&s->l, "%s,", fourlink_branch_text((int)branch));
     for (i = 0; i < s->n_header; i++) {
         if (outputs && outputs[i].has_value && outputs[i].v.words)
             put_words(&s->l, outputs[i].v.words);
         else if (outputs && outputs[i].has_value)
             line_number(&s->l, outputs[i].v.value, DIGITS);
-        put_comma(&s->l);
+        line_text(&s->l, ",", 1);
     }
     put_words(&s->l, why ? why : fourlink_status_text(FOURLINK_OK));
-    end_row(&s->l);
+    line_text(&s->l, "\r\n", 2);
 }
 
 /* A deck that could not be read has a line with no more than that; a design its reason on each branch. */
 static void refuse(sheet *s, const char *why)
 {
     fourlink_branch branches[2];
-    int n, i;
+    int n = s->design ? sheet_branches(s, branches) : 0, i;
 
     if (!s->design) {
         put_labels(s);
-        line_words(&s->l, ",,");
-        line_words(&s->l, why);
-        line_words(&s->l, ",,,,,,,");
-        end_row(&s->l);
-        return;
+        line_put(&s->l, ",,%s,,,,,,,\r\n", why);
     }
-    n = sheet_branches(s, branches);
     for (i = 0; i < n; i++)
         put_design(s, branches[i], NULL, why);
 }

@@ -41,14 +41,14 @@ static void put_string(line *l, const char *s)
         size_t n = sequence((const unsigned char *)s);
 
         if (c < ' ' || c == 0x7f) {
-            line_words(l, "\\u00");
+            line_put(l, "\\u00");
             line_text(l, &hex[c / 16], 1);
             line_text(l, &hex[c % 16], 1);
         } else if (n) {
             line_text(l, "\\", c == '"' || c == '\\');
             line_text(l, s, n);
         } else {
-            line_words(l, "\\ufffd");
+            line_put(l, "\\ufffd");
         }
         s += n ? n : 1;
     }
@@ -58,9 +58,9 @@ static void put_string(line *l, const char *s)
 static void put_number(line *l, double x)
 {
     if (gsl_isnan(x))
-        line_words(l, "null");
+        line_put(l, "null");
     else if (gsl_isinf(x))
-        line_words(l, x > 0 ? "\"inf\"" : "\"-inf\"");
+        line_put(l, x > 0 ? "\"inf\"" : "\"-inf\"");
     else
         line_number(l, x, DBL_DIG + 2);
 }
@@ -167,7 +167,7 @@ static void put_labels(sheet *s)
         if (s->deck_name)
             put_string(&s->l, s->deck_name);
         else
-            line_words(&s->l, "null");
+            line_put(&s->l, "null");
     }
     for (i = 0; i < s->n_variables && s->design; i++) {
         put_name(&s->l, s->variables[i].name, 0);
@@ -202,7 +202,7 @@ static void put_fact(sheet *s, const fourlink_value *fact)
         if (fact->branch)
             put_string(&s->l, fourlink_branch_text(fact->branch));
         else
-            line_words(&s->l, "null");
+            line_put(&s->l, "null");
     }
     line_text(&s->l, "}", 1);
 }
@@ -211,17 +211,17 @@ static void put_fact(sheet *s, const fourlink_value *fact)
 static void put_block(sheet *s, fourlink_branch branch)
 {
     if (s->list && strcmp(s->list, "rows") == 0)
-        line_words(&s->l, "]},");
+        line_put(&s->l, "]},");
     else {
         end_list(s);
         line_text(&s->l, ",", 1);
         put_newline(s);
-        line_words(&s->l, "\"branches\":[");
+        line_put(&s->l, "\"branches\":[");
     }
     line_text(&s->l, "{", 1);
     put_name(&s->l, "branch", 1);
     put_string(&s->l, fourlink_branch_text((int)branch));
-    line_words(&s->l, ",\"rows\":[");
+    line_put(&s->l, ",\"rows\":[");
     s->list = "branches";
 }
 
@@ -235,12 +235,12 @@ static void put_row(sheet *s, const sheet_row *row)
     line_text(&s->l, "{", 1);
     put_name(&s->l, "status", 1);
     put_string(&s->l, row->status);
-    line_words(&s->l, ",\"values\":");
+    line_put(&s->l, ",\"values\":");
     for (i = 0; row->values && i < s->n_columns; i++) {
         line_text(&s->l, i ? "," : "[", 1);
         put_number(&s->l, row->values[i]);
     }
-    line_words(&s->l, row->values ? "]}" : "null}");
+    line_put(&s->l, row->values ? "]}" : "null}");
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
@@ -288,7 +288,7 @@ static void begin(sheet *s)
     for (i = 0; i < s->n_header; i++)
         put_column(s, &s->header[i]);
     end_list(s);
-    line_words(&s->l, "}\n");
+    line_put(&s->l, "}\n");
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -303,17 +303,17 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
         if (outputs[i].has_value)
             put_value(&s->l, &outputs[i].v);
         else
-            line_words(&s->l, "null");
+            line_put(&s->l, "null");
     }
     put_text(&s->l, "status", why ? why : fourlink_status_text(FOURLINK_OK));
-    line_words(&s->l, "}\n");
+    line_put(&s->l, "}\n");
 }
 
 static void refuse(sheet *s, const char *why)
 {
     put_labels(s);
     put_text(&s->l, "status", why);
-    line_words(&s->l, "}\n");
+    line_put(&s->l, "}\n");
 }
 
 static void close_deck(sheet *s)
@@ -321,8 +321,8 @@ static void close_deck(sheet *s)
     int is_in_rows = s->content == SHEET_ROWS;
 
     put_newline(s);
-    line_words(&s->l, is_in_rows ? "]}" : "");
-    line_words(&s->l, s->list ? "]}\n" : "}\n");
+    line_put(&s->l, is_in_rows ? "]}" : "");
+    line_put(&s->l, s->list ? "]}\n" : "}\n");
 }
 
 const sheet_format json_format = {"json",     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX),

@@ -2,8 +2,10 @@
 **
 ** line.c - lines of text on their way to a stream, through a buffer.
 */
+#include <stdarg.h>
 #include <string.h>
 
+#include "base/digits.h"
 #include "line.h"
 
 void line_start(line *l, FILE *out)
@@ -63,28 +65,15 @@ int line_fixed(line *l, double value, int decimals, size_t width)
     memset(begin, ' ', BLANKS);
     if (width > BLANKS)
         memset(begin + BLANKS, ' ', width - BLANKS);
-    if (!format_fixed_before(value, decimals, begin + width))
+    if (!flk_digits_fixed_before(value, decimals, begin + width))
         return 0;
     l->length += width;
     return 1;
 }
 
-void line_words(line *l, const char *s)
+void line_field(line *l, const char *s, size_t width)
 {
-    line_text(l, s, strlen(s));
-}
-
-void line_field(line *l, const char *s, int width)
-{
-    size_t n = strlen(s);
-
-    if (width >= 0) {
-        line_right(l, s, n, (size_t)width);
-        return;
-    }
-    line_text(l, s, n);
-    for (; n < (size_t)-width; n++)
-        line_text(l, " ", 1);
+    line_right(l, s, strlen(s), width);
 }
 
 void line_number(line *l, double value, int digits)
@@ -92,4 +81,44 @@ void line_number(line *l, double value, int digits)
     char number[FORMAT_SIZE];
 
     line_text(l, number, (size_t)(format_general_end(value + 0.0, digits, number) - number));
+}
+
+/* A string among blanks. */
+static void put_padded(line *l, const char *s, int is_left, size_t width)
+{
+    size_t n = strlen(s), i;
+
+    if (is_left)
+        line_text(l, s, n);
+    for (i = n; i < width; i++)
+        line_text(l, " ", 1);
+    if (!is_left)
+        line_text(l, s, n);
+}
+
+void line_put(line *l, const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
+    while (*format) {
+        size_t n = strcspn(format, "%"), width = 0;
+        int is_left;
+
+        line_text(l, format, n);
+        format += n;
+        if (!*format)
+            break;
+        is_left = *++format == '-';
+        for (format += is_left; '0' <= *format && *format <= '9'; format++)
+            width = 10 * width + (size_t)(*format - '0');
+        if (*format == 'g')
+            line_number(l, va_arg(values, double), (int)width);
+        else if (*format == 's')
+            put_padded(l, va_arg(values, const char *), is_left, width);
+        else if (*format++ == 'l')
+            line_number(l, (double)va_arg(values, unsigned long), 17);
+        format++;
+    }
+    va_end(values);
 }

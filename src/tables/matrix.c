@@ -4,7 +4,7 @@
 */
 #include "sheet.h"
 
-static void put_number(line *l, double x, int digits, int width)
+static void put_number(line *l, double x, int digits, size_t width)
 {
     char number[FORMAT_SIZE];
 
@@ -14,17 +14,9 @@ static void put_number(line *l, double x, int digits, int width)
 /* theta2 = ANGLE UNIT, branch: BRANCH, and why there are no equations, if there are none. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
-    line_words(&s->l, "# theta2 = ");
-    line_number(&s->l, at->row.angle, 12);
-    line_words(&s->l, " ");
-    line_words(&s->l, s->angle_unit);
-    line_words(&s->l, ", branch: ");
-    line_words(&s->l, fourlink_branch_text((int)at->branch));
-    if (at->status != FOURLINK_OK) {
-        line_words(&s->l, ": ");
-        line_words(&s->l, fourlink_status_text(at->status));
-    }
-    line_words(&s->l, "\n");
+    line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle, s->angle_unit,
+             fourlink_branch_text((int)at->branch), at->status == FOURLINK_OK ? "" : ": ",
+             at->status == FOURLINK_OK ? "" : fourlink_status_text(at->status));
 }
 
 static void put_system(sheet *s, const fourlink_instant *at)
@@ -35,18 +27,16 @@ static void put_system(sheet *s, const fourlink_instant *at)
 
     fourlink_system(mechanism, &at->state, s->loads, s->problem.n_loads, A, b);
     fourlink_unknowns(mechanism, &at->forces, x);
-    line_words(&s->l, "# ");
+    line_put(&s->l, "# ");
     for (j = 0; j < 9; j++)
         line_field(&s->l, fourlink_unknown_text((int)mechanism->design.kind, j), j ? 13 : 11);
-    line_field(&s->l, "x", 17);
-    line_field(&s->l, "b", 17);
-    line_words(&s->l, "\n");
+    line_put(&s->l, "%17s%17s\n", "x", "b");
     for (i = 0; i < 9; i++) {
         for (j = 0; j < 9; j++)
             put_number(&s->l, A[i][j] + 0.0, 6, 13);
         put_number(&s->l, x[i], 9, 17);
         put_number(&s->l, b[i], 9, 17);
-        line_words(&s->l, "\n");
+        line_put(&s->l, "\n");
     }
 }
 
@@ -57,19 +47,18 @@ void matrix_write(sheet *s)
     fourlink_instant at;
     unsigned long k;
 
-    line_words(&s->l, "# A x = b in SI units: the columns of A under their unknowns, the solution "
-                      "x, the right side b.\n# Rows: forces along x, along y, moments about the "
-                      "centre of mass, of links 2, 3, 4.\n");
+    line_put(&s->l, "# A x = b in SI units: the columns of A under their unknowns, the solution x, "
+                    "the right side b.\n# Rows: forces along x, along y, moments about the centre "
+                    "of mass, of links 2, 3, 4.\n");
     for (i = 0; i < n; i++) {
         for (k = 0; k < s->problem.n_rows; k++) {
             int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
 
-            line_words(&s->l, blocks++ ? "\n\n" : "");
+            line_put(&s->l, blocks++ ? "\n\n" : "");
             put_title(s, &at);
             if (status == FOURLINK_OK)
                 put_system(s, &at);
-            else
-                s->failed++;
+            s->failed += status != FOURLINK_OK;
         }
         sheet_write_stop(s, branches[i]);
     }

@@ -11,16 +11,15 @@
 static void open_deck(sheet *s)
 {
     sheet_write_gap(s);
-    line_words(&s->l, "thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n");
+    line_put(&s->l, "thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n");
 }
 
-/* A number with two decimals behind a tab; -0.00 is printed as 0.00. */
+/* A number with two decimals after a tab; -0.00 is printed as 0.00. */
 static void put_number(line *l, double x)
 {
     char number[FORMAT_SIZE];
 
-    line_words(l, "\t");
-    line_words(l, format_fixed(fabs(x) < 0.005 ? 0 : x, 2, number));
+    line_put(l, "\t%s", format_fixed(fabs(x) < 0.005 ? 0 : x, 2, number));
 }
 
 /* The crank's angle and speed have no more decimals than they need; the angle two digits at least. */
@@ -28,14 +27,12 @@ static void put_numbers(line *l, const fourlink_instant *at)
 {
     const fourlink_link_state *coupler = &at->state.link[3], *rocker = &at->state.link[4];
     double degrees = at->row.crank.theta2 * 180 / M_PI, whole = floor(degrees + 0.5);
+    int is_whole = fabs(degrees - whole) < 1e-9;
     char number[FORMAT_SIZE];
 
-    if (fabs(degrees - whole) < 1e-9 && 0 <= whole && whole < 10)
-        line_words(l, "0");
-    line_words(l, format_fixed(fabs(degrees - whole) < 1e-9 ? whole : degrees,
-                               fabs(degrees - whole) < 1e-9 ? 0 : 2, number));
-    line_words(l, "\t");
-    line_number(l, at->row.crank.omega2, 4);
+    line_put(l, "%s%s\t%4g", is_whole && 0 <= whole && whole < 10 ? "0" : "",
+             format_fixed(is_whole ? whole : degrees, is_whole ? 0 : 2, number),
+             at->row.crank.omega2);
     put_number(l, at->row.crank.alpha2);
     put_number(l, rocker->theta * 180 / M_PI);
     put_number(l, coupler->theta * 180 / M_PI);
@@ -47,21 +44,14 @@ static void put_numbers(line *l, const fourlink_instant *at)
 
 static void put_row(sheet *s, const sheet_row *row)
 {
-    if (row->at && row->at->status == FOURLINK_OK) {
+    if (!row->at)
+        line_put(&s->l, "# %s", row->status);
+    else if (row->at->status == FOURLINK_OK)
         put_numbers(&s->l, row->at);
-    } else {
-        line_words(&s->l, "# ");
-        if (row->at) {
-            line_number(&s->l, row->at->row.angle, 12);
-            line_words(&s->l, " ");
-            line_words(&s->l, s->angle_unit);
-            line_words(&s->l, ", ");
-            line_words(&s->l, fourlink_branch_text((int)row->branch));
-            line_words(&s->l, ": ");
-        }
-        line_words(&s->l, row->status);
-    }
-    line_words(&s->l, "\n");
+    else
+        line_put(&s->l, "# %12g %s, %s: %s", row->at->row.angle, s->angle_unit,
+                 fourlink_branch_text((int)row->branch), row->status);
+    line_put(&s->l, "\n");
 }
 
 const sheet_format paper_format = {

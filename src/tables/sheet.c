@@ -10,8 +10,8 @@
 #include "base/text.h"
 #include "sheet.h"
 
-const sheet_format *const sheet_formats[] = {&table_format, &csv_format, &json_format,
-                                             &paper_format, NULL};
+#define SHEET_ENTRY(name) &name##_format,
+const sheet_format *const sheet_formats[] = {SHEET_FORMATS(SHEET_ENTRY) NULL};
 
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                       "no value"};
@@ -55,12 +55,6 @@ fourlink_unit sheet_unit(const sheet *s, const char *quantity)
     return u;
 }
 
-const char *sheet_unit_behind(const char *unit, char out[80])
-{
-    return flk_text_join(out, 80, strcmp(unit, "1") == 0 ? "" : " ",
-                         strcmp(unit, "1") == 0 ? "" : unit, (char *)NULL);
-}
-
 int sheet_is_finite(const fourlink_value *v)
 {
     return gsl_finite(v->value);
@@ -70,12 +64,7 @@ static void write_length(sheet *s, const char *before, const char *name, double 
 {
     fourlink_unit u = sheet_unit(s, "length");
 
-    line_words(&s->l, before);
-    line_words(&s->l, name);
-    line_words(&s->l, " ");
-    line_number(&s->l, length * u.down / u.up, 12);
-    line_words(&s->l, " ");
-    line_words(&s->l, u.name);
+    line_put(&s->l, "%s%s %12g %s", before, name, length * u.down / u.up, u.name);
 }
 
 void sheet_write_gap(sheet *s)
@@ -83,35 +72,33 @@ void sheet_write_gap(sheet *s)
     char name[1024];
 
     if (s->design ? s->design > 1 : s->n_written > 0)
-        line_words(&s->l, "\n\n");
-    if (!s->deck_name)
-        return;
-    line_words(&s->l, "# deck: ");
-    line_words(&s->l, flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
-    line_words(&s->l, "\n");
+        line_put(&s->l, "\n\n");
+    if (s->deck_name)
+        line_put(&s->l, "# deck: %s\n",
+                 flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
 }
 
-void sheet_write_head(sheet *s)
+void sheet_write_title(sheet *s)
+{
+    if (s->problem.title[0])
+        line_put(&s->l, "# %s\n", s->problem.title);
+}
+
+void sheet_write_mechanism(sheet *s)
 {
     static const int order[] = {FOURLINK_CRANK, FOURLINK_COUPLER, FOURLINK_FOLLOWER,
                                 FOURLINK_GROUND};
     const fourlink_design *design = &s->problem.mechanism.design;
     int i;
 
-    if (s->problem.title[0]) {
-        line_words(&s->l, "# ");
-        line_words(&s->l, s->problem.title);
-        line_words(&s->l, "\n");
-    }
-    line_words(&s->l, "# ");
-    line_words(&s->l, fourlink_kind_text((int)design->kind));
+    line_put(&s->l, "# %s", fourlink_kind_text((int)design->kind));
     for (i = 0; i < 4; i++)
         if (design->link[order[i]].length > 0)
             write_length(s, i ? ", " : ": ", fourlink_link_text((int)design->kind, order[i]),
                          design->link[order[i]].length);
     if (design->offset != 0)
         write_length(s, ", ", "offset", design->offset);
-    line_words(&s->l, "\n");
+    line_put(&s->l, "\n");
 }
 
 /* ------------------------------------------------------------------------------------------ content */

@@ -92,9 +92,13 @@ typedef struct sheet_format {
                            that closes a revolution */
 } sheet_format;
 
-extern const sheet_format table_format, csv_format, json_format, paper_format;
+/* The formats, each in a file of its own. */
+#define SHEET_FORMATS(X) X(table) X(csv) X(json) X(paper)
 
-/* The formats, ended by null; the one of that name, or null. */
+#define SHEET_FORMAT(name) extern const sheet_format name##_format;
+SHEET_FORMATS(SHEET_FORMAT)
+
+/* Ended by null; the one of a name, or null. */
 extern const sheet_format *const sheet_formats[];
 const sheet_format *sheet_find_format(const char *name);
 
@@ -120,7 +124,8 @@ long sheet_column_under(const sheet *s, unsigned long i);
 
 /* Blank lines behind the deck or design before, and the deck's name, as comments; title and mechanism. */
 void sheet_write_gap(sheet *s);
-void sheet_write_head(sheet *s);
+void sheet_write_title(sheet *s);
+void sheet_write_mechanism(sheet *s);
 
 /* The end of the rows where the crank comes to rest, if it does. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
@@ -130,9 +135,6 @@ void matrix_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);
-
-/* "unit" with a blank before it; "" for a plain number. */
-const char *sheet_unit_behind(const char *unit, char out[80]);
 
 /* A value that grows beyond all bounds, in words. */
 #define SHEET_UNBOUNDED "none: it grows beyond all bounds"

@@ -142,12 +142,7 @@ static void open_deck(sheet *s)
         for (j = 0; j < s->n_columns; j++)
             find_style(s, &s->columns[j], &styles[j]);
     }
-    if (s->content != SHEET_CHECK && s->content != SHEET_LIST)
-        sheet_write_head(s);
-    if (s->content == SHEET_SUMMARY)
-        table_put_summary_head(s);
-    if (s->content == SHEET_LIST)
-        table_put_list_head(s);
+    table_put_head(s);
 }
 
 /* Names or units of the columns, as a comment above them. */
@@ -156,11 +151,11 @@ static void put_names(sheet *s, int units)
     const style *styles = s->layout;
     unsigned long j;
 
-    line_words(&s->l, "#");
+    line_put(&s->l, "#");
     for (j = 0; j < s->n_columns; j++)
         line_field(&s->l, units ? s->columns[j].unit : s->columns[j].name,
-                   (int)styles[j].width - (j == 0));
-    line_words(&s->l, "\n");
+                   styles[j].width - (j == 0));
+    line_put(&s->l, "\n");
 }
 
 static void find_extreme(sheet *s, fourlink_branch branch, int sign, const fourlink_value *c,
@@ -186,7 +181,7 @@ static void put_extremes(sheet *s, fourlink_branch branch)
         for (j = 0; j < s->n_columns; j++)
             find_extreme(s, branch, sign, &s->columns[j], &styles[j]);
         for (at_angle = 0; at_angle < 2; at_angle++) {
-            line_words(&s->l, "#");
+            line_put(&s->l, "#");
             for (j = 0; j < s->n_columns; j++) {
                 const style *x = &styles[j];
                 size_t width = x->width - (j == 0);
@@ -196,21 +191,17 @@ static void put_extremes(sheet *s, fourlink_branch branch)
                 else if (x->has_extreme && !at_angle && sheet_is_finite(&x->extreme))
                     put_cell(&s->l, x->extreme.value, x, width);
                 else
-                    line_field(&s->l, x->has_extreme && !at_angle ? "none" : "", (int)width);
+                    line_field(&s->l, x->has_extreme && !at_angle ? "none" : "", width);
             }
-            line_words(&s->l, at_angle ? "  at theta2\n" : sign > 0 ? "  max\n" : "  min\n");
+            line_put(&s->l, at_angle ? "  at theta2\n" : sign > 0 ? "  max\n" : "  min\n");
         }
     }
 }
 
 static void put_block(sheet *s, fourlink_branch branch)
 {
-    if (s->list)
-        line_words(&s->l, "\n\n");
+    line_put(&s->l, "%s# branch: %s\n", s->list ? "\n\n" : "", fourlink_branch_text((int)branch));
     s->list = "branches";
-    line_words(&s->l, "# branch: ");
-    line_words(&s->l, fourlink_branch_text((int)branch));
-    line_words(&s->l, "\n");
     put_names(s, 0);
     put_names(s, 1);
     if (s->problem.n_rows > 1 && !s->design) /* of a sweep max() and min() on request */
@@ -219,16 +210,10 @@ static void put_block(sheet *s, fourlink_branch branch)
 
 static void put_reason(sheet *s, const sheet_row *row)
 {
-    line_words(&s->l, "# ");
-    if (row->at) {
-        line_words(&s->l, "theta2 = ");
-        line_number(&s->l, row->at->row.angle, 12);
-        line_words(&s->l, " ");
-        line_words(&s->l, s->angle_unit);
-        line_words(&s->l, ": ");
-    }
-    line_words(&s->l, row->status);
-    line_words(&s->l, "\n");
+    if (row->at)
+        line_put(&s->l, "# theta2 = %12g %s: %s\n", row->at->row.angle, s->angle_unit, row->status);
+    else
+        line_put(&s->l, "# %s\n", row->status);
 }
 
 static void put_row(sheet *s, const sheet_row *row)

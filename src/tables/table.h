@@ -10,9 +10,9 @@
 /* The head of a sheet of designs. */
 void table_begin(sheet *s);
 
+/* Number and quantities of a design; what a deck begins with. */
 void table_put_design_comment(sheet *s);
-void table_put_summary_head(sheet *s);
-void table_put_list_head(sheet *s);
+void table_put_head(sheet *s);
 
 /* As in sheet_format. */
 void table_put_column(sheet *s, const fourlink_value *column);

@@ -7,55 +7,44 @@
 #include "base/text.h"
 #include "table.h"
 
-/* -------------------------------------------------------------------------------------------- facts */
-
-/* A field with a blank behind it. */
-static void put_field(line *l, const char *s, int width)
+/* What stands after a value: a blank and its unit, of a plain number nothing. */
+static const char *blank(const char *unit)
 {
-    size_t n = strlen(s), size = (size_t)(width < 0 ? -width : width);
-
-    if (n >= size)
-        line_text(l, s, n);
-    else
-        line_field(l, s, width);
-    line_text(l, " ", 1);
+    return strcmp(unit, "1") == 0 ? "" : " ";
 }
+
+static const char *unit_after(const char *unit)
+{
+    return strcmp(unit, "1") == 0 ? "" : unit;
+}
+
+void table_put_head(sheet *s)
+{
+    if (s->content == SHEET_LIST)
+        line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
+    if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
+        return;
+    sheet_write_title(s);
+    sheet_write_mechanism(s);
+    if (s->content == SHEET_SUMMARY)
+        line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit",
+                 "theta2", s->angle_unit, "branch");
+}
+
+/* -------------------------------------------------------------------------------------------- facts */
 
 static void put_fact_in_head(sheet *s, const fourlink_value *f)
 {
-    char unit[80];
-
-    line_words(&s->l, "# ");
-    line_words(&s->l, f->name);
-    if (f->branch) {
-        line_words(&s->l, " (");
-        line_words(&s->l, fourlink_branch_text(f->branch));
-        line_words(&s->l, ")");
-    }
-    line_words(&s->l, ": ");
-    if (f->words) {
-        line_words(&s->l, f->words);
-    } else {
-        line_number(&s->l, f->value, 9);
-        line_words(&s->l, sheet_unit_behind(f->unit, unit));
-    }
-    if (f->has_angle) {
-        line_words(&s->l, " at theta2 = ");
-        line_number(&s->l, f->angle, 9);
-    }
-    line_words(&s->l, "\n");
-}
-
-void table_put_summary_head(sheet *s)
-{
-    line_words(&s->l, "# ");
-    put_field(&s->l, "name", -20);
-    put_field(&s->l, "value", 20);
-    put_field(&s->l, "unit", -8);
-    put_field(&s->l, "theta2", 10);
-    put_field(&s->l, s->angle_unit, -3);
-    put_field(&s->l, "branch", -8);
-    line_words(&s->l, "meaning\n");
+    line_put(&s->l, "# %s", f->name);
+    if (f->branch)
+        line_put(&s->l, " (%s)", fourlink_branch_text(f->branch));
+    if (f->words)
+        line_put(&s->l, ": %s", f->words);
+    else
+        line_put(&s->l, ": %9g%s%s", f->value, blank(f->unit), unit_after(f->unit));
+    if (f->has_angle)
+        line_put(&s->l, " at theta2 = %9g", f->angle);
+    line_put(&s->l, "\n");
 }
 
 static void put_fact_of_summary(sheet *s, const fourlink_value *f)
@@ -67,13 +56,8 @@ static void put_fact_of_summary(sheet *s, const fourlink_value *f)
         format_general(f->value, 12, value);
     if (f->has_angle)
         format_general(f->angle, 10, angle);
-    put_field(&s->l, f->name, -22);
-    put_field(&s->l, value, 20);
-    put_field(&s->l, f->unit, -8);
-    put_field(&s->l, angle, 14);
-    put_field(&s->l, f->branch ? fourlink_branch_text(f->branch) : "", -8);
-    line_words(&s->l, words ? words : f->meaning);
-    line_words(&s->l, "\n");
+    line_put(&s->l, "%-22s %20s %-8s %14s %-8s %s\n", f->name, value, f->unit, angle,
+             f->branch ? fourlink_branch_text(f->branch) : "", words ? words : f->meaning);
 }
 
 void table_put_fact(sheet *s, const fourlink_value *f)
@@ -84,69 +68,31 @@ void table_put_fact(sheet *s, const fourlink_value *f)
         put_fact_in_head(s, f);
     } else {
         if (!s->list)
-            line_words(&s->l, "\nfact               unit     meaning\n");
+            line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
         s->list = "facts";
-        put_field(&s->l, f->name, -18);
-        put_field(&s->l, f->unit, -8);
-        line_words(&s->l, f->meaning);
-        line_words(&s->l, "\n");
+        line_put(&s->l, "%-18s %-8s %s\n", f->name, f->unit, f->meaning);
     }
 }
 
-/* --------------------------------------------------------------------------------------------- lists */
+/* ------------------------------------------------------------------------------ lists, comparisons */
 
-void table_put_list_head(sheet *s)
+void table_put_column(sheet *s, const fourlink_value *c)
 {
-    put_field(&s->l, "column", -18);
-    put_field(&s->l, "unit", -8);
-    put_field(&s->l, "meaning", -60);
-    line_words(&s->l, "in the sources\n");
+    line_put(&s->l, *c->source ? "%-18s %-8s %-60s %s\n" : "%-18s %-8s %s%s\n", c->name, c->unit,
+             c->meaning, c->source);
 }
-
-void table_put_column(sheet *s, const fourlink_value *column)
-{
-    put_field(&s->l, column->name, -18);
-    put_field(&s->l, column->unit, -8);
-    if (*column->source) {
-        put_field(&s->l, column->meaning, -60);
-        line_words(&s->l, column->source);
-    } else {
-        line_words(&s->l, column->meaning);
-    }
-    line_words(&s->l, "\n");
-}
-
-/* --------------------------------------------------------------------------------------- comparisons */
 
 void table_put_check(sheet *s, const fourlink_check *c)
 {
-    char unit[80];
-
-    put_field(&s->l, sheet_verdicts[c->verdict], -18);
-    line_words(&s->l, c->file);
-    line_words(&s->l, ":");
-    line_number(&s->l, (double)c->line, 10);
-    line_words(&s->l, ": ");
-    line_words(&s->l, c->name);
-    line_words(&s->l, " = ");
-    line_words(&s->l, c->printed_text);
-    if (c->words[0]) {
-        line_words(&s->l, ", computed ");
-        line_words(&s->l, c->words);
-    } else if (c->verdict != FOURLINK_NO_VALUE) {
-        line_words(&s->l, ", computed ");
-        line_number(&s->l, c->computed, 12);
-        line_words(&s->l, sheet_unit_behind(c->unit, unit));
-    }
-    if (c->has_angle) {
-        line_words(&s->l, " at ");
-        line_number(&s->l, c->angle, 9);
-        line_words(&s->l, " ");
-        line_words(&s->l, s->angle_unit);
-    }
-    line_words(&s->l, ", ");
-    line_words(&s->l, fourlink_branch_text((int)c->branch));
-    line_words(&s->l, "\n");
+    line_put(&s->l, "%-18s %s:%lu: %s = %s", sheet_verdicts[c->verdict], c->file,
+             (unsigned long)c->line, c->name, c->printed_text);
+    if (c->words[0])
+        line_put(&s->l, ", computed %s", c->words);
+    else if (c->verdict != FOURLINK_NO_VALUE)
+        line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
+    if (c->has_angle)
+        line_put(&s->l, " at %9g %s", c->angle, s->angle_unit);
+    line_put(&s->l, ", %s\n", fourlink_branch_text((int)c->branch));
 }
 
 /* The counts of this deck's comparisons. */
@@ -156,15 +102,9 @@ void table_close(sheet *s)
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
     int i;
 
-    if (s->content != SHEET_CHECK)
-        return;
-    for (i = 0; i < 5; i++) {
-        line_words(&s->l, i ? ", " : "# ");
-        line_words(&s->l, sheet_verdicts[order[i]]);
-        line_words(&s->l, ": ");
-        line_number(&s->l, (double)s->checks[order[i]], 10);
-    }
-    line_words(&s->l, "\n");
+    for (i = 0; s->content == SHEET_CHECK && i < 5; i++)
+        line_put(&s->l, "%s%s: %lu%s", i ? ", " : "# ", sheet_verdicts[order[i]],
+                 s->checks[order[i]], i < 4 ? "" : "\n");
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
@@ -176,24 +116,20 @@ static void put_heading(sheet *s, int units)
 {
     unsigned long i;
 
-    line_words(&s->l, units ? "#         " : "#   design");
+    line_put(&s->l, units ? "#         " : "#   design");
     for (i = 0; i < s->n_variables; i++)
         line_field(&s->l, units ? s->variables[i].unit : s->variables[i].name, WIDTH);
-    line_words(&s->l, units ? "          " : "    branch");
+    line_put(&s->l, units ? "          " : "    branch");
     for (i = 0; i < s->n_header; i++)
         line_field(&s->l, units ? s->header[i].unit : s->header[i].name, WIDTH);
-    line_words(&s->l, "\n");
+    line_put(&s->l, "\n");
 }
 
 void table_begin(sheet *s)
 {
     if (s->content != SHEET_DESIGNS)
         return;
-    if (s->problem.title[0]) {
-        line_words(&s->l, "# ");
-        line_words(&s->l, s->problem.title);
-        line_words(&s->l, "\n");
-    }
+    sheet_write_title(s);
     put_heading(s, 0);
     put_heading(s, 1);
 }
@@ -202,28 +138,21 @@ void table_put_design_comment(sheet *s)
 {
     unsigned long i;
 
-    line_words(&s->l, "# design ");
-    line_number(&s->l, (double)s->design, 17);
-    for (i = 0; i < s->n_variables; i++) {
-        line_words(&s->l, i ? ", " : ": ");
-        line_words(&s->l, s->variables[i].name);
-        line_words(&s->l, " = ");
-        line_number(&s->l, s->varied[i], 12);
-        line_words(&s->l, " ");
-        line_words(&s->l, s->variables[i].unit);
-    }
-    line_words(&s->l, "\n");
+    line_put(&s->l, "# design %lu", s->design);
+    for (i = 0; i < s->n_variables; i++)
+        line_put(&s->l, "%s %s = %12g %s", i ? "," : ":", s->variables[i].name, s->varied[i],
+                 s->variables[i].unit);
+    line_put(&s->l, "\n");
 }
 
-static void put_number(sheet *s, double value, int digits, int width)
+static void put_number(sheet *s, double value)
 {
     char number[FORMAT_SIZE];
 
-    line_field(&s->l, format_general(value + 0.0, digits, number), width);
+    line_field(&s->l, format_general(value + 0.0, s->problem.digits, number), WIDTH);
 }
 
-/* Words in double quotes. */
-static void put_quoted(sheet *s, const char *words, int width)
+static void put_quoted(sheet *s, const char *words, size_t width)
 {
     char quoted[200];
 
@@ -233,23 +162,24 @@ static void put_quoted(sheet *s, const char *words, int width)
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
+    char number[FORMAT_SIZE];
     unsigned long i;
 
     (void)why; /* what has no value is nan */
-    put_number(s, (double)s->design, 17, 10);
+    line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
     for (i = 0; i < s->n_variables; i++)
-        put_number(s, s->varied[i], s->problem.digits, WIDTH);
+        put_number(s, s->varied[i]);
     put_quoted(s, fourlink_branch_text((int)branch), 10);
     for (i = 0; i < s->n_header; i++)
         if (!outputs[i].has_value) {
             line_field(&s->l, "nan", WIDTH);
         } else if (outputs[i].v.words) {
-            line_words(&s->l, "  ");
+            line_put(&s->l, "  ");
             put_quoted(s, outputs[i].v.words, WIDTH - 2);
         } else {
-            put_number(s, outputs[i].v.value, s->problem.digits, WIDTH);
+            put_number(s, outputs[i].v.value);
         }
-    line_words(&s->l, "\n");
+    line_put(&s->l, "\n");
 }
 
 void table_refuse(sheet *s, const char *why)
@@ -259,7 +189,5 @@ void table_refuse(sheet *s, const char *why)
     if (s->content == SHEET_ROWS)
         sheet_write_gap(s);
     table_put_design_comment(s);
-    line_words(&s->l, "# ");
-    line_words(&s->l, why);
-    line_words(&s->l, "\n");
+    line_put(&s->l, "# %s\n", why);
 }

@@ -360,39 +360,6 @@ static void test_trim_equal_split(void **unused)
     assert_false(flk_text_split(&rest, '\n', &piece));
 }
 
-static void test_mistakes(void **unused)
-{
-    static const long lines[] = {7, 3, 7, 0, 5, 3};
-    static const char *const expected[] = {"3", "1", "5", "4", "0", "2"};
-    mistakes m;
-    text_place place = {"deck", 0};
-    char number[3] = "0", piece[101];
-    size_t i;
-
-    (void)unused;
-    memset(&m, 0, sizeof m);
-    for (i = 0; i < 6; i++) {
-        place.line = lines[i];
-        number[0] = (char)('0' + i);
-        flk_mistake_note(&m, place, number, (char *)NULL);
-    }
-    flk_mistakes_sort(&m);
-    assert_int_equal(m.count, 6);
-    for (i = 0; i < 6; i++)
-        assert_string_equal(m.list[i].message, expected[i]); /* those of a line in their order */
-    flk_mistakes_free(&m);
-    assert_int_equal(m.count, 0);
-
-    memset(piece, 'x', 100);
-    piece[100] = '\0';
-    for (i = 0; i < 1000; i++)
-        flk_mistake_note(&m, place, piece, piece, piece, piece, piece, "end", (char *)NULL);
-    assert_true(m.count > 10);
-    assert_int_equal(m.count + m.left_out, 1000);
-    assert_int_equal(strlen(m.list[0].message), sizeof m.list[0].message - 1);
-    flk_mistakes_free(&m);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -407,7 +374,6 @@ int main(void)
         C_LOCALE(test_nearest),
         C_LOCALE(test_copy),
         C_LOCALE(test_trim_equal_split),
-        C_LOCALE(test_mistakes),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -965,6 +965,70 @@ static void test_changes(void **unused)
     flk_deck_free(&d);
 }
 
+/* A part of a force or a point; the others stay. */
+static void test_changed_parts(void **unused)
+{
+    static const struct {
+        const char *first, *second;
+        double x, y;
+    } cases[] = {
+        {"load F1.force.x=3 N", NULL, 3, 4},
+        {"load F1.force.y=3 kN", NULL, 3, 3000},
+        {"load f1.force.size=10 N", NULL, 6, 8},
+        {"load F1.force.angle=180 deg", NULL, -5, 0},
+        {"load F1.force.angle=-90 deg", "load F1.force.size=2 N", 0, -2},
+        {"load F1.force.x=1 N", "load F1.force.x=2 N", 2, 4},
+        {"load F1.force.x=1 N", "load F1.force=(7, 8) N", 7, 8},
+        {"load F1.force=(7, 8) N", "load F1.force.x=1 N", 1, 8},
+    };
+    size_t i;
+    deck d;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fourlink_change changes[2] = {{"--set", NULL}, {"--set", NULL}};
+
+        changes[0].assignment = cases[i].first;
+        changes[1].assignment = cases[i].second;
+        assert_int_equal(read_changed(FOUR_BAR "[load F1]\nlink = coupler\nforce = (3, 4) N\n"
+                                               "at = 0 mm\n",
+                                      changes, cases[i].second ? 2 : 1, &d),
+                         1);
+        assert_near(d.loads[0].force.x, cases[i].x, 1e-14);
+        assert_near(d.loads[0].force.y, cases[i].y, 1e-14);
+        flk_deck_free(&d);
+    }
+    read_with(FOUR_BAR, "coupler.cg.y=5 mm", &d); /* not given: the link's origin */
+    assert_true(d.design.link[3].cg.x == 0 && d.design.link[3].cg.y == 0.005);
+    flk_deck_free(&d);
+}
+
+/* Time that rises with the square of their number would be noticed. */
+static void test_many_names(void **unused)
+{
+    enum { N = 100000 };
+    char *contents = malloc(sizeof FOUR_BAR + 20 * (N + 2)), *end = contents;
+    deck d;
+    int i;
+
+    (void)unused;
+    assert_non_null(contents);
+    end += sprintf(end, FOUR_BAR "[expect]\n");
+    for (i = 0; i < N; i++)
+        end += sprintf(end, "a%d = 1\n", i);
+    assert_int_equal(read_deck(contents, &d), 1);
+    assert_int_equal(d.n_expectations, N);
+    assert_int_equal(d.expectations[N - 1].place.line, N + 10);
+    flk_deck_free(&d);
+    strcpy(end, "a77 = 2\n");
+    assert_int_equal(read_deck(contents, &d), 0);
+    assert_int_equal(d.mistakes.count, 1);
+    assert_int_equal(d.mistakes.list[0].place.line, N + 11);
+    assert_string_equal(d.mistakes.list[0].message, "'a77' a second time");
+    flk_deck_free(&d);
+    free(contents);
+}
+
 static void test_mistaken_changes(void **unused)
 {
     static const struct {
@@ -978,6 +1042,9 @@ static void test_mistaken_changes(void **unused)
         {"crank.length=1 kg", "'1 kg' is a mass; expected a length, such as 80 mm"},
         {"crank.length=-1 m", "the length must be positive, not -1 m"},
         {"load F9.torque=1 N m", "there is no [load F9] in the deck"},
+        {"load F1.torque.x=1 N m", "'load F1.torque' has no parts that can be varied"},
+        {"load F1.force.x=1 kg", "'1 kg' is a mass; expected a force, such as 50 N"},
+        {"load F1.force.angle=1 N", "'1 N' is a force; expected an angle, such as 40 deg"},
         {"load.torque=1 N m", "there are several [load] sections: name one of them"},
         {"rod.length=1 m", "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
         {"crank.length=1 m",
@@ -1364,7 +1431,8 @@ int main(void)
         cmocka_unit_test(test_layout),           cmocka_unit_test(test_joined_lines),
         cmocka_unit_test(test_long_title),       cmocka_unit_test(test_vectors),
         cmocka_unit_test(test_gravity),          cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_mistaken_changes), cmocka_unit_test(test_random_bytes),
+        cmocka_unit_test(test_mistaken_changes), cmocka_unit_test(test_changed_parts),
+        cmocka_unit_test(test_many_names),       cmocka_unit_test(test_random_bytes),
         cmocka_unit_test(test_mutations),        cmocka_unit_test(test_large),
         cmocka_unit_test(test_left_out),         cmocka_unit_test(test_no_text),
         cmocka_unit_test(test_cut_short),        cmocka_unit_test(test_mutations_of_an_engine),

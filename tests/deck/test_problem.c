@@ -69,6 +69,11 @@ static void test_problem(void **unused)
     assert_int_equal(p.approximation, FOURLINK_EXACT);
     assert_near(p.flywheel_fluctuation, 0.02, 0);
     assert_near(p.flywheel_inertia, 0, 0);
+    assert_int_equal(p.n_rows, 73);
+    assert_true(!p.one_instant && !p.one_revolution && !p.has_outputs);
+    assert_int_equal(p.digits, 6);
+    assert_int_equal(p.n_expected, 0);
+    assert_int_equal(p.n_designs, 0);
 
     assert_int_equal(fourlink_deck_point(deck, 0, &name, &link, &at), FOURLINK_OK);
     assert_string_equal(name, "P");
@@ -80,6 +85,63 @@ static void test_problem(void **unused)
     assert_int_equal(link, 77);
     fourlink_deck_free(deck);
     fourlink_deck_free(NULL);
+}
+
+static void test_problem_of_a_sweep(void **unused)
+{
+    fourlink_deck *deck = NULL;
+    fourlink_problem p;
+
+    (void)unused;
+    assert_int_equal(
+        read_deck("mechanism = slider-crank\n[crank]\nlength = 0.1\n[rod]\nlength = 0.4\n"
+                  "[motion]\nspeed = 1\nat = 30\n[table]\ndigits = 9\n"
+                  "[expect]\nx = 1\nv = 2\n"
+                  "[sweep]\nrod.length = 0.3, 0.4, 0.5\noutput = x\n",
+                  NULL, &deck, NULL, 0, NULL),
+        FOURLINK_OK);
+    assert_int_equal(fourlink_deck_problem(deck, &p), FOURLINK_OK);
+    assert_int_equal(p.n_rows, 1);
+    assert_true(p.one_instant && p.has_outputs);
+    assert_int_equal(p.digits, 9);
+    assert_int_equal(p.n_expected, 2);
+    assert_int_equal(p.n_designs, 3);
+    assert_near(p.mechanism.design.link[3].length, 0.3, 0);
+    fourlink_deck_free(deck);
+}
+
+static void test_units_and_names_of_loads(void **unused)
+{
+    static const struct {
+        const char *name;
+        int has_torque;
+    } loads[] = {{"brake", 1}, {"cam", 1}, {"load", 0}, {"gas", 0}};
+    fourlink_deck *deck = NULL;
+    fourlink_unit u;
+    const char *name;
+    unsigned long i;
+    int has_torque;
+
+    (void)unused;
+    assert_int_equal(read_deck(ENGINE "[load]\nlink = piston\nforce = (1, 0) N\n"
+                                      "[units]\nlength = mm\n",
+                               "0 1\n90 2\n", &deck, NULL, 0, NULL),
+                     FOURLINK_OK);
+    for (i = 0; i < 4; i++) {
+        assert_int_equal(fourlink_deck_load(deck, i, &name, &has_torque), FOURLINK_OK);
+        assert_string_equal(name, loads[i].name);
+        assert_int_equal(has_torque, loads[i].has_torque);
+    }
+    assert_int_equal(fourlink_deck_load(deck, 4, &name, NULL), FOURLINK_BAD_LINK);
+    assert_int_equal(fourlink_deck_load(NULL, 0, &name, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_unit(deck, "length", &u), FOURLINK_OK);
+    assert_string_equal(u.name, "mm");
+    assert_near(u.up / u.down, 0.001, 0);
+    assert_int_equal(fourlink_deck_unit(deck, "force", &u), FOURLINK_OK);
+    assert_string_equal(u.name, "N");
+    assert_int_equal(fourlink_deck_unit(deck, "colour", &u), FOURLINK_NO_SUCH_NAME);
+    assert_int_equal(fourlink_deck_unit(deck, NULL, &u), FOURLINK_NULL);
+    fourlink_deck_free(deck);
 }
 
 /* p1 A1 - p2 A2 with A1 = pi/4 D^2, A2 = pi/4 (D^2 - d^2), by hand; it pushes the piston towards the
@@ -390,10 +452,16 @@ static void test_fortran77_refuses(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_problem),           cmocka_unit_test(test_loads),
-        cmocka_unit_test(test_deck_and_hand),     cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_mistakes_of_files), cmocka_unit_test(test_nulls),
-        cmocka_unit_test(test_error_handler),     cmocka_unit_test(test_fortran77),
+        cmocka_unit_test(test_problem),
+        cmocka_unit_test(test_problem_of_a_sweep),
+        cmocka_unit_test(test_units_and_names_of_loads),
+        cmocka_unit_test(test_loads),
+        cmocka_unit_test(test_deck_and_hand),
+        cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_mistakes_of_files),
+        cmocka_unit_test(test_nulls),
+        cmocka_unit_test(test_error_handler),
+        cmocka_unit_test(test_fortran77),
         cmocka_unit_test(test_fortran77_refuses),
     };
 

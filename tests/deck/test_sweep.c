@@ -504,14 +504,86 @@ static void test_mutations(void **unused)
     }
 }
 
+/* A design is the deck with assignments of the values of its variables. */
+static void test_design_is_assignments(void **unused)
+{
+    static const char lines[] = "load V.force.size = 1 N to 2 N in 3\n"
+                                "load V.force.angle = 0 deg, 1 rad\n"
+                                "rocker.cg.x = 2 mm +- 1 mm\nmotion.speed = 3 rpm +- 20 %\n"
+                                "crank.length = 18 mm to 22 mm in 4\nsamples = 2\n";
+    static const char load[] = "[load V]\nlink = rocker\nforce = (0, 1) N\nat = 5 mm\n";
+    static const char *const units[] = {"N", "deg", "m", "rad/s", "m"};
+    char without[1024];
+    unsigned long design, k;
+
+    (void)unused;
+    strcpy(without, DECK);
+    strcpy(strstr(without, "[sweep]"), load);
+    for (design = 0; design < 48; design++) {
+        char assignments[5][100];
+        fourlink_change changes[5];
+        fourlink_source source;
+        deck swept, set;
+
+        assert_int_equal(read_design(lines, load, design, &swept), 1);
+        assert_int_equal(swept.sweep.n_designs, 48);
+        for (k = 0; k < 5; k++) {
+            const deck_variable *v = &swept.sweep.variables[k];
+
+            snprintf(assignments[k], sizeof assignments[k], "%.*s = %.17g %s", (int)v->name.length,
+                     v->name.start, v->value, units[k]);
+            changes[k].origin = "--set";
+            changes[k].assignment = assignments[k];
+        }
+        source = deck_source(without);
+        source.changes = changes;
+        source.n_changes = 5;
+        assert_int_equal(flk_deck_read(&source, &set), 1);
+        assert_close(set.loads[1].force.x, swept.loads[1].force.x, 1e-14);
+        assert_close(set.loads[1].force.y, swept.loads[1].force.y, 1e-14);
+        assert_close(set.design.link[4].cg.x, swept.design.link[4].cg.x, 1e-14);
+        assert_close(set.motion.speed, swept.motion.speed, 1e-14);
+        assert_close(set.design.link[2].length, swept.design.link[2].length, 1e-14);
+        flk_deck_free(&swept);
+        flk_deck_free(&set);
+    }
+}
+
+/* Only with the first design is a whole list judged, and of each design its own value. */
+static void test_mistakes_of_lists(void **unused)
+{
+    static const char lines[] = "crank.length = 18 mm, 19 mm, nonsense, 21 mm\n";
+    static const int expected[] = {0, 1, 0, 1};
+    unsigned long design;
+
+    (void)unused;
+    for (design = 0; design < 4; design++) {
+        deck d;
+
+        assert_int_equal(read_design(lines, "", design, &d), expected[design]);
+        if (!expected[design]) {
+            assert_int_equal(d.mistakes.count, 1);
+            assert_string_equal(d.mistakes.list[0].message,
+                                "expected a length, such as 80 mm, not 'nonsense'");
+        }
+        flk_deck_free(&d);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),    cmocka_unit_test(test_mechanism),
-        cmocka_unit_test(test_order),     cmocka_unit_test(test_distributions),
-        cmocka_unit_test(test_seeds),     cmocka_unit_test(test_tolerances),
-        cmocka_unit_test(test_mistakes),  cmocka_unit_test(test_twice),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_mechanism),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_distributions),
+        cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_tolerances),
+        cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_twice),
         cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_design_is_assignments),
+        cmocka_unit_test(test_mistakes_of_lists),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

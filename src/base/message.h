@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** message.h - messages, and the mistakes of a deck.
+*/
+#ifndef FOURLINK_MESSAGE_H
+#define FOURLINK_MESSAGE_H
+
+#include "text.h"
+
+#define MESSAGE_SIZE 400
+
+/* Write a message.  In its format stand
+**
+**    %s    a string
+**    %t    a text, shortened if it is longer than a word
+**    %ld   a whole number, a long
+**    %g    a number with at most 9 significant digits; with at most 4: %.4g
+**    %h    the word that is nearest to an unknown one, a string: "; did you mean 'WORD'?".  Null: nothing
+**    %%    a per cent sign
+**
+** What does not fit is cut off. */
+char *flk_message(char *out, size_t size, const char *format, ...);
+
+/* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
+typedef struct text_place {
+    const char *source;
+    long line;
+} text_place;
+
+/* The mistakes found in a deck, in the order of its lines. */
+typedef struct mistakes {
+    struct mistake *list;
+    size_t count, capacity, left_out;
+    int out_of_memory; /* 1: there was one that could not be noted */
+} mistakes;
+
+struct mistake {
+    text_place place;
+    char message[MESSAGE_SIZE];
+};
+
+/* Note a mistake; the format as above. */
+void flk_mistake(mistakes *m, text_place place, const char *format, ...);
+
+/* Sort by line, for printing. */
+void flk_mistakes_sort(mistakes *m);
+void flk_mistakes_free(mistakes *m);
+
+#endif

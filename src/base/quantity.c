@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** quantity.c - quantities from text: a number with a unit, such as 40 deg.
+*/
+#include <string.h>
+
+#include "fourlink.h"
+#include "number.h"
+#include "quantity.h"
+
+/* The name of a quantity of this dimension, or null. */
+static const char *words_of(dimension dim)
+{
+    int q;
+
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        if (flk_dimension_equal(dim, flk_quantities[q].dim))
+            return flk_quantities[q].words;
+    return NULL;
+}
+
+int flk_quantity_number(text *rest, text whole, quantity q, double *number,
+                        char message[MESSAGE_SIZE])
+{
+    static const char *const why[] = {"",
+                                      "expected %s, such as %s, not '%t'",
+                                      "'%t' is not a finite number",
+                                      "'%t': numbers are decimal",
+                                      "'%t': the decimal mark is a point, not a comma",
+                                      "'%t': a number of too many digits"};
+    number_status status;
+
+    *rest = flk_text_trim(*rest);
+    status = flk_number_read(rest, number);
+    if (status == NUMBER_NONE)
+        flk_message(message, MESSAGE_SIZE, why[status], flk_quantities[q].words,
+                    flk_quantities[q].example, whole);
+    else if (status != NUMBER_OK)
+        flk_message(message, MESSAGE_SIZE, why[status], whole);
+    return status == NUMBER_OK;
+}
+
+static int is_direction(text t)
+{
+    static const char *const words[] = {"clockwise", "cw", "counterclockwise", "ccw"};
+    size_t i;
+
+    for (i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (flk_text_equal(t, words[i]))
+            return 1;
+    return 0;
+}
+
+/* Why `t` is no unit: `bad` is the part of it that is not known. */
+static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
+{
+    const char *nearest =
+        flk_unit_nearest(bad, bad.length == t.length ? &flk_quantities[q].dim : NULL);
+
+    if (nearest && flk_text_same(bad, nearest))
+        nearest = NULL;
+    if (is_direction(bad))
+        flk_message(message, MESSAGE_SIZE,
+                    "unknown unit '%t': counter-clockwise is positive, clockwise negative", bad);
+    else if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length))
+        flk_message(message, MESSAGE_SIZE, "unknown unit '%t': a comment needs a blank before it",
+                    bad);
+    else
+        flk_message(message, MESSAGE_SIZE, "unknown unit '%t' in '%t'%h", bad.length ? bad : t,
+                    whole, nearest);
+}
+
+int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
+                      char message[MESSAGE_SIZE])
+{
+    const quantity_info *info = &flk_quantities[q];
+    const char *words;
+    text bad;
+
+    t = flk_text_trim(t);
+    *u = bare;
+    if (!t.length)
+        return 1;
+    if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
+        refuse_unit(t, flk_text_same(t, "1") ? t : bad, whole, q, message);
+        return 0;
+    }
+    if (flk_dimension_equal(u->dim, info->dim))
+        return 1;
+    words = words_of(u->dim);
+    if (words)
+        flk_message(message, MESSAGE_SIZE, "'%t' is %s; expected %s, such as %s", whole, words,
+                    info->words, info->example);
+    else
+        flk_message(message, MESSAGE_SIZE, "'%t' is not %s, such as %s", whole, info->words,
+                    info->example);
+    return 0;
+}
+
+/* Beyond 1e9 rad the digits of an angle are those of its revolutions. */
+#define ANGLE_MAX 1e9
+
+int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE])
+{
+    double max = q == QUANTITY_ANGLE    ? ANGLE_MAX
+                 : q == QUANTITY_LENGTH ? FOURLINK_LENGTH_MAX
+                                        : FOURLINK_NUMBER_MAX;
+
+    if (-max <= si && si <= max)
+        return 1;
+    flk_message(message, MESSAGE_SIZE, "'%t' is beyond what the program computes with", whole);
+    return 0;
+}
+
+/* What one of the last digit of a number is worth: 0.01 for 2.50, 10 for 1.2e2. */
+static double last_digit(text t)
+{
+    double digit = 1, value = 0;
+    int decimals = 0, after = 0, exponent = 0;
+    size_t i;
+
+    for (i = 0; i < t.length; i++) {
+        char c = t.start[i];
+
+        if (c == '.')
+            after = 1;
+        else if ('0' <= c && c <= '9')
+            decimals += after;
+        else if ((c == 'e' || c == 'E') && i + 1 < t.length) {
+            text rest = t;
+
+            rest.start += i + 1;
+            rest.length -= i + 1;
+            if (flk_number_read(&rest, &value) == NUMBER_OK)
+                exponent = value < -400 ? -400 : value > 400 ? 400 : (int)value;
+            break;
+        } else if (i > 0 || (c != '+' && c != '-')) {
+            break;
+        }
+    }
+    for (exponent -= decimals; exponent < 0; exponent++)
+        digit /= 10;
+    for (; exponent > 0; exponent--)
+        digit *= 10;
+    return digit;
+}
+
+int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value *value,
+                      char message[MESSAGE_SIZE])
+{
+    text rest = t;
+
+    if (!flk_quantity_number(&rest, whole, q, &value->number, message) ||
+        !flk_quantity_unit(rest, whole, q, bare, &value->unit, message))
+        return 0;
+    value->si = flk_unit_to_si(value->number, value->unit);
+    value->digit = flk_unit_to_si(last_digit(flk_text_trim(t)), value->unit);
+    return flk_quantity_size(value->si, whole, q, message);
+}

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_loads.c - values to loads, gas, curves over the crank angle and points.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "reader.h"
+
+/* Angles that are closer, in rad, are the same. */
+#define LEAST_STEP 1e-9
+
+/* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
+** closes the cycle is the first again. */
+static void build_curve(parser *p, const setting *s, curve *result)
+{
+    const point *c = s->curve;
+    size_t n = s->n_points, i;
+    double period = p->d->cycle, *x, *y;
+
+    if (!c || !(period > 0))
+        return;
+    for (i = 1; i < n; i++)
+        if (c[i].x - c[i - 1].x < LEAST_STEP) {
+            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
+            return;
+        }
+    if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
+        n--;
+        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
+            flk_mistake(p->mistakes, c[n].place,
+                        "the curve does not close: its last point is the first, one cycle on");
+            return;
+        }
+    }
+    if (n < 2) {
+        flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
+        return;
+    }
+    if (c[n - 1].x - c[0].x > period - LEAST_STEP) {
+        flk_mistake(p->mistakes, c[n - 1].place,
+                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
+                    "one of four strokes");
+        return;
+    }
+    x = flk_reader_keep(p, 2 * n * sizeof *x);
+    if (!x)
+        return;
+    y = x + n;
+    for (i = 0; i < n; i++) {
+        x[i] = c[i].x;
+        y[i] = c[i].y;
+    }
+    if (!flk_curve_make(x, y, n, period, result))
+        p->out_of_memory = 1;
+}
+
+void flk_build_gas(parser *p)
+{
+    const section_use *use = flk_section_find(p, SECTION_GAS);
+    const setting *bore = flk_setting_find(p, KEY_GAS_BORE),
+                  *rod = flk_setting_find(p, KEY_GAS_PISTON_ROD);
+    const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),
+                  *card = flk_setting_find(p, KEY_GAS_INDICATOR);
+    deck_gas *gas = &p->d->gas;
+    double d_rod = rod ? rod->si[0] : 0;
+
+    if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
+        return;
+    p->d->has_forces = 1;
+    if (!bore) {
+        flk_mistake(p->mistakes, use->place, "[gas] has no bore");
+        return;
+    }
+    if (!pressure && !card && !flk_setting_find(p, KEY_GAS_BACK_PRESSURE))
+        flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
+    if (pressure && card)
+        flk_mistake(p->mistakes, pressure->place,
+                    "give either the pressure or the indicator, not both");
+    if (d_rod >= bore->si[0] && bore->si[0] > 0)
+        flk_mistake(p->mistakes, rod->place, "the piston_rod, %t, is not thinner than the bore",
+                    rod->value);
+    gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
+    gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
+    gas->pressure = flk_setting_or(p, KEY_GAS_PRESSURE, 0);
+    gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
+    if (card)
+        build_curve(p, card, &gas->indicator);
+}
+
+/* The link that a load or a point is on. */
+static void check_link(parser *p, const section_use *use, const setting *link)
+{
+    const flk_kind *kind = flk_kind_of((int)p->d->design.kind);
+    const char *const *own = kind->link;
+
+    if (!link->place.source)
+        flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
+                    flk_section_table[use->section].name, own[2], own[3], own[4]);
+    else if (link->word && !flk_text_equal(link->value, own[link->word]))
+        flk_mistake(p->mistakes, link->place, "a %s has no %t: its links are %s, %s and %s",
+                    kind->words, link->value, own[2], own[3], own[4]);
+}
+
+/* The crank angles between which a load acts. */
+static void build_window(parser *p, const section_use *use, deck_load *variation)
+{
+    const setting *from = flk_setting_of(p, use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(p, use, KEY_LOAD_TO);
+
+    if (!from->place.source && !to->place.source)
+        return;
+    variation->is_windowed = 1;
+    variation->from = from->si[0]; /* 0 if it is not given */
+    variation->to = to->place.source ? to->si[0] : p->d->cycle;
+    if (variation->to <= variation->from)
+        flk_mistake(p->mistakes, (from->place.source ? from : to)->place,
+                    "the load's 'from' must be before its 'to', not %t and %t",
+                    from->place.source ? from->value : flk_text_of("0"),
+                    to->place.source ? to->value : flk_text_of("the end of the cycle"));
+    else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
+        flk_mistake(p->mistakes, (to->place.source ? to : from)->place,
+                    "the load acts for longer than a cycle");
+}
+
+/* So that max(NAME.vx) fits wherever names are kept. */
+#define LONGEST_NAME 32
+
+/* [point NAME] */
+static void build_point(parser *p, const section_use *use, deck_point *new)
+{
+    static const char *const endings[DECK_POINT_COLUMNS] = {".x",  ".y",  ".vx", ".vy",
+                                                            ".ax", ".ay", ".v",  ".a"};
+    const setting *link = flk_setting_of(p, use, KEY_POINT_LINK),
+                  *at = flk_setting_of(p, use, KEY_POINT_AT);
+    size_t i;
+
+    check_link(p, use, link);
+    if (!use->name.length)
+        flk_mistake(p->mistakes, use->place, "a point needs a name: [point P]");
+    if (use->name.length > LONGEST_NAME)
+        flk_mistake(p->mistakes, use->place, "the name of a point is too long");
+    for (i = 0; i < use->name.length; i++)
+        if (!flk_text_is_word(use->name.start[i])) {
+            flk_mistake(p->mistakes, use->place,
+                        "the name of a point is one word: its columns are NAME.x, NAME.y ...");
+            break;
+        }
+    new->link = link->word;
+    new->at.x = at->si[0];
+    new->at.y = at->si[1];
+    new->name = flk_reader_copy(p, use->name, "");
+    for (i = 0; i < DECK_POINT_COLUMNS; i++)
+        new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
+}
+
+void flk_build_points(parser *p)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < p->n_uses; i++)
+        n += p->uses[i].section == SECTION_POINT;
+    if (!n)
+        return;
+    p->d->points = calloc(n, sizeof *p->d->points);
+    if (!p->d->points) {
+        p->out_of_memory = 1;
+        return;
+    }
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == SECTION_POINT)
+            build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
+}
+
+static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
+{
+    const setting *link = flk_setting_of(p, use, KEY_LOAD_LINK);
+    const setting *force = flk_setting_of(p, use, KEY_LOAD_FORCE),
+                  *at = flk_setting_of(p, use, KEY_LOAD_AT);
+    const setting *torque = flk_setting_of(p, use, KEY_LOAD_TORQUE);
+    const setting *frame = flk_setting_of(p, use, KEY_LOAD_FRAME);
+
+    check_link(p, use, link);
+    if (!force->place.source && !torque->place.source)
+        flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
+    if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
+        flk_kind_of((int)p->d->design.kind)->has_length[link->word])
+        flk_mistake(p->mistakes, use->place,
+                    "the force needs 'at', the point of the link where it acts");
+    if (at->place.source && !force->place.source)
+        flk_mistake(p->mistakes, at->place, "'at' is for a force");
+    load->link = link->word;
+    load->frame = (fourlink_frame)frame->word;
+    load->force.x = force->si[0];
+    load->force.y = force->si[1];
+    load->at.x = at->si[0];
+    load->at.y = at->si[1];
+    load->torque = torque->si[0];
+    variation->name = flk_reader_copy(p, use->name, "");
+    build_curve(p, torque, &variation->torque);
+    build_window(p, use, variation);
+}
+
+void flk_build_loads(parser *p)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < p->n_uses; i++)
+        n += p->uses[i].section == SECTION_LOAD;
+    if (!n)
+        return;
+    p->d->loads = calloc(n, sizeof *p->d->loads);
+    p->d->variations = calloc(n, sizeof *p->d->variations);
+    if (!p->d->loads || !p->d->variations) {
+        p->out_of_memory = 1;
+        return;
+    }
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == SECTION_LOAD) {
+            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads],
+                       &p->d->variations[p->d->n_loads]);
+            p->d->n_loads++;
+        }
+    p->d->has_forces = 1;
+}

@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_mechanism.c - values to the mechanism.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/number.h"
+#include "mechanics/kind.h"
+#include "reader.h"
+
+#define STANDARD_GRAVITY 9.81 /* m/s2, as the sources have it */
+
+/* 1 if the crank can be given by the stroke. */
+static int has_stroke(const parser *p)
+{
+    return (flk_key_table[KEY_CRANK_STROKE].kinds & (int)p->d->design.kind) != 0;
+}
+
+/* The length a mechanism cannot do without. */
+static void require_length(parser *p, const char *link)
+{
+    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)));
+
+    if (use)
+        flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
+                    use->section == SECTION_CRANK && has_stroke(p) ? ", and no stroke" : "");
+    else
+        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length in it", link);
+}
+
+/* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
+** (ME3491, example 2): L = g (T / 2 pi)^2 is the length of the equivalent simple pendulum, and
+**
+**    k^2 = h (L - h)
+*/
+static void build_swing(parser *p, const setting *period, const setting *pin, fourlink_link *link)
+{
+    double g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
+           turns = period->si[0] / (2 * M_PI);
+    double x = 0, y = 0, h, L;
+
+    if (!pin) {
+        flk_mistake(p->mistakes, period->place,
+                    "a swing_period needs a swing_pin: origin, end or a point of the link");
+        return;
+    }
+    if (pin->word == PIN_END)
+        x = link->length;
+    if (pin->word == PIN_POINT) {
+        x = pin->si[0];
+        y = pin->si[1];
+    }
+    if (g <= 0)
+        g = STANDARD_GRAVITY; /* switched off in the machine, not in the test */
+    h = gsl_hypot(x - link->cg.x, y - link->cg.y);
+    L = g * turns * turns;
+    if (h == 0)
+        flk_mistake(p->mistakes, pin->place,
+                    "the swing_pin is at the centre of mass, where nothing swings");
+    else if (L < h)
+        flk_mistake(p->mistakes, period->place,
+                    "a swing_period of %t is too short: even all mass in one point, %.4g m from "
+                    "the pin, swings more slowly",
+                    period->value, h);
+    else
+        link->inertia = link->mass * h * (L - h);
+}
+
+/* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
+** in line (two right triangles with the cathetus e):
+**
+**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
+**
+** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
+** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  Beyond it the second root would be the first's sum. */
+static void build_stroke(parser *p)
+{
+    fourlink_link *link = p->d->design.link;
+    const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
+    double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
+
+    if (l <= 0 || !has_stroke(p) || p->lacks_values)
+        return;
+    if (flk_setting_find(p, KEY_CRANK_LENGTH))
+        flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
+    S = s->si[0];
+    link[2].length = S / 2;
+    rest = 4 * l * l - S * S;
+    if (S * S > 4 * l * (l - e))
+        flk_mistake(p->mistakes, s->place, "%s",
+                    e > 0 ? "this rod and offset have no such stroke"
+                          : "this rod has no such stroke: the crank would be longer");
+    else if (e > 0)
+        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
+}
+
+static void build_link(parser *p, const flk_kind *kind, int number)
+{
+    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+    fourlink_link *link = &p->d->design.link[number];
+    const setting *length = flk_setting_by_name(p, section, "length"),
+                  *mass = flk_setting_by_name(p, section, "mass"),
+                  *gyration = flk_setting_by_name(p, section, "gyration"),
+                  *inertia = flk_setting_by_name(p, section, "inertia"),
+                  *cg = flk_setting_by_name(p, section, "cg"),
+                  *period = flk_setting_by_name(p, section, "swing_period"),
+                  *pin = flk_setting_by_name(p, section, "swing_pin");
+    const setting *other = gyration ? gyration : period;
+
+    if (number == FOURLINK_CRANK && flk_setting_find(p, KEY_CRANK_STROKE))
+        build_stroke(p);
+    else if (length)
+        link->length = length->si[0];
+    else if (kind->has_length[number])
+        require_length(p, kind->link[number]);
+    link->mass = mass ? mass->si[0] : 0;
+    link->inertia = inertia ? inertia->si[0] : 0;
+    if (cg) {
+        link->cg.x = cg->si[0];
+        link->cg.y = cg->si[1];
+    }
+    if ((gyration != NULL) + (inertia != NULL) + (period != NULL) > 1)
+        flk_mistake(p->mistakes, other->place,
+                    "give one of gyration, inertia and swing_period, not several");
+    if (other && !mass)
+        flk_mistake(p->mistakes, other->place, "the %s needs a mass",
+                    gyration ? "radius of gyration" : "swing_period");
+    if (gyration)
+        link->inertia = link->mass * gyration->si[0] * gyration->si[0]; /* I = m k^2 */
+    if (period && period->si[0] > 0 && !p->lacks_values)
+        build_swing(p, period, pin, link);
+    if (other && link->inertia > FOURLINK_NUMBER_MAX)
+        flk_mistake(p->mistakes, other->place,
+                    "the moment of inertia that follows is beyond what the program computes with");
+    if (!period && pin)
+        flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
+}
+
+/* The mechanism's kind, and that each section and key is one that it has. */
+int flk_build_kind(parser *p)
+{
+    const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
+    size_t i;
+    fourlink_kind kind;
+    int k;
+
+    if (!s) {
+        text_place place = flk_reader_end(p);
+
+        place.line = 1;
+        flk_mistake(p->mistakes, place,
+                    "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
+                    "first section");
+        return 0;
+    }
+    if (!s->word)
+        return 0;
+    kind = (fourlink_kind)s->word;
+    p->d->design.kind = kind;
+    for (i = 0; i < p->n_uses; i++) {
+        const section_use *use = &p->uses[i];
+        int first = flk_first_key(use->section), n = flk_key_count(use->section);
+
+        if (!(flk_section_table[use->section].kinds & (int)kind)) {
+            flk_mistake(p->mistakes, use->place,
+                        use->section == SECTION_COUPLER || use->section == SECTION_ROD
+                            ? "a %s has no [%s]; its link 3 is the [%s]"
+                            : "a %s has no [%s]",
+                        fourlink_kind_text((int)kind), flk_section_table[use->section].name,
+                        fourlink_link_text((int)kind, FOURLINK_COUPLER));
+            continue;
+        }
+        for (k = first; k < first + n; k++) {
+            s = flk_setting_of(p, use, (key_code)k);
+            if (s->place.source && !(flk_key_table[k].kinds & (int)kind))
+                flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
+                            use->section == SECTION_TOP ? "" : "the ",
+                            flk_section_table[use->section].name,
+                            use->section == SECTION_TOP ? "a " : " of a ",
+                            fourlink_kind_text((int)kind), flk_key_table[k].name);
+        }
+    }
+    return 1;
+}
+
+/* A length in the unit in which another is written; that, as it is written. */
+static double in_unit_of(parser *p, const setting *s, double length, text *written)
+{
+    double number;
+
+    *written = s->value;
+    flk_number_read(written, &number);
+    *written = flk_text_trim(*written);
+    if (!written->length)
+        *written = flk_text_of(p->d->units[QUANTITY_LENGTH].name);
+    return flk_unit_from_si(length, s->unit);
+}
+
+/* The links reach at some angle if no link is longer than the other three together; where the ground has no
+** length, if crank and rod together reach the line of stroke. */
+static void check_reach(parser *p, const flk_kind *kind)
+{
+    const fourlink_link *link = p->d->design.link;
+    const setting *s = flk_setting_find(p, KEY_GROUND_OFFSET);
+    int i, longest = FOURLINK_GROUND;
+    double sum = 0, in_unit;
+    text written;
+
+    for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+        if (kind->has_length[i] && !(link[i].length > 0))
+            return; /* told already */
+        sum += kind->has_length[i] ? link[i].length : 0;
+        if (link[i].length > link[longest].length)
+            longest = i;
+    }
+    if (!kind->has_length[FOURLINK_GROUND]) {
+        if (s && fabs(p->d->design.offset) > sum) {
+            in_unit = in_unit_of(p, s, sum, &written);
+            flk_mistake(p->mistakes, s->place,
+                        "the offset, %t, is more than crank and rod together, %.6g %t: the rod "
+                        "never reaches",
+                        s->value, in_unit, written);
+        }
+        return;
+    }
+    sum -= link[longest].length;
+    if (link[longest].length > sum * (1 + 1e-14)) {
+        s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
+        in_unit = in_unit_of(p, s, sum, &written);
+        flk_mistake(p->mistakes, s->place,
+                    "the %s, %t, is longer than the other three together, %.6g %t: they cannot be "
+                    "assembled",
+                    kind->link[longest], s->value, in_unit, written);
+    }
+}
+
+void flk_build_mechanism(parser *p)
+{
+    fourlink_design *design = &p->d->design;
+    const flk_kind *kind = flk_kind_of((int)design->kind);
+    double direction, g;
+    int i;
+
+    design->offset = flk_setting_or(p, KEY_GROUND_OFFSET, 0);
+    build_link(p, kind, FOURLINK_GROUND);
+    build_link(p, kind, has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
+    build_link(p, kind,
+               has_stroke(p) ? FOURLINK_CRANK : FOURLINK_COUPLER); /* from stroke and rod */
+    build_link(p, kind, FOURLINK_FOLLOWER);
+    g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
+    direction =
+        flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - flk_setting_or(p, KEY_GROUND_ANGLE, 0);
+    flk_values_direction(direction, &design->gravity.x, &design->gravity.y);
+    design->gravity.x *= g;
+    design->gravity.y *= g;
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
+        if (design->link[i].mass > 0 || design->link[i].inertia > 0)
+            p->d->has_forces = 1;
+    if (!p->lacks_values)
+        check_reach(p, kind);
+    if (p->mistakes->count)
+        return;
+    i = fourlink_prepare(design, &p->d->mechanism);
+    if (i != FOURLINK_OK)
+        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK)->place, "%s",
+                    fourlink_status_text(i));
+}
+
+/* The engine method's approximations, which the sources have for engines of their kind alone. */
+void flk_build_series(parser *p)
+{
+    const setting *s = flk_setting_find(p, KEY_TOP_SERIES);
+
+    if (!s)
+        return;
+    p->d->approximation = (fourlink_approximation)s->word;
+    if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
+        flk_mistake(p->mistakes, s->place, "%s", fourlink_status_text(FOURLINK_NO_SERIES));
+}

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_motion.c - values to the motion of the crank, the flywheel, the table and what is expected.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "reader.h"
+
+static double angle_or(parser *p, key_code key, double otherwise)
+{
+    const setting *s = flk_setting_find(p, key);
+
+    return s ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
+}
+
+/* 1 if a mistake about a key of the section has been noted: no other is to follow from it. */
+static int is_mistaken(parser *p, section_code section)
+{
+    const section_use *use = flk_section_find(p, section);
+    int first = flk_first_key(section), n = flk_key_count(section), k;
+    size_t i;
+
+    for (k = first; use && k < first + n; k++) {
+        text_place place = flk_setting_of(p, use, (key_code)k)->place;
+
+        for (i = 0; place.source && i < p->mistakes->count; i++)
+            if (p->mistakes->list[i].place.source == place.source &&
+                p->mistakes->list[i].place.line == place.line)
+                return 1;
+    }
+    return 0;
+}
+
+/* One instant has no range.  But `at` from the command line takes the place of the deck's range. */
+static void check_alone(parser *p, const setting *at)
+{
+    static const key_code others[] = {KEY_MOTION_FROM, KEY_MOTION_TO, KEY_MOTION_RUN_UP};
+    size_t i;
+
+    for (i = 0; i < sizeof others / sizeof others[0]; i++) {
+        const setting *s = flk_setting_find(p, others[i]);
+
+        if (s && (s->place.line == 0) == (at->place.line == 0))
+            flk_mistake(p->mistakes, s->place, "'%s' has no place beside 'at', one instant",
+                        flk_key_table[others[i]].name);
+    }
+}
+
+/* 360 and not 360.00000000000006 */
+static double whole(double x)
+{
+    double nearest = floor(x + 0.5);
+
+    return fabs(x - nearest) < 1e-12 * x ? nearest : x;
+}
+
+/* From rest through an angle, then one revolution (Alvi's program, vela = 0). */
+static void build_run_up(parser *p, const setting *run_up)
+{
+    const setting *s;
+
+    p->d->motion.run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
+    p->d->one_revolution = 1;
+    if ((s = flk_setting_find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
+        flk_mistake(p->mistakes, s->place,
+                    "a run-up starts from rest: it takes an acceleration and no speed");
+    if ((s = flk_setting_find(p, KEY_MOTION_TO)) != NULL)
+        flk_mistake(p->mistakes, s->place,
+                    "a run-up ends one revolution after its angle: it takes no 'to'");
+    if (p->d->motion.hold)
+        flk_mistake(p->mistakes, run_up->place, "a run-up cannot hold its speed");
+}
+
+void flk_build_motion(parser *p)
+{
+    fourlink_motion *motion = &p->d->motion;
+    const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
+    const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP), *s;
+    double cycle, turning;
+    fourlink_range range;
+    int status;
+
+    motion->angle_unit = u->up / u->down;
+    motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
+    motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
+    s = flk_setting_find(p, KEY_MOTION_HOLD);
+    motion->hold = s ? s->word : 0;
+    motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(flk_unit_from_si(M_PI / 18, *u)));
+    if ((s = flk_setting_find(p, KEY_MOTION_AT)) != NULL) {
+        check_alone(p, s);
+        motion->from = angle_or(p, KEY_MOTION_AT, 0);
+        motion->to = motion->from;
+        motion->interval = 1; /* any */
+        p->d->one_instant = 1;
+        return;
+    }
+    cycle = angle_or(p, KEY_MOTION_CYCLE, whole(flk_unit_from_si(2 * M_PI, *u)));
+    turning = motion->speed != 0 ? motion->speed : motion->acceleration;
+    motion->from = angle_or(p, KEY_MOTION_FROM, 0);
+    motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
+    p->d->one_revolution =
+        fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
+    if (run_up)
+        build_run_up(p, run_up);
+    if (is_mistaken(p, SECTION_MOTION) || p->lacks_values)
+        return;
+    status = fourlink_motion_range(motion, &range);
+    if (status == FOURLINK_BAD_RANGE) {
+        s = flk_setting_find(p, KEY_MOTION_TO);
+        flk_mistake(p->mistakes, s ? s->place : flk_reader_end(p),
+                    "the range runs against the rotation of the accelerated crank; turn it round, "
+                    "or give 'hold = yes'");
+    } else if (status == FOURLINK_NO_RUN_UP) {
+        flk_mistake(p->mistakes, run_up->place, "a run-up from rest needs an acceleration");
+    } else if (status != FOURLINK_OK) {
+        s = flk_setting_find(p, KEY_MOTION_INTERVAL);
+        flk_mistake(p->mistakes, s ? s->place : flk_reader_end(p), "%s",
+                    fourlink_status_text(status));
+    }
+}
+
+void flk_build_table(parser *p)
+{
+    const setting *s = flk_setting_find(p, KEY_TABLE_BRANCH);
+    int branches = s ? s->word : BRANCH_BOTH;
+
+    p->d->open = (branches & BRANCH_OPEN) != 0;
+    p->d->crossed = (branches & BRANCH_CROSSED) != 0;
+    if ((s = flk_setting_find(p, KEY_TABLE_COLUMNS)) != NULL) {
+        p->d->columns.names = s->value;
+        p->d->columns.place = s->place;
+    }
+    s = flk_setting_find(p, KEY_TOP_SOLVER);
+    p->d->solver = s ? s->word : 0;
+    p->d->digits = 6;
+    if ((s = flk_setting_find(p, KEY_TABLE_DIGITS)) != NULL) {
+        if (s->si[0] > 17)
+            flk_mistake(p->mistakes, s->place, "digits must be 1 to 17, not %t", s->value);
+        else
+            p->d->digits = (int)s->si[0];
+    }
+}
+
+/* The printed values of the deck, in the order of its lines, after those it has already. */
+void flk_build_expectations(parser *p)
+{
+    deck *d = p->d;
+    deck_expectation *list;
+    size_t i;
+
+    if (!p->n_named)
+        return;
+    list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
+    if (!list) {
+        p->out_of_memory = 1;
+        return;
+    }
+    d->expectations = list;
+    for (i = 0; i < p->n_named; i++) {
+        const named_value *named = &p->named[i];
+        const section_use *use = &p->uses[named->use];
+        int misprint = use->section == SECTION_MISPRINT;
+        const setting *at, *branch, *tolerance;
+        deck_expectation *e;
+
+        if (use->section == SECTION_SWEEP)
+            continue;
+        at = flk_setting_of(p, use, misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
+        branch = flk_setting_of(p, use, misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
+        tolerance =
+            flk_setting_of(p, use, misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
+        e = &list[d->n_expectations++];
+        memset(e, 0, sizeof *e);
+        e->place = named->place;
+        e->name = named->name;
+        e->value = named->value;
+        e->tolerance = tolerance->value;
+        e->tolerance_place = tolerance->place;
+        e->misprint = misprint;
+        e->has_at = at->place.source != NULL || d->one_instant;
+        e->at = at->place.source ? flk_setting_in_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
+        e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
+                    : d->open    ? FOURLINK_OPEN
+                                 : FOURLINK_CROSSED;
+    }
+}
+
+void flk_build_flywheel(parser *p)
+{
+    const setting *s = flk_setting_find(p, KEY_FLYWHEEL_INERTIA);
+
+    p->d->flywheel_fluctuation = flk_setting_or(p, KEY_FLYWHEEL_FLUCTUATION, 0);
+    p->d->flywheel_inertia = flk_setting_or(p, KEY_FLYWHEEL_INERTIA, 0);
+    if (s && flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION))
+        flk_mistake(p->mistakes, s->place,
+                    "give either the fluctuation or the inertia: the other follows");
+}

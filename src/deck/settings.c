@@ -1,0 +1,441 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** settings.c - the sections of a deck, and what their keys are set to: in the deck, by --set, and for a
+** design of a sweep.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include "reader.h"
+
+static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t size)
+{
+    size_t more = *capacity ? *capacity : 64;
+    void *bigger;
+
+    while (more < wanted)
+        more *= 2;
+    if (more == *capacity)
+        return list;
+    bigger = realloc(list, more * size);
+    if (!bigger)
+        p->out_of_memory = 1;
+    else
+        *capacity = more;
+    return bigger;
+}
+
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
+{
+    size_t n = (size_t)flk_key_count(section);
+    section_use *uses, *use;
+    setting *settings;
+
+    uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses);
+    if (!uses)
+        return NULL;
+    p->uses = uses;
+    settings = grow(p, p->settings, &p->settings_capacity, p->n_settings + n, sizeof *settings);
+    if (!settings)
+        return NULL;
+    p->settings = settings;
+    memset(settings + p->n_settings, 0, n * sizeof *settings);
+    use = &uses[p->n_uses++];
+    use->section = section;
+    use->name = name;
+    use->place = place;
+    use->first = p->n_settings;
+    p->n_settings += n;
+    return use;
+}
+
+section_use *flk_section_find(parser *p, section_code section)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == section)
+            return &p->uses[i];
+    return NULL;
+}
+
+setting *flk_setting_of(parser *p, const section_use *use, key_code key)
+{
+    return &p->settings[use->first +
+                        (size_t)((int)key - flk_first_key(flk_key_table[key].section))];
+}
+
+setting *flk_setting_find(parser *p, key_code key)
+{
+    section_use *use = flk_section_find(p, flk_key_table[key].section);
+    setting *s = use ? flk_setting_of(p, use, key) : NULL;
+
+    return s && s->place.source ? s : NULL;
+}
+
+setting *flk_setting_by_name(parser *p, section_code section, const char *key)
+{
+    int first = flk_first_key(section), n = flk_key_count(section), i;
+
+    for (i = first; i < first + n; i++)
+        if (strcmp(flk_key_table[i].name, key) == 0)
+            return flk_setting_find(p, (key_code)i);
+    return NULL;
+}
+
+double flk_setting_or(parser *p, key_code key, double otherwise)
+{
+    const setting *s = flk_setting_find(p, key);
+
+    return s ? s->si[0] : otherwise;
+}
+
+double flk_setting_in_unit(parser *p, const setting *s, quantity q)
+{
+    const unit *u = &p->d->units[q].unit;
+
+    if (s->unit.up == u->up && s->unit.down == u->down)
+        return s->number;
+    return flk_unit_from_si(s->si[0], *u);
+}
+
+/* What people write, and what they mean. */
+static const struct {
+    const char *written, *meant;
+} synonyms[] = {{"connecting", "rod"},     {"conrod", "rod"},    {"follower", "rocker"},
+                {"frame", "ground"},       {"fixed", "ground"},  {"link1", "ground"},
+                {"link2", "crank"},        {"link3", "coupler"}, {"link4", "rocker"},
+                {"input", "crank"},        {"slider", "piston"}, {"cylinder", "gas"},
+                {"force", "load"},         {"omega", "speed"},   {"rpm", "speed"},
+                {"alpha", "acceleration"}, {"step", "interval"}, {"g", "acceleration"},
+                {"weight", "mass"},        {"k", "gyration"},    {"radius", "length"}};
+
+/* The nearest word, by meaning or by spelling; null if none is. */
+static const char *nearest_word(text word, const char *const *known)
+{
+    size_t i, j;
+
+    for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
+        for (j = 0; flk_text_equal(word, synonyms[i].written) && known[j]; j++)
+            if (strcmp(known[j], synonyms[i].meant) == 0)
+                return known[j];
+    return flk_text_nearest(word, known);
+}
+
+void flk_section_unknown(parser *p, text_place place, text name)
+{
+    const char *known[SECTION_COUNT];
+    int i;
+
+    for (i = 1; i < SECTION_COUNT; i++)
+        known[i - 1] = flk_section_table[i].name;
+    known[SECTION_COUNT - 1] = NULL;
+    flk_mistake(p->mistakes, place, "unknown section '%t'%h", name, nearest_word(name, known));
+}
+
+/* The first section, but for the units, that has this key; SECTION_COUNT if none has. */
+static section_code section_with(text key)
+{
+    int i;
+
+    for (i = 0; i < KEY_COUNT; i++)
+        if (flk_text_equal(key, flk_key_table[i].name) && flk_key_table[i].section != SECTION_UNITS)
+            return flk_key_table[i].section;
+    return SECTION_COUNT;
+}
+
+static void note_unknown_key(parser *p, text_place place, section_code section, text key)
+{
+    const char *known[KEY_COUNT + 1], *nearest;
+    char where[MESSAGE_SIZE];
+    int first = flk_first_key(section), n = flk_key_count(section), i;
+    section_code other = section_with(key);
+
+    for (i = 0; i < n; i++)
+        known[i] = flk_key_table[first + i].name;
+    known[n] = NULL;
+    nearest = nearest_word(key, known);
+    flk_message(where, sizeof where,
+                section == SECTION_TOP ? "unknown key '%t' before the first section"
+                                       : "unknown key '%t' in [%s]",
+                key, flk_section_table[section].name);
+    if (other == SECTION_TOP)
+        flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
+    else if (!nearest && other != SECTION_COUNT)
+        flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
+                    flk_section_table[other].name);
+    else
+        flk_mistake(p->mistakes, place, "%s%h", where, nearest);
+}
+
+/* The names that users give: case matters where two differ in it. */
+static int same_name(text x, text y)
+{
+    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
+}
+
+section_use *flk_section_find_named(parser *p, section_code section, text name)
+{
+    size_t i;
+
+    for (i = 0; i < p->n_uses; i++)
+        if (p->uses[i].section == section && same_name(p->uses[i].name, name))
+            return &p->uses[i];
+    return NULL;
+}
+
+void flk_section_split(text *section, text *name)
+{
+    *name = *section;
+    while (name->length && flk_text_is_word(name->start[0])) {
+        name->start++;
+        name->length--;
+    }
+    section->length -= name->length;
+    *name = flk_text_trim(*name);
+}
+
+/* Where a name of a section stands in the hash, or is to be put (FNV-1a, G. Fowler, L. C. Noll, K.-P. Vo). */
+static size_t *find_slot(parser *p, size_t use, text name)
+{
+    unsigned long hash = (2166136261UL + (unsigned long)use) & 0xffffffffUL;
+    size_t i;
+
+    for (i = 0; i < name.length; i++)
+        hash = ((hash ^ (unsigned char)name.start[i]) * 16777619UL) & 0xffffffffUL;
+    for (i = (size_t)hash % p->n_slots; p->named_slots[i]; i = (i + 1) % p->n_slots) {
+        const named_value *named = &p->named[p->named_slots[i] - 1];
+
+        if (named->use == use && same_name(named->name, name))
+            break;
+    }
+    return &p->named_slots[i];
+}
+
+/* Room for one more name, half of the slots at least being free. */
+static int grow_named(parser *p)
+{
+    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *p->named);
+    size_t i;
+
+    if (!list)
+        return 0;
+    p->named = list;
+    if (p->n_slots == 2 * p->named_capacity)
+        return 1;
+    free(p->named_slots);
+    p->n_slots = 2 * p->named_capacity;
+    p->named_slots = calloc(p->n_slots, sizeof *p->named_slots);
+    if (!p->named_slots) {
+        p->out_of_memory = 1;
+        return 0;
+    }
+    for (i = 0; i < p->n_named; i++)
+        *find_slot(p, p->named[i].use, p->named[i].name) = i + 1;
+    return 1;
+}
+
+/* A key that the schema does not have, in a section that takes names of its own. */
+static void set_named(parser *p, text_place place, const target *t, text value, int replace)
+{
+    size_t *slot;
+    named_value *named;
+
+    if (!t->name.length || !value.length) {
+        flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
+        return;
+    }
+    if (!grow_named(p))
+        return;
+    slot = find_slot(p, t->use, t->name);
+    if (*slot && !replace) {
+        flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
+        return;
+    }
+    if (!*slot)
+        *slot = ++p->n_named;
+    named = &p->named[*slot - 1];
+    named->use = t->use;
+    named->name = t->name;
+    named->place = place;
+    named->value = value;
+}
+
+/* The key of a section; 0 and a mistake if it can have none of that name. */
+static int find_key(parser *p, text_place place, const section_use *use, text key, target *t)
+{
+    int first = flk_first_key(use->section), n = flk_key_count(use->section), i;
+
+    for (i = 0; i < n && !flk_text_equal(key, flk_key_table[first + i].name); i++)
+        ;
+    if (i == n && !TAKES_NAMES(use->section)) {
+        note_unknown_key(p, place, use->section, key);
+        return 0;
+    }
+    t->use = (size_t)(use - p->uses);
+    t->key = i < n ? (key_code)(first + i) : KEY_COUNT;
+    t->part = PART_NONE;
+    t->name = key;
+    return 1;
+}
+
+static void set(text_place place, setting *s, text value)
+{
+    memset(s, 0, sizeof *s);
+    s->place = place;
+    s->value = value;
+}
+
+/* x and y, or size and angle */
+static void set_part(parser *p, text_place place, const target *t, setting *s, text value)
+{
+    vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
+
+    if (!s->parts) {
+        s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
+        if (!s->parts)
+            return;
+        memset(s->parts, 0, PART_NONE * sizeof *s->parts);
+    }
+    if (s->parts[other].place.source || s->parts[other + 1].place.source)
+        flk_mistake(p->mistakes, place,
+                    "'%t' and another part of it: set x and y, or size and angle", t->name);
+    else
+        set(place, &s->parts[t->part], value);
+}
+
+/* key = value; the key's own text is in `t->name`. */
+static void set_target(parser *p, text_place place, const target *t, text value, int replace)
+{
+    setting *s;
+
+    if (t->key == KEY_COUNT) {
+        set_named(p, place, t, value, replace);
+        return;
+    }
+    s = flk_setting_of(p, &p->uses[t->use], t->key);
+    if (s->place.source && !replace)
+        flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld", t->name,
+                    s->place.line);
+    else if (!value.length)
+        flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
+    else if (t->part != PART_NONE)
+        set_part(p, place, t, s, value);
+    else
+        set(place, s, value);
+}
+
+void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)
+{
+    target t;
+
+    if (find_key(p, place, use, key, &t))
+        set_target(p, place, &t, value, 0);
+}
+
+/* The part that SECTION.KEY.PART means; it is taken off. */
+static vector_part take_part(text *key)
+{
+    static const char *const parts[] = {"x", "y", "size", "angle"};
+    text before, part, section, rest;
+    int i;
+
+    if (flk_text_cut_last(*key, ".", &before, &part) &&
+        flk_text_cut_last(before, ".", &section, &rest))
+        for (i = 0; i < PART_NONE; i++)
+            if (flk_text_equal(part, parts[i])) {
+                *key = before;
+                return (vector_part)i;
+            }
+    return PART_NONE;
+}
+
+/* The section that an assignment means by "section NAME", the one if there is one only; null and a mistake
+** if there are several, or none of the name. */
+static section_use *find_section(parser *p, text_place place, section_code code, text name)
+{
+    section_use *use = name.length ? flk_section_find_named(p, code, name) : NULL, *other = NULL;
+    char word[DECK_NAME_SIZE];
+    size_t i, found = 0;
+
+    for (i = 0; i < p->n_uses && !use; i++)
+        if (p->uses[i].section == code &&
+            (!name.length ||
+             flk_text_equal(name, flk_text_copy(p->uses[i].name, word, sizeof word)))) {
+            other = &p->uses[i];
+            found++;
+        }
+    use = use ? use : other;
+    if (found > 1) {
+        flk_mistake(p->mistakes, place, "there are several [%s] sections: name one of them",
+                    flk_section_table[code].name);
+        return NULL;
+    }
+    if (!use && name.length) {
+        flk_mistake(p->mistakes, place, "there is no [%s %t] in the deck",
+                    flk_section_table[code].name, name);
+        return NULL;
+    }
+    return use ? use : flk_section_open(p, code, name, place);
+}
+
+/* 1 if the target is a vector, of which a part can be set: a force has to be given, a point that is not is
+** the link's origin. */
+static int has_parts(parser *p, text_place place, const target *t, text key)
+{
+    value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;
+    setting *s = form == FORM_POINT || form == FORM_VECTOR
+                     ? flk_setting_of(p, &p->uses[t->use], t->key)
+                     : NULL;
+
+    if (s && form == FORM_POINT && !s->place.source)
+        set(place, s, flk_text_of("(0, 0)"));
+    if (s && s->place.source)
+        return 1;
+    flk_mistake(p->mistakes, place,
+                s ? "'%t' is not given: only a part of it varies"
+                  : "'%t' has no parts that can be varied",
+                key);
+    return 0;
+}
+
+int flk_setting_target(parser *p, text_place place, text key, target *t)
+{
+    static const char sweep[] = "sweep.";
+    text section = key, name = {"", 0}, last;
+    section_code code = SECTION_TOP;
+    vector_part part = PART_NONE;
+    section_use *use;
+
+    section.length = key.length < strlen(sweep) ? key.length : strlen(sweep);
+    if (flk_text_equal(section, sweep)) { /* the key is all that follows the section */
+        code = SECTION_SWEEP;
+        last = key;
+        last.start += strlen(sweep);
+        last.length -= strlen(sweep);
+    } else {
+        part = take_part(&key);
+        last = key;
+        if (flk_text_cut_last(key, ".", &section, &last)) {
+            flk_section_split(&section, &name);
+            code = flk_find_section(section);
+        }
+    }
+    if (code == SECTION_COUNT) {
+        flk_section_unknown(p, place, section);
+        return 0;
+    }
+    use = find_section(p, place, code, name);
+    if (!use || !find_key(p, place, use, flk_text_trim(last), t))
+        return 0;
+    t->part = part;
+    return part == PART_NONE || has_parts(p, place, t, key);
+}
+
+void flk_setting_assign(parser *p, text_place place, text key, text value)
+{
+    target t;
+
+    if (flk_setting_target(p, place, key, &t))
+        set_target(p, place, &t, value, 1);
+}
