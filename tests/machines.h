@@ -9,7 +9,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "check.h"
-#include "read.h"
+#include "source.h"
 
 #define PI 3.14159265358979323846
 #define PIL 3.14159265358979323846264338327950288L
