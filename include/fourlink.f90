@@ -9,17 +9,18 @@
 ! type of linkage FOURLINK_ENGINE is fourlink_engine_type.
 !
 ! - Arrays over links are indexed by the link's number, as in C.
-! - What the caller fills in (design, load, crank, motion) is 0 to begin with.
+! - What the caller fills in (design, load, crank, motion, source) is 0 to begin with.
 ! - Outputs are intent(inout), since a call that fails leaves them untouched.
 ! - Outputs that may be null in C must be there: Fortran 2003 has no optional arguments in bind(c).
 ! - Other arguments that may be null: an array without elements, c_null_ptr, c_null_funptr.
 ! - An unsigned long of C is an integer(c_long): none of them comes near its end.
 module fourlink
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funptr, c_int, c_long, &
-    c_null_char, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
+    c_int, c_long, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
 
-  private :: c_char, c_double, c_f_pointer, c_funptr, c_int, c_long, c_null_char, c_ptr, c_size_t
+  private :: c_associated, c_char, c_double, c_f_pointer, c_funptr, c_int, c_long, c_null_char, &
+    c_null_funptr, c_null_ptr, c_ptr, c_size_t
   private :: copy_text, text_of_array, text_of_pointer
 
   ! Status codes.
@@ -32,6 +33,7 @@ module fourlink
     fourlink_change_point = 5, &
     fourlink_singular = 6, &
     fourlink_lost_in_rounding = 7, &
+    fourlink_not_reached = 8, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -52,7 +54,12 @@ module fourlink
     fourlink_no_memory = 37, &
     fourlink_no_such_point = 38, &
     fourlink_too_many_loads = 39, &
-    fourlink_bad_approximation = 40
+    fourlink_bad_approximation = 40, &
+    fourlink_no_such_name = 41, &
+    fourlink_no_such_fact = 42, &
+    fourlink_no_such_angle = 43, &
+    fourlink_no_turning_moment = 44, &
+    fourlink_no_such_list = 45
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -77,6 +84,20 @@ module fourlink
   integer(c_int), parameter :: fourlink_frame_ground = 0, fourlink_frame_link = 1
   integer(c_int), parameter :: fourlink_exact = 0, fourlink_series_piston = 1, &
     fourlink_series_all = 2
+
+  ! Lists, groups of facts, flags of columns, verdicts on printed values.
+  integer(c_int), parameter :: fourlink_columns = 1, fourlink_all_columns = 2, &
+    fourlink_inputs = 3, fourlink_variables = 4, fourlink_outputs = 5
+  integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
+    fourlink_facts_turning = 4
+  integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
+    fourlink_of_rounding = 4
+  integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
+    fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
+
+  ! Of a turning moment, the most areas; of a source, whichever design is in order.
+  integer(c_int), parameter :: fourlink_areas = 40
+  integer(c_long), parameter :: fourlink_any_design = int(z'ffffffff', c_long)
 
   ! The range of numbers.
   real(c_double), parameter :: fourlink_length_min = 1e-15_c_double ! m
@@ -189,7 +210,7 @@ module fourlink
 
   ! Decks.  A deck itself is a type(c_ptr).
   type, bind(c) :: fourlink_mistake
-    character(kind=c_char) :: file(128) ! for fourlink_text
+    character(kind=c_char) :: file(1024) ! for fourlink_text
     integer(c_long) :: line
     character(kind=c_char) :: message(400) ! for fourlink_text
   end type fourlink_mistake
@@ -204,7 +225,82 @@ module fourlink
     integer(c_int) :: has_gas
     integer(c_long) :: n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
+    integer(c_long) :: n_rows
+    integer(c_int) :: one_instant, one_revolution, digits
+    integer(c_long) :: n_expected, n_designs, design
+    integer(c_int) :: has_outputs
   end type fourlink_problem
+
+  type, bind(c) :: fourlink_unit
+    type(c_ptr) :: name ! for fourlink_text
+    real(c_double) :: up, down
+  end type fourlink_unit
+
+  type, bind(c) :: fourlink_change
+    type(c_ptr) :: origin = c_null_ptr     ! texts that end in c_null_char
+    type(c_ptr) :: assignment = c_null_ptr
+  end type fourlink_change
+
+  ! The text may be a character variable that is a target: its c_loc, and its len.
+  type, bind(c) :: fourlink_source
+    type(c_ptr) :: name = c_null_ptr ! ends in c_null_char
+    type(c_ptr) :: text = c_null_ptr
+    integer(c_long) :: length = 0
+    type(c_funptr) :: load = c_null_funptr
+    type(c_ptr) :: host = c_null_ptr
+    type(c_ptr) :: changes = c_null_ptr ! an array of fourlink_change
+    integer(c_long) :: n_changes = 0
+    type(c_ptr) :: answers_name = c_null_ptr ! ends in c_null_char
+    type(c_ptr) :: answers = c_null_ptr
+    integer(c_long) :: answers_length = 0
+    integer(c_long) :: design = 0
+    integer(c_int) :: whole_cycle = 0
+  end type fourlink_source
+
+  ! Results by name.  Results themselves are a type(c_ptr).
+  type, bind(c) :: fourlink_value
+    type(c_ptr) :: name, unit, quantity, meaning, source ! for fourlink_text
+    type(c_ptr) :: words                                 ! the same; c_null_ptr: a number
+    real(c_double) :: value, to_si
+    integer(c_int) :: has_angle
+    real(c_double) :: angle
+    integer(c_int) :: branch, flags
+  end type fourlink_value
+
+  type, bind(c) :: fourlink_instant
+    type(fourlink_row) :: row
+    integer(c_int) :: branch, status
+    type(fourlink_state) :: state
+    type(fourlink_forces) :: forces
+    real(c_double) :: gas_force
+  end type fourlink_instant
+
+  type, bind(c) :: fourlink_area
+    real(c_double) :: from, to, energy
+  end type fourlink_area
+
+  type, bind(c) :: fourlink_turning
+    real(c_double) :: mean_torque, mean_power, energy_fluctuation
+    integer(c_int) :: has_coefficient
+    real(c_double) :: energy_coefficient, inertia, fluctuation
+    integer(c_int) :: n_areas
+    type(fourlink_area) :: area(fourlink_areas)
+  end type fourlink_turning
+
+  type, bind(c) :: fourlink_check
+    integer(c_int) :: verdict
+    type(c_ptr) :: file ! for fourlink_text
+    integer(c_long) :: line
+    character(kind=c_char) :: name(64), printed_text(64) ! for fourlink_text
+    real(c_double) :: printed, computed, tolerance
+    type(c_ptr) :: unit                     ! for fourlink_text
+    character(kind=c_char) :: words(100)    ! the same
+    integer(c_int) :: has_angle
+    real(c_double) :: angle
+    integer(c_int) :: branch
+    integer(c_long) :: message_line
+    character(kind=c_char) :: message(400)  ! for fourlink_text
+  end type fourlink_check
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.
   abstract interface
@@ -447,6 +543,115 @@ module fourlink
       integer(c_int), intent(inout) :: link
       type(fourlink_vector), intent(inout) :: at
     end function fourlink_deck_point
+
+    ! The quantity ends in c_null_char.
+    integer(c_int) function fourlink_deck_unit(deck, quantity, unit) bind(c)
+      import
+      type(c_ptr), value :: deck
+      character(kind=c_char), intent(in) :: quantity(*)
+      type(fourlink_unit), intent(inout) :: unit
+    end function fourlink_deck_unit
+
+    ! Load i counts from 0, as in C; the name is for fourlink_text.
+    integer(c_int) function fourlink_deck_load(deck, i, name, has_torque) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: i
+      type(c_ptr), intent(inout) :: name
+      integer(c_int), intent(inout) :: has_torque
+    end function fourlink_deck_load
+
+    integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &
+        n_mistakes) bind(c)
+      import
+      type(fourlink_source), intent(in) :: source
+      integer(c_long), value :: max_mistakes
+      type(c_ptr), intent(inout) :: results
+      type(fourlink_mistake), intent(inout) :: mistakes(*)
+      integer(c_long), intent(inout) :: n_mistakes
+    end function fourlink_results_open
+
+    integer(c_int) function fourlink_source_design(source, max, values) bind(c)
+      import
+      type(fourlink_source), intent(in) :: source
+      integer(c_long), value :: max
+      real(c_double), intent(inout) :: values(*)
+    end function fourlink_source_design
+
+    subroutine fourlink_results_free(results) bind(c)
+      import
+      type(c_ptr), value :: results
+    end subroutine fourlink_results_free
+
+    type(c_ptr) function fourlink_results_deck(results) bind(c)
+      import
+      type(c_ptr), value :: results
+    end function fourlink_results_deck
+
+    ! The list is an array of n fourlink_value, for c_f_pointer.
+    integer(c_int) function fourlink_results_list(results, which, list, n) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: which
+      type(c_ptr), intent(inout) :: list
+      integer(c_long), intent(inout) :: n
+    end function fourlink_results_list
+
+    ! Row i counts from 0, as in C.
+    integer(c_int) function fourlink_results_row(results, branch, i, values, instant, loads) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      integer(c_long), value :: i
+      real(c_double), intent(inout) :: values(*)
+      type(fourlink_instant), intent(inout) :: instant
+      type(fourlink_load), intent(inout) :: loads(*)
+    end function fourlink_results_row
+
+    integer(c_int) function fourlink_results_at(results, branch, angle, values, instant, loads) &
+        bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      real(c_double), value :: angle
+      real(c_double), intent(inout) :: values(*)
+      type(fourlink_instant), intent(inout) :: instant
+      type(fourlink_load), intent(inout) :: loads(*)
+    end function fourlink_results_at
+
+    ! The name ends in c_null_char.
+    integer(c_int) function fourlink_results_value(results, name, branch, angle, value) bind(c)
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int), value :: branch
+      real(c_double), value :: angle
+      type(fourlink_value), intent(inout) :: value
+    end function fourlink_results_value
+
+    ! The facts are an array of n fourlink_value, for c_f_pointer.
+    integer(c_int) function fourlink_results_facts(results, branch, groups, facts, n) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch, groups
+      type(c_ptr), intent(inout) :: facts
+      integer(c_long), intent(inout) :: n
+    end function fourlink_results_facts
+
+    integer(c_int) function fourlink_results_turning(results, branch, turning) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      type(fourlink_turning), intent(inout) :: turning
+    end function fourlink_results_turning
+
+    ! Value i counts from 0, as in C.
+    integer(c_int) function fourlink_results_check(results, i, check) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_long), value :: i
+      type(fourlink_check), intent(inout) :: check
+    end function fourlink_results_check
   end interface
 
   ! A null-terminated text of C, as an array or by its address, filled up with blanks.
@@ -471,6 +676,19 @@ contains
 
     call copy_text(fourlink_status_text_c(status), text)
   end function fourlink_status_text
+
+  function fourlink_branch_text(branch) result(text)
+    integer(c_int), intent(in) :: branch
+    character(len=80) :: text
+    interface
+      type(c_ptr) function fourlink_branch_text_c(branch) bind(c, name="fourlink_branch_text")
+        import
+        integer(c_int), value :: branch
+      end function fourlink_branch_text_c
+    end interface
+
+    call copy_text(fourlink_branch_text_c(branch), text)
+  end function fourlink_branch_text
 
   function fourlink_type_text(type) result(text)
     integer(c_int), intent(in) :: type
@@ -537,7 +755,7 @@ contains
 
   function text_of_array(array) result(text)
     character(kind=c_char), intent(in) :: array(:)
-    character(len=400) :: text
+    character(len=1024) :: text
     integer :: i
 
     text = ' '
@@ -549,7 +767,7 @@ contains
 
   function text_of_pointer(pointer) result(text)
     type(c_ptr), intent(in) :: pointer
-    character(len=400) :: text
+    character(len=1024) :: text
 
     call copy_text(pointer, text)
   end function text_of_pointer
@@ -566,8 +784,9 @@ contains
       end function strlen
     end interface
 
-    call c_f_pointer(from, array, (/ strlen(from) /))
     to = ' '
+    if (.not. c_associated(from)) return
+    call c_f_pointer(from, array, (/ strlen(from) /))
     do i = 1, min(size(array), len(to))
       to(i:i) = array(i)
     end do

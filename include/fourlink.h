@@ -4,8 +4,8 @@
 **
 ** The whole public interface of the library: this header alone is enough to write a program.
 ** It is strict C90 and C++98-clean.  The library keeps no state, prints nothing and never ends the
-** process; every function may be called from several threads at once.  It allocates nothing, but for
-** fourlink_deck_read, which keeps a deck in memory until fourlink_deck_free.
+** process; every function may be called from several threads at once.  It allocates memory only where a
+** deck is opened, by fourlink_deck_read and fourlink_results_open, and holds it until the deck is freed.
 **
 ** Conventions
 **
@@ -1252,6 +1252,7 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **       DOUBLE PRECISION LINKS(5,4), OFFSET, GRAV(2), CRANK(3), LOADS(7,*)
 **       DOUBLE PRECISION STATE(9,4), FORCES(10)
 **       INTEGER IBRNCH, NLOADS, ISTAT
+**       CHARACTER*80 TEXT
 **       CALL FLFBAR(LINKS, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
 **       CALL FLSLCR(LINKS, OFFSET, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
 **       CALL FLTEXT(ISTAT, TEXT)
@@ -1288,6 +1289,64 @@ FOURLINK_API void flslcr_(const double links[20], const double *offset, const do
                           const int *ibrnch, const double crank[3], const int *nloads,
                           const double *loads, double state[36], double forces[10], int *istat);
 FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
+
+/* Results by name: a deck in, named numbers out, in the deck's units.
+**
+**       INTEGER*8 HANDLE
+**       INTEGER ISTAT, IBRNCH, I, N, NROWS, NCOLS
+**       DOUBLE PRECISION ANGLE, VALUE, VALUES(N)
+**       CHARACTER TEXT*4000, MSG*80, NAME*32, UNIT*16
+**       CALL FLOPEN(TEXT, HANDLE, ISTAT, MSG)
+**       CALL FLVAL(HANDLE, NAME, IBRNCH, ANGLE, VALUE, ISTAT)
+**       CALL FLNROW(HANDLE, NROWS, NCOLS)
+**       CALL FLNAME(HANDLE, I, NAME, UNIT, ISTAT)
+**       CALL FLROW(HANDLE, IBRNCH, I, N, VALUES, ISTAT)
+**       CALL FLSHUT(HANDLE)
+**
+** FLOPEN opens a deck.
+**
+** Given:
+**    TEXT       the deck, its lines ended by CHAR(10); blanks behind it are passed over
+** Returned:
+**    HANDLE     for the other calls, to be given to FLSHUT at the end; 0 if ISTAT is not 0
+**    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY
+**    MSG        the first mistake of the deck as LINE: MESSAGE, or the text of another status
+**
+** FLVAL gives any number by its name.
+**
+** Given:
+**    NAME       a column such as Ts; max(Ts), min(Ts); a fact such as mu_min
+**    IBRNCH     1 open, -1 crossed
+**    ANGLE      of a column: crank angle in the deck's unit; else not used
+** Returned:
+**    VALUE      the number; untouched if ISTAT is not 0
+**    ISTAT      as from fourlink_results_value; of a fact in words FOURLINK_NO_SUCH_FACT
+**
+** FLNROW tells how many rows and columns the deck's table has, FLNAME the name and unit of column I,
+** 1 to NCOLS (ISTAT else FOURLINK_NO_SUCH_NAME), and FLROW row I, 1 to NROWS.
+**
+** Given:
+**    N          size of VALUES: of more columns, it is the first N
+** Returned:
+**    VALUES     by column; NaN where it has no value
+**    ISTAT      as from fourlink_results_row
+**
+** FLSHUT gives the memory back and sets HANDLE to 0, which the other calls refuse with FOURLINK_NULL.
+** Texts that are returned are filled up with blanks, or cut off.
+**
+** Reference:
+**    as fourlink_results_open, _value, _row
+*/
+FOURLINK_API void flopen_(const char *text, fourlink_results **handle, int *istat, char *msg,
+                          unsigned long text_length, unsigned long msg_length);
+FOURLINK_API void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch,
+                         const double *angle, double *value, int *istat, unsigned long name_length);
+FOURLINK_API void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols);
+FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *name, char *unit,
+                          int *istat, unsigned long name_length, unsigned long unit_length);
+FOURLINK_API void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i,
+                         const int *n, double *values, int *istat);
+FOURLINK_API void flshut_(fourlink_results **handle);
 
 #ifdef __cplusplus
 }

@@ -112,6 +112,13 @@ static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned
     return EXIT_USAGE;
 }
 
+/* Make a deck unusable. */
+static void refuse(input *in)
+{
+    fourlink_results_free(in->results);
+    in->results = NULL;
+}
+
 static int open_results(input *in)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
@@ -120,12 +127,14 @@ static int open_results(input *in)
 
     if (list)
         status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
-    if (in->names_output)
+    if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is an input");
-    else if (status == FOURLINK_BAD_DECK)
+        refuse(in);
+    } else if (status == FOURLINK_BAD_DECK) {
         status = tell_mistakes(in, list, n);
-    else if (status != FOURLINK_OK)
+    } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
+    }
     free(list);
     return status;
 }
@@ -165,8 +174,7 @@ int input_read(input *in, const char *path, const options *o, const char *answer
     in->source.design = in->problem.design;
     if (serves_options(in))
         return 0;
-    fourlink_results_free(in->results);
-    in->results = NULL;
+    refuse(in);
     return EXIT_USAGE;
 }
 
@@ -180,6 +188,6 @@ void input_close(input *in)
         free(f->contents);
         free(f);
     }
-    fourlink_results_free(in->results);
+    refuse(in);
     free(in->text);
 }

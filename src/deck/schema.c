@@ -5,8 +5,8 @@
 #include "deck.h"
 #include "schema.h"
 
-#define SECTION_INFO(code, name, repeats, kinds) {name, repeats, kinds},
-const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0}};
+#define SECTION_INFO(code, name, repeats, kinds, first) {name, repeats, kinds, first},
+const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0, KEY_COUNT}};
 
 #define KEY_INFO(section, code, name, form, quantity, sign, kinds) \
     {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds},
@@ -44,20 +44,12 @@ const word_info flk_word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOU
 
 int flk_first_key(section_code section)
 {
-    int k = 0;
-
-    while (k < KEY_COUNT && flk_key_table[k].section != section)
-        k++;
-    return k;
+    return flk_section_table[section].first;
 }
 
 int flk_key_count(section_code section)
 {
-    int k = flk_first_key(section), n = 0;
-
-    while (k + n < KEY_COUNT && flk_key_table[k + n].section == section)
-        n++;
-    return n;
+    return flk_section_table[section + 1].first - flk_section_table[section].first;
 }
 
 section_code flk_find_section(text name)

@@ -8,27 +8,27 @@
 #include "fourlink.h"
 #include "base/units.h"
 
-/* name, may repeat, mechanisms */
+/* name, may repeat, mechanisms, the first of its keys in KEY_LIST, which has the sections in this order */
 #define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
-#define SECTION_LIST(X)                           \
-    X(TOP, "", 0, ANY_KIND)                       \
-    X(UNITS, "units", 0, ANY_KIND)                \
-    X(GROUND, "ground", 0, ANY_KIND)              \
-    X(CRANK, "crank", 0, ANY_KIND)                \
-    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR)   \
-    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR)     \
-    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK)       \
-    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK) \
-    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK)       \
-    X(MOTION, "motion", 0, ANY_KIND)              \
-    X(GRAVITY, "gravity", 0, ANY_KIND)            \
-    X(LOAD, "load", 1, ANY_KIND)                  \
-    X(POINT, "point", 1, ANY_KIND)                \
-    X(TABLE, "table", 0, ANY_KIND)                \
-    X(FLYWHEEL, "flywheel", 0, ANY_KIND)          \
-    X(SWEEP, "sweep", 0, ANY_KIND)                \
-    X(EXPECT, "expect", 1, ANY_KIND)              \
-    X(MISPRINT, "misprint", 1, ANY_KIND)
+#define SECTION_LIST(X)                                             \
+    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                          \
+    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                \
+    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)             \
+    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                \
+    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH) \
+    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)    \
+    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)         \
+    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)  \
+    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK, KEY_GAS_BORE)           \
+    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
+    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)    \
+    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                     \
+    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
+    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)  \
+    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)               \
+    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                 \
+    X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
 /* What a value is. */
 typedef enum value_form {
@@ -131,7 +131,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     EXPECT_KEYS(X, EXPECT)                                                                   \
     EXPECT_KEYS(X, MISPRINT)
 
-#define SECTION_CODE(code, name, repeats, kinds) SECTION_##code,
+#define SECTION_CODE(code, name, repeats, kinds, first) SECTION_##code,
 typedef enum section_code { SECTION_LIST(SECTION_CODE) SECTION_COUNT } section_code;
 
 #define KEY_CODE(section, code, name, form, quantity, sign, kinds) KEY_##section##_##code,
@@ -140,6 +140,7 @@ typedef enum key_code { KEY_LIST(KEY_CODE) KEY_COUNT } key_code;
 typedef struct section_info {
     const char *name;
     int repeats, kinds;
+    int first; /* key_code */
 } section_info;
 
 /* By section_code; ended by a null name. */

@@ -401,32 +401,21 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
 
 int flk_setting_target(parser *p, text_place place, text key, target *t)
 {
-    static const char sweep[] = "sweep.";
-    text section = key, name = {"", 0}, last;
+    vector_part part = take_part(&key);
+    text section = key, name = {"", 0}, last = key;
     section_code code = SECTION_TOP;
-    vector_part part = PART_NONE;
     section_use *use;
 
-    section.length = key.length < strlen(sweep) ? key.length : strlen(sweep);
-    if (flk_text_equal(section, sweep)) { /* the key is all that follows the section */
-        code = SECTION_SWEEP;
-        last = key;
-        last.start += strlen(sweep);
-        last.length -= strlen(sweep);
-    } else {
-        part = take_part(&key);
-        last = key;
-        if (flk_text_cut_last(key, ".", &section, &last)) {
-            flk_section_split(&section, &name);
-            code = flk_find_section(section);
-        }
+    if (flk_text_cut_last(key, ".", &section, &last)) {
+        flk_section_split(&section, &name);
+        code = flk_find_section(section);
     }
     if (code == SECTION_COUNT) {
         flk_section_unknown(p, place, section);
         return 0;
     }
     use = find_section(p, place, code, name);
-    if (!use || !find_key(p, place, use, flk_text_trim(last), t))
+    if (!use || !find_key(p, place, use, last, t))
         return 0;
     t->part = part;
     return part == PART_NONE || has_parts(p, place, t, key);
@@ -434,8 +423,17 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)
 {
+    static const text no_name = {"", 0};
+    const section_use *sweep;
+    text section, name;
     target t;
 
-    if (flk_setting_target(p, place, key, &t))
-        set_target(p, place, &t, value, 1);
+    if (flk_text_cut(key, ".", &section, &name) && flk_text_equal(section, "sweep")) {
+        sweep = find_section(p, place, SECTION_SWEEP, no_name); /* all that follows is a name */
+        if (!sweep || !find_key(p, place, sweep, name, &t))
+            return;
+    } else if (!flk_setting_target(p, place, key, &t)) {
+        return;
+    }
+    set_target(p, place, &t, value, 1);
 }

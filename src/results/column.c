@@ -338,12 +338,22 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
     return n + 1;
 }
 
+/* The name of column i of those that there can be. */
+static const char *name_of(const flk_analysis *a, size_t i)
+{
+    size_t of_points = i - TABLE_COUNT;
+
+    return i < TABLE_COUNT ? table[i].name
+                           : a->d->points[of_points / DECK_POINT_COLUMNS]
+                                 .column_names[of_points % DECK_POINT_COLUMNS];
+}
+
 static int find(const flk_analysis *a, text name, int equal(text, const char *), flk_column *c)
 {
-    size_t i;
+    size_t i, n = flk_column_limit(a->d);
 
-    for (i = 0; i < flk_column_limit(a->d); i++)
-        if (flk_column_number(a, i, c) && equal(name, c->name))
+    for (i = 0; i < n; i++)
+        if (equal(name, name_of(a, i)) && flk_column_number(a, i, c))
             return 1;
     return 0;
 }

@@ -30,7 +30,8 @@ static size_t sequence(const unsigned char *c)
     return n;
 }
 
-/* A string; bytes that are not UTF-8 become the replacement character. */
+/* A string; bytes that are not UTF-8 become the replacement character.  "<" is written by its number, so
+** that a page can have the text in a <script>. */
 static void put_string(line *l, const char *s)
 {
     static const char hex[] = "0123456789abcdef";
@@ -40,7 +41,7 @@ static void put_string(line *l, const char *s)
         unsigned char c = (unsigned char)*s;
         size_t n = sequence((const unsigned char *)s);
 
-        if (c < ' ' || c == 0x7f) {
+        if (c < ' ' || c == 0x7f || c == '<') {
             line_put(l, "\\u00");
             line_text(l, &hex[c / 16], 1);
             line_text(l, &hex[c % 16], 1);
@@ -300,7 +301,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     put_text(&s->l, "branch", fourlink_branch_text((int)branch));
     for (i = 0; i < s->n_header; i++) {
         put_name(&s->l, s->header[i].name, 0);
-        if (outputs[i].has_value)
+        if (outputs && outputs[i].has_value)
             put_value(&s->l, &outputs[i].v);
         else
             line_put(&s->l, "null");
@@ -309,8 +310,16 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_put(&s->l, "}\n");
 }
 
+/* In place of a deck, or of a design, whose outputs have a line for each branch. */
 static void refuse(sheet *s, const char *why)
 {
+    fourlink_branch branches[2];
+    int n = s->content == SHEET_DESIGNS ? sheet_branches(s, branches) : 0, i;
+
+    for (i = 0; i < n; i++)
+        put_design(s, branches[i], NULL, why);
+    if (n)
+        return;
     put_labels(s);
     put_text(&s->l, "status", why);
     line_put(&s->l, "}\n");

@@ -98,7 +98,7 @@ usage "unknown option '--frobnicate'" --frobnicate "$alvi"
 usage "unknown option '--formt'; did you mean '--format'?" --formt=csv "$alvi"
 usage "unknown option '-z'" -z "$alvi"
 usage "unknown option '-z'" -mz "$alvi"
-usage '--format must be table, csv or paper' --format=xml "$alvi"
+usage '--format must be table, csv, json or paper' --format=xml "$alvi"
 usage "'xml'" -f xml "$alvi"
 usage '--format must be' --format= "$alvi"
 usage '--format needs a value' "$alvi" --format

@@ -30,5 +30,13 @@ int main(void)
     PRINT_SIZE(fourlink_row);
     PRINT_SIZE(fourlink_mistake);
     PRINT_SIZE(fourlink_problem);
+    PRINT_SIZE(fourlink_unit);
+    PRINT_SIZE(fourlink_change);
+    PRINT_SIZE(fourlink_source);
+    PRINT_SIZE(fourlink_value);
+    PRINT_SIZE(fourlink_instant);
+    PRINT_SIZE(fourlink_area);
+    PRINT_SIZE(fourlink_turning);
+    PRINT_SIZE(fourlink_check);
     return 0;
 }

@@ -26,6 +26,14 @@ program sizes
   type(fourlink_row) :: row_
   type(fourlink_mistake) :: mistake_
   type(fourlink_problem) :: problem_
+  type(fourlink_unit) :: unit_
+  type(fourlink_change) :: change_
+  type(fourlink_source) :: source_
+  type(fourlink_value) :: value_
+  type(fourlink_instant) :: instant_
+  type(fourlink_area) :: area_
+  type(fourlink_turning) :: turning_
+  type(fourlink_check) :: check_
 
   write (*, '(a, 1x, i0)') 'fourlink_vector', c_sizeof(vector_)
   write (*, '(a, 1x, i0)') 'fourlink_link', c_sizeof(link_)
@@ -47,4 +55,12 @@ program sizes
   write (*, '(a, 1x, i0)') 'fourlink_row', c_sizeof(row_)
   write (*, '(a, 1x, i0)') 'fourlink_mistake', c_sizeof(mistake_)
   write (*, '(a, 1x, i0)') 'fourlink_problem', c_sizeof(problem_)
+  write (*, '(a, 1x, i0)') 'fourlink_unit', c_sizeof(unit_)
+  write (*, '(a, 1x, i0)') 'fourlink_change', c_sizeof(change_)
+  write (*, '(a, 1x, i0)') 'fourlink_source', c_sizeof(source_)
+  write (*, '(a, 1x, i0)') 'fourlink_value', c_sizeof(value_)
+  write (*, '(a, 1x, i0)') 'fourlink_instant', c_sizeof(instant_)
+  write (*, '(a, 1x, i0)') 'fourlink_area', c_sizeof(area_)
+  write (*, '(a, 1x, i0)') 'fourlink_turning', c_sizeof(turning_)
+  write (*, '(a, 1x, i0)') 'fourlink_check', c_sizeof(check_)
 end program sizes

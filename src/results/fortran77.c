@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fortran77.c - results by name for programs in FORTRAN 77, see fourlink.h.
+*/
+#include <string.h>
+
+#include "base/message.h"
+#include "results.h"
+
+/* Without the blanks that fill up a text of FORTRAN. */
+static unsigned long without_blanks(const char *words, unsigned long length)
+{
+    while (length > 0 && words[length - 1] == ' ')
+        length--;
+    return length;
+}
+
+static void put_text(const char *words, char *out, unsigned long length)
+{
+    unsigned long n = (unsigned long)strlen(words);
+
+    memset(out, ' ', length);
+    memcpy(out, words, n < length ? n : length);
+}
+
+void flopen_(const char *deck_text, fourlink_results **handle, int *istat, char *msg,
+             unsigned long deck_length, unsigned long msg_length)
+{
+    fourlink_source source;
+    fourlink_mistake mistake;
+    char words[sizeof mistake.message + 40];
+    unsigned long n;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck_text;
+    source.length = without_blanks(deck_text, deck_length);
+    *handle = NULL;
+    *istat = fourlink_results_open(&source, 1, handle, &mistake, &n);
+    if (*istat == FOURLINK_BAD_DECK)
+        flk_message(words, sizeof words, "%ld: %s", mistake.line, mistake.message);
+    else
+        flk_message(words, sizeof words, "%s", *istat ? fourlink_status_text(*istat) : "");
+    put_text(words, msg, msg_length);
+}
+
+void flshut_(fourlink_results **handle)
+{
+    fourlink_results_free(*handle);
+    *handle = NULL;
+}
+
+void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols)
+{
+    *nrows = *handle ? (int)(*handle)->a.range.n_rows : 0;
+    *ncols = *handle ? (int)(*handle)->n_columns : 0;
+}
+
+void flname_(fourlink_results *const *handle, const int *i, char *name, char *in_unit, int *istat,
+             unsigned long name_length, unsigned long unit_length)
+{
+    const fourlink_value *list;
+    unsigned long n;
+
+    *istat = fourlink_results_list(*handle, FOURLINK_COLUMNS, &list, &n);
+    if (*istat == FOURLINK_OK && (*i < 1 || (unsigned long)*i > n))
+        *istat = FOURLINK_NO_SUCH_NAME;
+    if (*istat != FOURLINK_OK)
+        return;
+    put_text(list[*i - 1].name, name, name_length);
+    put_text(list[*i - 1].unit, in_unit, unit_length);
+}
+
+void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch,
+            const double *angle, double *value, int *istat, unsigned long name_length)
+{
+    char words[2 * DECK_NAME_SIZE];
+    unsigned long n = without_blanks(name, name_length);
+    fourlink_value v;
+
+    if (n >= sizeof words) {
+        *istat = FOURLINK_NO_SUCH_NAME;
+        return;
+    }
+    memcpy(words, name, n);
+    words[n] = '\0';
+    *istat = fourlink_results_value(*handle, words, (fourlink_branch)*ibrnch, *angle, &v);
+    if (*istat == FOURLINK_OK && v.words)
+        *istat = FOURLINK_NO_SUCH_FACT;
+    if (*istat == FOURLINK_OK)
+        *value = v.value;
+}
+
+void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, const int *n,
+            double *values, int *istat)
+{
+    fourlink_results *r = *handle;
+    fourlink_branch branch = (fourlink_branch)*ibrnch;
+    flk_row row;
+    size_t k;
+
+    *istat = *i < 1 ? FOURLINK_NO_SUCH_ROW
+                    : fourlink_results_row(r, branch, (unsigned long)*i - 1, NULL, NULL, NULL);
+    if (*istat >= FOURLINK_NULL)
+        return;
+    flk_analysis_row(&r->a, r->needs, branch, (unsigned long)*i - 1, &row);
+    for (k = 0; k < r->n_columns && (long)k < *n; k++)
+        values[k] = flk_column_value(&r->columns[k], &row);
+    *istat = row.at.status;
+}

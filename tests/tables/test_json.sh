@@ -1,0 +1,179 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_json.sh FOURLINK DATA - --format=json, as a JSON parser reads it: objects, their keys, numbers as in
+# csv, several decks, designs, titles of all kinds, rows without values.
+. "$(dirname "$0")/../harness.sh"
+
+command -v jq >/dev/null || {
+    echo 'skipped: JSON, there is no jq'
+    finish
+}
+cp "$decks/reach.deck" "$decks/pump.deck" .
+
+# gives WHAT FILTER: the filter is true of each object of the last run; there is at least one.
+gives() { check "$1: $2" true_of_all "$2"; }
+true_of_all() { jq -en "[inputs | ($1) == true] | length > 0 and all" out >/dev/null; }
+# every WHAT FILTER: the same of a list of all objects.
+every() { check "$1: $2" sh -c 'jq -es "$1" out >/dev/null' - "$2"; }
+objects() { every "$1 objects" "length == $1"; }
+
+# ------------------------------------------------------------------------------------------- a deck
+
+run 0 -f json "$matrix"
+quiet
+objects 1
+gives 'the keys, in order' \
+    'keys_unsorted == ["deck", "title", "mechanism", "inputs", "columns", "facts", "branches"]'
+gives 'title and mechanism' '.deck == null and (.title | startswith("Matrix method")) and .mechanism == "four-bar linkage"'
+gives 'inputs' '.inputs | all(keys_unsorted == ["name", "unit", "meaning", "value"])'
+gives 'an input' '.inputs | any(.name == "crank.mass" and .unit == "kg" and .value == 0.1 and .meaning == "mass")'
+gives 'columns' '.columns | all(keys_unsorted == ["name", "unit", "meaning"])'
+gives 'a column' '.columns | any(.name == "Ts" and .unit == "N.m")'
+gives 'facts' '.facts | all(keys_unsorted == ["name", "unit", "meaning", "value", "theta2", "branch"])'
+gives 'a fact in words' '.facts | any(.name == "type" and .value == "crank-rocker" and .branch == null)'
+gives 'a fact with a crank angle' \
+    '.facts | any(.name == "theta4_max" and .branch == "open" and (.theta2 - 223.031532 | fabs) < 1e-5)'
+gives 'branches' '.branches | map(.branch) == ["open", "crossed"]'
+gives 'rows' '(.columns | length) as $n | .branches | all(.rows | length == 10 and all(.status == "ok" and (.values | length) == $n))'
+gives 'a value' '(.columns | map(.name) | index("Ts")) as $i | (.branches[0].rows[1].values[$i] - 0.031382309545517 | fabs) < 1e-12'
+run 0 --format=json --branch=crossed --columns=Ts,theta2 -i 90 "$matrix"
+gives 'what is asked for' '(.branches | map(.branch)) == ["crossed"] and (.columns | map(.name)) == ["Ts", "theta2"] and (.branches[0].rows | map(.values[1])) == [0, 90, 180, 270, 360]'
+"$fourlink" -f json "$matrix" >named
+"$fourlink" -f json -o file "$matrix"
+same file named
+
+# Each number is the one of csv: the parser reads both.
+csv_rows() { # of a single deck: arrays of branch, values, status
+    records csv | awk -F'|' 'NR > 1 {
+        for (i = 1; i <= NF; i++)
+            printf("%s%s", i == 1 ? "[" : ",",
+                   $i == "" ? "null" : $i ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/ ? $i : "\"" $i "\"")
+        print "]"}' >csv_rows
+}
+same_rows() {
+    jq -en --slurpfile csv csv_rows '[inputs | (.columns | length) as $n | .branches[] | .branch as $b | .rows[] |
+        [$b] + (.values // [range($n) | null]) + [.status]] | length > 0 and . == $csv' out >/dev/null
+}
+for deck in "$data"/*.deck "$decks/coupler-point.deck" "$decks/gas-engine.deck" reach.deck pump.deck; do
+    for columns in '' --columns=all; do
+        "$fourlink" -f csv $columns "$deck" >csv 2>/dev/null
+        "$fourlink" -f json $columns "$deck" >out 2>/dev/null
+        csv_rows
+        check "the numbers of csv: $columns $deck" same_rows
+    done
+done
+"$fourlink" -f json "$alvi" >out
+check '17 digits, as csv' sh -c "'$fourlink' -f csv '$alvi' | tr ',' '\\n' | grep -x -e '-*[0-9.]*' | sort -u >a
+    tr ',[]' '\\n' <out | sort -u >b; [ -s a ] && [ -z \"\$(comm -23 a b)\" ]"
+
+# ------------------------------------------------------------------- --summary, --check, --list, --matrix
+
+run 0 -f json -S "$matrix"
+objects 1
+gives 'the keys of a summary' 'keys_unsorted == ["deck", "title", "mechanism", "inputs", "facts"]'
+gives 'an extreme' '.facts | any(.name == "max(Ts)" and .branch == "open" and .unit == "N.m" and .theta2 != null)'
+"$fourlink" -f csv -S "$matrix" >csv
+csv_rows
+check 'the facts of csv' sh -c 'jq -en --slurpfile csv csv_rows "[inputs | .facts[] |
+    [.name, .value, .theta2, .branch]] | length > 20 and . == (\$csv | map([.[0, 1, 3, 4]]))" out >log'
+run 0 -f json -S "$decks/gas-engine.deck"
+gives 'the turning moment' '.facts | any(.name == "mean_torque" and .unit == "N.m")'
+
+run 0 -f json -C "$matrix"
+objects 1
+gives 'the keys of a check' '.checks | length > 10 and all(keys_unsorted ==
+    ["result", "file", "line", "name", "theta2", "branch", "unit", "printed", "computed", "tolerance"])'
+gives 'all agree' '.checks | all(.result == "ok" and (.computed - (.printed | split(" ")[0] | tonumber) | fabs) <= .tolerance)'
+printf '[expect]\nat = 40\ntheta4 = 104 deg\nmu = 9 deg\nno_such = 1\n[misprint]\nmu_min = 1 deg\nmu_max = 90 deg\n' >answers
+run 2 -f json --check=answers "$matrix"
+gives 'outcomes' '.checks | map(.result) == ["ok", "differs", "no value", "misprint confirmed", "not a misprint"]'
+gives 'no value has a message' '.checks | map(select(.result == "no value")) | all(.computed == null and .tolerance == null and (.message | length) > 5)'
+
+run 0 -f json -l "$matrix"
+objects 1
+gives 'the keys of a list' 'keys_unsorted == ["deck", "title", "mechanism", "columns", "facts"]'
+gives 'columns of a list' '.columns | length > 60 and all(keys_unsorted == ["name", "unit", "meaning", "source"])'
+gives 'facts of a list, each once' '.facts | map(.name) | length == (unique | length) and index("max(COLUMN)") > 0'
+usage '--matrix is printed in the format table only' -f json -m "$matrix"
+
+# ----------------------------------------------------------------------------------- several decks
+
+run 3 -f json "$alvi" missing.deck pump.deck "$decks/bad.deck"
+lines out 2
+objects 2
+every 'their names' 'map(.deck | split("/") | last) == ["alvi-5.1.deck", "pump.deck"]'
+every 'each with its own columns' '(.[0].columns | any(.name == "theta4")) and (.[1].columns | any(.name == "x"))'
+run 0 -f json -S "$alvi" pump.deck
+lines out 2
+objects 2
+run 2 -f json -C "$matrix" "$decks/bad.deck"
+lines out 2
+every 'a deck with mistakes' '.[0].checks != null and .[1].status == "bad deck" and (.[1] | keys) == ["deck", "status"]'
+
+# ----------------------------------------------------------------------------------------- designs
+
+cp "$alvi" sweep.deck
+printf '[sweep]\ncrank.length = 18 mm, -1 mm, 300 mm, 22 mm\noutput = mu_min, swing, type, max(omega4)\n' >>sweep.deck
+"$fourlink" -f csv sweep.deck >csv
+csv_rows
+run 1 -f json sweep.deck
+lines out 9
+objects 9
+every 'a line that describes the others' \
+    '.[0] | .title != "" and (.columns | map(.name)) == ["crank.length", "mu_min", "swing", "type", "max(omega4)"]'
+every 'units' '.[0].columns | map(.unit)[0:3] == ["m", "deg", "deg"]'
+every 'the keys of a design' '.[1:] | all(keys_unsorted ==
+    ["design", "crank.length", "branch", "mu_min", "swing", "type", "max(omega4)", "status"])'
+every 'two lines for each' '.[1:] | map([.design, .branch]) ==
+    [[1, "open"], [1, "crossed"], [2, "open"], [2, "crossed"], [3, "open"], [3, "crossed"], [4, "open"], [4, "crossed"]]'
+every 'numbers and words' '.[1] | .type == "crank-rocker" and (.mu_min | type) == "number" and .status == "ok"'
+every 'a design that cannot be built' '.[3:5] | all(.mu_min == null and .type == null and (.status | startswith("the length must be positive")))'
+check 'the values of csv' sh -c 'jq -es --slurpfile csv csv_rows ".[1:] | map([.[]]) == \$csv" out >log'
+for part in 1 2 3; do
+    "$fourlink" -f json --part=$part/3 sweep.deck >part.$part
+done
+cat part.1 part.2 part.3 >parts
+same parts out
+
+sed '/^output/d' sweep.deck >rows.deck
+run 1 -f json -c theta2,theta4 rows.deck
+lines out 4
+objects 4
+every 'an object for each design' 'map(.design) == [1, 2, 3, 4] and (map(."crank.length") == [0.018, -0.001, 0.3, 0.022])'
+every 'with its rows' '.[0] | (.branches | map(.rows | length)) == [10, 10] and .title != null and (.inputs | any(.name == "crank.length" and .value == 0.018))'
+every 'or the reason' '.[1] | keys == ["crank.length", "design", "status"] and (.status | startswith("the length must be positive"))'
+
+# ---------------------------------------------------------------------------------- rows without values
+
+run 1 -f json -c theta2,theta4 -b open reach.deck
+gives 'what is not reached is null' '.branches[0].rows[3] == {status: "the links do not reach: B and D are too far apart", values: [120, null]}'
+run 0 -f json -S -b open reach.deck
+gives 'the unbounded' '.facts | any(.name == "max(omega4)" and .value == "inf") and any(.name == "min(omega4)" and .value == "-inf")'
+run 1 -f json -c theta2 -b open -s 'motion.acceleration=-10 rad/s2' "$alvi"
+gives 'the crank comes to rest' '.branches[0].rows[-1] | .values == null and (.status | startswith("the crank comes to rest at 315.84"))'
+
+# ------------------------------------------------------------------------------------------- strings
+
+# title TEXT EXPECTED: of a deck with this title (in the notation of printf) the parser has that one
+title() {
+    { printf "title = $1\n"; sed '/^title/d' "$alvi"; } >title.deck
+    "$fourlink" -f json title.deck >out 2>err
+    check "the title $1" sh -c 'jq -en "inputs.title == \$t" --arg t "$1" out >/dev/null' - "$2"
+}
+title 'a "quoted" one' 'a "quoted" one'
+title 'C:\\new\\table' 'C:\new\table'
+title '<script>alert(1)</script><!--' '<script>alert(1)</script><!--'
+check 'no end of a script in it' none '<' out
+title 'Gelenkviereck \303\274\342\202\254\360\235\204\236' 'Gelenkviereck ü€𝄞'
+title 'caf\351 \200 \300\257 \355\240\200 \364\220\200\200 end' "$(printf 'caf\357\277\275 \357\277\275 ')$(
+    printf '\357\277\275%.0s' 1 2) $(printf '\357\277\275%.0s' 1 2 3) $(printf '\357\277\275%.0s' 1 2 3 4) end"
+# Decks have no control characters, but their names may.
+name=$(printf 'a "b"\t\\ \001\010\033\037\177 \351.deck')
+cp "$alvi" "$name"
+run 0 -f json "$name" pump.deck
+lines out 2
+every 'the name of a deck' '.[0].deck == "a \"b\"\t\\ \u0001\b\u001b\u001f\u007f \ufffd.deck"'
+check 'no control characters' test "$(tr -d '\n' <out | LC_ALL=C tr -cd '\001-\037\177' | wc -c)" -eq 0
+
+finish
