@@ -180,17 +180,17 @@ static double time_printing(FILE *out, int by_fprintf)
     int i, j, missed = 0;
 
     for (i = 0; i < ANGLES; i++) {
-        row_buffer row;
+        line row;
 
-        row_start(&row, out);
+        line_start(&row, out);
         for (j = 0; j < COLUMNS; j++) {
             if (by_fprintf)
                 fprintf(out, "%*.*f", WIDTH, decimals(j), table[i][j]);
             else
-                missed |= !row_fixed(&row, table[i][j], decimals(j), WIDTH);
+                missed |= !line_fixed(&row, table[i][j], decimals(j), WIDTH);
         }
-        row_text(&row, "\n", 1);
-        row_end(&row);
+        line_text(&row, "\n", 1);
+        line_end(&row);
     }
     if (missed)
         exit(EXIT_FAILURE); /* a number that is not printed in this way costs nothing */
@@ -271,20 +271,20 @@ typedef struct printed {
 
 static void read_printed(const char *path, printed *p)
 {
-    char line[1000], *rest;
+    char bytes[1000], *rest;
     FILE *in = fopen(path, "r");
     int j;
 
-    while (in && p->n < ANGLES && fgets(line, sizeof line, in)) {
-        if (line[0] == '#')
+    while (in && p->n < ANGLES && fgets(bytes, sizeof bytes, in)) {
+        if (bytes[0] == '#')
             continue;
-        for (j = 0, rest = line; j < COLUMNS; j++) {
+        for (j = 0, rest = bytes; j < COLUMNS; j++) {
             const char *point;
 
             p->value[p->n][j] = strtod(rest, &rest);
-            for (point = rest; point > line && point[-1] != '.' && point[-1] != ' '; point--)
+            for (point = rest; point > bytes && point[-1] != '.' && point[-1] != ' '; point--)
                 ;
-            p->decimals[j] = point > line && point[-1] == '.' ? (int)(rest - point) : 0;
+            p->decimals[j] = point > bytes && point[-1] == '.' ? (int)(rest - point) : 0;
         }
         p->n++;
     }

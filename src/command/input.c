@@ -88,7 +88,7 @@ static int serves_options(const input *in)
     } else if (is_sweep && o->n_decks > 1) {
         why = "a [sweep] is worked on alone, not with other decks";
     } else if (is_sweep && ((o->content != SHEET_ROWS && o->content != SHEET_LIST) ||
-                            o->format == &paper_format)) {
+                            !(o->format->writes & 1 << SHEET_DESIGNS))) {
         why = "a [sweep] is printed in the formats table and csv; --check, --matrix and --summary "
               "are for one design";
     }

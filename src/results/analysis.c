@@ -124,5 +124,5 @@ int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
     *at = angle;
     if (angle < first - tiny || angle > last + tiny)
         *at = angle + turn * ceil((first - tiny - angle) / turn);
-    return *at <= last + tiny;
+    return first - tiny <= *at && *at <= last + tiny;
 }

@@ -150,8 +150,11 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
     deck other;
     int status;
 
-    if (source->design != FOURLINK_ANY_DESIGN)
-        return flk_deck_read(source, &r->d);
+    if (source->design != FOURLINK_ANY_DESIGN) {
+        status = flk_deck_read(source, &r->d);
+        r->d.sweep.design = r->d.sweep.n_designs ? source->design : 0;
+        return status;
+    }
     one.design = 0;
     status = flk_deck_read(&one, &r->d);
     n = r->d.sweep.n_designs;
@@ -307,8 +310,13 @@ static int give_row(const fourlink_results *r, const flk_row *row, double *value
 
     for (i = 0; values && i < r->n_columns; i++)
         values[i] = flk_column_value(&r->columns[i], row);
-    if (instant)
+    if (instant) {
         *instant = row->at;
+        if (!(r->a.possible & NEED_FORCES)) {
+            memset(&instant->forces, 0, sizeof instant->forces);
+            instant->gas_force = 0;
+        }
+    }
     if (loads)
         fourlink_deck_loads(&r->d, row->at.branch, row->at.row.crank.theta2, loads, NULL);
     return row->at.status;

@@ -171,10 +171,18 @@ static void refuse(sheet *s, const char *why)
 }
 
 const sheet_format csv_format = {
-    "csv",        1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS,
-    begin,        open_deck,
-    NULL,         put_fact,
-    NULL,         put_row,
-    put_check,    put_design,
-    refuse,       NULL,
-    sizeof(long), 0};
+    "csv",                                                                        /* name */
+    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS, /* writes */
+    begin,                                                                        /* begin */
+    open_deck,                                                                    /* open */
+    NULL,                                                                         /* column */
+    put_fact,                                                                     /* fact */
+    NULL,                                                                         /* block */
+    put_row,                                                                      /* row */
+    put_check,                                                                    /* check */
+    put_design,                                                                   /* design */
+    refuse,                                                                       /* refuse */
+    NULL,                                                                         /* close */
+    sizeof(long),                                                                 /* layout_size */
+    0                                                                             /* is_by_angle */
+};

@@ -334,10 +334,19 @@ static void close_deck(sheet *s)
     line_put(&s->l, s->list ? "]}\n" : "}\n");
 }
 
-const sheet_format json_format = {"json",     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX),
-                                  begin,      open_deck,
-                                  put_column, put_fact,
-                                  put_block,  put_row,
-                                  put_check,  put_design,
-                                  refuse,     close_deck,
-                                  0,          0};
+const sheet_format json_format = {
+    "json",                                               /* name */
+    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX), /* writes */
+    begin,                                                /* begin */
+    open_deck,                                            /* open */
+    put_column,                                           /* column */
+    put_fact,                                             /* fact */
+    put_block,                                            /* block */
+    put_row,                                              /* row */
+    put_check,                                            /* check */
+    put_design,                                           /* design */
+    refuse,                                               /* refuse */
+    close_deck,                                           /* close */
+    0,                                                    /* layout_size */
+    0                                                     /* is_by_angle */
+};

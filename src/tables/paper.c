@@ -55,5 +55,18 @@ static void put_row(sheet *s, const sheet_row *row)
 }
 
 const sheet_format paper_format = {
-    "paper", 1 << SHEET_ROWS, NULL, open_deck, NULL, NULL, NULL, put_row, NULL, NULL, NULL, NULL, 0,
-    1};
+    "paper",         /* name */
+    1 << SHEET_ROWS, /* writes */
+    NULL,            /* begin */
+    open_deck,       /* open */
+    NULL,            /* column */
+    NULL,            /* fact */
+    NULL,            /* block */
+    put_row,         /* row */
+    NULL,            /* check */
+    NULL,            /* design */
+    NULL,            /* refuse */
+    NULL,            /* close */
+    0,               /* layout_size */
+    1                /* is_by_angle */
+};

@@ -73,7 +73,9 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
-/* How a format writes the parts of a sheet; null: it passes them over. */
+/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block` and `close` may be null; of the
+** others it has those of the contents that it writes: `row` of rows, `check` and `refuse` of comparisons, `column`
+** of lists, `design` and `refuse` of sweeps, which it writes if it writes SHEET_DESIGNS. */
 typedef struct sheet_format {
     const char *name;
     int writes;              /* which contents, 1 << SHEET_ROWS ... */

@@ -232,10 +232,19 @@ static void put_row(sheet *s, const sheet_row *row)
         put_reason(s, row);
 }
 
-const sheet_format table_format = {"table",          (1 << SHEET_CONTENT_COUNT) - 1,
-                                   table_begin,      open_deck,
-                                   table_put_column, table_put_fact,
-                                   put_block,        put_row,
-                                   table_put_check,  table_put_design,
-                                   table_refuse,     table_close,
-                                   sizeof(style),    0};
+const sheet_format table_format = {
+    "table",                        /* name */
+    (1 << SHEET_CONTENT_COUNT) - 1, /* writes */
+    table_begin,                    /* begin */
+    open_deck,                      /* open */
+    table_put_column,               /* column */
+    table_put_fact,                 /* fact */
+    put_block,                      /* block */
+    put_row,                        /* row */
+    table_put_check,                /* check */
+    table_put_design,               /* design */
+    table_refuse,                   /* refuse */
+    table_close,                    /* close */
+    sizeof(style),                  /* layout_size */
+    0                               /* is_by_angle */
+};

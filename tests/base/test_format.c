@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_format.c - numbers to text: the C library's printf is the judge of every byte; rows of them.
+** test_format.c - numbers to text: the C library's printf is the judge of every byte; lines of them.
 */
 #include <float.h>
 
@@ -278,9 +278,9 @@ static void test_back_comma_locale(void **found)
     check_back();
 }
 
-/* A row of the buffer has the bytes that fields written one by one have, also where it is longer than
-** the buffer. */
-static void test_rows(void **unused)
+/* Lines of the buffer have the bytes that the C library writes, also where they are longer than the
+** buffer. */
+static void test_lines(void **unused)
 {
     static char longest[10000];
     static const char *const texts[] = {"", "-0.125", "a, \"b\"", "a field of some length",
@@ -295,20 +295,31 @@ static void test_rows(void **unused)
     memset(longest, 'x', sizeof longest - 1);
     for (i = 0; i < 500; i++) {
         int fields = (int)uniform(&seed, 0, i % 20 == 0 ? 1000 : 10);
-        line row;
+        line l;
 
-        line_start(&row, out);
+        line_start(&l, out);
         for (k = 0; k < fields; k++) {
             const char *s = texts[(int)uniform(&seed, 0, i % 10 == 0 ? 5 : 4)];
-            size_t width = (size_t)uniform(&seed, 0, k % 50 == 49 ? 9000 : 30);
+            int length = (int)strlen(s), width = (int)uniform(&seed, 0, k % 50 == 49 ? 9000 : 30);
+            double value = pow(10, uniform(&seed, -3, 6));
+            unsigned long n = (unsigned long)uniform(&seed, 0, 1e9);
 
-            fprintf(expected, "%s%*s%s", strlen(s) < width ? "" : " ", (int)width, s, s);
-            line_right(&row, s, strlen(s), width);
-            line_text(&row, s, strlen(s));
+            fprintf(expected, "%*s", length < width ? width : length + 1, s);
+            if (k % 2)
+                line_right(&l, s, (size_t)length, (size_t)width);
+            else
+                line_field(&l, s, (size_t)width);
+            fprintf(expected, "%s|%-9s|%9s|%.12g|%.17g|%lu%%\n", s, s, s, value, -value, n);
+            line_put(&l, "%s|%-9s|%9s|%12g|%17g|%lu", s, s, s, value, -value, n);
+            line_text(&l, "%\n", 2);
+            fprintf(expected, "%25.3f|%.6g", value, -value);
+            assert_true(line_fixed(&l, value, 3, 25));
+            line_text(&l, "|", 1);
+            line_number(&l, -value, 6);
+            line_number(&l, -0.0, 17);
+            putc('0', expected);
         }
-        putc('\n', expected);
-        line_text(&row, "\n", 1);
-        line_end(&row);
+        line_end(&l);
     }
     assert_true(ftell(out) > 500000);
     rewind(expected);
@@ -335,7 +346,7 @@ int main(void)
         C_LOCALE(test_short_numbers),
         C_LOCALE(test_back),
         COMMA_LOCALE(test_back_comma_locale),
-        C_LOCALE(test_rows),
+        C_LOCALE(test_lines),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

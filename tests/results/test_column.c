@@ -1,0 +1,358 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_column.c - columns: which a deck has, their names, units and meanings, and their values against those
+** of the functions for one crank position.
+*/
+#include "machines.h"
+
+#define COUNT(table) (sizeof table / sizeof table[0])
+#define MOST_COLUMNS 200
+
+#define UNITS                                                                                 \
+    "[units]\nlength = mm\nangle = rev\nangular_speed = rpm\nangular_acceleration = deg/s2\n" \
+    "force = kN\ntorque = kN mm\nspeed = mm/s\nacceleration = cm/s2\npower = kW\n"
+
+/* A linkage and an engine, with forces, loads and a point. */
+static char *linkage(const char *more)
+{
+    return four_bar(
+        0.020, 0.066, 0.056, 0.080,
+        print("[load]\nlink = rocker\ntorque = 3 N m\nforce = (5, -2) N\nat = (10, 3) mm\n"
+              "[point P]\nlink = coupler\nat = (40, 25) mm\n[motion]\n"
+              "speed = 10 rad/s\ninterval = 40 deg\n%s",
+              more));
+}
+
+static char *gas_engine(const char *more)
+{
+    return slider_crank(0.15, 0.45, 0,
+                        print("[piston]\nmass = 3 kg\n[gas]\nbore = 100 mm\n"
+                              "indicator = 0 deg 1 bar, 20 deg 30 bar, 180 deg 1 bar\n[motion]\n"
+                              "speed = 30 rad/s\ninterval = 7 deg\n%s",
+                              more));
+}
+
+static unsigned long list_of(fourlink_results *r, int which, const fourlink_value **list)
+{
+    unsigned long n;
+
+    assert_int_equal(fourlink_results_list(r, which, list, &n), FOURLINK_OK);
+    assert_true(n <= MOST_COLUMNS);
+    return n;
+}
+
+static const fourlink_value *column_of(fourlink_results *r, const char *name)
+{
+    const fourlink_value *list;
+    unsigned long n = list_of(r, FOURLINK_ALL_COLUMNS, &list), i;
+
+    for (i = 0; i < n; i++)
+        if (strcmp(list[i].name, name) == 0)
+            return &list[i];
+    return NULL;
+}
+
+static void check_descriptions(const char *contents, unsigned long at_least)
+{
+    fourlink_results *r = opened(contents);
+    const fourlink_value *list;
+    unsigned long n = list_of(r, FOURLINK_ALL_COLUMNS, &list), i, j;
+
+    assert_in_range(n, at_least, MOST_COLUMNS);
+    for (i = 0; i < n; i++) {
+        const fourlink_value *c = &list[i];
+        fourlink_unit u;
+
+        assert_int_equal(fourlink_deck_unit(fourlink_results_deck(r), c->quantity, &u),
+                         FOURLINK_OK);
+        assert_string_equal(c->unit, u.name);
+        assert_close(c->to_si, u.up / u.down, 1e-15);
+        assert_true(*c->meaning && c->source && !c->words);
+        assert_true(c->value == 0 && !c->has_angle && c->branch == 0);
+        for (j = 0; j < i; j++)
+            assert_string_not_equal(c->name, list[j].name);
+    }
+    assert_int_equal(column_of(r, "theta2")->flags, FOURLINK_OF_CRANK | FOURLINK_CRANK_ANGLE);
+    assert_int_equal(column_of(r, "omega2")->flags, FOURLINK_OF_CRANK);
+    assert_int_equal(column_of(r, "theta3")->flags, 0);
+    if (column_of(r, "residual"))
+        assert_int_equal(column_of(r, "residual")->flags, FOURLINK_OF_ROUNDING);
+    fourlink_results_free(r);
+}
+
+static void test_descriptions(void **unused)
+{
+    (void)unused;
+    check_descriptions(linkage(""), 70);
+    check_descriptions(linkage(UNITS), 70);
+    check_descriptions(gas_engine(UNITS), 80);
+    check_descriptions(four_bar(0.3, 0.4, 0.5, 0.75, ""), 10);
+    check_descriptions(slider_crank(0.4, 0.2, 0.1, ""), 10);
+}
+
+/* What a deck does not give, it has no column for. */
+static void test_columns_that_are_not_there(void **unused)
+{
+    static const char *const moving = "[motion]\nspeed = 1 rad/s\n";
+    const struct {
+        const char *contents, *there, *missing;
+    } cases[] = {{four_bar(0.3, 0.4, 0.5, 0.75, moving), "theta4", "x"},
+                 {four_bar(0.3, 0.4, 0.5, 0.75, moving), "time", "Ts"},
+                 {four_bar(0.3, 0.4, 0.5, 0.75, ""), "omega4", "time"},
+                 {four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nacceleration = 1 rad/s2\nhold = yes\n"),
+                  "alpha4", "time"},
+                 {linkage(""), "P.x", "Q.x"},
+                 {linkage(""), "F14x", "N"},
+                 {gas_engine(""), "N", "F14x"},
+                 {gas_engine(""), "x_series", "theta4"},
+                 {gas_engine(""), "T_engine", "P.x"},
+                 {slider_crank(0.1, 0.4, 0.01, moving), "klein_OM", "x_series"}};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *r = opened(cases[i].contents);
+        fourlink_value v;
+
+        assert_non_null(column_of(r, cases[i].there));
+        assert_null(column_of(r, cases[i].missing));
+        assert_int_equal(fourlink_results_value(r, cases[i].missing, FOURLINK_OPEN, 0, &v),
+                         FOURLINK_NO_SUCH_NAME);
+        fourlink_results_free(r);
+    }
+}
+
+/* The columns that a deck asks for, in its order, each once. */
+static void test_choice(void **unused)
+{
+    static const struct {
+        const char *columns;
+        const char *names[5];
+    } cases[] = {{"Ts, theta4 mu", {"Ts", "theta4", "mu"}},
+                 {"mu,mu , Ts\tmu", {"mu", "Ts"}},
+                 {"P.y, p.x, MU", {"P.y", "P.x", "mu"}},
+                 {"F12_dir,F12,F12x", {"F12_dir", "F12", "F12x"}}};
+    const fourlink_value *list, *all;
+    fourlink_results *r;
+    unsigned long n, i;
+    size_t k;
+
+    (void)unused;
+    for (k = 0; k < COUNT(cases); k++) {
+        r = opened(linkage(print("[table]\ncolumns = %s\n", cases[k].columns)));
+        n = list_of(r, FOURLINK_COLUMNS, &list);
+        for (i = 0; i < n; i++)
+            assert_string_equal(list[i].name, cases[k].names[i]);
+        assert_null(cases[k].names[n]);
+        fourlink_results_free(r);
+    }
+    r = opened(linkage("[table]\ncolumns = Ts, all\n"));
+    n = list_of(r, FOURLINK_COLUMNS, &list);
+    assert_string_equal(list[0].name, "Ts");
+    assert_string_equal(list[1].name, "theta2");
+    assert_int_equal(n, list_of(r, FOURLINK_ALL_COLUMNS, &all));
+    fourlink_results_free(r);
+}
+
+static void test_columns_that_cannot_be_chosen(void **unused)
+{
+    static const struct {
+        const char *columns, *message;
+    } cases[] = {
+        {"thta4", "unknown column 'thta4'; did you mean 'theta4'?"},
+        {"xyzzy", "unknown column 'xyzzy'"},
+        {"theta4, x", "the column 'x' is one of the other mechanism"},
+        {"time, F12x", "the column 'F12x' needs masses, loads or gas, which the deck has not"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_source source = deck_source(four_bar(
+            0.020, 0.066, 0.056, 0.080,
+            print("[motion]\nspeed = 1 rad/s\n[table]\ncolumns = %s\n", cases[i].columns)));
+        fourlink_results *r = NULL;
+        fourlink_mistake mistake;
+        unsigned long n;
+
+        assert_int_equal(fourlink_results_open(&source, 1, &r, &mistake, &n), FOURLINK_BAD_DECK);
+        assert_null(r);
+        assert_int_equal(n, 1);
+        assert_string_equal(mistake.message, cases[i].message);
+        assert_int_equal(mistake.line, 13);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------- values */
+
+/* Where a column's value stands in the answer of fourlink_analyse. */
+typedef struct place {
+    const char *name;
+    size_t offset;
+    int of_forces;
+} place;
+
+#define STATE(member) offsetof(fourlink_state, member), 0
+#define FORCE(member) offsetof(fourlink_forces, member), 1
+
+static const place of_both[] = {{"theta3", STATE(link[3].theta)},
+                                {"omega3", STATE(link[3].omega)},
+                                {"alpha3", STATE(link[3].alpha)},
+                                {"mu", STATE(mu)},
+                                {"F12x", FORCE(F12x)},
+                                {"F12y", FORCE(F12y)},
+                                {"F23x", FORCE(F23x)},
+                                {"F23y", FORCE(F23y)},
+                                {"F34x", FORCE(F34x)},
+                                {"F34y", FORCE(F34y)},
+                                {"Ts", FORCE(Ts)},
+                                {"Ts_work", FORCE(Ts_work)},
+                                {"residual", FORCE(residual)},
+                                {NULL, 0, 0}};
+static const place of_linkage[] = {{"theta4", STATE(link[4].theta)},
+                                   {"omega4", STATE(link[4].omega)},
+                                   {"alpha4", STATE(link[4].alpha)},
+                                   {"F14x", FORCE(F14x)},
+                                   {"F14y", FORCE(F14y)},
+                                   {NULL, 0, 0}};
+static const place of_engine[] = {{"phi", STATE(phi)}, {"x", STATE(x)},    {"v", STATE(v)},
+                                  {"a", STATE(a)},     {"N", FORCE(F14y)}, {"M14", FORCE(M14)},
+                                  {NULL, 0, 0}};
+
+static double number(const void *start, size_t offset)
+{
+    return *(const double *)(const void *)((const char *)start + offset);
+}
+
+/* value * to_si of the columns is what fourlink_analyse gives, to the last bits. */
+static void check_places(fourlink_results *r, fourlink_branch branch, double angle,
+                         const place *places)
+{
+    const fourlink_deck *d = fourlink_results_deck(r);
+    fourlink_problem p = problem_of(r);
+    fourlink_forces forces;
+    fourlink_load loads[2];
+    fourlink_state state;
+    fourlink_row row;
+
+    assert_int_equal(fourlink_motion_at(&p.motion, angle, &row), FOURLINK_OK);
+    assert_int_equal(fourlink_deck_loads(d, branch, row.crank.theta2, loads, NULL), FOURLINK_OK);
+    assert_int_equal(
+        fourlink_analyse(&p.mechanism, branch, &row.crank, loads, p.n_loads, &state, &forces),
+        FOURLINK_OK);
+    for (; places->name; places++) {
+        double expected =
+            places->of_forces ? number(&forces, places->offset) : number(&state, places->offset);
+        fourlink_value v;
+
+        assert_int_equal(fourlink_results_value(r, places->name, branch, angle, &v), FOURLINK_OK);
+        assert_string_equal(v.name, places->name);
+        assert_int_equal(v.branch, (int)branch);
+        assert_true(v.has_angle && v.angle == angle);
+        assert_close(v.value * v.to_si, expected, 1e-15);
+    }
+}
+
+static void check_values(const char *contents, const place *own_places)
+{
+    fourlink_results *r = opened(contents);
+    double turn = 2 * PI / problem_of(r).motion.angle_unit;
+    int k, i;
+
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < 20; i++) {
+            check_places(r, branches[k], turn * i / 21, of_both);
+            check_places(r, branches[k], turn * i / 21, own_places);
+        }
+    fourlink_results_free(r);
+}
+
+static void test_values(void **unused)
+{
+    (void)unused;
+    check_values(linkage(""), of_linkage);
+    check_values(linkage(UNITS), of_linkage);
+    check_values(gas_engine(""), of_engine);
+    check_values(gas_engine(UNITS), of_engine);
+}
+
+static double value_at(fourlink_results *r, const char *name)
+{
+    fourlink_value v;
+
+    assert_int_equal(fourlink_results_value(r, name, FOURLINK_OPEN, 70, &v), FOURLINK_OK);
+    return v.value * v.to_si;
+}
+
+/* Columns made of two numbers, and those of a point. */
+static void test_composed_values(void **unused)
+{
+    fourlink_results *r = opened(linkage("[units]\nforce = kN\nlength = mm\npower = kW\n"));
+    double x = value_at(r, "F12x"), y = value_at(r, "F12y");
+    fourlink_vector at = {0.040, 0.025}, p, v, a;
+    fourlink_instant instant;
+
+    (void)unused;
+    assert_close(value_at(r, "F12"), hypot(x, y), 1e-14);
+    assert_close(value_at(r, "F12_dir"), atan2(y, x), 1e-14);
+    assert_close(value_at(r, "power"), 10 * value_at(r, "Ts"), 1e-14);
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &instant, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_point(&instant.state, 3, &at, &p, &v, &a), FOURLINK_OK);
+    assert_close(value_at(r, "P.x"), p.x, 1e-14);
+    assert_close(value_at(r, "P.y"), p.y, 1e-14);
+    assert_close(value_at(r, "P.vx"), v.x, 1e-14);
+    assert_close(value_at(r, "P.vy"), v.y, 1e-14);
+    assert_close(value_at(r, "P.ax"), a.x, 1e-14);
+    assert_close(value_at(r, "P.ay"), a.y, 1e-14);
+    assert_close(value_at(r, "P.v"), hypot(v.x, v.y), 1e-14);
+    assert_close(value_at(r, "P.a"), hypot(a.x, a.y), 1e-14);
+    fourlink_results_free(r);
+    r = opened(gas_engine(""));
+    assert_near(value_at(r, "x_diff"), value_at(r, "x_series") - value_at(r, "x"), 1e-16);
+    assert_near(value_at(r, "v_diff"), value_at(r, "v_series") - value_at(r, "v"), 1e-14);
+    fourlink_results_free(r);
+}
+
+/* Where the links do not reach, the crank's columns have values and no others. */
+static void test_values_out_of_reach(void **unused)
+{
+    fourlink_results *r =
+        opened(four_bar(0.3, 0.4, 0.5, 0.75,
+                        "[motion]\nspeed = 2 rad/s\n[load]\nlink = rocker\ntorque = 1 N m\n"
+                        "[table]\ncolumns = all\n"));
+    double values[MOST_COLUMNS];
+    const fourlink_value *list;
+    unsigned long n, i;
+    fourlink_value v;
+
+    (void)unused;
+    n = list_of(r, FOURLINK_COLUMNS, &list);
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 150, values, NULL, NULL),
+                     FOURLINK_TOO_FAR);
+    for (i = 0; i < n; i++) {
+        int of_crank = (list[i].flags & FOURLINK_OF_CRANK) != 0;
+        int status = fourlink_results_value(r, list[i].name, FOURLINK_OPEN, 150, &v);
+
+        assert_int_equal(isfinite(values[i]) != 0, of_crank);
+        assert_int_equal(status, of_crank ? FOURLINK_OK : FOURLINK_TOO_FAR);
+        if (of_crank)
+            assert_true(v.value == values[i]);
+    }
+    assert_true(values[0] == 150);
+    fourlink_results_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_descriptions),
+        cmocka_unit_test(test_columns_that_are_not_there),
+        cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_columns_that_cannot_be_chosen),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_composed_values),
+        cmocka_unit_test(test_values_out_of_reach),
+    };
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}

@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_everything.c - all results of many decks: none takes memory, reaches GSL's error handler, depends on
+** the call before, or on what another thread does.
+*/
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with glob */
+
+#include <glob.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "machines.h"
+
+#define COUNT(table) (sizeof table / sizeof table[0])
+#define MOST_COLUMNS 200
+#define MOST_LOADS 10
+
+static volatile int watches_memory;
+static volatile unsigned long allocations;
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED
+#endif
+
+#if defined(__GLIBC__) && !defined(SANITIZED)
+#define COUNTS_MEMORY 1
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *memory, size_t size);
+
+void *malloc(size_t size)
+{
+    allocations += watches_memory != 0;
+    return __libc_malloc(size);
+}
+
+void *calloc(size_t n, size_t size)
+{
+    allocations += watches_memory != 0;
+    return __libc_calloc(n, size);
+}
+
+void *realloc(void *memory, size_t size)
+{
+    allocations += watches_memory != 0;
+    return __libc_realloc(memory, size);
+}
+#else
+#define COUNTS_MEMORY 0
+#endif
+
+typedef struct digest {
+    uint64_t hash;
+    unsigned long values, refused; /* numbers looked at; answers other than FOURLINK_OK */
+} digest;
+
+static void note(digest *d, double value)
+{
+    uint64_t bits = 0;
+
+    if (!isnan(value))
+        memcpy(&bits, &value, sizeof bits);
+    d->hash = (d->hash ^ bits) * 1099511628211u;
+    d->values++;
+}
+
+static void note_status(digest *d, int status)
+{
+    note(d, status);
+    d->refused += status != FOURLINK_OK;
+}
+
+static void note_values(digest *d, const double *values, unsigned long n)
+{
+    while (n-- > 0)
+        note(d, values[n]);
+}
+
+/* Call all functions for all that an opened deck has. */
+static digest exercise(fourlink_results *r)
+{
+    digest d = {14695981039346656037u, 0, 0};
+    double values[MOST_COLUMNS], turn;
+    fourlink_load loads[MOST_LOADS];
+    const fourlink_value *list;
+    fourlink_instant instant;
+    fourlink_turning turning;
+    unsigned long n, i, j;
+    fourlink_problem p;
+    fourlink_check c;
+    int k;
+
+    fourlink_deck_problem(fourlink_results_deck(r), &p);
+    turn = 2 * PI / p.motion.angle_unit;
+    for (k = FOURLINK_COLUMNS; k <= FOURLINK_OUTPUTS; k++) {
+        fourlink_results_list(r, k, &list, &n);
+        for (i = 0; i < n; i++)
+            note(&d, list[i].value);
+    }
+    for (k = 0; k < 2; k++) {
+        fourlink_results_list(r, FOURLINK_COLUMNS, &list, &n);
+        for (i = 0; i < p.n_rows; i += 1 + p.n_rows / 100) {
+            note_status(&d, fourlink_results_row(r, branches[k], i, values, &instant, loads));
+            note_values(&d, values, n);
+        }
+        for (i = 0; i < 24; i++)
+            if (fourlink_results_at(r, branches[k], turn * (double)i / 24, values, NULL, NULL) !=
+                FOURLINK_NO_SUCH_ANGLE)
+                note_values(&d, values, n);
+        note_status(&d, fourlink_results_facts(r, branches[k], 7, &list, &n));
+        for (i = 0; i < n; i++)
+            note(&d, list[i].value);
+        note_status(&d, fourlink_results_turning(r, branches[k], &turning));
+        fourlink_results_list(r, FOURLINK_ALL_COLUMNS, &list, &n);
+        for (i = 0; i < n; i++) {
+            fourlink_value v = {0};
+
+            fourlink_results_value(r, list[i].name, branches[k], turn / 5, &v);
+            note(&d, v.value);
+        }
+    }
+    for (j = 0; j < p.n_expected; j++) {
+        note_status(&d, fourlink_results_check(r, j, &c));
+        note(&d, c.computed);
+    }
+    return d;
+}
+
+/* All columns, by the faster solution; some that differ in kind, by the nine equations. */
+static const fourlink_change all[2] = {{"test", "table.columns=all"}, {"test", "solver=dyad"}};
+static const fourlink_change some[2] = {
+    {"test", "table.columns=theta2,theta3,alpha3,F12,Ts_static,I13x"}, {"test", "solver=matrix"}};
+
+static fourlink_source with_columns(const char *contents, const fourlink_change changes[2])
+{
+    fourlink_source source = deck_source(contents);
+
+    source.changes = changes;
+    source.n_changes = 2;
+    source.design = FOURLINK_ANY_DESIGN;
+    return source;
+}
+
+static digest check_everything(const char *contents, const fourlink_change columns[2],
+                               const char *name)
+{
+    fourlink_source source = with_columns(contents, columns);
+    fourlink_results *r = NULL;
+    fourlink_mistake mistake;
+    digest first, again;
+
+    if (fourlink_results_open(&source, 1, &r, &mistake, NULL) != FOURLINK_OK)
+        fail_msg("%s:%ld: %s", name, mistake.line, mistake.message);
+    allocations = 0;
+    watches_memory = 1;
+    first = exercise(r);
+    again = exercise(r);
+    watches_memory = 0;
+    if (allocations)
+        fail_msg("%s: %lu pieces of memory taken", name, allocations);
+    assert_true(first.hash == again.hash); /* no result depends on the call before */
+    assert_true(first.values > 100);
+    fourlink_results_free(r);
+    return first;
+}
+
+static void read_whole(const char *path, char *text, size_t size)
+{
+    FILE *in = fopen(path, "r");
+    size_t n;
+
+    assert_non_null(in);
+    n = fread(text, 1, size - 1, in);
+    fclose(in);
+    assert_true(n > 0 && n < size - 1);
+    text[n] = '\0';
+}
+
+static void test_memory_is_counted(void **unused)
+{
+    void *volatile memory;
+
+    (void)unused;
+    if (!COUNTS_MEMORY)
+        skip();
+    allocations = 0;
+    watches_memory = 1;
+    memory = malloc(10);
+    watches_memory = 0;
+    free(memory);
+    assert_int_equal(allocations, 1);
+}
+
+static void test_everything_of_the_decks(void **unused)
+{
+    static const char *const folders[] = {SOURCE_DIR "/data/*.deck",
+                                          SOURCE_DIR "/tests/decks/*.deck"};
+    static char text[20000];
+    glob_t found;
+    size_t i, k;
+    int n = 0;
+
+    (void)unused;
+    for (k = 0; k < COUNT(folders); k++) {
+        assert_int_equal(glob(folders[k], 0, NULL, &found), 0);
+        for (i = 0; i < found.gl_pathc; i++) {
+            const char *name = found.gl_pathv[i];
+
+            if (strstr(name, "bad.deck") || strstr(name, "mistakes.deck"))
+                continue;
+            read_whole(name, text, sizeof text);
+            check_everything(text, all, name);
+            n++;
+        }
+        globfree(&found);
+    }
+    assert_true(n >= 15);
+}
+
+/* Linkages that reach in part or nowhere, pass change points, stop, or are far out of proportion. */
+static void test_everything_of_odd_mechanisms(void **unused)
+{
+    static const double bars[][4] = {
+        {0.3, 0.4, 0.5, 0.75}, {0.75, 0.4, 0.5, 0.35}, {0.4, 0.5, 0.45, 0.35},
+        {0.2, 0.5, 0.2, 0.5},  {0.2, 0.2, 0.5, 0.5},   {0.5, 0.2, 0.2, 0.5},
+        {0.3, 0.3, 0.3, 0.3},  {0.2, 0.6, 0.5, 0.9},   {0.1, 0.1, 0.1, 0.2999999},
+        {1e-9, 1, 1, 1e-9},    {1e6, 1e6, 1e-3, 1e-3}, {0.2, 0.5, 0.4, 0.5}};
+    static const double cranks[][3] = {{0.4, 0.2, 0},     {0.2, 0.2, 0},      {0.3, 0.2, 0.1},
+                                       {0.2, 0.3, 0.1},   {0.1, 0.2, 0.2999}, {1e-9, 1, 0},
+                                       {0.4, 0.2, -0.25}, {1, 1 + 1e-9, 0}};
+    static const char *const motions[] = {
+        "speed = 10 rad/s\n", "speed = -3 rad/s\nfrom = 70 deg\nto = -500 deg\n",
+        "acceleration = -9 rad/s2\nrun_up = 50 deg\n",
+        "speed = 5 rad/s\nacceleration = -4 rad/s2\n", "at = 60 deg\nspeed = 3 rad/s\n"};
+    unsigned long refused = 0;
+    size_t i, k;
+
+    (void)unused;
+    for (k = 0; k < COUNT(motions); k++) {
+        const char *more =
+            print("[load]\nlink = crank\ntorque = 5 N m\nfrom = 20 deg\nto = 100 deg\n"
+                  "[load curve]\nlink = crank\ntorque = 0 deg 3, 50 deg 9, 200 deg -4\n"
+                  "[motion]\n%s[flywheel]\ninertia = 2 kg m2\n[expect]\n"
+                  "max(mu) = 80 deg\ntype = rhombus\n[expect]\nat = 60 deg\n"
+                  "Ts = 3 N m\ntheta3 = 3 deg\n",
+                  motions[k]);
+
+        for (i = 0; i < COUNT(bars); i++)
+            refused +=
+                check_everything(four_bar(bars[i][0], bars[i][1], bars[i][2], bars[i][3], more),
+                                 some, "bars")
+                    .refused;
+        for (i = 0; i < COUNT(cranks); i++)
+            refused += check_everything(
+                           slider_crank(cranks[i][0], cranks[i][1], cranks[i][2],
+                                        print("[gas]\nbore = 9 mm\npressure = 8 bar\n%s", more)),
+                           some, "cranks")
+                           .refused;
+    }
+    assert_true(refused > 1000);
+}
+
+typedef struct work {
+    fourlink_source source;
+    digest done;
+} work;
+
+static void *work_on(void *data)
+{
+    work *w = data;
+    int i;
+
+    for (i = 0; i < 5; i++) {
+        fourlink_results *r;
+
+        if (fourlink_results_open(&w->source, 0, &r, NULL, NULL) != FOURLINK_OK)
+            return NULL;
+        w->done = exercise(r);
+        fourlink_results_free(r);
+    }
+    return NULL;
+}
+
+/* Two threads, each with results of its own, of one source. */
+static void test_two_threads(void **unused)
+{
+    char *contents = four_bar(0.020, 0.066, 0.056, 0.080,
+                              "[load]\nlink = rocker\ntorque = 3 N m\n[motion]\n"
+                              "speed = 10 rad/s\n[flywheel]\nfluctuation = 0.1\n");
+    digest alone = check_everything(contents, some, "linkage");
+    pthread_t threads[2];
+    work w[2];
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        memset(&w[i], 0, sizeof w[i]);
+        w[i].source = with_columns(contents, some);
+        assert_int_equal(pthread_create(&threads[i], NULL, work_on, &w[i]), 0);
+    }
+    for (i = 0; i < 2; i++) {
+        pthread_join(threads[i], NULL);
+        assert_true(w[i].done.hash == alone.hash && w[i].done.values == alone.values);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_memory_is_counted),
+        cmocka_unit_test(test_everything_of_the_decks),
+        cmocka_unit_test(test_everything_of_odd_mechanisms),
+        cmocka_unit_test(test_two_threads),
+    };
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_fact.c - what is said of a deck in single numbers.
+*/
+#include "machines.h"
+
+static void test_facts_of_linkages(void **unused)
+{
+    static fact_list list;
+    const fourlink_value *f;
+
+    (void)unused;
+    facts_of(four_bar(0.020, 0.066, 0.056, 0.080, revolution(10.5)), &list);
+    f = find_fact(&list, "type", FOURLINK_OPEN);
+    assert_non_null(f);
+    assert_string_equal(f->words, "crank-rocker");
+    check_fact(&list, "K", FOURLINK_OPEN, 2790e-6, 1e-17);
+    check_fact(&list, "theta2_from", FOURLINK_OPEN, 0, 0);
+    check_fact(&list, "theta2_to", FOURLINK_OPEN, 360, 1e-13);
+    check_fact(&list, "theta4_min", FOURLINK_OPEN, 180 - acos(2140. / 8960) / DEG, 1e-12);
+    check_fact(&list, "theta4_max", FOURLINK_OPEN, 180 - acos(7420. / 8960) / DEG, 1e-12);
+    check_fact(&list, "swing", FOURLINK_CROSSED, (acos(2140. / 8960) - acos(7420. / 8960)) / DEG,
+               1e-12);
+    check_fact(&list, "mu_min", FOURLINK_CROSSED, acos(3892. / 7392) / DEG, 1e-12);
+    f = find_fact(&list, "theta4_min", FOURLINK_OPEN);
+    assert_true(f->has_angle);
+    assert_near(f->angle, acos(10660. / 13760) / DEG, 1e-12);
+    f = find_fact(&list, "theta4_max", FOURLINK_CROSSED);
+    assert_near(f->value, -180 + acos(2140. / 8960) / DEG, 1e-12);
+    assert_near(f->angle, 360 - acos(10660. / 13760) / DEG, 1e-12);
+    assert_null(find_fact(&list, "stroke", FOURLINK_OPEN));
+    assert_null(find_fact(&list, "n", FOURLINK_OPEN));
+    assert_null(find_fact(&list, "mean_torque", FOURLINK_OPEN));
+}
+
+/* The limits of link 4 where the crank does not turn fully, with A, B, C in one line: 300 + 400 mm from
+** A to C in the triangle of 500 and 750 mm; in a crank-rocker a range above the ground and one below. */
+static void test_reach_of_link_4(void **unused)
+{
+    static fact_list list;
+    double half = acos((0.25 + 0.5625 - 0.49) / (2 * 0.5 * 0.75)) / DEG;
+    double from[2], to[2], low = 180 - acos(2140. / 8960) / DEG,
+                           high = 180 - acos(7420. / 8960) / DEG;
+    int n_from = 0, n_to = 0, above;
+    unsigned long i;
+
+    (void)unused;
+    facts_of(four_bar(0.3, 0.4, 0.5, 0.75, ""), &list);
+    check_fact(&list, "theta4_from", FOURLINK_OPEN, 180 - half, 1e-12);
+    check_fact(&list, "theta4_to", FOURLINK_OPEN, 180 + half, 1e-12);
+    check_fact(&list, "theta4_swing", FOURLINK_OPEN, 2 * half, 1e-12);
+    facts_of(four_bar(0.020, 0.066, 0.056, 0.080, ""), &list);
+    for (i = 0; i < list.n; i++) {
+        if (strcmp(list.list[i].name, "theta4_from") == 0 && n_from < 2)
+            from[n_from++] = turned(list.list[i].value, 360);
+        if (strcmp(list.list[i].name, "theta4_to") == 0 && n_to < 2)
+            to[n_to++] = turned(list.list[i].value, 360);
+        if (strcmp(list.list[i].name, "theta4_swing") == 0)
+            assert_near(list.list[i].value, high - low, 1e-11);
+    }
+    assert_true(n_from == 2 && n_to == 2);
+    above = from[0] > 0 ? 0 : 1;
+    assert_near(from[above], low, 1e-11);
+    assert_near(to[above], high, 1e-11);
+    assert_near(from[1 - above], -high, 1e-11);
+    assert_near(to[1 - above], -low, 1e-11);
+}
+
+static void test_facts_of_engines(void **unused)
+{
+    static fact_list list;
+    const char *rod = "mechanism = slider-crank\n[units]\nlength = mm\n[crank]\nlength = 150\n"
+                      "[rod]\nlength = 450\nmass = 2 kg\ngyration = 175\ncg = 150\n";
+    const fourlink_value *f;
+
+    (void)unused;
+    facts_of(rod, &list);
+    f = find_fact(&list, "type", FOURLINK_OPEN);
+    assert_string_equal(f->words, "slider-crank, the crank turns fully");
+    check_fact(&list, "n", FOURLINK_OPEN, 3, 1e-15);
+    check_fact(&list, "k", FOURLINK_OPEN, 175, 1e-12);
+    check_fact(&list, "m_a", FOURLINK_OPEN, 4. / 3, 1e-15);
+    check_fact(&list, "m_b", FOURLINK_OPEN, 2. / 3, 1e-15);
+    check_fact(&list, "L", FOURLINK_OPEN, 300 + 175. * 175 / 300, 1e-12);
+    check_fact(&list, "stroke", FOURLINK_CROSSED, 300, 1e-12);
+    check_fact(&list, "inner_dead_centre", FOURLINK_OPEN, 0, 0);
+    check_fact(&list, "outer_dead_centre", FOURLINK_OPEN, 180, 1e-12);
+    check_fact(&list, "inner_dead_centre", FOURLINK_CROSSED, 180, 1e-12);
+    check_fact(&list, "mu_min", FOURLINK_OPEN, acos(1. / 3) / DEG, 1e-12);
+    assert_null(find_fact(&list, "K", FOURLINK_OPEN));
+    assert_null(find_fact(&list, "swing", FOURLINK_OPEN));
+
+    /* in another unit of angle, on one branch */
+    facts_of("mechanism = slider-crank\n[units]\nangle = rev\n[crank]\nlength = 0.15\n[rod]\n"
+             "length = 0.45\n[table]\nbranch = crossed\n",
+             &list);
+    check_fact(&list, "theta2_to", FOURLINK_OPEN, 1, 1e-15);
+    check_fact(&list, "inner_dead_centre", FOURLINK_CROSSED, 0.5, 1e-15);
+    assert_null(find_fact(&list, "inner_dead_centre", FOURLINK_OPEN));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_facts_of_linkages),
+        cmocka_unit_test(test_reach_of_link_4),
+        cmocka_unit_test(test_facts_of_engines),
+    };
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}

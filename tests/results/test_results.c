@@ -1,0 +1,659 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_results.c - the public interface of results by name: what each function returns, and leaves alone.
+*/
+#include "machines.h"
+
+#define COUNT(table) (sizeof table / sizeof table[0])
+#define MOST_COLUMNS 200
+#define MOST_LOADS 10
+
+static char *linkage(const char *more)
+{
+    return four_bar(0.020, 0.066, 0.056, 0.080,
+                    print("[load Tl]\nlink = rocker\ntorque = 3 N m\n[motion]\nspeed = 10 rad/s\n"
+                          "interval = 40 deg\n%s",
+                          more));
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Opening
+** ------------------------------------------------------------------------------------------- */
+
+static void test_null_pointers(void **unused)
+{
+    fourlink_source source = deck_source(linkage("")), none = source;
+    fourlink_results *r = NULL;
+    const fourlink_value *list;
+    fourlink_mistake mistake;
+    fourlink_turning turning;
+    fourlink_value value;
+    fourlink_check check;
+    unsigned long n;
+    double x;
+
+    (void)unused;
+    none.text = NULL;
+    assert_int_equal(fourlink_results_open(NULL, 1, &r, &mistake, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_open(&none, 1, &r, &mistake, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_open(&source, 1, NULL, &mistake, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_open(&source, 1, &r, NULL, &n), FOURLINK_NULL);
+    assert_null(r);
+    assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_source_design(NULL, 1, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_design(&none, 1, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_design(&source, 1, NULL), FOURLINK_NULL);
+    assert_null(fourlink_results_deck(NULL));
+    fourlink_results_free(NULL);
+    assert_int_equal(fourlink_results_list(NULL, FOURLINK_COLUMNS, &list, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, NULL, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_row(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_at(NULL, FOURLINK_OPEN, 0, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_value(NULL, "mu", FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_value(r, NULL, FOURLINK_OPEN, 0, &value), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, 0, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_facts(NULL, 0, 7, &list, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_facts(r, 0, 7, NULL, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_facts(r, 0, 7, &list, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_turning(NULL, FOURLINK_OPEN, &turning), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_turning(r, FOURLINK_OPEN, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_check(NULL, 0, &check), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_check(r, 0, NULL), FOURLINK_NULL);
+    /* what may be null */
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 0, NULL, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 0, NULL, NULL, NULL), FOURLINK_OK);
+    fourlink_results_free(r);
+}
+
+/* Mistakes of the deck, of the names of its columns, and of its sweep's outputs, in the order of lines. */
+static void test_mistakes(void **unused)
+{
+    static const struct {
+        const char *more; /* from line 16 on */
+        unsigned long n;
+        long line;
+        const char *message;
+    } cases[] = {
+        {"[table]\ncolumns = thta3\n", 1, 17, "unknown column 'thta3'; did you mean 'theta3'?"},
+        {"[table]\ncolumns = thta3, x\nbranch = both ways\n", 2, 17,
+         "unknown column 'thta3'; did you mean 'theta3'?"},
+        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = Ts\n", 1, 18,
+         "'Ts' has many values: name its extremes, max() or min()"},
+        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = max(Tz)\n", 1, 18,
+         "'max(Tz)' is no fact, and no max() or min() of a column, of this deck; did you mean "
+         "'max(Ts)'?"},
+        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = mu_mim, swing\n", 1, 18,
+         "'mu_mim' is no fact, and no max() or min() of a column, of this deck; did you mean "
+         "'mu_min'?"},
+        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = ,\n", 1, 18, "output names nothing"},
+        {"[coupler]\nmass = 3\n", 1, 16, "a second [coupler]; the first is at line 4"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_source source = deck_source(linkage(cases[i].more));
+        fourlink_results *r = NULL;
+        fourlink_mistake mistakes[2];
+        unsigned long n = 99;
+
+        memset(mistakes, 0, sizeof mistakes);
+        assert_int_equal(fourlink_results_open(&source, 1, &r, mistakes, &n), FOURLINK_BAD_DECK);
+        assert_null(r);
+        assert_int_equal(n, cases[i].n);
+        assert_string_equal(mistakes[0].message, cases[i].message);
+        assert_string_equal(mistakes[0].file, "x.deck");
+        assert_int_equal(mistakes[0].line, cases[i].line);
+        assert_string_equal(mistakes[1].message, ""); /* there was room for one */
+        assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_BAD_DECK);
+        assert_null(r);
+    }
+}
+
+/* The text is not needed after the call, and may be one that does not end in a null. */
+static void test_text_is_not_kept(void **unused)
+{
+    char *contents = linkage("[table]\ncolumns = Ts, mu\n[expect]\nat = 40 deg\nmu = 50.0 deg\n");
+    fourlink_results *kept = opened(contents), *r;
+    fourlink_source source = deck_source(contents);
+    const fourlink_value *list;
+    double values[2], again[2];
+    fourlink_check check;
+    unsigned long n;
+
+    (void)unused;
+    contents[source.length] = '?';
+    assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    memset(contents, '?', source.length);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, &n), FOURLINK_OK);
+    assert_int_equal(n, 2);
+    assert_string_equal(list[0].name, "Ts");
+    assert_string_equal(list[1].name, "mu");
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 3, values, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_row(kept, FOURLINK_OPEN, 3, again, NULL, NULL), FOURLINK_OK);
+    assert_memory_equal(values, again, sizeof values);
+    assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+    assert_string_equal(check.file, "x.deck");
+    assert_string_equal(check.printed_text, "50.0 deg");
+    fourlink_results_free(r);
+    fourlink_results_free(kept);
+}
+
+/* A deck of one crank angle as a cycle, all of it with that angle's speed and acceleration. */
+static void test_whole_cycle(void **unused)
+{
+    static const struct {
+        const char *motion;
+        double cycle, speed, acceleration;
+    } cases[] = {{"at = 30 deg\nspeed = 10 rad/s\n", 360, 10, 0},
+                 {"at = 30 deg\nspeed = -10 rad/s\nacceleration = 5 rad/s2\n", -360, -10, 5},
+                 {"at = 30 deg\nacceleration = -5 rad/s2\n", -360, 0, -5},
+                 {"at = 30 deg\nspeed = 10 rad/s\ncycle = 720 deg\n", 720, 10, 0}};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        char *contents =
+            four_bar(0.020, 0.066, 0.056, 0.080,
+                     print("[load]\nlink = rocker\ntorque = 3 N m\n[motion]\n%s", cases[i].motion));
+        fourlink_results *one = opened(contents), *whole;
+        fourlink_source source = deck_source(contents);
+        double here[MOST_COLUMNS], there[MOST_COLUMNS];
+        const fourlink_value *list;
+        fourlink_instant at;
+        fourlink_problem p;
+        unsigned long n;
+
+        source.whole_cycle = 1;
+        assert_int_equal(fourlink_results_open(&source, 0, &whole, NULL, NULL), FOURLINK_OK);
+        p = problem_of(one);
+        assert_true(p.one_instant && p.n_rows == 1);
+        p = problem_of(whole);
+        assert_false(p.one_instant);
+        assert_int_equal(p.n_rows, 73);
+        assert_int_equal(fourlink_results_row(whole, FOURLINK_OPEN, 0, NULL, &at, NULL),
+                         FOURLINK_OK);
+        assert_true(at.row.angle == 0);
+        assert_int_equal(fourlink_results_row(whole, FOURLINK_OPEN, 72, NULL, &at, NULL),
+                         FOURLINK_OK);
+        assert_close(at.row.angle, cases[i].cycle, 1e-14);
+        assert_true(at.row.crank.omega2 == cases[i].speed);
+        assert_true(at.row.crank.alpha2 == cases[i].acceleration);
+        assert_int_equal(fourlink_results_list(one, FOURLINK_COLUMNS, &list, &n), FOURLINK_OK);
+        assert_int_equal(fourlink_results_at(one, FOURLINK_OPEN, 30, here, NULL, NULL),
+                         FOURLINK_OK);
+        assert_int_equal(fourlink_results_at(whole, FOURLINK_OPEN, 30, there, NULL, NULL),
+                         FOURLINK_OK);
+        while (n-- > 1) /* but for the crank angle, which may be of another turn */
+            assert_near(there[n], here[n], 1e-12 * (1 + fabs(here[n])));
+        assert_int_equal(fourlink_results_at(one, FOURLINK_OPEN, 31, NULL, NULL, NULL),
+                         FOURLINK_NO_SUCH_ANGLE);
+        fourlink_results_free(one);
+        fourlink_results_free(whole);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Sweeps
+** ------------------------------------------------------------------------------------------- */
+
+#define SWEEP                                                                              \
+    "[sweep]\ncrank.length = -1 mm, 0 mm, 18 mm, 19 mm\nmotion.speed = 100 rpm, 200 rpm\n" \
+    "output = max(Ts), mu_min, energy_fluctuation\n[units]\nlength = mm\nangular_speed = rpm\n"
+
+static void test_designs(void **unused)
+{
+    static const struct {
+        unsigned long design, is; /* the first that is in order is the fifth */
+        int status;
+        double length, speed;
+    } cases[] = {{0, 0, FOURLINK_BAD_DECK, -1, 100},
+                 {3, 3, FOURLINK_BAD_DECK, 0, 200},
+                 {4, 4, FOURLINK_OK, 18, 100},
+                 {7, 7, FOURLINK_OK, 19, 200},
+                 {FOURLINK_ANY_DESIGN, 4, FOURLINK_OK, 18, 100}};
+    fourlink_source source = deck_source(linkage(SWEEP));
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *r = NULL;
+        const fourlink_value *list;
+        double values[3] = {5, 5, 5};
+        fourlink_problem p;
+        unsigned long n;
+
+        source.design = cases[i].design;
+        assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), cases[i].status);
+        if (cases[i].status == FOURLINK_OK) {
+            p = problem_of(r);
+            assert_int_equal(p.n_designs, 8);
+            assert_int_equal(p.design, cases[i].is);
+            assert_true(p.has_outputs);
+            assert_close(p.mechanism.design.link[2].length, cases[i].length / 1000, 1e-15);
+            assert_int_equal(fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n), FOURLINK_OK);
+            assert_int_equal(n, 2);
+            assert_string_equal(list[0].name, "crank.length");
+            assert_string_equal(list[0].unit, "mm");
+            assert_true(list[0].value == cases[i].length);
+            assert_string_equal(list[1].name, "motion.speed");
+            assert_string_equal(list[1].unit, "rpm");
+            assert_true(list[1].value == cases[i].speed);
+            assert_int_equal(fourlink_results_list(r, FOURLINK_OUTPUTS, &list, &n), FOURLINK_OK);
+            assert_int_equal(n, 3);
+            assert_string_equal(list[0].name, "max(Ts)");
+            assert_string_equal(list[0].unit, "N.m");
+            assert_string_equal(list[1].name, "mu_min");
+            assert_string_equal(list[1].unit, "deg");
+            assert_string_equal(list[2].name, "energy_fluctuation");
+            assert_string_equal(list[2].quantity, "energy");
+        }
+        fourlink_results_free(r);
+        if (cases[i].design == FOURLINK_ANY_DESIGN)
+            continue;
+        assert_int_equal(fourlink_source_design(&source, 1, values), FOURLINK_OK);
+        assert_true(values[0] == cases[i].length && values[1] == 5);
+        assert_int_equal(fourlink_source_design(&source, 3, values), FOURLINK_OK);
+        assert_true(values[0] == cases[i].length && values[1] == cases[i].speed && values[2] == 5);
+    }
+}
+
+/* None of the designs is in order: the mistakes are those of the first. */
+static void test_no_design_in_order(void **unused)
+{
+    fourlink_source source = deck_source(linkage("[sweep]\ncrank.length = -1 mm, 0 mm\n"));
+    fourlink_mistake of_any, of_first;
+    fourlink_results *r = NULL;
+
+    (void)unused;
+    source.design = FOURLINK_ANY_DESIGN;
+    assert_int_equal(fourlink_results_open(&source, 1, &r, &of_any, NULL), FOURLINK_BAD_DECK);
+    source.design = 0;
+    assert_int_equal(fourlink_results_open(&source, 1, &r, &of_first, NULL), FOURLINK_BAD_DECK);
+    assert_null(r);
+    assert_string_equal(of_any.message, of_first.message);
+    assert_int_equal(of_any.line, of_first.line);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Lists
+** ------------------------------------------------------------------------------------------- */
+
+static void test_lists_that_are_not_there(void **unused)
+{
+    static const int which[] = {0, -1, 6, 1000};
+    fourlink_results *r = opened(linkage(""));
+    const fourlink_value *list = NULL;
+    unsigned long n = 77;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(which); i++) {
+        assert_int_equal(fourlink_results_list(r, which[i], &list, &n), FOURLINK_NO_SUCH_LIST);
+        assert_true(!list && n == 77);
+    }
+    assert_int_equal(fourlink_results_list(r, FOURLINK_OUTPUTS, &list, &n), FOURLINK_OK);
+    assert_int_equal(n, 0);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n), FOURLINK_OK);
+    assert_int_equal(n, 0);
+    fourlink_results_free(r);
+}
+
+/* The inputs of a deck in its units, each with the value that the deck gives it. */
+static void test_inputs(void **unused)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
+        "[crank]\nlength = 15 cm\n[rod]\nlength = 450\nmass = 2 kg\ncg = 150\n[piston]\n"
+        "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
+        "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
+        "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
+    static const struct {
+        const char *name;
+        double value;
+        const char *unit, *words;
+    } inputs[] = {{"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
+                  {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
+                  {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
+                  {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
+                  {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
+                  {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
+                  {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
+                  {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
+                  {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
+                  {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
+    fourlink_results *r = opened(deck);
+    const fourlink_value *list, *again;
+    unsigned long n, i;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
+    for (i = 0; i < n && i < COUNT(inputs); i++) {
+        assert_string_equal(list[i].name, inputs[i].name);
+        assert_string_equal(list[i].unit, inputs[i].unit);
+        assert_near(list[i].value, inputs[i].value, 1e-14 * fabs(inputs[i].value));
+        assert_int_equal(list[i].words != NULL, inputs[i].words != NULL);
+        if (inputs[i].words)
+            assert_string_equal(list[i].words, inputs[i].words);
+        assert_true(*list[i].meaning && list[i].source);
+    }
+    assert_int_equal(n, COUNT(inputs));
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &again, &n), FOURLINK_OK);
+    assert_true(again == list && n == COUNT(inputs)); /* once and for all */
+    fourlink_results_free(r);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Rows
+** ------------------------------------------------------------------------------------------- */
+
+static void soil_stack(void)
+{
+    volatile unsigned char bytes[20000];
+    size_t i;
+
+    for (i = 0; i < sizeof bytes; i++)
+        bytes[i] = 0x5a;
+}
+
+static int same_numbers(const double *x, const double *y, unsigned long n, double tolerance)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (!(isnan(x[i]) ? isnan(y[i]) : fabs(x[i] - y[i]) <= tolerance * (1 + fabs(x[i]))))
+            return 0;
+    return 1;
+}
+
+/* Rows are those of fourlink_analyse, and of fourlink_results_at at their angles, whatever else is asked
+** for; those that are not reached say why, and leave nothing but the crank. */
+static void check_rows(const char *contents)
+{
+    fourlink_results *r = opened(contents);
+    const fourlink_deck *d = fourlink_results_deck(r);
+    fourlink_problem p = problem_of(r);
+    const fourlink_value *list;
+    unsigned long n, i, j;
+    int k;
+
+    assert_int_equal(fourlink_results_list(r, FOURLINK_COLUMNS, &list, &n), FOURLINK_OK);
+    assert_true(n <= MOST_COLUMNS && p.n_loads <= MOST_LOADS);
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < p.n_rows; i++) {
+            double values[MOST_COLUMNS], alone[MOST_COLUMNS], there[MOST_COLUMNS];
+            fourlink_load loads[MOST_LOADS], own_loads[MOST_LOADS];
+            fourlink_instant x, at;
+            fourlink_forces forces;
+            fourlink_state state;
+            double gas_force;
+            int status;
+
+            memset(&forces, 0, sizeof forces);
+            soil_stack();
+            status = fourlink_results_row(r, branches[k], i, values, &x, loads);
+            assert_int_equal(status, x.status);
+            assert_int_equal(x.branch, branches[k]);
+            assert_int_equal(
+                fourlink_deck_loads(d, branches[k], x.row.crank.theta2, own_loads, &gas_force),
+                FOURLINK_OK);
+            for (j = 0; j < p.n_loads; j++) {
+                assert_int_equal(loads[j].link, own_loads[j].link);
+                assert_true(loads[j].force.x == own_loads[j].force.x &&
+                            loads[j].force.y == own_loads[j].force.y &&
+                            loads[j].torque == own_loads[j].torque);
+            }
+            assert_int_equal(fourlink_analyse(&p.mechanism, branches[k], &x.row.crank, own_loads,
+                                              p.n_loads, &state, p.has_forces ? &forces : NULL),
+                             status);
+            assert_int_equal(fourlink_results_row(r, branches[k], i, alone, NULL, NULL), status);
+            assert_true(same_numbers(values, alone, n, 0));
+            assert_int_equal(fourlink_results_at(r, branches[k], x.row.angle, there, &at, NULL),
+                             status);
+            assert_true(same_numbers(values, there, n, 1e-12));
+            assert_true(at.row.angle == x.row.angle);
+            if (status == FOURLINK_OK) {
+                assert_memory_equal(&x.forces, &forces, sizeof forces);
+                assert_memory_equal(&x.state.link[2], &state.link[2], 3 * sizeof state.link[2]);
+                assert_true(x.gas_force == gas_force);
+            }
+            for (j = 0; j < n; j++)
+                if (status != FOURLINK_OK)
+                    assert_int_equal(!isnan(values[j]), list[j].flags & FOURLINK_OF_CRANK);
+        }
+    fourlink_results_free(r);
+}
+
+static void test_rows(void **unused)
+{
+    static const char *const motions[] = {
+        "interval = 40 deg\nspeed = 10 rad/s\n", "speed = -5 rad/s\nfrom = 20 deg\nto = -400 deg\n",
+        "acceleration = 20 rad/s2\nrun_up = 100 deg\ninterval = 30 deg\n",
+        "speed = 10 rad/s\nacceleration = -20 rad/s2\ninterval = 9 deg\n",
+        "at = 77 deg\nspeed = 3 rad/s\nacceleration = 1 rad/s2\n"};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(motions); i++) {
+        const char *motion = print("[motion]\n%s", motions[i]);
+        const char *load = "[load]\nlink = crank\ntorque = 0 deg 3 N m, 50 deg 9 N m\n";
+
+        check_rows(four_bar(0.020, 0.066, 0.056, 0.080, motion));
+        check_rows(four_bar(0.020, 0.066, 0.056, 0.080, print("%s%s", load, motion)));
+        check_rows(four_bar(0.3, 0.4, 0.5, 0.75, motion));
+        check_rows(four_bar(0.3, 0.4, 0.5, 0.75, print("%s%s", load, motion)));
+        check_rows(four_bar(0.2, 0.5, 0.2, 0.5, print("%s%s", load, motion)));
+        check_rows(slider_crank(0.4, 0.2, 0, motion));
+        check_rows(slider_crank(0.1, 0.4, 0.02,
+                                print("[gas]\nbore = 50 mm\npressure = 9 bar\n%s", motion)));
+    }
+}
+
+static void test_rows_that_are_not_there(void **unused)
+{
+    static const double beyond[] = {9.9,       50.1, 180,   -180, 369.9,  410.1,      INFINITY,
+                                    -INFINITY, NAN,  1e300, 1e17, -1e300, 3.14159e60, 1e18};
+    static const double reached[] = {10,   50,   30,   370,           410,
+                                     -350, -310, 3610, 9.99999999999, 50.00000000001};
+    fourlink_results *r = opened(linkage("from = 10 deg\nto = 50 deg\n"));
+    fourlink_instant x, x_before;
+    double values[MOST_COLUMNS], before[MOST_COLUMNS];
+    fourlink_load load, load_before;
+    fourlink_value v, v_before;
+    size_t i;
+
+    (void)unused;
+    memset(values, 5, sizeof values);
+    memset(&x, 5, sizeof x);
+    memset(&load, 5, sizeof load);
+    memset(&v, 5, sizeof v);
+    memcpy(before, values, sizeof values);
+    x_before = x, load_before = load, v_before = v;
+    for (i = 0; i < COUNT(beyond); i++) {
+        if (fourlink_results_at(r, FOURLINK_OPEN, beyond[i], values, &x, &load) !=
+            FOURLINK_NO_SUCH_ANGLE)
+            fail_msg("there is a row at %g deg", beyond[i]);
+        assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, beyond[i], &v),
+                         FOURLINK_NO_SUCH_ANGLE);
+    }
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 2, values, &x, &load),
+                     FOURLINK_NO_SUCH_ROW);
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, (unsigned long)-1, values, &x, &load),
+                     FOURLINK_NO_SUCH_ROW);
+    for (i = 0; i < 4; i++) {
+        static const int wrong[] = {0, 2, -2, 77};
+        fourlink_branch branch = (fourlink_branch)wrong[i];
+
+        assert_int_equal(fourlink_results_row(r, branch, 0, values, &x, &load),
+                         FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_at(r, branch, 20, values, &x, &load),
+                         FOURLINK_BAD_BRANCH);
+        assert_int_equal(fourlink_results_value(r, "mu", branch, 20, &v), FOURLINK_BAD_BRANCH);
+    }
+    assert_memory_equal(values, before, sizeof values);
+    assert_memory_equal(&x, &x_before, sizeof x);
+    assert_memory_equal(&load, &load_before, sizeof load);
+    assert_memory_equal(&v, &v_before, sizeof v);
+    for (i = 0; i < COUNT(reached); i++)
+        if (fourlink_results_at(r, FOURLINK_OPEN, reached[i], NULL, NULL, NULL) != FOURLINK_OK)
+            fail_msg("there is no row at %g deg", reached[i]);
+    fourlink_results_free(r);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Values and facts
+** ------------------------------------------------------------------------------------------- */
+
+static void test_statuses_of_values(void **unused)
+{
+    static const struct {
+        const char *name;
+        int reaching, in_part, engine; /* statuses at 150 deg of three decks */
+    } cases[] = {
+        {"theta4", FOURLINK_OK, FOURLINK_TOO_FAR, FOURLINK_NO_SUCH_NAME},
+        {"theta2", FOURLINK_OK, FOURLINK_OK, FOURLINK_OK},
+        {"Ts", FOURLINK_OK, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"max(theta4)", FOURLINK_OK, FOURLINK_OK, FOURLINK_NO_SUCH_NAME},
+        {"min( mu )", FOURLINK_OK, FOURLINK_OK, FOURLINK_OK},
+        {"max(xyzzy)", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"max()", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"max(mu", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"mid(mu)", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"max(max(mu))", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"xyzzy", FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_NAME},
+        {"type", FOURLINK_OK, FOURLINK_OK, FOURLINK_OK},
+        {"K", FOURLINK_OK, FOURLINK_OK, FOURLINK_NO_SUCH_FACT},
+        {"mu_min", FOURLINK_OK, FOURLINK_OK, FOURLINK_OK},
+        {"swing", FOURLINK_OK, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_FACT},
+        {"stroke", FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_FACT, FOURLINK_OK},
+        {"mean_torque", FOURLINK_OK, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_FACT},
+        {"flywheel_inertia", FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_FACT},
+    };
+    fourlink_results *decks[3];
+    int k, b;
+    size_t i;
+
+    (void)unused;
+    decks[0] = opened(linkage(""));
+    decks[1] = opened(four_bar(0.3, 0.4, 0.5, 0.75, revolution(1)));
+    decks[2] = opened(slider_crank(0.1, 0.3, 0, revolution(1)));
+    for (i = 0; i < COUNT(cases); i++)
+        for (k = 0; k < 3; k++)
+            for (b = 0; b < 2; b++) {
+                int expected = k == 0   ? cases[i].reaching
+                               : k == 1 ? cases[i].in_part
+                                        : cases[i].engine;
+                fourlink_value v, before;
+                int status;
+
+                memset(&v, 5, sizeof v);
+                before = v;
+                status = fourlink_results_value(decks[k], cases[i].name, branches[b], 150, &v);
+                if (status != expected)
+                    fail_msg("%s of deck %d: %s", cases[i].name, k, fourlink_status_text(status));
+                if (status != FOURLINK_OK)
+                    assert_memory_equal(&v, &before, sizeof v);
+                else if (!v.words)
+                    assert_true(isfinite(v.value) && v.to_si > 0 && *v.quantity);
+            }
+    for (k = 0; k < 3; k++)
+        fourlink_results_free(decks[k]);
+}
+
+/* The groups of facts are parts of the whole, in the deck's branches or in one; extremes are those that are
+** asked for by name. */
+static void test_groups_of_facts(void **unused)
+{
+    static const struct {
+        const char *branch;
+        int open, crossed;
+    } decks[] = {{"both", 1, 1}, {"open", 1, 0}, {"crossed", 0, 1}};
+    static const int groups[] = {FOURLINK_FACTS_LIMITS, FOURLINK_FACTS_EXTREMES,
+                                 FOURLINK_FACTS_TURNING};
+    size_t i, k;
+
+    (void)unused;
+    for (i = 0; i < COUNT(decks); i++) {
+        fourlink_results *r = opened(linkage(
+            print("[table]\ncolumns = theta2, Ts, mu, omega4\nbranch = %s\n", decks[i].branch)));
+        unsigned long n, total = 0, open = 0, crossed = 0, both = 0, j;
+        const fourlink_value *list;
+        fourlink_value v;
+
+        for (k = 0; k < 3; k++) {
+            assert_int_equal(fourlink_results_facts(r, 0, groups[k], &list, &n), FOURLINK_OK);
+            total += n;
+        }
+        assert_int_equal(fourlink_results_facts(r, 0, 7, &list, &n), FOURLINK_OK);
+        assert_int_equal(n, total);
+        for (j = 0; j < n; j++) {
+            open += list[j].branch == FOURLINK_OPEN;
+            crossed += list[j].branch == FOURLINK_CROSSED;
+            both += list[j].branch == 0;
+        }
+        assert_int_equal(open > 0, decks[i].open);
+        assert_int_equal(crossed > 0, decks[i].crossed);
+        assert_int_equal(open + crossed + both, n);
+        assert_int_equal(fourlink_results_facts(r, FOURLINK_CROSSED, 7, &list, &n), FOURLINK_OK);
+        assert_int_equal(n, both + (open > crossed ? open : crossed));
+        assert_int_equal(
+            fourlink_results_facts(r, FOURLINK_CROSSED, FOURLINK_FACTS_EXTREMES, &list, &n),
+            FOURLINK_OK);
+        assert_int_equal(n, 6); /* of the crank angle there are none */
+        for (j = 0; j < n; j++) {
+            assert_int_equal(fourlink_results_value(r, list[j].name, FOURLINK_CROSSED, 0, &v),
+                             FOURLINK_OK);
+            assert_true(v.value == list[j].value && v.angle == list[j].angle);
+            assert_string_equal(v.unit, list[j].unit);
+        }
+        assert_int_equal(fourlink_results_facts(r, 0, 0, &list, &n), FOURLINK_OK);
+        assert_int_equal(n, 0);
+        n = 77;
+        assert_int_equal(fourlink_results_facts(r, 2, 7, &list, &n), FOURLINK_BAD_BRANCH);
+        assert_int_equal(n, 77);
+        fourlink_results_free(r);
+    }
+}
+
+static void test_statuses_of_turning_moment_and_checks(void **unused)
+{
+    fourlink_results *r = opened(linkage("[expect]\nmu_min = 58.2 deg\n"));
+    fourlink_turning t, t_before;
+    fourlink_check c, c_before;
+
+    (void)unused;
+    memset(&t, 5, sizeof t);
+    memset(&c, 5, sizeof c);
+    t_before = t, c_before = c;
+    assert_int_equal(fourlink_results_turning(r, (fourlink_branch)0, &t), FOURLINK_BAD_BRANCH);
+    assert_int_equal(fourlink_results_check(r, 1, &c), FOURLINK_NO_SUCH_ROW);
+    assert_memory_equal(&t, &t_before, sizeof t);
+    assert_memory_equal(&c, &c_before, sizeof c);
+    assert_int_equal(fourlink_results_turning(r, FOURLINK_CROSSED, &t), FOURLINK_OK);
+    assert_int_equal(fourlink_results_check(r, 0, &c), FOURLINK_OK);
+    assert_int_equal(c.verdict, FOURLINK_AGREES);
+    fourlink_results_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_null_pointers),
+        cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_text_is_not_kept),
+        cmocka_unit_test(test_whole_cycle),
+        cmocka_unit_test(test_designs),
+        cmocka_unit_test(test_no_design_in_order),
+        cmocka_unit_test(test_lists_that_are_not_there),
+        cmocka_unit_test(test_inputs),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_rows_that_are_not_there),
+        cmocka_unit_test(test_statuses_of_values),
+        cmocka_unit_test(test_groups_of_facts),
+        cmocka_unit_test(test_statuses_of_turning_moment_and_checks),
+    };
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}
