@@ -11,34 +11,17 @@
 #include "output.h"
 #include "pictures/gnuplot.h"
 
-/* Tell what became of gnuplot; the exit status. */
-static int tell_gnuplot(gnuplot_result outcome, const char *path)
-{
-    switch (outcome) {
-    case GNUPLOT_MISSING:
-        return command_complain(
-            "cannot draw", path,
-            "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
-            "gnuplot. --plot-script writes the script for it");
-    case GNUPLOT_FAILED:
-        return command_complain("cannot draw", path, "gnuplot failed");
-    case GNUPLOT_ERRNO:
-        return command_complain("cannot draw", path, strerror(errno));
-    case GNUPLOT_OK:
-    default:
-        return 0;
-    }
-}
-
 /* Have gnuplot draw a script; the exit status. */
 static int draw(const char *path, FILE *script)
 {
     output file;
+    const char *why;
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    status = tell_gnuplot(gnuplot_run(script, file.file), path);
+    why = gnuplot_run(script, file.file);
+    status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
 

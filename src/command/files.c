@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** files.c - reading whole files.
+** files.c - paths, and whole files.
 */
 #define _POSIX_C_SOURCE 200112L
 
@@ -17,41 +17,33 @@
 static char *read_stream(FILE *file, size_t *length)
 {
     size_t capacity = 65536, n = 0;
-    char *contents = malloc(capacity), *more;
+    char *contents = NULL, *more;
+    int reason;
 
-    while (contents) {
-        n += fread(contents + n, 1, capacity - n, file);
-        if (n < capacity)
-            break;
-        if (capacity >= LARGEST_FILE) {
-            free(contents);
-            errno = EFBIG;
-            return NULL;
-        }
-        more = realloc(contents, 2 * capacity);
-        if (!more)
-            free(contents);
+    while (capacity <= LARGEST_FILE && (more = realloc(contents, capacity)) != NULL) {
         contents = more;
-        capacity *= 2;
+        n += fread(contents + n, 1, capacity - n, file);
+        if (n == capacity) {
+            capacity *= 2;
+            continue;
+        }
+        if (ferror(file))
+            break;
+        *length = n;
+        return contents;
     }
-    if (contents && ferror(file)) {
-        int reason = errno;
-
-        free(contents);
-        contents = NULL;
-        errno = reason;
-    }
-    *length = n;
-    return contents;
+    reason = capacity > LARGEST_FILE ? EFBIG : errno;
+    free(contents);
+    errno = reason;
+    return NULL;
 }
 
 char *files_read_path(const char *path, size_t *length)
 {
-    FILE *file;
+    FILE *file = fopen(path, "rb");
     char *contents;
     int reason;
 
-    file = fopen(path, "rb");
     if (!file)
         return NULL;
     contents = read_stream(file, length);
@@ -64,4 +56,17 @@ char *files_read_path(const char *path, size_t *length)
 char *files_read(const char *path, size_t *length)
 {
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
+}
+
+char *files_beside(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    size_t folder = slash && name[0] != '/' ? (size_t)(slash - path) + 1 : 0;
+    char *beside = malloc(folder + strlen(name) + 1);
+
+    if (beside) {
+        memcpy(beside, path, folder);
+        strcpy(beside + folder, name);
+    }
+    return beside;
 }

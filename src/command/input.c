@@ -23,20 +23,6 @@ typedef struct named_file {
     size_t length;
 } named_file;
 
-/* A path relative to the deck's folder; null when out of memory. */
-static char *path_beside(const char *deck_name, const char *file_name)
-{
-    const char *slash = strrchr(deck_name, '/');
-    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
-    char *path = malloc(folder + strlen(file_name) + 1);
-
-    if (path) {
-        memcpy(path, deck_name, folder);
-        strcpy(path + folder, file_name);
-    }
-    return path;
-}
-
 /* The deck reader's loader: a file that the deck names. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
 {
@@ -50,7 +36,7 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
             return f->contents;
         }
     f = calloc(1, sizeof *f);
-    path = path_beside(in->name, file_name);
+    path = files_beside(in->name, file_name);
     if (f)
         f->name = malloc(strlen(file_name) + 1);
     if (!path || !f || !f->name) {
