@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "clash.h"
+#include "command.h"
 #include "files.h"
 
 static int is_same(const struct stat *x, const struct stat *y)
@@ -68,17 +69,19 @@ static int is_same_place(const char *x, const char *y)
     return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
 }
 
-const char *clash_output_given_twice(const options *o)
+int clash_find(const options *o)
 {
-    return is_same_place(o->output, o->plot) || is_same_place(o->plot, o->plot_script) ? o->plot
-           : is_same_place(o->output, o->plot_script) ? o->plot_script
+    const char *input = is_input(o->output, o)        ? o->output
+                        : is_input(o->plot, o)        ? o->plot
+                        : is_input(o->plot_script, o) ? o->plot_script
                                                       : NULL;
-}
+    const char *twice = is_same_place(o->output, o->plot) || is_same_place(o->plot, o->plot_script)
+                            ? o->plot
+                        : is_same_place(o->output, o->plot_script) ? o->plot_script
+                                                                   : NULL;
 
-const char *clash_input_among_outputs(const options *o)
-{
-    return is_input(o->output, o)        ? o->output
-           : is_input(o->plot, o)        ? o->plot
-           : is_input(o->plot_script, o) ? o->plot_script
-                                         : NULL;
+    if (input)
+        return command_complain("cannot write", input, "it is an input");
+    return twice ? command_complain("cannot write", twice, "two results would be written to it")
+                 : 0;
 }

@@ -10,8 +10,7 @@
 /* 1 if a file is one of those that are to be written. */
 int clash_is_output(const options *o, const char *path);
 
-/* The first output file that is an input, or that is another output too; or null. */
-const char *clash_input_among_outputs(const options *o);
-const char *clash_output_given_twice(const options *o);
+/* Tell the first output file that is an input, or that is another output too; the exit status. */
+int clash_find(const options *o);
 
 #endif

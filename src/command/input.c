@@ -37,14 +37,11 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
         }
     f = calloc(1, sizeof *f);
     path = files_beside(in->name, file_name);
-    if (f)
-        f->name = malloc(strlen(file_name) + 1);
-    if (!path || !f || !f->name) {
+    if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
         return NULL;
     }
-    strcpy(f->name, file_name);
     in->names_output |= clash_is_output(in->o, path);
     f->contents = files_read_path(path, &f->length);
     f->next = in->files;
@@ -79,7 +76,7 @@ static int serves_options(const input *in)
               "are for one design";
     }
     if (why)
-        fprintf(stderr, "%s:1: error: %s\n", name, why);
+        command_tell_mistake(name, 1, why, NULL);
     return !why;
 }
 
@@ -137,7 +134,7 @@ int input_read(input *in, const char *path, const options *o, const char *answer
         fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
     in->text = files_read(path, &length);
     if (!in->text && errno == EFBIG) {
-        fprintf(stderr, "%s:1: error: a file of more than 64 MB: not a deck\n", in->name);
+        command_tell_mistake(in->name, 1, "a file of more than 64 MB: not a deck", NULL);
         return EXIT_USAGE;
     }
     if (!in->text)

@@ -25,8 +25,7 @@ typedef struct options {
     unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;
-    char **storage; /* assignments made of options */
-    size_t n_storage;
+    char *storage, *next; /* room for the assignments of them, and for the one to come */
 } options;
 
 /* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 when out of
