@@ -257,17 +257,20 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
 }
 
+void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
+{
+    char words[PICTURE_WORDS];
+
+    sketch_note(s, picture_words(p, name, si, q, words));
+}
+
 void figure_slope(sketch *s, const picture *p)
 {
     fourlink_vector g = p->design->gravity;
     double slope = atan2(-g.x, -g.y);
-    char words[120], number[FORMAT_SIZE];
 
-    if (fabs(slope) < 1e-9 || (g.x == 0 && g.y == 0))
-        return;
-    format_general(picture_value(p, QUANTITY_ANGLE, slope), 5, number);
-    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, " ",
-                                 p->units[QUANTITY_ANGLE].name, (char *)NULL));
+    if (fabs(slope) >= 1e-9 && (g.x != 0 || g.y != 0))
+        figure_note(s, p, "x rises at", slope, QUANTITY_ANGLE);
 }
 
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)

@@ -42,6 +42,9 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);
 
+/* Beside the drawing: a name with its value, in SI units. */
+void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q);
+
 /* Beside the drawing: how the line of stroke, or A to D, is turned from the horizontal, if it is. */
 void figure_slope(sketch *s, const picture *p);
 

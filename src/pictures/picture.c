@@ -20,7 +20,8 @@ static const struct plot_info {
     const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
-#define TEXT_HEIGHT 26 /* lines of a panel in a text terminal */
+#define LONGEST_NAME 24 /* letters, beside a value */
+#define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* By plot_file, with width and height. */
 static const struct {
@@ -63,6 +64,17 @@ char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK])
 
     return flk_text_join(out, PICTURE_MARK, format_general(angle, 4, number),
                          is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+}
+
+char *picture_words(const picture *p, const char *name, double si, quantity q,
+                    char out[PICTURE_WORDS])
+{
+    char number[FORMAT_SIZE], fitting[PICTURE_WORDS];
+
+    name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
+    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " " : "",
+                         format_general(picture_value(p, q, si), 5, number), " ", p->units[q].name,
+                         (char *)NULL);
 }
 
 double picture_angle(const picture *p, int k, int steps)

@@ -36,6 +36,15 @@ void sketch_include(sketch *s, fourlink_vector p)
     s->y_max = p.y > s->y_max ? p.y : s->y_max;
 }
 
+fourlink_vector sketch_at(double x, double y)
+{
+    fourlink_vector at;
+
+    at.x = x;
+    at.y = y;
+    return at;
+}
+
 fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy)
 {
     p.x += dx;

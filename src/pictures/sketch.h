@@ -110,7 +110,8 @@ void sketch_close(sketch *s, const char *title, const char *unit_name);
 /* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
 void sketch_place(sketch *s, double width, double height);
 
-/* A place so far from another. */
+/* A place, and one so far from another. */
+fourlink_vector sketch_at(double x, double y);
 fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
 
 /* 1, 2 or 5 times a power of ten, at least x. */

@@ -59,7 +59,7 @@ static void put_areas(const picture *p, fourlink_branch branch, const fourlink_t
 {
     double pixel = picture_value(p, QUANTITY_ANGLE, p->problem.cycle) / p->on.box_width;
     double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, angle = 0, moment = 0, half, first;
-    char number[FORMAT_SIZE], words[200];
+    char words[PICTURE_WORDS];
     int k, is_above;
 
     first = cycle_angle(p, 0);
@@ -70,9 +70,7 @@ static void put_areas(const picture *p, fourlink_branch branch, const fourlink_t
             continue;
         find_peak(p, branch, area, t->mean_torque, &angle, &moment);
         is_above = (area->energy > 0) == (p->problem.motion.speed > 0);
-        format_general(picture_value(p, QUANTITY_ENERGY, area->energy), 5, number);
-        flk_text_join(words, sizeof words, number, " ", p->units[QUANTITY_ENERGY].name,
-                      (char *)NULL);
+        picture_words(p, "", area->energy, QUANTITY_ENERGY, words);
         half = pixel * canvas_width_of(words) / 2;
         angle = GSL_MAX_DBL(angle, first + half);
         angle = GSL_MIN_DBL(angle, first + pixel * p->on.box_width - half);
@@ -123,7 +121,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     const char *name = fourlink_branch_text(branch), *torque = p->units[QUANTITY_TORQUE].name;
     double mean, cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
     int is_clockwise = p->problem.motion.speed < 0;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[200];
     fourlink_turning t;
 
     if (fourlink_results_turning(p->results, branch, &t) != FOURLINK_OK)
@@ -133,12 +131,10 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    format_general(mean, 5, number);
-    format_general(picture_value(p, QUANTITY_ENERGY, t.energy_fluctuation), 5, other);
-    flk_text_join(words, sizeof words, name, ": mean ", number, " ", torque,
-                  ", fluctuation of energy ", other, " ", p->units[QUANTITY_ENERGY].name,
-                  (char *)NULL);
-    canvas_titles(&p->on, words, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
+    picture_words(p, "mean", t.mean_torque, QUANTITY_TORQUE, words);
+    picture_words(p, "fluctuation of energy", t.energy_fluctuation, QUANTITY_ENERGY, other);
+    flk_text_join(title, sizeof title, name, ": ", words, ", ", other, (char *)NULL);
+    canvas_titles(&p->on, title, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
                   torque);
     canvas_print(&p->on,
                  "set xrange [0:%.8g]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n"

@@ -21,101 +21,78 @@
 
 static const fourlink_vector zero = {0, 0};
 
-/* One vector of a polygon. */
-typedef struct side {
-    fourlink_vector from, to; /* in the deck's unit of the quantity */
-    pen kind;
-    char name[40];
-} side;
-
-#define MOST_SIDES (MOST_ARROWS + 4)
-
-/* A polygon of vectors of one quantity. */
+/* A polygon of vectors of one quantity; its sides in the deck's unit. */
 typedef struct polygon {
     sketch s;
     const picture *p;
     quantity q;
-    side sides[MOST_SIDES];
-    int n;
+    arrow_list sides;
     fourlink_vector middle;
 } polygon;
-
-static fourlink_vector in_unit(const polygon *g, fourlink_vector si)
-{
-    si.x = picture_value(g->p, g->q, si.x);
-    si.y = picture_value(g->p, g->q, si.y);
-    return si;
-}
-
-/* Add a vector at the tip of another; where it ends. */
-static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
-                                fourlink_vector v)
-{
-    side *new = &g->sides[g->n++];
-
-    new->from = from;
-    new->to = sketch_beside(from, v.x, v.y);
-    new->kind = kind;
-    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
-    return new->to;
-}
 
 static void open_polygon(polygon *g, picture *p, quantity q)
 {
     g->p = p;
     g->q = q;
-    g->n = 0;
+    g->sides.n = 0;
     sketch_open(&g->s, &p->on, 1);
     g->s.letter = LETTER;
 }
 
-static double length_of(const side *x)
+static fourlink_vector end_of(const arrow *x)
 {
-    return gsl_hypot(x->to.x - x->from.x, x->to.y - x->from.y);
+    return sketch_beside(x->at, x->F.x, x->F.y);
+}
+
+/* Add a vector in SI units at the tip of another; where it ends. */
+static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
+                                fourlink_vector v)
+{
+    v.x = picture_value(g->p, g->q, v.x);
+    v.y = picture_value(g->p, g->q, v.y);
+    arrow_put(&g->sides, kind, name, from, v);
+    return sketch_beside(from, v.x, v.y);
 }
 
 static void find_size(polygon *g)
 {
-    int i;
+    int i, n = g->sides.n;
 
-    g->s.size = 0;
-    g->middle = zero;
-    for (i = 0; i < g->n; i++) {
-        g->s.size = GSL_MAX_DBL(g->s.size, length_of(&g->sides[i]));
-        g->middle.x += (g->sides[i].from.x + g->sides[i].to.x) / (2 * g->n);
-        g->middle.y += (g->sides[i].from.y + g->sides[i].to.y) / (2 * g->n);
-    }
+    g->s.size = arrow_largest(&g->sides);
     if (g->s.size == 0)
         g->s.size = 1;
+    g->middle = zero;
+    for (i = 0; i < n; i++) {
+        const arrow *x = &g->sides.list[i];
+
+        g->middle.x += (x->at.x + end_of(x).x) / (2 * n);
+        g->middle.y += (x->at.y + end_of(x).y) / (2 * n);
+    }
 }
 
 /* Draw the sides; each has its name on the side that is away from the middle of the polygon.  One too
 ** short for a head has no name. */
 static void draw_sides(polygon *g)
 {
-    char words[ARROW_WORDS];
     int i;
 
     find_size(g);
-    for (i = 0; i < g->n; i++) {
-        const side *x = &g->sides[i];
-        double length = length_of(x), nx, ny, out;
-        fourlink_vector middle;
+    for (i = 0; i < g->sides.n; i++) {
+        const arrow *x = &g->sides.list[i];
+        double length = gsl_hypot(x->F.x, x->F.y), nx = -x->F.y / length, ny = x->F.x / length, out;
+        fourlink_vector to = end_of(x);
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
-        sketch_note(&g->s, arrow_words(g->p, x->name, picture_si(g->p, g->q, length), g->q, words));
+        figure_note(&g->s, g->p, x->name, picture_si(g->p, g->q, length), g->q);
         if (length < SHORTEST * g->s.size) {
-            sketch_line(&g->s, x->kind, x->from, x->to);
+            sketch_line(&g->s, x->kind, x->at, to);
             continue;
         }
-        sketch_arrow(&g->s, x->kind, x->from, x->to);
-        nx = -(x->to.y - x->from.y) / length;
-        ny = (x->to.x - x->from.x) / length;
-        middle.x = (x->from.x + x->to.x) / 2;
-        middle.y = (x->from.y + x->to.y) / 2;
-        out = nx * (x->from.x - g->middle.x) + ny * (x->from.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, middle, out * nx, out * ny, x->name);
+        sketch_arrow(&g->s, x->kind, x->at, to);
+        out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
+        sketch_text(&g->s, sketch_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx,
+                    out * ny, x->name);
     }
 }
 
@@ -137,16 +114,14 @@ static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_
 
 static void put_velocities(picture *p, const fourlink_state *state)
 {
-    fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, b, c, v_C, v_CB;
+    fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, v_C, b, c;
     polygon g;
 
     motion_of_C(p, state, &v_C, NULL);
-    v_CB.x = v_C.x - v_B.x;
-    v_CB.y = v_C.y - v_B.y;
     open_polygon(&g, p, QUANTITY_SPEED);
-    b = put_side(&g, PEN_CRANK, "vB", zero, in_unit(&g, v_B));
-    put_side(&g, PEN_FOLLOWER, "vC", zero, in_unit(&g, v_C));
-    c = put_side(&g, PEN_COUPLER, "vCB", b, in_unit(&g, v_CB));
+    b = put_side(&g, PEN_CRANK, "vB", zero, v_B);
+    put_side(&g, PEN_FOLLOWER, "vC", zero, v_C);
+    c = put_side(&g, PEN_COUPLER, "vCB", b, sketch_beside(v_C, -v_B.x, -v_B.y));
     draw_sides(&g);
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
@@ -154,40 +129,31 @@ static void put_velocities(picture *p, const fourlink_state *state)
     sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
 }
 
-/* Normal and tangential part of the acceleration of a link's end about its origin. */
-static void parts_of(const picture *p, const fourlink_state *state, int link,
-                     fourlink_vector *normal, fourlink_vector *tangential)
+/* Add normal and tangential part of the acceleration of a link's end about its origin. */
+static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int link,
+                                 const char *normal, const char *tangential, fourlink_vector from)
 {
     const fourlink_link_state *l = &state->link[link];
-    double length = p->design->link[link].length;
+    double length = g->p->design->link[link].length, n = -l->omega * l->omega * length,
+           t = l->alpha * length;
 
-    normal->x = -l->omega * l->omega * length * l->axis.x;
-    normal->y = -l->omega * l->omega * length * l->axis.y;
-    tangential->x = -l->alpha * length * l->axis.y;
-    tangential->y = l->alpha * length * l->axis.x;
+    from = put_side(g, (pen)link, normal, from, sketch_at(n * l->axis.x, n * l->axis.y));
+    return put_side(g, (pen)link, tangential, from, sketch_at(-t * l->axis.y, t * l->axis.x));
 }
 
 static void put_accelerations(picture *p, const fourlink_state *state)
 {
-    fourlink_vector n[5], t[5], a_C, b, c;
+    fourlink_vector a_C, b, c;
     polygon g;
-    int i;
 
     motion_of_C(p, state, NULL, &a_C);
     open_polygon(&g, p, QUANTITY_ACCELERATION);
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        parts_of(p, state, i, &n[i], &t[i]);
-        n[i] = in_unit(&g, n[i]);
-        t[i] = in_unit(&g, t[i]);
-    }
-    b = put_side(&g, PEN_CRANK, "aBn", zero, n[FOURLINK_CRANK]);
-    b = put_side(&g, PEN_CRANK, "aBt", b, t[FOURLINK_CRANK]);
-    c = put_side(&g, PEN_COUPLER, "aCBn", b, n[FOURLINK_COUPLER]);
-    c = put_side(&g, PEN_COUPLER, "aCBt", c, t[FOURLINK_COUPLER]);
+    b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
+    c = put_parts(&g, state, FOURLINK_COUPLER, "aCBn", "aCBt", b);
     if (p->slides)
-        put_side(&g, PEN_FOLLOWER, "aC", zero, in_unit(&g, a_C));
+        put_side(&g, PEN_FOLLOWER, "aC", zero, a_C);
     else
-        put_side(&g, PEN_FOLLOWER, "aCt", put_side(&g, PEN_FOLLOWER, "aCn", zero, n[4]), t[4]);
+        put_parts(&g, state, FOURLINK_FOLLOWER, "aCn", "aCt", zero);
     draw_sides(&g);
     sketch_line(&g.s, PEN_CONSTRUCTION, zero, c);
     sketch_line(&g.s, PEN_CONSTRUCTION, b, c);
@@ -284,7 +250,7 @@ static void put_free_body(picture *p, const picture_row *r, int link)
                                                                      : pins.D;
     fourlink_vector G = figure_of_link(p, &r->now.state, link, &p->design->link[link].cg);
     double size = gsl_hypot(second.x - first.x, second.y - first.y);
-    char words[ARROW_WORDS];
+    char words[PICTURE_WORDS];
     sketch s;
 
     if (size == 0)
@@ -303,15 +269,14 @@ static void put_force_polygon(picture *p, const picture_row *r, int link)
 {
     arrow_list arrows;
     fourlink_vector at = zero;
-    char words[ARROW_WORDS];
+    char words[PICTURE_WORDS];
     polygon g;
     int i;
 
     collect(p, r, link, &arrows);
     open_polygon(&g, p, QUANTITY_FORCE);
     for (i = 0; i < arrows.n; i++)
-        at = put_side(&g, arrows.list[i].kind, arrows.list[i].name, at,
-                      in_unit(&g, arrows.list[i].F));
+        at = put_side(&g, arrows.list[i].kind, arrows.list[i].name, at, arrows.list[i].F);
     draw_sides(&g);
     flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->kind, link),
                   (char *)NULL);
