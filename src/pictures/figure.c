@@ -21,9 +21,7 @@ double figure_length(const picture *p, double si)
 
 fourlink_vector figure_point(const picture *p, fourlink_vector si)
 {
-    si.x = figure_length(p, si.x);
-    si.y = figure_length(p, si.y);
-    return si;
+    return sketch_at(figure_length(p, si.x), figure_length(p, si.y));
 }
 
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
@@ -38,9 +36,8 @@ fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, in
 /* A link's second pin. */
 static fourlink_vector end_of(const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector at = {0, 0};
+    fourlink_vector at = sketch_at(p->design->link[link].length, 0);
 
-    at.x = p->design->link[link].length;
     return figure_of_link(p, state, link, &at);
 }
 
@@ -96,7 +93,7 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
     /* that of a motion which the samples miss */
-    for (i = 0; i < p->range.n_rows && s->x_max < s->x_min; i++)
+    for (i = 0; i < p->range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
         if (fourlink_results_row(p->results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
 }
@@ -105,14 +102,13 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
 {
     sketch_open(s, &p->on, 1);
     include_all(s, p, branch, 0);
-    s->size = GSL_MAX_DBL(s->x_max - s->x_min, s->y_max - s->y_min);
+    s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (all_of_it) {
         if (p->slides)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
-        s->x_min = s->y_min = GSL_POSINF;
-        s->x_max = s->y_max = GSL_NEGINF;
+        s->drawn = sketch_nothing;
     }
 }
 
@@ -149,22 +145,16 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at)
         sketch_line(s, kind, corner[i], corner[i + 1]);
 }
 
-/* The line of link 4, of one that slides its outline. */
-static void put_follower(sketch *s, const picture *p, const figure_pins *pins, pen kind)
-{
-    if (p->slides)
-        figure_piston(s, kind, pins->C);
-    else
-        sketch_line(s, kind, pins->D, pins->C);
-}
-
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     figure_pins pins = figure_place(p, state);
 
-    sketch_line(s, kind, pins.A, pins.B);
-    sketch_line(s, kind, pins.B, pins.C);
-    put_follower(s, p, &pins, kind);
+    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
+    sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
+    if (p->slides)
+        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C);
+    else
+        sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -182,9 +172,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
             sketch_line(s, (pen)link, end_of(p, state, link), at);
         sketch_text(s, at, 0.8, 0.8, name);
     }
-    sketch_line(s, PEN_CRANK, pins.A, pins.B);
-    sketch_line(s, PEN_COUPLER, pins.B, pins.C);
-    put_follower(s, p, &pins, PEN_FOLLOWER);
+    figure_outline(s, p, state, PEN_OF_LINK);
     if (!p->slides)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
@@ -287,7 +275,7 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
                      const double *until)
 {
     double from = p->problem.motion.from;
-    int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k, drawn = 0;
+    int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
     fourlink_vector at;
@@ -303,10 +291,8 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
                 break;
             sketch_point(s, is_tracer ? tracer(p, &now.state, i, &name, &link)
                                       : figure_place(p, &now.state).C);
-            drawn = 1;
-        } else if (drawn) {
+        } else {
             sketch_break(s);
-            drawn = 0;
         }
     }
     sketch_end(s);

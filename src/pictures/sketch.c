@@ -26,14 +26,20 @@
 /* So many points of a curve are an obstacle for texts. */
 #define OBSTACLE 4
 
+const sketch_box sketch_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
+
+void sketch_grow(sketch_box *b, double x, double y)
+{
+    b->x_min = x < b->x_min ? x : b->x_min;
+    b->x_max = x > b->x_max ? x : b->x_max;
+    b->y_min = y < b->y_min ? y : b->y_min;
+    b->y_max = y > b->y_max ? y : b->y_max;
+}
+
 void sketch_include(sketch *s, fourlink_vector p)
 {
-    if (s->is_fixed)
-        return;
-    s->x_min = p.x < s->x_min ? p.x : s->x_min;
-    s->x_max = p.x > s->x_max ? p.x : s->x_max;
-    s->y_min = p.y < s->y_min ? p.y : s->y_min;
-    s->y_max = p.y > s->y_max ? p.y : s->y_max;
+    if (!s->is_fixed)
+        sketch_grow(&s->drawn, p.x, p.y);
 }
 
 fourlink_vector sketch_at(double x, double y)
@@ -66,8 +72,7 @@ void sketch_open(sketch *s, canvas *c, double size)
     s->out = c->out;
     s->size = size;
     s->letter = LETTER;
-    s->x_min = s->y_min = GSL_POSINF;
-    s->x_max = s->y_max = GSL_NEGINF;
+    s->drawn = sketch_nothing;
     fputs("unset arrow; unset label; unset object\n", s->out);
 }
 
@@ -106,18 +111,20 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
                             : "head filled size graph 0.025,18 front");
 }
 
+static fourlink_vector on_circle(fourlink_vector centre, double radius, double angle)
+{
+    return sketch_beside(centre, radius * cos(angle), radius * sin(angle));
+}
+
 /* As a polygon: the circles of gnuplot know no dashes. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
-    fourlink_vector last = centre, next;
+    fourlink_vector last = on_circle(centre, radius, from), next;
 
-    for (i = 0; i <= n; i++) {
-        double angle = from + (to - from) * i / n;
-
-        next = sketch_beside(centre, radius * cos(angle), radius * sin(angle));
-        if (i > 0)
-            sketch_line(s, p, last, next);
+    for (i = 1; i <= n; i++) {
+        next = on_circle(centre, radius, from + (to - from) * i / n);
+        sketch_line(s, p, last, next);
         last = next;
     }
 }
@@ -147,12 +154,9 @@ void sketch_pin(sketch *s, fourlink_vector at)
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
 {
     double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -0.3 : 0.3);
-    fourlink_vector tip, tail;
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
-    tip = sketch_beside(centre, radius * cos(end), radius * sin(end));
-    tail = sketch_beside(centre, radius * cos(before), radius * sin(before));
-    sketch_arrow(s, p, tail, tip);
+    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, end));
 }
 
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
@@ -194,17 +198,10 @@ void sketch_centre(sketch *s, fourlink_vector at)
 void sketch_ground(sketch *s, double x1, double x2, double y, double side)
 {
     double step = HATCH * s->letter * s->size, x;
-    fourlink_vector from, to;
 
-    from.x = x1;
-    to.x = x2;
-    from.y = to.y = y;
-    sketch_line(s, PEN_GROUND, from, to);
-    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step) {
-        from.x = x;
-        to = sketch_beside(from, -step, side * step);
-        put_arrow(s, PEN_CONSTRUCTION, from, to, "nohead");
-    }
+    sketch_line(s, PEN_GROUND, sketch_at(x1, y), sketch_at(x2, y));
+    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step)
+        sketch_line(s, PEN_CONSTRUCTION, sketch_at(x, y), sketch_at(x - step, y + side * step));
 }
 
 void sketch_support(sketch *s, fourlink_vector at)
@@ -242,8 +239,9 @@ void sketch_point(sketch *s, fourlink_vector at)
 
 void sketch_break(sketch *s)
 {
+    if (s->n_points > 0)
+        putc('\n', s->out);
     s->n_points = 0;
-    putc('\n', s->out);
 }
 
 void sketch_end(sketch *s)
@@ -303,7 +301,7 @@ static void put_labels(const sketch *s)
 /* Tics of one step on both axes, so far apart that their numbers have room. */
 static void put_axes(const sketch *s)
 {
-    double x = (s->x_min + s->x_max) / 2, y = (s->y_min + s->y_max) / 2;
+    double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
     double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
     canvas_print(s->c,
@@ -328,9 +326,9 @@ static void put_curves(const sketch *s)
 
 void sketch_close(sketch *s, const char *title, const char *unit_name)
 {
-    if (!(s->x_min <= s->x_max)) { /* nothing was drawn */
-        s->x_min = s->y_min = -s->size;
-        s->x_max = s->y_max = s->size;
+    if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
+        sketch_grow(&s->drawn, -s->size, -s->size);
+        sketch_grow(&s->drawn, s->size, s->size);
     }
     canvas_panel(s->c, 2, width_of_margin(s));
     sketch_place(s, s->c->box_width, s->c->box_height);

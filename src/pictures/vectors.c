@@ -79,7 +79,7 @@ static void draw_sides(polygon *g)
     find_size(g);
     for (i = 0; i < g->sides.n; i++) {
         const arrow *x = &g->sides.list[i];
-        double length = gsl_hypot(x->F.x, x->F.y), nx = -x->F.y / length, ny = x->F.x / length, out;
+        double length = gsl_hypot(x->F.x, x->F.y), nx, ny, out;
         fourlink_vector to = end_of(x);
 
         if (length <= 1e-12 * g->s.size)
@@ -90,6 +90,8 @@ static void draw_sides(polygon *g)
             continue;
         }
         sketch_arrow(&g->s, x->kind, x->at, to);
+        nx = -x->F.y / length;
+        ny = x->F.x / length;
         out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
         sketch_text(&g->s, sketch_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx,
                     out * ny, x->name);
@@ -106,9 +108,8 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
                         fourlink_vector *a)
 {
-    fourlink_vector at = {0, 0};
+    fourlink_vector at = sketch_at(p->design->link[FOURLINK_COUPLER].length, 0);
 
-    at.x = p->design->link[FOURLINK_COUPLER].length;
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
 
