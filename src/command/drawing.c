@@ -27,16 +27,9 @@ static int draw(const char *path, FILE *script)
 
 static int write_script(FILE *script, const input *in)
 {
-    const options *o = in->o;
-    plot_request request;
     fourlink_mistake mistake;
 
-    memset(&request, 0, sizeof request);
-    request.kind = o->plot_kind;
-    request.file = o->plot_file;
-    request.picture = o->plot_script && o->plot && strcmp(o->plot, "-") != 0 ? o->plot : NULL;
-    request.at = o->plot_at;
-    if (picture_write(script, &in->source, &request, &mistake))
+    if (picture_write(script, &in->source, &in->o->drawing, &mistake))
         return 0;
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;

@@ -134,7 +134,7 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 
     for (i = 0; plot_names[i]; i++)
         if (strcmp(value, plot_names[i]) == 0) {
-            o->plot_kind = (plot_kind)i;
+            o->drawing.kind = (plot_kind)i;
             return 1;
         }
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
@@ -148,8 +148,8 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 static int set_plot(options *o, const char *value, char message[400])
 {
     o->plot = value;
-    o->plot_file = plot_file_of(value);
-    if (o->plot_file == PLOT_FILE_COUNT)
+    o->drawing.file = plot_file_of(value);
+    if (o->drawing.file == PLOT_FILE_COUNT)
         return say(message, "the name of a picture ends in .svg, .png, .pdf, .txt or .gif, not '",
                    value, "'");
     return 1;
@@ -179,7 +179,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_KIND:
         return set_plot_kind(o, value, message);
     case PLOT_AT:
-        o->plot_at = value;
+        o->drawing.at = value;
         return 1;
     case PLOT_SCRIPT:
         o->plot_script = value;
@@ -263,25 +263,27 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->plot_at || o->plot_kind != PLOT_COUNT))
-        return say(message, o->plot_at ? "--plot-at" : "--plot-kind",
+    if (!wanted && (o->drawing.at || o->drawing.kind != PLOT_COUNT))
+        return say(message, o->drawing.at ? "--plot-at" : "--plot-kind",
                    " needs --plot or --plot-script", "");
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
         return say(message, "a picture is of one deck, not of several", "", "");
     if (!o->plot)
-        o->plot_file = PLOT_SVG;
-    if (o->plot_kind == PLOT_COUNT)
-        o->plot_kind = o->plot_file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
-    if (o->plot_at && o->plot_kind != PLOT_MECHANISM && o->plot_kind != PLOT_VECTORS &&
-        o->plot_kind != PLOT_KLEIN)
+        o->drawing.file = PLOT_SVG;
+    if (o->drawing.kind == PLOT_COUNT)
+        o->drawing.kind = o->drawing.file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
+    if (o->drawing.at && o->drawing.kind != PLOT_MECHANISM && o->drawing.kind != PLOT_VECTORS &&
+        o->drawing.kind != PLOT_KLEIN)
         return say(message, "--plot-at is for the kinds mechanism, vectors and klein, not for ",
-                   plot_names[o->plot_kind], "");
-    if (o->plot_kind == PLOT_ANIMATION && o->plot && o->plot_file != PLOT_GIF)
+                   plot_names[o->drawing.kind], "");
+    if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
         return say(message, "an animation needs a name that ends in .gif, not '", o->plot, "'");
-    if (o->plot_kind == PLOT_ANIMATION)
-        o->plot_file = PLOT_GIF;
+    if (o->drawing.kind == PLOT_ANIMATION)
+        o->drawing.file = PLOT_GIF;
+    if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
+        o->drawing.picture = o->plot;
     return 1;
 }
 
@@ -292,7 +294,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
 
     memset(o, 0, sizeof *o);
     o->format = &table_format;
-    o->plot_kind = PLOT_COUNT;
+    o->drawing.kind = PLOT_COUNT;
     o->changes = malloc(room * sizeof *o->changes);
     o->decks = malloc(room * sizeof *o->decks);
     for (i = 1; i < argc; i++)

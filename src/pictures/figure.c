@@ -121,15 +121,14 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double r = figure_length(p, p->design->link[2].length);
-        double side = state->branch == FOURLINK_OPEN ? 1 : -1;
-        double reach = figure_length(p, p->mechanism->dead_centre);
-        double near = reach - 2 * r - 1.5 * PISTON_X * s->size,
-               far = reach + 1.5 * PISTON_X * s->size;
-        double y = figure_length(p, p->design->offset), h = PISTON_Y * s->size;
+        double reach = figure_length(p, p->mechanism->dead_centre), edge = 1.5 * PISTON_X * s->size;
+        double near = reach - 2 * figure_length(p, p->design->link[2].length) - edge;
+        double far = reach + edge, h = PISTON_Y * s->size;
+        double y = figure_length(p, p->design->offset);
+        int is_open = state->branch == FOURLINK_OPEN;
 
-        sketch_ground(s, side > 0 ? near : -far, side > 0 ? far : -near, y - h, -1);
-        sketch_ground(s, side > 0 ? near : -far, side > 0 ? far : -near, y + h, 1);
+        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y - h, -1);
+        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y + h, 1);
     }
 }
 
@@ -183,22 +182,20 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     sketch_pin(s, pins.C);
 }
 
-static double direction(double from_x, double from_y, double *y)
+/* The direction from a place to another, of length 1; of no length if they are one. */
+static fourlink_vector direction(fourlink_vector from, fourlink_vector to)
 {
-    double length = gsl_hypot(from_x, from_y);
+    double x = to.x - from.x, y = to.y - from.y, length = gsl_hypot(x, y);
 
-    *y = length > 0 ? from_y / length : 0;
-    return length > 0 ? from_x / length : 0;
+    return length > 0 ? sketch_at(x / length, y / length) : sketch_at(0, 0);
 }
 
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter)
 {
-    double up_x, up_y, dx, dy;
+    fourlink_vector from_x = direction(x, pin), from_y = direction(y, pin);
+    double dx = from_x.x + from_y.x, dy = from_x.y + from_y.y;
 
-    dx = direction(pin.x - x.x, pin.y - x.y, &up_x);
-    dx += direction(pin.x - y.x, pin.y - y.y, &up_y);
-    dy = up_x + up_y;
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
 }
 

@@ -69,11 +69,10 @@ void sketch_open(sketch *s, canvas *c, double size)
 {
     memset(s, 0, sizeof *s);
     s->c = c;
-    s->out = c->out;
     s->size = size;
     s->letter = LETTER;
     s->drawn = sketch_nothing;
-    fputs("unset arrow; unset label; unset object\n", s->out);
+    fputs("unset arrow; unset label; unset object\n", s->c->out);
 }
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
@@ -219,7 +218,7 @@ void sketch_curve(sketch *s, pen p, const char *title)
     s->curve_pen[s->n_curves] = p;
     if (s->n_curves < MOST_TITLES)
         flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
-    fprintf(s->out, "$curve%d << EOD\n", s->n_curves++);
+    fprintf(s->c->out, "$curve%d << EOD\n", s->n_curves++);
     s->n_points = 0;
     s->is_empty = 1;
 }
@@ -240,13 +239,13 @@ void sketch_point(sketch *s, fourlink_vector at)
 void sketch_break(sketch *s)
 {
     if (s->n_points > 0)
-        putc('\n', s->out);
+        putc('\n', s->c->out);
     s->n_points = 0;
 }
 
 void sketch_end(sketch *s)
 {
-    fputs("EOD\n", s->out);
+    fputs("EOD\n", s->c->out);
     if (s->is_empty) /* gnuplot has a word for those */
         s->n_curves--;
 }
@@ -277,7 +276,7 @@ static void put_margin(const sketch *s)
     for (i = 0; i < s->n_notes; i++)
         canvas_print(s->c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", s->notes[i],
                      -i - (in_key ? in_key + 1 : 0));
-    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->out);
+    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
 static void put_labels(const sketch *s)
@@ -315,13 +314,13 @@ static void put_curves(const sketch *s)
 {
     int i;
 
-    fputs("plot ", s->out);
+    fputs("plot ", s->c->out);
     for (i = 0; i < s->n_curves; i++) {
-        fprintf(s->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
+        fprintf(s->c->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
                 (int)s->curve_pen[i]);
         canvas_print(s->c, s->curve_title[i][0] ? "title %q" : "notitle", s->curve_title[i]);
     }
-    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->out);
+    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->c->out);
 }
 
 void sketch_close(sketch *s, const char *title, const char *unit_name)
@@ -334,7 +333,7 @@ void sketch_close(sketch *s, const char *title, const char *unit_name)
     sketch_place(s, s->c->box_width, s->c->box_height);
     put_labels(s);
     put_margin(s);
-    fputs("set size ratio -1\n", s->out);
+    fputs("set size ratio -1\n", s->c->out);
     canvas_titles(s->c, title, "x", unit_name, "y", unit_name);
     put_axes(s);
     put_curves(s);

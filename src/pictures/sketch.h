@@ -5,8 +5,6 @@
 #ifndef FOURLINK_SKETCH_H
 #define FOURLINK_SKETCH_H
 
-#include <stdio.h>
-
 #include "canvas.h"
 #include "fourlink.h"
 
@@ -54,7 +52,6 @@ typedef struct sketch_obstacle {
 
 typedef struct sketch {
     canvas *c;
-    FILE *out;
     sketch_box drawn; /* what is drawn so far */
     int is_fixed;     /* 1: that is all, whatever is drawn */
     double size;      /* of the whole */
