@@ -140,24 +140,20 @@ static int run(const options *o)
     return status;
 }
 
-static int finish_text(void)
+/* Write the help, or the version. */
+static int write_text(const char *const *lines)
 {
+    for (; *lines; lines++)
+        puts(*lines);
     return fflush(stdout) == 0 && !ferror(stdout)
                ? 0
                : command_complain("cannot write", "standard output", strerror(errno));
 }
 
-static int print_help(void)
-{
-    const char *const *next;
-
-    for (next = options_help; *next; next++)
-        puts(*next);
-    return finish_text();
-}
-
 int main(int argc, char **argv)
 {
+    static const char *const version[] = {"fourlink " FOURLINK_VERSION,
+                                          "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
     options o;
     int status = options_read(argc, argv, &o, message);
@@ -168,12 +164,8 @@ int main(int argc, char **argv)
     } else if (status == 0) {
         fprintf(stderr, "fourlink: %s\nTry 'fourlink --help'.\n", message);
         status = EXIT_USAGE;
-    } else if (o.help) {
-        status = print_help();
-    } else if (o.version) {
-        printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
-               fourlink_version());
-        status = finish_text();
+    } else if (o.help || o.version) {
+        status = write_text(o.help ? options_help : version);
     } else {
         status = clash_find(&o);
         if (!status)

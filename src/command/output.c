@@ -82,27 +82,22 @@ static char *resolve(const char *path)
 }
 
 /* A regular file, or one that is not there yet: its new contents are written beside it. */
-static int open_beside(output *o, int exists, mode_t mode)
+static FILE *open_beside(output *o, int exists, mode_t mode)
 {
     mode_t mask = umask(0);
     int descriptor;
 
     umask(mask);
     o->temporary = join(o->path, ".XXXXXX");
-    if (!o->temporary)
-        return 0;
-    descriptor = mkstemp(o->temporary);
+    descriptor = o->temporary ? mkstemp(o->temporary) : -1;
     if (descriptor < 0) {
         free(o->temporary);
         o->temporary = NULL;
-        return 0;
+        return NULL;
     }
     watch_signals(o->temporary);
     fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
-    o->file = fdopen(descriptor, "w");
-    if (o->file)
-        setvbuf(o->file, NULL, _IOFBF, BUFFER);
-    return o->file != NULL;
+    return fdopen(descriptor, "w");
 }
 
 void output_prepare(void)
@@ -115,7 +110,7 @@ void output_prepare(void)
 static int open_output(output *o, const char *path)
 {
     struct stat status, standard;
-    int exists;
+    int exists, is_regular;
 
     memset(o, 0, sizeof *o);
     if (!path) {
@@ -136,12 +131,11 @@ static int open_output(output *o, const char *path)
     }
     if (exists && access(path, W_OK) != 0)
         return 0;
-    o->path = exists && !S_ISREG(status.st_mode) ? join(path, "") : resolve(path);
+    is_regular = !exists || S_ISREG(status.st_mode);
+    o->path = is_regular ? resolve(path) : join(path, "");
     if (!o->path)
         return 0;
-    if (!exists || S_ISREG(status.st_mode))
-        return open_beside(o, exists, exists ? status.st_mode : 0);
-    o->file = fopen(o->path, "w");
+    o->file = is_regular ? open_beside(o, exists, status.st_mode) : fopen(path, "w");
     if (o->file)
         setvbuf(o->file, NULL, _IOFBF, BUFFER);
     return o->file != NULL;

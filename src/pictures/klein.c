@@ -12,7 +12,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "arrow.h"
+#include "figure.h"
 
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
