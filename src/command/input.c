@@ -10,7 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "clash.h"
 #include "command.h"
 #include "files.h"
 #include "input.h"
@@ -42,7 +41,7 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
         free(f);
         return NULL;
     }
-    in->names_output |= clash_is_output(in->o, path);
+    in->names_output |= files_is_output(in->o, path);
     f->contents = files_read_path(path, &f->length);
     f->next = in->files;
     in->files = f;

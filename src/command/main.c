@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clash.h"
 #include "command.h"
 #include "designs.h"
 #include "drawing.h"
@@ -167,7 +166,7 @@ int main(int argc, char **argv)
     } else if (o.help || o.version) {
         status = write_text(o.help ? options_help : version);
     } else {
-        status = clash_find(&o);
+        status = files_tell_clash(&o);
         if (!status)
             status = run(&o);
     }

@@ -70,7 +70,7 @@ static void put_frame(const canvas *on, frame *f)
 static void put_angle(const picture *p, frame *f, double x, double y, double angle, int line)
 {
     const sketch_box *b = &f->box;
-    int is_right = x > (b->x_min + b->x_max) / 2, i;
+    int side = x > (b->x_min + b->x_max) / 2 ? 1 : -1, i;
     char mark[PICTURE_MARK];
 
     if (x < b->x_min || x > b->x_max || y < b->y_min || y > b->y_max)
@@ -82,8 +82,8 @@ static void put_angle(const picture *p, frame *f, double x, double y, double ang
     f->x[f->n] = x;
     f->y[f->n++] = y;
     canvas_print(&p->on, "set label %q at %.8g,%.8g %s front tc lt %d offset %d,%s\n",
-                 picture_mark(p, angle, mark), x, y, is_right ? "left" : "right", line,
-                 is_right ? 1 : -1, y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
+                 picture_mark(p, angle, mark), x, y, canvas_side(side), line, side,
+                 y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
 }
 
 /* The crank angles along the curve of branch i, as $NAME_BRANCH_marks. */

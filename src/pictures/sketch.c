@@ -253,16 +253,14 @@ void sketch_end(sketch *s)
 /* Values and key stand at the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
-    double width = CANVAS_LETTER, key;
+    double width = CANVAS_LETTER;
     int i;
 
     for (i = 0; i < s->n_notes; i++)
         width = GSL_MAX_DBL(width, canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
     for (i = 0; i < s->n_curves; i++)
-        if (s->curve_title[i][0]) {
-            key = canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER;
-            width = GSL_MAX_DBL(width, key);
-        }
+        if (s->curve_title[i][0])
+            width = GSL_MAX_DBL(width, canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
     return width;
 }
 
@@ -290,10 +288,7 @@ static void put_labels(const sketch *s)
 
         canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", label->words,
                      label->at.x + s->scale * (label->middle.x - side * half),
-                     label->at.y + s->scale * label->middle.y,
-                     side > 0   ? "left"
-                     : side < 0 ? "right"
-                                : "center");
+                     label->at.y + s->scale * label->middle.y, canvas_side(side));
     }
 }
 
