@@ -22,7 +22,7 @@ typedef struct arrow_list {
     int n;
 } arrow_list;
 
-/* Add a force; one that is not 0. */
+/* Add a force; arrow_add does not if it is 0. */
 void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F);
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,

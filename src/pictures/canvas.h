@@ -57,7 +57,7 @@ void canvas_print(const canvas *c, const char *format, ...);
 int canvas_letters(const char *words);
 double canvas_width_of(const char *words);
 
-/* Where a text stands that is at the right (1) or the left (-1) of its place, in the words of gnuplot. */
+/* For gnuplot: a text at the right (1) of its place is aligned left, one at the left (-1) right. */
 const char *canvas_side(int side);
 
 /* Text of at most so many characters: its beginning, or its end, and "..." */

@@ -33,8 +33,8 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 /* A piston about a place. */
 void figure_piston(sketch *s, pen kind, fourlink_vector at);
 
-/* The links at one position as lines of a pen, or of PEN_OF_LINK; or in full, with letters at the pins, the angles of the links
-** if they are wanted, and the slope. */
+/* The links at one position as lines of a pen, or of PEN_OF_LINK; or in full, with letters at the
+** pins, the angles of the links if they are wanted, and the slope. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 

@@ -70,7 +70,7 @@ typedef struct sketch {
 /* Begin a drawing of about this size in the next panel. */
 void sketch_open(sketch *s, canvas *c, double size);
 
-/* A box without extent, and one that has grown to a place. */
+/* A box around nothing; and to make a box so large that a place is in it. */
 extern const sketch_box sketch_nothing;
 void sketch_grow(sketch_box *b, double x, double y);
 
