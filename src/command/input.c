@@ -10,7 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "clash.h"
 #include "command.h"
 #include "files.h"
 #include "input.h"
@@ -22,20 +21,6 @@ typedef struct named_file {
     char *contents;
     size_t length;
 } named_file;
-
-/* A path relative to the deck's folder; null when out of memory. */
-static char *path_beside(const char *deck_name, const char *file_name)
-{
-    const char *slash = strrchr(deck_name, '/');
-    size_t folder = slash && file_name[0] != '/' ? (size_t)(slash - deck_name) + 1 : 0;
-    char *path = malloc(folder + strlen(file_name) + 1);
-
-    if (path) {
-        memcpy(path, deck_name, folder);
-        strcpy(path + folder, file_name);
-    }
-    return path;
-}
 
 /* The deck reader's loader: a file that the deck names. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
@@ -50,16 +35,13 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
             return f->contents;
         }
     f = calloc(1, sizeof *f);
-    path = path_beside(in->name, file_name);
-    if (f)
-        f->name = malloc(strlen(file_name) + 1);
-    if (!path || !f || !f->name) {
+    path = files_beside(in->name, file_name);
+    if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
         return NULL;
     }
-    strcpy(f->name, file_name);
-    in->names_output |= clash_is_output(in->o, path);
+    in->names_output |= files_is_output(in->o, path);
     f->contents = files_read_path(path, &f->length);
     f->next = in->files;
     in->files = f;
@@ -93,7 +75,7 @@ static int serves_options(const input *in)
               "are for one design";
     }
     if (why)
-        fprintf(stderr, "%s:1: error: %s\n", name, why);
+        command_tell_mistake(name, 1, why, NULL);
     return !why;
 }
 
@@ -151,7 +133,7 @@ int input_read(input *in, const char *path, const options *o, const char *answer
         fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
     in->text = files_read(path, &length);
     if (!in->text && errno == EFBIG) {
-        fprintf(stderr, "%s:1: error: a file of more than 64 MB: not a deck\n", in->name);
+        command_tell_mistake(in->name, 1, "a file of more than 64 MB: not a deck", NULL);
         return EXIT_USAGE;
     }
     if (!in->text)

@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clash.h"
 #include "command.h"
 #include "designs.h"
 #include "drawing.h"
@@ -27,20 +26,21 @@ static void tell_no_value(const fourlink_check *check, const char *deck_name)
 static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, unsigned long *n)
 {
     const fourlink_value *list;
-    fourlink_value *all;
-    unsigned long most = 1, count, k, j;
+    fourlink_value *all = NULL, *more;
+    unsigned long count, k, j;
     size_t i;
 
-    for (i = 0; i < n_inputs; i++)
-        if (inputs[i].results && fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list,
-                                                       &count) == FOURLINK_OK)
-            most += count;
-    all = malloc(most * sizeof *all);
     *n = 0;
-    for (i = 0; all && i < n_inputs; i++) {
-        if (!inputs[i].results || fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list,
-                                                        &count) != FOURLINK_OK)
-            continue;
+    for (i = 0; i < n_inputs; i++) {
+        count = 0;
+        if (inputs[i].results)
+            fourlink_results_list(inputs[i].results, FOURLINK_COLUMNS, &list, &count);
+        more = realloc(all, (*n + count + 1) * sizeof *all);
+        if (!more) {
+            free(all);
+            return NULL;
+        }
+        all = more;
         for (k = 0; k < count; k++) {
             for (j = 0; j < *n; j++)
                 if (strcmp(all[j].name, list[k].name) == 0 &&
@@ -139,26 +139,21 @@ static int run(const options *o)
     return status;
 }
 
-static int finish_text(void)
+/* Write the help, or the version. */
+static int write_text(const char *const *lines)
 {
+    for (; *lines; lines++)
+        puts(*lines);
     return fflush(stdout) == 0 && !ferror(stdout)
                ? 0
                : command_complain("cannot write", "standard output", strerror(errno));
 }
 
-static int print_help(void)
-{
-    const char *const *next;
-
-    for (next = options_help; *next; next++)
-        puts(*next);
-    return finish_text();
-}
-
 int main(int argc, char **argv)
 {
+    static const char *const version[] = {"fourlink " FOURLINK_VERSION,
+                                          "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
-    const char *clash;
     options o;
     int status = options_read(argc, argv, &o, message);
 
@@ -168,18 +163,12 @@ int main(int argc, char **argv)
     } else if (status == 0) {
         fprintf(stderr, "fourlink: %s\nTry 'fourlink --help'.\n", message);
         status = EXIT_USAGE;
-    } else if (o.help) {
-        status = print_help();
-    } else if (o.version) {
-        printf("fourlink %s\nLicence GPL-3.0-or-later; there is no warranty.\n",
-               fourlink_version());
-        status = finish_text();
-    } else if ((clash = clash_input_among_outputs(&o)) != NULL) {
-        status = command_complain("cannot write", clash, "it is an input");
-    } else if ((clash = clash_output_given_twice(&o)) != NULL) {
-        status = command_complain("cannot write", clash, "two results would be written to it");
+    } else if (o.help || o.version) {
+        status = write_text(o.help ? options_help : version);
     } else {
-        status = run(&o);
+        status = files_tell_clash(&o);
+        if (!status)
+            status = run(&o);
     }
     options_free(&o);
     return status;

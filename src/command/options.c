@@ -9,7 +9,6 @@
 
 #include "base/message.h"
 #include "base/number.h"
-#include "base/message.h"
 #include "options.h"
 
 const char *const options_help[] = {
@@ -52,36 +51,36 @@ typedef struct option_info {
     char letter;
     const char *name;
     int takes_value; /* 2: one may follow behind '=' */
-    const char *key; /* not null: the key of the deck that it sets */
+    const char *key; /* not null: the key of the deck that it sets, and "=" */
 } option_info;
 
-static const option_info table[] = {{'f', "format", 1, NULL},
-                                    {'o', "output", 1, NULL},
-                                    {'b', "branch", 1, "table.branch"},
-                                    {'i', "interval", 1, "motion.interval"},
-                                    {'c', "columns", 1, "table.columns"},
-                                    {'s', "set", 1, NULL},
-                                    {'m', "matrix", 0, NULL},
-                                    {'C', "check", 2, NULL},
-                                    {'S', "summary", 0, NULL},
-                                    {'p', "plot", 1, NULL},
-                                    {PLOT_KIND, "plot-kind", 1, NULL},
-                                    {PLOT_AT, "plot-at", 1, NULL},
-                                    {PLOT_SCRIPT, "plot-script", 1, NULL},
-                                    {'P', "part", 1, NULL},
-                                    {'l', "list", 0, NULL},
-                                    {'h', "help", 0, NULL},
-                                    {'V', "version", 0, NULL}};
+static const option_info table[] = {{'f', "--format", 1, NULL},
+                                    {'o', "--output", 1, NULL},
+                                    {'b', "--branch", 1, "table.branch="},
+                                    {'i', "--interval", 1, "motion.interval="},
+                                    {'c', "--columns", 1, "table.columns="},
+                                    {'s', "--set", 1, ""},
+                                    {'m', "--matrix", 0, NULL},
+                                    {'C', "--check", 2, NULL},
+                                    {'S', "--summary", 0, NULL},
+                                    {'p', "--plot", 1, NULL},
+                                    {PLOT_KIND, "--plot-kind", 1, NULL},
+                                    {PLOT_AT, "--plot-at", 1, NULL},
+                                    {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {'P', "--part", 1, NULL},
+                                    {'l', "--list", 0, NULL},
+                                    {'h', "--help", 0, NULL},
+                                    {'V', "--version", 0, NULL}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
+#define LONGEST_KEY 20 /* bytes, with the "=" */
 
+/* 0, for the caller to return. */
 static int say(char message[400], const char *a, const char *b, const char *c)
 {
     char word[200];
 
-    strcpy(message, a);
-    strcat(message, flk_text_copy(flk_text_of(b), word, sizeof word));
-    strcat(message, c);
+    flk_message(message, 400, "%s%s%s", a, flk_text_copy(flk_text_of(b), word, sizeof word), c);
     return 0;
 }
 
@@ -135,7 +134,7 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 
     for (i = 0; plot_names[i]; i++)
         if (strcmp(value, plot_names[i]) == 0) {
-            o->plot_kind = (plot_kind)i;
+            o->drawing.kind = (plot_kind)i;
             return 1;
         }
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
@@ -149,34 +148,22 @@ static int set_plot_kind(options *o, const char *value, char message[400])
 static int set_plot(options *o, const char *value, char message[400])
 {
     o->plot = value;
-    o->plot_file = plot_file_of(value);
-    if (o->plot_file == PLOT_FILE_COUNT)
+    o->drawing.file = plot_file_of(value);
+    if (o->drawing.file == PLOT_FILE_COUNT)
         return say(message, "the name of a picture ends in .svg, .png, .pdf, .txt or .gif, not '",
                    value, "'");
     return 1;
 }
 
-static void add_change(options *o, const char *option, const char *assignment)
-{
-    o->changes[o->n_changes].origin = option;
-    o->changes[o->n_changes].assignment = assignment;
-    o->n_changes++;
-}
-
+/* 1; 0 and why not. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
-    static const char *const sources[] = {"--branch", "--interval", "--columns"};
-    char *assignment;
-
     if (info->key) {
-        assignment = malloc(strlen(info->key) + strlen(value) + 2);
-        if (!assignment)
-            return -1;
-        strcpy(assignment, info->key);
-        strcat(assignment, "=");
-        strcat(assignment, value);
-        o->storage[o->n_storage++] = assignment;
-        add_change(o, sources[info->letter == 'b' ? 0 : info->letter == 'i' ? 1 : 2], assignment);
+        fourlink_change *change = &o->changes[o->n_changes++];
+
+        change->origin = info->name;
+        change->assignment = o->next;
+        o->next += sprintf(o->next, "%s%s", info->key, value) + 1;
         return 1;
     }
     switch (info->letter) {
@@ -185,9 +172,6 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case 'o':
         o->output = strcmp(value, "-") == 0 ? NULL : value;
         return 1;
-    case 's':
-        add_change(o, "--set", value);
-        return 1;
     case 'P':
         return set_part(o, value, message);
     case 'p':
@@ -195,7 +179,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_KIND:
         return set_plot_kind(o, value, message);
     case PLOT_AT:
-        o->plot_at = value;
+        o->drawing.at = value;
         return 1;
     case PLOT_SCRIPT:
         o->plot_script = value;
@@ -223,41 +207,30 @@ static int set(options *o, const option_info *info, const char *value, char mess
 static int read_long(options *o, const char *word, const char *next, int *used_next,
                      char message[400])
 {
-    const char *equals = strchr(word, '='), *known[TABLE_COUNT + 1], *nearest;
-    text name = flk_text_of(word);
-    size_t i;
+    const char *equals = strchr(word, '='), *known[TABLE_COUNT + 1] = {NULL}, *nearest;
+    size_t length = equals ? (size_t)(equals - word) : strlen(word), i;
+    text name = flk_text_of(word + 2);
+    char copy[100];
 
-    if (equals)
-        name.length = (size_t)(equals - word);
+    name.length = length - 2;
     for (i = 0; i < TABLE_COUNT; i++) {
-        known[i] = table[i].name;
-        if (strlen(table[i].name) == name.length &&
-            memcmp(table[i].name, name.start, name.length) == 0)
-            break;
-    }
-    if (i == TABLE_COUNT) {
-        char hint[100] = "'", copy[100];
+        const char *value = equals ? equals + 1 : table[i].takes_value == 1 ? next : no_value;
 
-        known[i] = NULL;
-        nearest = flk_text_nearest(name, known);
-        if (nearest) {
-            strcat(hint, "; did you mean '--");
-            strcat(hint, nearest);
-            strcat(hint, "'?");
-        }
-        return say(message, "unknown option '--", flk_text_copy(name, copy, sizeof copy), hint);
+        known[i] = table[i].name + 2;
+        if (!flk_text_same(name, known[i]))
+            continue;
+        if (!table[i].takes_value && equals)
+            return say(message, table[i].name, " takes no value", "");
+        if (!value)
+            return say(message, table[i].name, " needs a value", "");
+        *used_next = value == next;
+        return set(o, &table[i], value, message);
     }
-    if (!table[i].takes_value)
-        return equals ? say(message, "--", table[i].name, " takes no value")
-                      : set(o, &table[i], "", message);
-    if (equals)
-        return set(o, &table[i], equals + 1, message);
-    if (table[i].takes_value == 2)
-        return set(o, &table[i], no_value, message);
-    if (!next)
-        return say(message, "--", table[i].name, " needs a value");
-    *used_next = 1;
-    return set(o, &table[i], next, message);
+    nearest = flk_text_nearest(name, known);
+    flk_message(message, 400,
+                nearest ? "unknown option '--%s'; did you mean '--%s'?" : "unknown option '--%s'",
+                flk_text_copy(name, copy, sizeof copy), nearest);
+    return 0;
 }
 
 /* -x, -xy, -ovalue, -o value */
@@ -267,7 +240,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
     char letter[3] = "-?";
     size_t i;
 
-    for (; *word; word++) {
+    while (*++word) {
         for (i = 0; i < TABLE_COUNT; i++)
             if (table[i].letter == *word && *word > PLOT_SCRIPT)
                 break;
@@ -290,60 +263,59 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->plot_at || o->plot_kind != PLOT_COUNT))
-        return say(message, o->plot_at ? "--plot-at" : "--plot-kind",
+    if (!wanted && (o->drawing.at || o->drawing.kind != PLOT_COUNT))
+        return say(message, o->drawing.at ? "--plot-at" : "--plot-kind",
                    " needs --plot or --plot-script", "");
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
         return say(message, "a picture is of one deck, not of several", "", "");
     if (!o->plot)
-        o->plot_file = PLOT_SVG;
-    if (o->plot_kind == PLOT_COUNT)
-        o->plot_kind = o->plot_file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
-    if (o->plot_at && o->plot_kind != PLOT_MECHANISM && o->plot_kind != PLOT_VECTORS &&
-        o->plot_kind != PLOT_KLEIN)
+        o->drawing.file = PLOT_SVG;
+    if (o->drawing.kind == PLOT_COUNT)
+        o->drawing.kind = o->drawing.file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
+    if (o->drawing.at && o->drawing.kind != PLOT_MECHANISM && o->drawing.kind != PLOT_VECTORS &&
+        o->drawing.kind != PLOT_KLEIN)
         return say(message, "--plot-at is for the kinds mechanism, vectors and klein, not for ",
-                   plot_names[o->plot_kind], "");
-    if (o->plot_kind == PLOT_ANIMATION && o->plot && o->plot_file != PLOT_GIF)
+                   plot_names[o->drawing.kind], "");
+    if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
         return say(message, "an animation needs a name that ends in .gif, not '", o->plot, "'");
-    if (o->plot_kind == PLOT_ANIMATION)
-        o->plot_file = PLOT_GIF;
+    if (o->drawing.kind == PLOT_ANIMATION)
+        o->drawing.file = PLOT_GIF;
+    if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
+        o->drawing.picture = o->plot;
     return 1;
 }
 
 int options_read(int argc, char **argv, options *o, char message[400])
 {
-    int i, done = 0, status;
-    size_t room = (size_t)argc + 1;
+    int i, done = 0;
+    size_t room = (size_t)argc + 1, length = 1;
 
     memset(o, 0, sizeof *o);
     o->format = &table_format;
-    o->plot_kind = PLOT_COUNT;
+    o->drawing.kind = PLOT_COUNT;
     o->changes = malloc(room * sizeof *o->changes);
     o->decks = malloc(room * sizeof *o->decks);
-    o->storage = malloc(room * sizeof *o->storage);
+    for (i = 1; i < argc; i++)
+        length += strlen(argv[i]) + LONGEST_KEY;
+    o->storage = o->next = malloc(length);
     if (!o->changes || !o->decks || !o->storage)
         return -1;
     for (i = 1; i < argc; i++) {
         const char *word = argv[i], *next = i + 1 < argc ? argv[i + 1] : NULL;
-        int used_next = 0;
 
         if (done || word[0] != '-' || !word[1]) {
             o->decks[o->n_decks++] = word;
-            continue;
-        }
-        if (strcmp(word, "--") == 0) {
+        } else if (strcmp(word, "--") == 0) {
             done = 1;
-            continue;
+        } else {
+            int is_long = word[1] == '-', used_next = 0;
+
+            if (!(is_long ? read_long : read_short)(o, word, next, &used_next, message))
+                return 0;
+            i += used_next;
         }
-        if (word[1] == '-')
-            status = read_long(o, word + 2, next, &used_next, message);
-        else
-            status = read_short(o, word + 1, next, &used_next, message);
-        if (status != 1)
-            return status;
-        i += used_next;
     }
     if (o->n_contents > 1)
         return say(message, "--check, --summary, --matrix and --list exclude each other", "", "");
@@ -361,10 +333,6 @@ int options_read(int argc, char **argv, options *o, char message[400])
 
 void options_free(options *o)
 {
-    size_t i;
-
-    for (i = 0; i < o->n_storage; i++)
-        free(o->storage[i]);
     free(o->storage);
     free(o->changes);
     free((void *)o->decks);

@@ -18,15 +18,12 @@ typedef struct options {
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */
-    const char *plot_at;       /* crank angles; null: not given */
-    plot_kind plot_kind;       /* PLOT_COUNT: not given */
-    plot_file plot_file;
-    fourlink_change *changes; /* --set, and the options that are a key of the deck */
+    plot_request drawing;      /* PLOT_COUNT: no kind is given */
+    fourlink_change *changes;  /* --set, and the options that are a key of the deck */
     unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;
-    char **storage; /* assignments made of options */
-    size_t n_storage;
+    char *storage, *next; /* room for the assignments of them, and for the one to come */
 } options;
 
 /* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 when out of

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "files.h"
 #include "output.h"
 
 /* Bytes: of millions of rows, a call of the system for each 4 kB is noticed. */
@@ -58,21 +59,13 @@ static char *join(const char *x, const char *y)
 /* Where a symbolic link leads; null if the path is none, or out of memory. */
 static char *read_link(const char *path)
 {
-    char target[4096], *slash, *folder, *result;
+    char target[4096];
     ssize_t n = readlink(path, target, sizeof target - 1);
 
     if (n < 0)
         return NULL;
     target[n] = '\0';
-    if (target[0] == '/' || (slash = strrchr(path, '/')) == NULL)
-        return join(target, "");
-    folder = join(path, "");
-    if (!folder)
-        return NULL;
-    folder[slash - path + 1] = '\0';
-    result = join(folder, target);
-    free(folder);
-    return result;
+    return files_beside(path, target);
 }
 
 /* The file that a path leads to through symbolic links, whether it is there yet or not. */
@@ -89,27 +82,22 @@ static char *resolve(const char *path)
 }
 
 /* A regular file, or one that is not there yet: its new contents are written beside it. */
-static int open_beside(output *o, int exists, mode_t mode)
+static FILE *open_beside(output *o, int exists, mode_t mode)
 {
     mode_t mask = umask(0);
     int descriptor;
 
     umask(mask);
     o->temporary = join(o->path, ".XXXXXX");
-    if (!o->temporary)
-        return 0;
-    descriptor = mkstemp(o->temporary);
+    descriptor = o->temporary ? mkstemp(o->temporary) : -1;
     if (descriptor < 0) {
         free(o->temporary);
         o->temporary = NULL;
-        return 0;
+        return NULL;
     }
     watch_signals(o->temporary);
     fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
-    o->file = fdopen(descriptor, "w");
-    if (o->file)
-        setvbuf(o->file, NULL, _IOFBF, BUFFER);
-    return o->file != NULL;
+    return fdopen(descriptor, "w");
 }
 
 void output_prepare(void)
@@ -122,7 +110,7 @@ void output_prepare(void)
 static int open_output(output *o, const char *path)
 {
     struct stat status, standard;
-    int exists;
+    int exists, is_regular;
 
     memset(o, 0, sizeof *o);
     if (!path) {
@@ -143,23 +131,14 @@ static int open_output(output *o, const char *path)
     }
     if (exists && access(path, W_OK) != 0)
         return 0;
-    o->path = exists && !S_ISREG(status.st_mode) ? join(path, "") : resolve(path);
+    is_regular = !exists || S_ISREG(status.st_mode);
+    o->path = is_regular ? resolve(path) : join(path, "");
     if (!o->path)
         return 0;
-    if (!exists || S_ISREG(status.st_mode))
-        return open_beside(o, exists, exists ? status.st_mode : 0);
-    o->file = fopen(o->path, "w");
+    o->file = is_regular ? open_beside(o, exists, status.st_mode) : fopen(path, "w");
     if (o->file)
         setvbuf(o->file, NULL, _IOFBF, BUFFER);
     return o->file != NULL;
-}
-
-static void forget(output *o)
-{
-    at_work = NULL;
-    free(o->temporary);
-    free(o->path);
-    memset(o, 0, sizeof *o);
 }
 
 /* Why a stream failed: it is told once more with another byte. */
@@ -172,53 +151,34 @@ static int reason_of(FILE *file)
     return errno;
 }
 
-/* 1; 0 and errno. */
-static int close_output(output *o)
-{
-    int failed = fflush(o->file) != 0 || ferror(o->file), reason = failed ? reason_of(o->file) : 0;
-
-    if (o->path && fclose(o->file) != 0 && !failed) {
-        failed = 1;
-        reason = errno;
-    }
-    if (o->temporary) {
-        if (!failed && rename(o->temporary, o->path) != 0) {
-            failed = 1;
-            reason = errno;
-        }
-        if (failed)
-            remove(o->temporary);
-    }
-    forget(o);
-    errno = reason;
-    return !failed;
-}
-
-static void discard(output *o)
-{
-    if (o->path && o->file)
-        fclose(o->file);
-    if (o->temporary)
-        remove(o->temporary);
-    forget(o);
-}
-
 int output_begin(output *o, const char *path)
 {
     int status = 0;
 
     if (!open_output(o, path && strcmp(path, "-") == 0 ? NULL : path)) {
         status = command_complain("cannot write", path ? path : "standard output", strerror(errno));
-        discard(o);
+        output_end(o, path, 0);
     }
     return status;
 }
 
 int output_end(output *o, const char *path, int keep)
 {
-    if (!keep)
-        discard(o);
-    else if (!close_output(o))
-        return command_complain("cannot write", path ? path : "standard output", strerror(errno));
-    return 0;
+    int reason = 0;
+
+    if (keep && (fflush(o->file) != 0 || ferror(o->file)))
+        reason = reason_of(o->file);
+    if (o->path && o->file && fclose(o->file) != 0 && keep && !reason)
+        reason = errno;
+    if (o->temporary && keep && !reason && rename(o->temporary, o->path) != 0)
+        reason = errno;
+    if (o->temporary && (!keep || reason))
+        remove(o->temporary);
+    at_work = NULL;
+    free(o->temporary);
+    free(o->path);
+    memset(o, 0, sizeof *o);
+    return reason
+               ? command_complain("cannot write", path ? path : "standard output", strerror(reason))
+               : 0;
 }

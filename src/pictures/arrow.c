@@ -12,31 +12,25 @@
 /* Below this fraction of the largest an arrow would be a head without a tail. */
 #define SMALLEST 0.02
 
-#define LONGEST_NAME 24 /* letters */
-
-char *arrow_words(const picture *p, const char *name, double si, quantity q, char out[ARROW_WORDS])
+void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
+               fourlink_vector F)
 {
-    char number[FORMAT_SIZE], fitting[ARROW_WORDS];
+    arrow *new = &arrows->list[arrows->n];
 
-    name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
-    return flk_text_join(out, ARROW_WORDS, name, name[0] ? " " : "",
-                         format_general(picture_value(p, q, si), 5, number), " ", p->units[q].name,
-                         (char *)NULL);
+    if (arrows->n == MOST_ARROWS)
+        return;
+    new->at = at;
+    new->F = F;
+    new->kind = kind;
+    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
+    arrows->n++;
 }
 
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
                double y)
 {
-    arrow *new = &arrows->list[arrows->n];
-
-    if (arrows->n == MOST_ARROWS || (x == 0 && y == 0))
-        return;
-    new->at = at;
-    new->F.x = x;
-    new->F.y = y;
-    new->kind = kind;
-    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
-    arrows->n++;
+    if (x != 0 || y != 0)
+        arrow_put(arrows, kind, name, at, sketch_at(x, y));
 }
 
 void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on)
@@ -101,7 +95,6 @@ double arrow_largest(const arrow_list *arrows)
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale)
 {
     double largest = arrow_largest(arrows);
-    char words[ARROW_WORDS];
     int i;
 
     for (i = 0; i < arrows->n; i++) {
@@ -109,7 +102,7 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
         double size = gsl_hypot(x->F.x, x->F.y);
         fourlink_vector end = sketch_beside(x->at, scale * x->F.x, scale * x->F.y);
 
-        sketch_note(s, arrow_words(p, x->name, size, QUANTITY_FORCE, words));
+        figure_note(s, p, x->name, size, QUANTITY_FORCE);
         if (size < SMALLEST * largest)
             continue;
         sketch_arrow(s, x->kind, x->at, end);
@@ -120,7 +113,6 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque)
 {
-    char words[ARROW_WORDS];
     double side = kind == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
     fourlink_vector below = sketch_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
@@ -128,7 +120,7 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
         return;
     sketch_torque(s, kind, at, radius, torque);
     sketch_text(s, below, side, -0.6 * side, name);
-    sketch_note(s, arrow_words(p, name, torque, QUANTITY_TORQUE, words));
+    figure_note(s, p, name, torque, QUANTITY_TORQUE);
 }
 
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link)
@@ -147,12 +139,10 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = picture_si(p, q, sketch_round(picture_value(p, q, largest) / 2.5));
-    fourlink_vector from, to;
-    char words[ARROW_WORDS];
+    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.08 * s->size);
+    fourlink_vector to = sketch_beside(from, scale * bar, 0);
+    char words[PICTURE_WORDS];
 
-    from.x = s->x_min;
-    from.y = s->y_min - 0.08 * s->size;
-    to = sketch_beside(from, scale * bar, 0);
     sketch_arrow(s, PEN_CONSTRUCTION, from, to);
-    sketch_text(s, to, 0.7, 0, arrow_words(p, "", bar, q, words));
+    sketch_text(s, to, 0.7, 0, picture_words(p, "", bar, q, words));
 }

@@ -22,7 +22,9 @@ typedef struct arrow_list {
     int n;
 } arrow_list;
 
-/* Add a force that is not 0. */
+/* Add a force; arrow_add does not if it is 0. */
+void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
+               fourlink_vector F);
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
                double y);
 
@@ -43,9 +45,5 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
 
 /* An arrow that tells the scale of a quantity, below the drawing; `largest` in SI units. */
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest);
-
-/* "NAME VALUE UNIT" of a value in SI units. */
-#define ARROW_WORDS 120
-char *arrow_words(const picture *p, const char *name, double si, quantity q, char out[ARROW_WORDS]);
 
 #endif

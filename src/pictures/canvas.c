@@ -73,6 +73,11 @@ double canvas_width_of(const char *words)
     return CANVAS_LETTER * canvas_letters(words);
 }
 
+const char *canvas_side(int side)
+{
+    return side > 0 ? "left" : side < 0 ? "right" : "center";
+}
+
 char *canvas_shorten(const char *words, int letters, int keep_end, char *out, size_t size)
 {
     int surplus = canvas_letters(words) - letters;

@@ -57,6 +57,9 @@ void canvas_print(const canvas *c, const char *format, ...);
 int canvas_letters(const char *words);
 double canvas_width_of(const char *words);
 
+/* For gnuplot: a text at the right (1) of its place is aligned left, one at the left (-1) right. */
+const char *canvas_side(int side);
+
 /* Text of at most so many characters: its beginning, or its end, and "..." */
 char *canvas_shorten(const char *words, int letters, int keep_end, char *out, size_t size);
 

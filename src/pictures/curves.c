@@ -54,7 +54,7 @@ static void put_extreme(const picture *p, double value, double angle, int is_min
                         marks *m)
 {
     double from = p->problem.motion.from, x = (angle - from) / (p->end - from), y = value / height;
-    int i;
+    int i, side = x < 0.1 ? 1 : x > 0.9 ? -1 : 0;
 
     for (i = 0; i < m->n; i++)
         if (fabs(x - m->x[i]) < 0.15 && fabs(y - m->y[i]) < 0.1)
@@ -64,14 +64,7 @@ static void put_extreme(const picture *p, double value, double angle, int is_min
     canvas_print(&p->on,
                  "set label \"%.4g\" at %.8g,%.8g %s front boxed point pt 7 ps 0.6 lc rgb 'black' "
                  "offset %d,%d\n",
-                 value, angle, value,
-                 x < 0.1   ? "left"
-                 : x > 0.9 ? "right"
-                           : "center",
-                 x < 0.1   ? 1
-                 : x > 0.9 ? -1
-                           : 0,
-                 is_minimum ? -1 : 1);
+                 value, angle, value, canvas_side(side), side, is_minimum ? -1 : 1);
 }
 
 /* The extremes of a column on a branch within the picture; what is rounding beside the other is 0. */

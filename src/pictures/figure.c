@@ -21,9 +21,7 @@ double figure_length(const picture *p, double si)
 
 fourlink_vector figure_point(const picture *p, fourlink_vector si)
 {
-    si.x = figure_length(p, si.x);
-    si.y = figure_length(p, si.y);
-    return si;
+    return sketch_at(figure_length(p, si.x), figure_length(p, si.y));
 }
 
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
@@ -38,9 +36,8 @@ fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, in
 /* A link's second pin. */
 static fourlink_vector end_of(const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector at = {0, 0};
+    fourlink_vector at = sketch_at(p->design->link[link].length, 0);
 
-    at.x = p->design->link[link].length;
     return figure_of_link(p, state, link, &at);
 }
 
@@ -96,7 +93,7 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
     /* that of a motion which the samples miss */
-    for (i = 0; i < p->range.n_rows && s->x_max < s->x_min; i++)
+    for (i = 0; i < p->range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
         if (fourlink_results_row(p->results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
 }
@@ -105,14 +102,13 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
 {
     sketch_open(s, &p->on, 1);
     include_all(s, p, branch, 0);
-    s->size = GSL_MAX_DBL(s->x_max - s->x_min, s->y_max - s->y_min);
+    s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (all_of_it) {
         if (p->slides)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
-        s->x_min = s->y_min = GSL_POSINF;
-        s->x_max = s->y_max = GSL_NEGINF;
+        s->drawn = sketch_nothing;
     }
 }
 
@@ -125,15 +121,14 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double r = figure_length(p, p->design->link[2].length);
-        double side = state->branch == FOURLINK_OPEN ? 1 : -1;
-        double reach = figure_length(p, p->mechanism->dead_centre);
-        double near = reach - 2 * r - 1.5 * PISTON_X * s->size,
-               far = reach + 1.5 * PISTON_X * s->size;
-        double y = figure_length(p, p->design->offset), h = PISTON_Y * s->size;
+        double reach = figure_length(p, p->mechanism->dead_centre), edge = 1.5 * PISTON_X * s->size;
+        double near = reach - 2 * figure_length(p, p->design->link[2].length) - edge;
+        double far = reach + edge, h = PISTON_Y * s->size;
+        double y = figure_length(p, p->design->offset);
+        int is_open = state->branch == FOURLINK_OPEN;
 
-        sketch_ground(s, side > 0 ? near : -far, side > 0 ? far : -near, y - h, -1);
-        sketch_ground(s, side > 0 ? near : -far, side > 0 ? far : -near, y + h, 1);
+        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y - h, -1);
+        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y + h, 1);
     }
 }
 
@@ -149,22 +144,16 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at)
         sketch_line(s, kind, corner[i], corner[i + 1]);
 }
 
-/* The line of link 4, of one that slides its outline. */
-static void put_follower(sketch *s, const picture *p, const figure_pins *pins, pen kind)
-{
-    if (p->slides)
-        figure_piston(s, kind, pins->C);
-    else
-        sketch_line(s, kind, pins->D, pins->C);
-}
-
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
     figure_pins pins = figure_place(p, state);
 
-    sketch_line(s, kind, pins.A, pins.B);
-    sketch_line(s, kind, pins.B, pins.C);
-    put_follower(s, p, &pins, kind);
+    sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
+    sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
+    if (p->slides)
+        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C);
+    else
+        sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
 }
 
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
@@ -182,9 +171,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
             sketch_line(s, (pen)link, end_of(p, state, link), at);
         sketch_text(s, at, 0.8, 0.8, name);
     }
-    sketch_line(s, PEN_CRANK, pins.A, pins.B);
-    sketch_line(s, PEN_COUPLER, pins.B, pins.C);
-    put_follower(s, p, &pins, PEN_FOLLOWER);
+    figure_outline(s, p, state, PEN_OF_LINK);
     if (!p->slides)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
@@ -195,22 +182,20 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     sketch_pin(s, pins.C);
 }
 
-static double direction(double from_x, double from_y, double *y)
+/* The direction from a place to another, of length 1; of no length if they are one. */
+static fourlink_vector direction(fourlink_vector from, fourlink_vector to)
 {
-    double length = gsl_hypot(from_x, from_y);
+    double x = to.x - from.x, y = to.y - from.y, length = gsl_hypot(x, y);
 
-    *y = length > 0 ? from_y / length : 0;
-    return length > 0 ? from_x / length : 0;
+    return length > 0 ? sketch_at(x / length, y / length) : sketch_at(0, 0);
 }
 
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter)
 {
-    double up_x, up_y, dx, dy;
+    fourlink_vector from_x = direction(x, pin), from_y = direction(y, pin);
+    double dx = from_x.x + from_y.x, dy = from_x.y + from_y.y;
 
-    dx = direction(pin.x - x.x, pin.y - x.y, &up_x);
-    dx += direction(pin.x - y.x, pin.y - y.y, &up_y);
-    dy = up_x + up_y;
     sketch_text(s, pin, dx, fabs(dx) + fabs(dy) > 1e-9 ? dy : 1, letter);
 }
 
@@ -257,17 +242,20 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
 }
 
+void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
+{
+    char words[PICTURE_WORDS];
+
+    sketch_note(s, picture_words(p, name, si, q, words));
+}
+
 void figure_slope(sketch *s, const picture *p)
 {
     fourlink_vector g = p->design->gravity;
     double slope = atan2(-g.x, -g.y);
-    char words[120], number[FORMAT_SIZE];
 
-    if (fabs(slope) < 1e-9 || (g.x == 0 && g.y == 0))
-        return;
-    format_general(picture_value(p, QUANTITY_ANGLE, slope), 5, number);
-    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, " ",
-                                 p->units[QUANTITY_ANGLE].name, (char *)NULL));
+    if (fabs(slope) >= 1e-9 && (g.x != 0 || g.y != 0))
+        figure_note(s, p, "x rises at", slope, QUANTITY_ANGLE);
 }
 
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
@@ -284,7 +272,7 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
                      const double *until)
 {
     double from = p->problem.motion.from;
-    int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k, drawn = 0;
+    int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
     fourlink_vector at;
@@ -300,10 +288,8 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
                 break;
             sketch_point(s, is_tracer ? tracer(p, &now.state, i, &name, &link)
                                       : figure_place(p, &now.state).C);
-            drawn = 1;
-        } else if (drawn) {
+        } else {
             sketch_break(s);
-            drawn = 0;
         }
     }
     sketch_end(s);

@@ -33,14 +33,17 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 /* A piston about a place. */
 void figure_piston(sketch *s, pen kind, fourlink_vector at);
 
-/* The links at one position as lines of one pen; or in full, with letters at the pins, the angles of the links
-** if they are wanted, and the slope. */
+/* The links at one position as lines of a pen, or of PEN_OF_LINK; or in full, with letters at the
+** pins, the angles of the links if they are wanted, and the slope. */
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles);
 
 /* A letter beside a pin, away from the pins of its links; `y` is x if there is one link. */
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
                    const char *letter);
+
+/* Beside the drawing: a name with its value, in SI units. */
+void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q);
 
 /* Beside the drawing: how the line of stroke, or A to D, is turned from the horizontal, if it is. */
 void figure_slope(sketch *s, const picture *p);

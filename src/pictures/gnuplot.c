@@ -91,37 +91,43 @@ static void show(FILE *complaints)
         putc(c, stderr);
 }
 
-gnuplot_result gnuplot_run(FILE *script, FILE *picture)
+/* Null, or why there is no picture. */
+static const char *outcome(int status, long copied, FILE *complaints)
 {
-    FILE *complaints = tmpfile();
-    int status = 0, pipe_end, reason;
-    long copied;
-    pid_t child, ended;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
+        return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
+               "gnuplot. --plot-script writes the script for it";
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        show(complaints);
+    else if (copied > 0)
+        return NULL;
+    return "gnuplot failed";
+}
 
-    if (!complaints)
-        return GNUPLOT_ERRNO;
-    pipe_end = start(script, complaints, &child);
-    if (pipe_end < 0) {
-        reason = errno;
-        fclose(complaints);
-        errno = reason;
-        return GNUPLOT_ERRNO;
-    }
+static const char *draw(FILE *script, FILE *picture, FILE *complaints)
+{
+    pid_t child, ended;
+    int status = 0, pipe_end = start(script, complaints, &child), reason;
+    long copied;
+
+    if (pipe_end < 0)
+        return strerror(errno);
     copied = copy(pipe_end, picture);
     reason = errno;
     close(pipe_end);
     while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
         ;
-    if (ended < 0 || copied < 0) {
-        reason = copied < 0 ? reason : errno;
+    if (ended < 0 || copied < 0)
+        return strerror(copied < 0 ? reason : errno);
+    return outcome(status, copied, complaints);
+}
+
+const char *gnuplot_run(FILE *script, FILE *picture)
+{
+    FILE *complaints = tmpfile();
+    const char *why = complaints ? draw(script, picture, complaints) : strerror(errno);
+
+    if (complaints)
         fclose(complaints);
-        errno = reason;
-        return GNUPLOT_ERRNO;
-    }
-    if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != NOT_FOUND))
-        show(complaints);
-    fclose(complaints);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && copied > 0)
-        return GNUPLOT_OK;
-    return WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND ? GNUPLOT_MISSING : GNUPLOT_FAILED;
+    return why;
 }

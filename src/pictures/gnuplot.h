@@ -7,14 +7,8 @@
 
 #include <stdio.h>
 
-typedef enum gnuplot_result {
-    GNUPLOT_OK,
-    GNUPLOT_MISSING, /* it is not installed */
-    GNUPLOT_FAILED,  /* what it says is on standard error */
-    GNUPLOT_ERRNO    /* it could not be started: errno says why */
-} gnuplot_result;
-
-/* Run gnuplot on a script, which is read from its beginning; the picture goes to `picture`. */
-gnuplot_result gnuplot_run(FILE *script, FILE *picture);
+/* Run gnuplot on a script, which is read from its beginning; the picture goes to `picture`.  Null, or why
+** there is none; what gnuplot says of it is on standard error. */
+const char *gnuplot_run(FILE *script, FILE *picture);
 
 #endif

@@ -12,7 +12,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "arrow.h"
+#include "figure.h"
 
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
@@ -45,20 +45,16 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
 /* A length of the drawing; beside the rod's, rounding is 0. */
 static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
-    char words[ARROW_WORDS];
+    int is_rounding = fabs(length) < 1e-12 * p->design->link[FOURLINK_COUPLER].length;
 
-    if (fabs(length) < 1e-12 * p->design->link[FOURLINK_COUPLER].length)
-        length = 0;
-    sketch_note(s, arrow_words(p, name, length, QUANTITY_LENGTH, words));
+    figure_note(s, p, name, is_rounding ? 0 : length, QUANTITY_LENGTH);
 }
 
 /* The lines, and their letters, each on the side that is away from the middle of the rod. */
 static void draw_lines(sketch *s, const construction *k, double rod)
 {
-    fourlink_vector middle;
+    fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
 
-    middle.x = (k->B.x + k->C.x) / 2;
-    middle.y = (k->B.y + k->C.y) / 2;
     sketch_arc(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y), 0, 2 * M_PI);
     sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     if (k->meet)

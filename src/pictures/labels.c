@@ -19,26 +19,32 @@
 #define GAP 10.0   /* pixels, from a place to its text */
 #define BORDER 8.0 /* pixels, from what is drawn to the axes */
 
-/* In pixels; of a text, with half a letter at either end. */
-typedef struct box {
-    double x_min, x_max, y_min, y_max;
-} box;
+#define HALF_LINE (0.45 * CANVAS_LINE)
 
-static box box_of(const sketch *s, const sketch_label *label)
+/* In pixels; of a text, with half a letter at either end. */
+static sketch_box box_of(const sketch *s, const sketch_label *label)
 {
-    double w = label->half + CANVAS_LETTER / 2, h = 0.45 * CANVAS_LINE;
+    double w = label->half + CANVAS_LETTER / 2;
     double x = label->at.x / s->scale + label->middle.x,
            y = label->at.y / s->scale + label->middle.y;
-    box b;
+    sketch_box b = sketch_nothing;
 
-    b.x_min = x - w;
-    b.x_max = x + w;
-    b.y_min = y - h;
-    b.y_max = y + h;
+    sketch_grow(&b, x - w, y - HALF_LINE);
+    sketch_grow(&b, x + w, y + HALF_LINE);
     return b;
 }
 
-static int overlap(const box *x, const box *y)
+/* In pixels; what is drawn, without its texts. */
+static sketch_box drawn(const sketch *s)
+{
+    sketch_box b = sketch_nothing;
+
+    sketch_grow(&b, s->drawn.x_min / s->scale, s->drawn.y_min / s->scale);
+    sketch_grow(&b, s->drawn.x_max / s->scale, s->drawn.y_max / s->scale);
+    return b;
+}
+
+static int overlap(const sketch_box *x, const sketch_box *y)
 {
     return x->x_min < y->x_max && y->x_min < x->x_max && x->y_min < y->y_max && y->y_min < x->y_max;
 }
@@ -57,7 +63,7 @@ static int clip(double p, double d, double low, double high, double *from, doubl
     return *from < *to;
 }
 
-static int covers(const sketch *s, const box *b, const sketch_obstacle *o)
+static int covers(const sketch *s, const sketch_box *b, const sketch_obstacle *o)
 {
     double from = 0, to = 1, x = o->from.x / s->scale, y = o->from.y / s->scale;
 
@@ -65,21 +71,23 @@ static int covers(const sketch *s, const box *b, const sketch_obstacle *o)
            clip(y, o->to.y / s->scale - y, b->y_min, b->y_max, &from, &to);
 }
 
-static int leaves(const sketch *s, const box *b)
+static int leaves(const sketch *s, const sketch_box *b)
 {
-    return b->x_min < s->x_min / s->scale - BORDER || b->x_max > s->x_max / s->scale + BORDER ||
-           b->y_min < s->y_min / s->scale - BORDER || b->y_max > s->y_max / s->scale + BORDER;
+    sketch_box all = drawn(s);
+
+    return b->x_min < all.x_min - BORDER || b->x_max > all.x_max + BORDER ||
+           b->y_min < all.y_min - BORDER || b->y_max > all.y_max + BORDER;
 }
 
 /* Of label k where it is now. */
 static double cost_of(const sketch *s, int k)
 {
-    box b = box_of(s, &s->labels[k]);
+    sketch_box b = box_of(s, &s->labels[k]);
     double cost = 0;
     int i;
 
     for (i = 0; i < k; i++) {
-        box other = box_of(s, &s->labels[i]);
+        sketch_box other = box_of(s, &s->labels[i]);
 
         cost += overlap(&b, &other) ? 100 : 0;
     }
@@ -92,8 +100,8 @@ static void place(sketch *s, int k)
 {
     sketch_label *label = &s->labels[k];
     double wanted = atan2(label->dy, label->dx), least = GSL_POSINF;
-    double w = label->half, h = 0.45 * CANVAS_LINE;
-    fourlink_vector best = {0, 0};
+    double w = label->half;
+    fourlink_vector best = label->middle;
     int ring, i;
 
     for (ring = 0; ring < RINGS; ring++)
@@ -104,7 +112,7 @@ static void place(sketch *s, int k)
             if (cost >= least)
                 continue;
             label->middle.x = (gap + w) * cos(wanted + off);
-            label->middle.y = (gap + h) * sin(wanted + off);
+            label->middle.y = (gap + HALF_LINE) * sin(wanted + off);
             cost += cost_of(s, k);
             if (cost < least) {
                 least = cost;
@@ -114,46 +122,22 @@ static void place(sketch *s, int k)
     label->middle = best;
 }
 
-/* What a text needs beside the drawing. */
-static void include(const sketch *s, box *b, const sketch_label *label)
+static double scale_for(const sketch *s, const sketch_box *b, double width, double height,
+                        double border)
 {
-    box own = box_of(s, label);
-
-    b->x_min = GSL_MIN_DBL(b->x_min, own.x_min);
-    b->x_max = GSL_MAX_DBL(b->x_max, own.x_max);
-    b->y_min = GSL_MIN_DBL(b->y_min, own.y_min);
-    b->y_max = GSL_MAX_DBL(b->y_max, own.y_max);
-}
-
-static double scale_for(const sketch *s, const box *b, double width, double height)
-{
-    double wide = (b->x_max - b->x_min) * s->scale / (width - 2 * BORDER);
-    double high = (b->y_max - b->y_min) * s->scale / (height - 2 * BORDER);
-
-    return GSL_MAX_DBL(wide, high);
-}
-
-static box drawn(const sketch *s)
-{
-    box b;
-
-    b.x_min = s->x_min / s->scale;
-    b.x_max = s->x_max / s->scale;
-    b.y_min = s->y_min / s->scale;
-    b.y_max = s->y_max / s->scale;
-    return b;
+    return s->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
+                                  (b->y_max - b->y_min) / (height - 2 * border));
 }
 
 void sketch_place(sketch *s, double width, double height)
 {
-    double border = 3 * CANVAS_LETTER, first, scale;
+    double first, scale;
+    sketch_box b, own;
     int round, i;
-    box b;
 
     s->scale = 1;
     b = drawn(s);
-    first = GSL_MAX_DBL((b.x_max - b.x_min) / (width - 2 * border),
-                        (b.y_max - b.y_min) / (height - 2 * border));
+    first = scale_for(s, &b, width, height, 3 * CANVAS_LETTER);
     s->scale = first = first > 0 ? first : s->size / width;
     for (round = 0; round < ROUNDS; round++) {
         for (i = 0; i < s->n_labels; i++)
@@ -161,15 +145,18 @@ void sketch_place(sketch *s, double width, double height)
         if (s->is_fixed)
             return;
         b = drawn(s);
-        for (i = 0; i < s->n_labels; i++)
-            include(s, &b, &s->labels[i]);
+        for (i = 0; i < s->n_labels; i++) {
+            own = box_of(s, &s->labels[i]);
+            sketch_grow(&b, own.x_min, own.y_min);
+            sketch_grow(&b, own.x_max, own.y_max);
+        }
+        scale = scale_for(s, &b, width, height, BORDER);
         if (round < ROUNDS - 1)
-            s->scale = GSL_MIN_DBL(scale_for(s, &b, width, height), 3 * first);
+            s->scale = GSL_MIN_DBL(scale, 3 * first);
     }
-    scale = scale_for(s, &b, width, height); /* if the texts have not come to rest */
-    s->x_min = b.x_min * s->scale;
-    s->x_max = b.x_max * s->scale;
-    s->y_min = b.y_min * s->scale;
-    s->y_max = b.y_max * s->scale;
+    s->drawn = sketch_nothing;
+    sketch_grow(&s->drawn, b.x_min * s->scale, b.y_min * s->scale);
+    sketch_grow(&s->drawn, b.x_max * s->scale, b.y_max * s->scale);
+    /* if the texts have not come to rest */
     s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
 }

@@ -97,12 +97,9 @@ const char *picture_animation(picture *p, fourlink_branch branch)
     sketch s;
 
     for (k = 0; k < FRAMES; k++) {
-        int here = picture_state(p, branch, k, FRAMES, &now);
-
-        if (here != FOURLINK_OK) {
-            status = here;
+        status = picture_state(p, branch, k, FRAMES, &now);
+        if (status != FOURLINK_OK)
             continue;
-        }
         figure_open(&s, p, branch, 1);
         canvas_heading(&p->on);
         figure_paths(&s, p, branch, &now.row.angle);

@@ -20,7 +20,8 @@ static const struct plot_info {
     const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
-#define TEXT_HEIGHT 26 /* lines of a panel in a text terminal */
+#define LONGEST_NAME 24 /* letters, beside a value */
+#define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* By plot_file, with width and height. */
 static const struct {
@@ -63,6 +64,17 @@ char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK])
 
     return flk_text_join(out, PICTURE_MARK, format_general(angle, 4, number),
                          is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+}
+
+char *picture_words(const picture *p, const char *name, double si, quantity q,
+                    char out[PICTURE_WORDS])
+{
+    char number[FORMAT_SIZE], fitting[PICTURE_WORDS];
+
+    name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
+    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " " : "",
+                         format_general(picture_value(p, q, si), 5, number), " ", p->units[q].name,
+                         (char *)NULL);
 }
 
 double picture_angle(const picture *p, int k, int steps)
@@ -236,10 +248,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->end = p->range.stops ? p->range.stop_angle : last.angle;
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
-    if (p->loads)
-        return 1;
-    close_deck(p);
-    return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+    return p->loads || refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
 }
 
 static int has_column(const picture *p, text name)
@@ -264,10 +273,8 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     text rest = flk_text_of(columns ? columns : ""), name;
     int opened;
 
-    if (!changes) {
-        close_deck(p);
+    if (!changes)
         return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
-    }
     while (flk_text_split(&rest, ',', &name))
         if (has_column(p, name))
             strcat(strncat(assignment, name.start, name.length), " ");
@@ -284,41 +291,34 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     return opened;
 }
 
-static int read_angle(const picture *p, text item, double *angle, fourlink_mistake *mistake)
-{
-    char message[MESSAGE_SIZE];
-    quantity_value value;
-    unit bare;
-
-    bare.up = p->units[QUANTITY_ANGLE].up;
-    bare.down = p->units[QUANTITY_ANGLE].down;
-    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
-    if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, message))
-        return refuse(mistake, "--plot-at", message, "");
-    *angle = picture_value(p, QUANTITY_ANGLE, value.si);
-    return 1;
-}
-
 /* The crank angles of --plot-at, separated by commas. */
 static int read_angles(picture *p, fourlink_mistake *mistake)
 {
+    const fourlink_unit *own = &p->units[QUANTITY_ANGLE];
     text rest = flk_text_of(p->request->at), item;
-    char word[60];
-    double angle;
+    unit bare;
+    char words[MESSAGE_SIZE];
+    quantity_value value;
+    double *angle;
 
+    bare.up = own->up;
+    bare.down = own->down;
+    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
     while (flk_text_split(&rest, ',', &item)) {
+        item = flk_text_trim(item);
         if (p->n_angles == PICTURE_POSITIONS)
             return refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return refuse(mistake, "--plot-at", plot_names[p->request->kind],
                           " is drawn at one position, not at several");
-        if (!read_angle(p, flk_text_trim(item), &angle, mistake))
-            return 0;
-        if (fourlink_results_at(p->results, p->branches[0], angle, NULL, NULL, NULL) ==
+        if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
+            return refuse(mistake, "--plot-at", words, "");
+        angle = &p->angles[p->n_angles++];
+        *angle = picture_value(p, QUANTITY_ANGLE, value.si);
+        if (fourlink_results_at(p->results, p->branches[0], *angle, NULL, NULL, NULL) ==
             FOURLINK_NO_SUCH_ANGLE)
-            return refuse(mistake, "--plot-at", "the motion does not reach theta2 = ",
-                          flk_text_copy(flk_text_trim(item), word, sizeof word));
-        p->angles[p->n_angles++] = angle;
+            return refuse(mistake, "--plot-at",
+                          "the motion does not reach theta2 = ", flk_text_copy(item, words, 60));
     }
     return 1;
 }

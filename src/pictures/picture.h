@@ -116,6 +116,11 @@ double picture_si(const picture *p, quantity q, double value);
 #define PICTURE_MARK (FORMAT_SIZE + 64)
 char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
 
+/* "NAME VALUE UNIT" of a value in SI units. */
+#define PICTURE_WORDS 120
+char *picture_words(const picture *p, const char *name, double si, quantity q,
+                    char out[PICTURE_WORDS]);
+
 /* The crank angle that is k of so many equal steps into the motion, in the deck's unit. */
 double picture_angle(const picture *p, int k, int steps);
 

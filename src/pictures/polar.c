@@ -23,7 +23,7 @@ typedef struct bearing {
 
 /* A drawing of equal scale on both axes, and what is lettered in it. */
 typedef struct frame {
-    double x_min, x_max, y_min, y_max;
+    sketch_box box;
     double scale; /* of a pixel */
     double x[MOST_LETTERED], y[MOST_LETTERED];
     int n;
@@ -45,35 +45,35 @@ static void find_frame(const picture *p, const bearing *b, frame *f)
             }
     cut = graph_is_cut(&ex) || graph_is_cut(&ey);
     memset(f, 0, sizeof *f);
-    f->x_min = GSL_MIN_DBL(0, cut ? ex.sound_low : ex.low);
-    f->x_max = GSL_MAX_DBL(0, cut ? ex.sound_high : ex.high);
-    f->y_min = GSL_MIN_DBL(0, cut ? ey.sound_low : ey.low);
-    f->y_max = GSL_MAX_DBL(0, cut ? ey.sound_high : ey.high);
+    sketch_grow(&f->box, cut ? ex.sound_low : ex.low, cut ? ey.sound_low : ey.low);
+    sketch_grow(&f->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
 }
 
 static void put_frame(const canvas *on, frame *f)
 {
+    const sketch_box *b = &f->box;
     double border = 6 * CANVAS_LETTER, width, height; /* for the angles */
 
-    f->scale = GSL_MAX_DBL((f->x_max - f->x_min) / (on->box_width - 2 * border),
-                           (f->y_max - f->y_min) / (on->box_height - 2 * border));
+    f->scale = GSL_MAX_DBL((b->x_max - b->x_min) / (on->box_width - 2 * border),
+                           (b->y_max - b->y_min) / (on->box_height - 2 * border));
     if (f->scale == 0)
         f->scale = 1 / on->box_width;
     width = f->scale * on->box_width;
     height = f->scale * on->box_height;
     canvas_print(on, "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n",
-                 (f->x_min + f->x_max - width) / 2, (f->x_min + f->x_max + width) / 2,
-                 (f->y_min + f->y_max - height) / 2, (f->y_min + f->y_max + height) / 2,
+                 (b->x_min + b->x_max - width) / 2, (b->x_min + b->x_max + width) / 2,
+                 (b->y_min + b->y_max - height) / 2, (b->y_min + b->y_max + height) / 2,
                  sketch_round(8 * CANVAS_LETTER * f->scale));
 }
 
 /* A crank angle beside the curve, in its colour, unless another stands there. */
 static void put_angle(const picture *p, frame *f, double x, double y, double angle, int line)
 {
-    int is_right = x > (f->x_min + f->x_max) / 2, i;
+    const sketch_box *b = &f->box;
+    int side = x > (b->x_min + b->x_max) / 2 ? 1 : -1, i;
     char mark[PICTURE_MARK];
 
-    if (x < f->x_min || x > f->x_max || y < f->y_min || y > f->y_max)
+    if (x < b->x_min || x > b->x_max || y < b->y_min || y > b->y_max)
         return;
     for (i = 0; i < f->n; i++)
         if (fabs(x - f->x[i]) < 5 * CANVAS_LETTER * f->scale &&
@@ -82,8 +82,8 @@ static void put_angle(const picture *p, frame *f, double x, double y, double ang
     f->x[f->n] = x;
     f->y[f->n++] = y;
     canvas_print(&p->on, "set label %q at %.8g,%.8g %s front tc lt %d offset %d,%s\n",
-                 picture_mark(p, angle, mark), x, y, is_right ? "left" : "right", line,
-                 is_right ? 1 : -1, y > (f->y_min + f->y_max) / 2 ? "0.4" : "-0.4");
+                 picture_mark(p, angle, mark), x, y, canvas_side(side), line, side,
+                 y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
 }
 
 /* The crank angles along the curve of branch i, as $NAME_BRANCH_marks. */

@@ -26,14 +26,29 @@
 /* So many points of a curve are an obstacle for texts. */
 #define OBSTACLE 4
 
+const sketch_box sketch_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
+
+void sketch_grow(sketch_box *b, double x, double y)
+{
+    b->x_min = x < b->x_min ? x : b->x_min;
+    b->x_max = x > b->x_max ? x : b->x_max;
+    b->y_min = y < b->y_min ? y : b->y_min;
+    b->y_max = y > b->y_max ? y : b->y_max;
+}
+
 void sketch_include(sketch *s, fourlink_vector p)
 {
-    if (s->is_fixed)
-        return;
-    s->x_min = p.x < s->x_min ? p.x : s->x_min;
-    s->x_max = p.x > s->x_max ? p.x : s->x_max;
-    s->y_min = p.y < s->y_min ? p.y : s->y_min;
-    s->y_max = p.y > s->y_max ? p.y : s->y_max;
+    if (!s->is_fixed)
+        sketch_grow(&s->drawn, p.x, p.y);
+}
+
+fourlink_vector sketch_at(double x, double y)
+{
+    fourlink_vector at;
+
+    at.x = x;
+    at.y = y;
+    return at;
 }
 
 fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy)
@@ -54,12 +69,10 @@ void sketch_open(sketch *s, canvas *c, double size)
 {
     memset(s, 0, sizeof *s);
     s->c = c;
-    s->out = c->out;
     s->size = size;
     s->letter = LETTER;
-    s->x_min = s->y_min = GSL_POSINF;
-    s->x_max = s->y_max = GSL_NEGINF;
-    fputs("unset arrow; unset label; unset object\n", s->out);
+    s->drawn = sketch_nothing;
+    fputs("unset arrow; unset label; unset object\n", s->c->out);
 }
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
@@ -97,18 +110,20 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
                             : "head filled size graph 0.025,18 front");
 }
 
+static fourlink_vector on_circle(fourlink_vector centre, double radius, double angle)
+{
+    return sketch_beside(centre, radius * cos(angle), radius * sin(angle));
+}
+
 /* As a polygon: the circles of gnuplot know no dashes. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
-    fourlink_vector last = centre, next;
+    fourlink_vector last = on_circle(centre, radius, from), next;
 
-    for (i = 0; i <= n; i++) {
-        double angle = from + (to - from) * i / n;
-
-        next = sketch_beside(centre, radius * cos(angle), radius * sin(angle));
-        if (i > 0)
-            sketch_line(s, p, last, next);
+    for (i = 1; i <= n; i++) {
+        next = on_circle(centre, radius, from + (to - from) * i / n);
+        sketch_line(s, p, last, next);
         last = next;
     }
 }
@@ -138,12 +153,9 @@ void sketch_pin(sketch *s, fourlink_vector at)
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
 {
     double end = sign > 0 ? 5 * M_PI / 4 : -M_PI / 4, before = end + (sign > 0 ? -0.3 : 0.3);
-    fourlink_vector tip, tail;
 
     sketch_arc(s, p, centre, radius, -M_PI / 4, 5 * M_PI / 4);
-    tip = sketch_beside(centre, radius * cos(end), radius * sin(end));
-    tail = sketch_beside(centre, radius * cos(before), radius * sin(before));
-    sketch_arrow(s, p, tail, tip);
+    sketch_arrow(s, p, on_circle(centre, radius, before), on_circle(centre, radius, end));
 }
 
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
@@ -185,17 +197,10 @@ void sketch_centre(sketch *s, fourlink_vector at)
 void sketch_ground(sketch *s, double x1, double x2, double y, double side)
 {
     double step = HATCH * s->letter * s->size, x;
-    fourlink_vector from, to;
 
-    from.x = x1;
-    to.x = x2;
-    from.y = to.y = y;
-    sketch_line(s, PEN_GROUND, from, to);
-    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step) {
-        from.x = x;
-        to = sketch_beside(from, -step, side * step);
-        put_arrow(s, PEN_CONSTRUCTION, from, to, "nohead");
-    }
+    sketch_line(s, PEN_GROUND, sketch_at(x1, y), sketch_at(x2, y));
+    for (x = x1 + step; x <= x2 + 1e-9 * step; x += step)
+        sketch_line(s, PEN_CONSTRUCTION, sketch_at(x, y), sketch_at(x - step, y + side * step));
 }
 
 void sketch_support(sketch *s, fourlink_vector at)
@@ -213,7 +218,7 @@ void sketch_curve(sketch *s, pen p, const char *title)
     s->curve_pen[s->n_curves] = p;
     if (s->n_curves < MOST_TITLES)
         flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
-    fprintf(s->out, "$curve%d << EOD\n", s->n_curves++);
+    fprintf(s->c->out, "$curve%d << EOD\n", s->n_curves++);
     s->n_points = 0;
     s->is_empty = 1;
 }
@@ -233,13 +238,14 @@ void sketch_point(sketch *s, fourlink_vector at)
 
 void sketch_break(sketch *s)
 {
+    if (s->n_points > 0)
+        putc('\n', s->c->out);
     s->n_points = 0;
-    putc('\n', s->out);
 }
 
 void sketch_end(sketch *s)
 {
-    fputs("EOD\n", s->out);
+    fputs("EOD\n", s->c->out);
     if (s->is_empty) /* gnuplot has a word for those */
         s->n_curves--;
 }
@@ -247,16 +253,14 @@ void sketch_end(sketch *s)
 /* Values and key stand at the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
-    double width = CANVAS_LETTER, key;
+    double width = CANVAS_LETTER;
     int i;
 
     for (i = 0; i < s->n_notes; i++)
         width = GSL_MAX_DBL(width, canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
     for (i = 0; i < s->n_curves; i++)
-        if (s->curve_title[i][0]) {
-            key = canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER;
-            width = GSL_MAX_DBL(width, key);
-        }
+        if (s->curve_title[i][0])
+            width = GSL_MAX_DBL(width, canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
     return width;
 }
 
@@ -270,7 +274,7 @@ static void put_margin(const sketch *s)
     for (i = 0; i < s->n_notes; i++)
         canvas_print(s->c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", s->notes[i],
                      -i - (in_key ? in_key + 1 : 0));
-    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->out);
+    fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
 static void put_labels(const sketch *s)
@@ -284,17 +288,14 @@ static void put_labels(const sketch *s)
 
         canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", label->words,
                      label->at.x + s->scale * (label->middle.x - side * half),
-                     label->at.y + s->scale * label->middle.y,
-                     side > 0   ? "left"
-                     : side < 0 ? "right"
-                                : "center");
+                     label->at.y + s->scale * label->middle.y, canvas_side(side));
     }
 }
 
 /* Tics of one step on both axes, so far apart that their numbers have room. */
 static void put_axes(const sketch *s)
 {
-    double x = (s->x_min + s->x_max) / 2, y = (s->y_min + s->y_max) / 2;
+    double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
     double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
     canvas_print(s->c,
@@ -308,26 +309,26 @@ static void put_curves(const sketch *s)
 {
     int i;
 
-    fputs("plot ", s->out);
+    fputs("plot ", s->c->out);
     for (i = 0; i < s->n_curves; i++) {
-        fprintf(s->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
+        fprintf(s->c->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
                 (int)s->curve_pen[i]);
         canvas_print(s->c, s->curve_title[i][0] ? "title %q" : "notitle", s->curve_title[i]);
     }
-    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->out);
+    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->c->out);
 }
 
 void sketch_close(sketch *s, const char *title, const char *unit_name)
 {
-    if (!(s->x_min <= s->x_max)) { /* nothing was drawn */
-        s->x_min = s->y_min = -s->size;
-        s->x_max = s->y_max = s->size;
+    if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
+        sketch_grow(&s->drawn, -s->size, -s->size);
+        sketch_grow(&s->drawn, s->size, s->size);
     }
     canvas_panel(s->c, 2, width_of_margin(s));
     sketch_place(s, s->c->box_width, s->c->box_height);
     put_labels(s);
     put_margin(s);
-    fputs("set size ratio -1\n", s->out);
+    fputs("set size ratio -1\n", s->c->out);
     canvas_titles(s->c, title, "x", unit_name, "y", unit_name);
     put_axes(s);
     put_curves(s);

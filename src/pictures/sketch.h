@@ -5,13 +5,12 @@
 #ifndef FOURLINK_SKETCH_H
 #define FOURLINK_SKETCH_H
 
-#include <stdio.h>
-
 #include "canvas.h"
 #include "fourlink.h"
 
 /* Line styles, defined in plot.c at the head of every script. */
 typedef enum pen {
+    PEN_OF_LINK, /* each link has its own */
     PEN_GROUND = 1,
     PEN_CRANK = 2, /* 2, 3, 4: the links by their numbers */
     PEN_COUPLER = 3,
@@ -32,6 +31,10 @@ typedef enum pen {
 #define SKETCH_OBSTACLES 2000
 #define SKETCH_WORDS 100
 
+typedef struct sketch_box {
+    double x_min, x_max, y_min, y_max;
+} sketch_box;
+
 /* A text that is put beside a place when all else is drawn: on that side, or where there is room. */
 typedef struct sketch_label {
     fourlink_vector at;
@@ -49,12 +52,11 @@ typedef struct sketch_obstacle {
 
 typedef struct sketch {
     canvas *c;
-    FILE *out;
-    double x_min, x_max, y_min, y_max; /* what is drawn so far */
-    int is_fixed;                      /* 1: that is all, whatever is drawn */
-    double size;                       /* of the whole */
-    double letter;                     /* height of a letter, a fraction of it; pins follow */
-    double scale;                      /* of what is closed: its unit, for a pixel */
+    sketch_box drawn; /* what is drawn so far */
+    int is_fixed;     /* 1: that is all, whatever is drawn */
+    double size;      /* of the whole */
+    double letter;    /* height of a letter, a fraction of it; pins follow */
+    double scale;     /* of what is closed: its unit, for a pixel */
     int n_notes, n_labels, n_obstacles, n_curves;
     char notes[SKETCH_NOTES][SKETCH_WORDS];
     sketch_label labels[SKETCH_LABELS];
@@ -67,6 +69,10 @@ typedef struct sketch {
 
 /* Begin a drawing of about this size in the next panel. */
 void sketch_open(sketch *s, canvas *c, double size);
+
+/* A box around nothing; and to make a box so large that a place is in it. */
+extern const sketch_box sketch_nothing;
+void sketch_grow(sketch_box *b, double x, double y);
 
 /* Leave room for a place; once all is included, for nothing more. */
 void sketch_include(sketch *s, fourlink_vector p);
@@ -110,7 +116,8 @@ void sketch_close(sketch *s, const char *title, const char *unit_name);
 /* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
 void sketch_place(sketch *s, double width, double height);
 
-/* A place so far from another. */
+/* A place, and one so far from another. */
+fourlink_vector sketch_at(double x, double y);
 fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
 
 /* 1, 2 or 5 times a power of ten, at least x. */

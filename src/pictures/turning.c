@@ -35,10 +35,11 @@ static double cycle_angle(const picture *p, double theta2)
     return picture_value(p, QUANTITY_ANGLE, theta2);
 }
 
-/* Where the turning moment is farthest from its mean in an area: angle and moment, as they are drawn. */
-static void find_peak(const picture *p, fourlink_branch branch, const fourlink_area *area,
-                      double mean, double *angle, double *moment)
+/* Where the turning moment is farthest from its mean in an area, as it is drawn. */
+static fourlink_vector find_peak(const picture *p, fourlink_branch branch,
+                                 const fourlink_area *area, double mean)
 {
+    fourlink_vector peak = {0, 0};
     double farthest = -1;
     int k;
 
@@ -48,39 +49,38 @@ static void find_peak(const picture *p, fourlink_branch branch, const fourlink_a
 
         if (fabs(T - mean) > farthest) {
             farthest = fabs(T - mean);
-            *angle = cycle_angle(p, theta2);
-            *moment = picture_value(p, QUANTITY_TORQUE, T);
+            peak.x = cycle_angle(p, theta2);
+            peak.y = picture_value(p, QUANTITY_TORQUE, T);
         }
     }
+    return peak;
 }
 
 /* The energies of the areas, each above or below its curve, if it does not run into the one before it. */
 static void put_areas(const picture *p, fourlink_branch branch, const fourlink_turning *t)
 {
     double pixel = picture_value(p, QUANTITY_ANGLE, p->problem.cycle) / p->on.box_width;
-    double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, angle = 0, moment = 0, half, first;
-    char number[FORMAT_SIZE], words[200];
+    double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, first = cycle_angle(p, 0), half;
+    char words[PICTURE_WORDS];
+    fourlink_vector peak;
     int k, is_above;
 
-    first = cycle_angle(p, 0);
     for (k = 0; k < t->n_areas; k++) {
         const fourlink_area *area = &t->area[k];
 
         if (fabs(area->energy) < 0.02 * t->energy_fluctuation)
             continue;
-        find_peak(p, branch, area, t->mean_torque, &angle, &moment);
+        peak = find_peak(p, branch, area, t->mean_torque);
         is_above = (area->energy > 0) == (p->problem.motion.speed > 0);
-        format_general(picture_value(p, QUANTITY_ENERGY, area->energy), 5, number);
-        flk_text_join(words, sizeof words, number, " ", p->units[QUANTITY_ENERGY].name,
-                      (char *)NULL);
-        half = pixel * canvas_width_of(words) / 2;
-        angle = GSL_MAX_DBL(angle, first + half);
-        angle = GSL_MIN_DBL(angle, first + pixel * p->on.box_width - half);
-        if (angle - half < free_from[is_above])
+        half =
+            pixel * canvas_width_of(picture_words(p, "", area->energy, QUANTITY_ENERGY, words)) / 2;
+        peak.x = GSL_MAX_DBL(peak.x, first + half);
+        peak.x = GSL_MIN_DBL(peak.x, first + pixel * p->on.box_width - half);
+        if (peak.x - half < free_from[is_above])
             continue;
-        free_from[is_above] = angle + half;
-        canvas_print(&p->on, "set label %q at %.8g,%.8g center front offset 0,%d\n", words, angle,
-                     moment, is_above ? 1 : -1);
+        free_from[is_above] = peak.x + half;
+        canvas_print(&p->on, "set label %q at %.8g,%.8g center front offset 0,%d\n", words, peak.x,
+                     peak.y, is_above ? 1 : -1);
     }
 }
 
@@ -123,7 +123,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     const char *name = fourlink_branch_text(branch), *torque = p->units[QUANTITY_TORQUE].name;
     double mean, cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
     int is_clockwise = p->problem.motion.speed < 0;
-    char number[FORMAT_SIZE], other[FORMAT_SIZE], words[200];
+    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[200];
     fourlink_turning t;
 
     if (fourlink_results_turning(p->results, branch, &t) != FOURLINK_OK)
@@ -133,12 +133,10 @@ const char *picture_turning(picture *p, fourlink_branch branch)
     canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    format_general(mean, 5, number);
-    format_general(picture_value(p, QUANTITY_ENERGY, t.energy_fluctuation), 5, other);
-    flk_text_join(words, sizeof words, name, ": mean ", number, " ", torque,
-                  ", fluctuation of energy ", other, " ", p->units[QUANTITY_ENERGY].name,
-                  (char *)NULL);
-    canvas_titles(&p->on, words, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
+    picture_words(p, "mean", t.mean_torque, QUANTITY_TORQUE, words);
+    picture_words(p, "fluctuation of energy", t.energy_fluctuation, QUANTITY_ENERGY, other);
+    flk_text_join(title, sizeof title, name, ": ", words, ", ", other, (char *)NULL);
+    canvas_titles(&p->on, title, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
                   torque);
     canvas_print(&p->on,
                  "set xrange [0:%.8g]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n"

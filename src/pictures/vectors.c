@@ -21,101 +21,80 @@
 
 static const fourlink_vector zero = {0, 0};
 
-/* One vector of a polygon. */
-typedef struct side {
-    fourlink_vector from, to; /* in the deck's unit of the quantity */
-    pen kind;
-    char name[40];
-} side;
-
-#define MOST_SIDES (MOST_ARROWS + 4)
-
-/* A polygon of vectors of one quantity. */
+/* A polygon of vectors of one quantity; its sides in the deck's unit. */
 typedef struct polygon {
     sketch s;
     const picture *p;
     quantity q;
-    side sides[MOST_SIDES];
-    int n;
+    arrow_list sides;
     fourlink_vector middle;
 } polygon;
-
-static fourlink_vector in_unit(const polygon *g, fourlink_vector si)
-{
-    si.x = picture_value(g->p, g->q, si.x);
-    si.y = picture_value(g->p, g->q, si.y);
-    return si;
-}
-
-/* Add a vector at the tip of another; where it ends. */
-static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
-                                fourlink_vector v)
-{
-    side *new = &g->sides[g->n++];
-
-    new->from = from;
-    new->to = sketch_beside(from, v.x, v.y);
-    new->kind = kind;
-    flk_text_join(new->name, sizeof new->name, name, (char *)NULL);
-    return new->to;
-}
 
 static void open_polygon(polygon *g, picture *p, quantity q)
 {
     g->p = p;
     g->q = q;
-    g->n = 0;
+    g->sides.n = 0;
     sketch_open(&g->s, &p->on, 1);
     g->s.letter = LETTER;
 }
 
-static double length_of(const side *x)
+static fourlink_vector end_of(const arrow *x)
 {
-    return gsl_hypot(x->to.x - x->from.x, x->to.y - x->from.y);
+    return sketch_beside(x->at, x->F.x, x->F.y);
+}
+
+/* Add a vector in SI units at the tip of another; where it ends. */
+static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
+                                fourlink_vector v)
+{
+    v.x = picture_value(g->p, g->q, v.x);
+    v.y = picture_value(g->p, g->q, v.y);
+    arrow_put(&g->sides, kind, name, from, v);
+    return sketch_beside(from, v.x, v.y);
 }
 
 static void find_size(polygon *g)
 {
-    int i;
+    int i, n = g->sides.n;
 
-    g->s.size = 0;
-    g->middle = zero;
-    for (i = 0; i < g->n; i++) {
-        g->s.size = GSL_MAX_DBL(g->s.size, length_of(&g->sides[i]));
-        g->middle.x += (g->sides[i].from.x + g->sides[i].to.x) / (2 * g->n);
-        g->middle.y += (g->sides[i].from.y + g->sides[i].to.y) / (2 * g->n);
-    }
+    g->s.size = arrow_largest(&g->sides);
     if (g->s.size == 0)
         g->s.size = 1;
+    g->middle = zero;
+    for (i = 0; i < n; i++) {
+        const arrow *x = &g->sides.list[i];
+
+        g->middle.x += (x->at.x + end_of(x).x) / (2 * n);
+        g->middle.y += (x->at.y + end_of(x).y) / (2 * n);
+    }
 }
 
 /* Draw the sides; each has its name on the side that is away from the middle of the polygon.  One too
 ** short for a head has no name. */
 static void draw_sides(polygon *g)
 {
-    char words[ARROW_WORDS];
     int i;
 
     find_size(g);
-    for (i = 0; i < g->n; i++) {
-        const side *x = &g->sides[i];
-        double length = length_of(x), nx, ny, out;
-        fourlink_vector middle;
+    for (i = 0; i < g->sides.n; i++) {
+        const arrow *x = &g->sides.list[i];
+        fourlink_vector to = end_of(x);
+        double dx = to.x - x->at.x, dy = to.y - x->at.y, length = gsl_hypot(dx, dy), nx, ny, out;
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
-        sketch_note(&g->s, arrow_words(g->p, x->name, picture_si(g->p, g->q, length), g->q, words));
+        figure_note(&g->s, g->p, x->name, picture_si(g->p, g->q, length), g->q);
         if (length < SHORTEST * g->s.size) {
-            sketch_line(&g->s, x->kind, x->from, x->to);
+            sketch_line(&g->s, x->kind, x->at, to);
             continue;
         }
-        sketch_arrow(&g->s, x->kind, x->from, x->to);
-        nx = -(x->to.y - x->from.y) / length;
-        ny = (x->to.x - x->from.x) / length;
-        middle.x = (x->from.x + x->to.x) / 2;
-        middle.y = (x->from.y + x->to.y) / 2;
-        out = nx * (x->from.x - g->middle.x) + ny * (x->from.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, middle, out * nx, out * ny, x->name);
+        sketch_arrow(&g->s, x->kind, x->at, to);
+        nx = -dy / length;
+        ny = dx / length;
+        out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
+        sketch_text(&g->s, sketch_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx,
+                    out * ny, x->name);
     }
 }
 
@@ -129,24 +108,21 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
                         fourlink_vector *a)
 {
-    fourlink_vector at = {0, 0};
+    fourlink_vector at = sketch_at(p->design->link[FOURLINK_COUPLER].length, 0);
 
-    at.x = p->design->link[FOURLINK_COUPLER].length;
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
 
 static void put_velocities(picture *p, const fourlink_state *state)
 {
-    fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, b, c, v_C, v_CB;
+    fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, v_C, b, c;
     polygon g;
 
     motion_of_C(p, state, &v_C, NULL);
-    v_CB.x = v_C.x - v_B.x;
-    v_CB.y = v_C.y - v_B.y;
     open_polygon(&g, p, QUANTITY_SPEED);
-    b = put_side(&g, PEN_CRANK, "vB", zero, in_unit(&g, v_B));
-    put_side(&g, PEN_FOLLOWER, "vC", zero, in_unit(&g, v_C));
-    c = put_side(&g, PEN_COUPLER, "vCB", b, in_unit(&g, v_CB));
+    b = put_side(&g, PEN_CRANK, "vB", zero, v_B);
+    put_side(&g, PEN_FOLLOWER, "vC", zero, v_C);
+    c = put_side(&g, PEN_COUPLER, "vCB", b, sketch_beside(v_C, -v_B.x, -v_B.y));
     draw_sides(&g);
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
@@ -154,40 +130,31 @@ static void put_velocities(picture *p, const fourlink_state *state)
     sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
 }
 
-/* Normal and tangential part of the acceleration of a link's end about its origin. */
-static void parts_of(const picture *p, const fourlink_state *state, int link,
-                     fourlink_vector *normal, fourlink_vector *tangential)
+/* Add normal and tangential part of the acceleration of a link's end about its origin. */
+static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int link,
+                                 const char *normal, const char *tangential, fourlink_vector from)
 {
     const fourlink_link_state *l = &state->link[link];
-    double length = p->design->link[link].length;
+    double length = g->p->design->link[link].length, n = -l->omega * l->omega * length,
+           t = l->alpha * length;
 
-    normal->x = -l->omega * l->omega * length * l->axis.x;
-    normal->y = -l->omega * l->omega * length * l->axis.y;
-    tangential->x = -l->alpha * length * l->axis.y;
-    tangential->y = l->alpha * length * l->axis.x;
+    from = put_side(g, (pen)link, normal, from, sketch_at(n * l->axis.x, n * l->axis.y));
+    return put_side(g, (pen)link, tangential, from, sketch_at(-t * l->axis.y, t * l->axis.x));
 }
 
 static void put_accelerations(picture *p, const fourlink_state *state)
 {
-    fourlink_vector n[5], t[5], a_C, b, c;
+    fourlink_vector a_C, b, c;
     polygon g;
-    int i;
 
     motion_of_C(p, state, NULL, &a_C);
     open_polygon(&g, p, QUANTITY_ACCELERATION);
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        parts_of(p, state, i, &n[i], &t[i]);
-        n[i] = in_unit(&g, n[i]);
-        t[i] = in_unit(&g, t[i]);
-    }
-    b = put_side(&g, PEN_CRANK, "aBn", zero, n[FOURLINK_CRANK]);
-    b = put_side(&g, PEN_CRANK, "aBt", b, t[FOURLINK_CRANK]);
-    c = put_side(&g, PEN_COUPLER, "aCBn", b, n[FOURLINK_COUPLER]);
-    c = put_side(&g, PEN_COUPLER, "aCBt", c, t[FOURLINK_COUPLER]);
+    b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
+    c = put_parts(&g, state, FOURLINK_COUPLER, "aCBn", "aCBt", b);
     if (p->slides)
-        put_side(&g, PEN_FOLLOWER, "aC", zero, in_unit(&g, a_C));
+        put_side(&g, PEN_FOLLOWER, "aC", zero, a_C);
     else
-        put_side(&g, PEN_FOLLOWER, "aCt", put_side(&g, PEN_FOLLOWER, "aCn", zero, n[4]), t[4]);
+        put_parts(&g, state, FOURLINK_FOLLOWER, "aCn", "aCt", zero);
     draw_sides(&g);
     sketch_line(&g.s, PEN_CONSTRUCTION, zero, c);
     sketch_line(&g.s, PEN_CONSTRUCTION, b, c);
@@ -197,123 +164,113 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
 }
 
-/* The forces on one link: of its two neighbours, weight, loads, and -m a_G, with which they are
+/* A link with the forces on it: of its two neighbours, weight, loads, and -m a_G, with which they are
 ** balanced. */
-static void collect(const picture *p, const picture_row *r, int link, arrow_list *arrows)
+typedef struct free_body {
+    int link, slides;
+    fourlink_vector first, second, G; /* its pins, and its centre of mass */
+    arrow_list forces;
+} free_body;
+
+static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
     const fourlink_link *body = &p->design->link[link];
     const fourlink_state *state = &r->now.state;
-    fourlink_vector G = figure_of_link(p, state, link, &body->cg), a_G;
+    figure_pins pins = figure_place(p, state);
+    fourlink_vector a_G;
 
-    arrows->n = 0;
-    arrow_add_joint(arrows, p, r, link - 1, link);
-    arrow_add_joint(arrows, p, r, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1, link);
-    arrow_add_loads(arrows, p, r, link);
+    b->link = link;
+    b->slides = fourlink_slides(p->kind, link);
+    b->first = link == FOURLINK_CRANK ? pins.A : link == FOURLINK_COUPLER ? pins.B : pins.C;
+    b->second = link == FOURLINK_CRANK                  ? pins.B
+                : link == FOURLINK_COUPLER || b->slides ? pins.C
+                                                        : pins.D;
+    b->G = figure_of_link(p, state, link, &body->cg);
+    b->forces.n = 0;
+    arrow_add_joint(&b->forces, p, r, link - 1, link);
+    arrow_add_joint(&b->forces, p, r, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1, link);
+    arrow_add_loads(&b->forces, p, r, link);
     fourlink_point(state, link, &body->cg, NULL, NULL, &a_G);
-    arrow_add(arrows, PEN_RESULT, "-m aG", G, -body->mass * a_G.x, -body->mass * a_G.y);
+    arrow_add(&b->forces, PEN_RESULT, "-m aG", b->G, -body->mass * a_G.x, -body->mass * a_G.y);
 }
 
 /* Thin lines from the pins to a point of the link that is off its line. */
-static void draw_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
+static void draw_off(sketch *s, const free_body *b, fourlink_vector at)
 {
-    double along = gsl_hypot(second.x - first.x, second.y - first.y);
-    double ways =
-        gsl_hypot(at.x - first.x, at.y - first.y) + gsl_hypot(at.x - second.x, at.y - second.y);
+    double along = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
+    double ways = gsl_hypot(at.x - b->first.x, at.y - b->first.y) +
+                  gsl_hypot(at.x - b->second.x, at.y - b->second.y);
 
     if (ways > along * (1 + 1e-9)) {
-        sketch_line(s, PEN_CONSTRUCTION, first, at);
-        sketch_line(s, PEN_CONSTRUCTION, second, at);
+        sketch_line(s, PEN_CONSTRUCTION, b->first, at);
+        sketch_line(s, PEN_CONSTRUCTION, b->second, at);
     }
 }
 
-/* The body of a link between its pins, out to where it is loaded, with its centre of mass at G. */
-static void draw_body(sketch *s, const picture *p, const picture_row *r, int link,
-                      fourlink_vector first, fourlink_vector second, fourlink_vector G)
+/* The body between its pins, out to where it is loaded, with its centre of mass. */
+static void draw_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    static const char *const letters[3][2] = {{"A", "B"}, {"B", "C"}, {"C", "D"}};
-    int slides = fourlink_slides(p->kind, link);
+    static const char *const letters[] = {"A", "B", "C", "D"};
     unsigned long i;
 
-    if (slides)
-        figure_piston(s, PEN_FOLLOWER, first);
+    if (b->slides)
+        figure_piston(s, PEN_FOLLOWER, b->first);
     else
-        sketch_line(s, (pen)link, first, second);
+        sketch_line(s, (pen)b->link, b->first, b->second);
     for (i = 0; i < p->problem.n_loads; i++)
-        if (r->loads[i].link == link)
-            draw_off(s, first, second, figure_of_link(p, &r->now.state, link, &r->loads[i].at));
-    if (p->design->link[link].mass > 0) {
-        draw_off(s, first, second, G);
-        sketch_centre(s, G);
+        if (r->loads[i].link == b->link)
+            draw_off(s, b, figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
+    if (p->design->link[b->link].mass > 0) {
+        draw_off(s, b, b->G);
+        sketch_centre(s, b->G);
     }
-    sketch_pin(s, first);
-    figure_letter(s, first, second, second, letters[link - 2][0]);
-    if (!slides) {
-        sketch_pin(s, second);
-        figure_letter(s, second, first, first, letters[link - 2][1]);
+    sketch_pin(s, b->first);
+    figure_letter(s, b->first, b->second, b->second, letters[b->link - 2]);
+    if (!b->slides) {
+        sketch_pin(s, b->second);
+        figure_letter(s, b->second, b->first, b->first, letters[b->link - 1]);
     }
 }
 
-/* Forces and torques on it. */
-static void draw_loads(sketch *s, const picture *p, const picture_row *r, int link,
-                       fourlink_vector first, fourlink_vector G, double size)
+/* The body with forces and torques. */
+static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
-    double inertia = p->design->link[link].inertia, alpha = r->now.state.link[link].alpha;
-    arrow_list arrows;
-
-    collect(p, r, link, &arrows);
-    if (arrow_largest(&arrows) > 0)
-        arrow_draw(&arrows, s, p, 0.8 * size / arrow_largest(&arrows));
-    arrow_draw_load_torques(s, p, r, link);
-    if (link == FOURLINK_CRANK)
-        arrow_draw_torque(s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
-    if (alpha != 0 && inertia > 0)
-        arrow_draw_torque(s, p, PEN_RESULT, "-I alpha", G, -inertia * alpha);
-    if (link == FOURLINK_FOLLOWER)
-        arrow_draw_torque(s, p, PEN_FORCE, "M14", first, r->now.forces.M14);
-}
-
-/* A link cut free, with all that acts on it. */
-static void put_free_body(picture *p, const picture_row *r, int link)
-{
-    figure_pins pins = figure_place(p, &r->now.state);
-    fourlink_vector first = link == FOURLINK_CRANK     ? pins.A
-                            : link == FOURLINK_COUPLER ? pins.B
-                                                       : pins.C;
-    fourlink_vector second = link == FOURLINK_CRANK                  ? pins.B
-                             : link == FOURLINK_COUPLER || p->slides ? pins.C
-                                                                     : pins.D;
-    fourlink_vector G = figure_of_link(p, &r->now.state, link, &p->design->link[link].cg);
-    double size = gsl_hypot(second.x - first.x, second.y - first.y);
-    char words[ARROW_WORDS];
+    double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
+    double size = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
+    double largest = arrow_largest(&b->forces);
+    char words[80];
     sketch s;
 
     if (size == 0)
         size = figure_length(p, p->design->link[FOURLINK_CRANK].length);
     sketch_open(&s, &p->on, 1.4 * size);
     s.letter = LETTER;
-    draw_body(&s, p, r, link, first, second, G);
-    draw_loads(&s, p, r, link, first, G, size);
-    flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, link),
+    draw_body(&s, p, r, b);
+    if (largest > 0)
+        arrow_draw(&b->forces, &s, p, 0.8 * size / largest);
+    arrow_draw_load_torques(&s, p, r, b->link);
+    if (b->link == FOURLINK_CRANK)
+        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
+    if (alpha != 0 && inertia > 0)
+        arrow_draw_torque(&s, p, PEN_RESULT, "-I alpha", b->G, -inertia * alpha);
+    flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, b->link),
                   (char *)NULL);
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
 }
 
 /* The same forces one after the other: the polygon closes. */
-static void put_force_polygon(picture *p, const picture_row *r, int link)
+static void put_force_polygon(picture *p, const free_body *b)
 {
-    arrow_list arrows;
     fourlink_vector at = zero;
-    char words[ARROW_WORDS];
+    char words[80];
     polygon g;
     int i;
 
-    collect(p, r, link, &arrows);
     open_polygon(&g, p, QUANTITY_FORCE);
-    for (i = 0; i < arrows.n; i++)
-        at = put_side(&g, arrows.list[i].kind, arrows.list[i].name, at,
-                      in_unit(&g, arrows.list[i].F));
+    for (i = 0; i < b->forces.n; i++)
+        at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->kind, link),
+    flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->kind, b->link),
                   (char *)NULL);
     sketch_close(&g.s, words, p->units[QUANTITY_FORCE].name);
 }
@@ -332,6 +289,7 @@ static void put_mechanism(picture *p, const fourlink_instant *now)
 const char *picture_vectors(picture *p, fourlink_branch branch)
 {
     picture_row r;
+    free_body bodies[FOURLINK_FOLLOWER + 1];
     int link, status = picture_position(p, branch, &r.now, r.loads);
 
     if (status != FOURLINK_OK)
@@ -339,9 +297,13 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
     put_mechanism(p, &r.now);
     put_velocities(p, &r.now.state);
     put_accelerations(p, &r.now.state);
-    for (link = FOURLINK_CRANK; p->problem.has_forces && link <= FOURLINK_FOLLOWER; link++)
-        put_free_body(p, &r, link);
-    for (link = FOURLINK_CRANK; p->problem.has_forces && link <= FOURLINK_FOLLOWER; link++)
-        put_force_polygon(p, &r, link);
+    if (!p->problem.has_forces)
+        return NULL;
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        open_body(&bodies[link], p, &r, link);
+        put_free_body(p, &r, &bodies[link]);
+    }
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        put_force_polygon(p, &bodies[link]);
     return NULL;
 }
