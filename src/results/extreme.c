@@ -433,9 +433,9 @@ static void refine(search *x, const tracked *t, const double *values, int which,
                 best = top;
             climb(x, t, which, low, high, size, &best);
         } else if (signed_value(which, top.value) > signed_value(which, best.value)) {
-            sharpen(x, t, low, high, size, &top);
             best = top;
         }
+        sharpen(x, t, low, high, size, &best);
     }
     offer(found, which, best.value, angle_at(x, best.s));
 }
