@@ -39,8 +39,8 @@ struct mistake {
     char message[MESSAGE_SIZE];
 };
 
-/* Note a mistake; the format as above. */
-void flk_mistake(mistakes *m, text_place place, const char *format, ...);
+/* Note a mistake; the format as above.  0, for a function that fails to return. */
+int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
 /* Sort by line, for printing. */
 void flk_mistakes_sort(mistakes *m);

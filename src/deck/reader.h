@@ -101,8 +101,8 @@ void flk_section_split(text *section, text *name);
 /* Open a section; its settings are all unset.  Null when there is no memory for it. */
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
 
-/* Note that there is no section of this name. */
-void flk_section_unknown(parser *p, text_place place, text name);
+/* 0 and a mistake: there is no section of this name. */
+int flk_section_unknown(parser *p, text_place place, text name);
 
 /* The setting of a key in a section that has it. */
 setting *flk_setting_of(parser *p, const section_use *use, key_code key);

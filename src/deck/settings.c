@@ -122,7 +122,7 @@ static const char *nearest_word(text word, const char *const *known)
     return flk_text_nearest(word, known);
 }
 
-void flk_section_unknown(parser *p, text_place place, text name)
+int flk_section_unknown(parser *p, text_place place, text name)
 {
     const char *known[SECTION_COUNT];
     int i;
@@ -130,7 +130,8 @@ void flk_section_unknown(parser *p, text_place place, text name)
     for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
-    flk_mistake(p->mistakes, place, "unknown section '%t'%h", name, nearest_word(name, known));
+    return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
+                       nearest_word(name, known));
 }
 
 /* The first section, but for the units, that has this key; SECTION_COUNT if none has. */
@@ -144,7 +145,7 @@ static section_code section_with(text key)
     return SECTION_COUNT;
 }
 
-static void note_unknown_key(parser *p, text_place place, section_code section, text key)
+static int refuse_key(parser *p, text_place place, section_code section, text key)
 {
     const char *known[KEY_COUNT + 1], *nearest;
     char where[MESSAGE_SIZE];
@@ -160,12 +161,11 @@ static void note_unknown_key(parser *p, text_place place, section_code section, 
                                        : "unknown key '%t' in [%s]",
                 key, flk_section_table[section].name);
     if (other == SECTION_TOP)
-        flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
-    else if (!nearest && other != SECTION_COUNT)
-        flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
-                    flk_section_table[other].name);
-    else
-        flk_mistake(p->mistakes, place, "%s%h", where, nearest);
+        return flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
+    if (!nearest && other != SECTION_COUNT)
+        return flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
+                           flk_section_table[other].name);
+    return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
 
 /* The names that users give: case matters where two differ in it. */
@@ -187,10 +187,8 @@ section_use *flk_section_find_named(parser *p, section_code section, text name)
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
-    while (name->length && flk_text_is_word(name->start[0])) {
-        name->start++;
-        name->length--;
-    }
+    while (name->length && flk_text_is_word(name->start[0]))
+        *name = flk_text_from(*name, 1);
     section->length -= name->length;
     *name = flk_text_trim(*name);
 }
@@ -268,10 +266,8 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
 
     for (i = 0; i < n && !flk_text_equal(key, flk_key_table[first + i].name); i++)
         ;
-    if (i == n && !TAKES_NAMES(use->section)) {
-        note_unknown_key(p, place, use->section, key);
-        return 0;
-    }
+    if (i == n && !TAKES_NAMES(use->section))
+        return refuse_key(p, place, use->section, key);
     t->use = (size_t)(use - p->uses);
     t->key = i < n ? (key_code)(first + i) : KEY_COUNT;
     t->part = PART_NONE;
@@ -392,11 +388,10 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
         set(place, s, flk_text_of("(0, 0)"));
     if (s && s->place.source)
         return 1;
-    flk_mistake(p->mistakes, place,
-                s ? "'%t' is not given: only a part of it varies"
-                  : "'%t' has no parts that can be varied",
-                key);
-    return 0;
+    return flk_mistake(p->mistakes, place,
+                       s ? "'%t' is not given: only a part of it varies"
+                         : "'%t' has no parts that can be varied",
+                       key);
 }
 
 int flk_setting_target(parser *p, text_place place, text key, target *t)
@@ -410,10 +405,8 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
         flk_section_split(&section, &name);
         code = flk_find_section(section);
     }
-    if (code == SECTION_COUNT) {
-        flk_section_unknown(p, place, section);
-        return 0;
-    }
+    if (code == SECTION_COUNT)
+        return flk_section_unknown(p, place, section);
     use = find_section(p, place, code, name);
     if (!use || !find_key(p, place, use, last, t))
         return 0;

@@ -367,15 +367,11 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
 int flk_column_next_name(text *rest, text *name)
 {
-    while (rest->length && strchr(", \t", rest->start[0])) {
-        rest->start++;
-        rest->length--;
-    }
+    while (rest->length && strchr(", \t", rest->start[0]))
+        *rest = flk_text_from(*rest, 1);
     *name = *rest;
-    while (rest->length && !strchr(", \t", rest->start[0])) {
-        rest->start++;
-        rest->length--;
-    }
+    while (rest->length && !strchr(", \t", rest->start[0]))
+        *rest = flk_text_from(*rest, 1);
     name->length -= rest->length;
     return name->length > 0;
 }
