@@ -3,7 +3,6 @@
 ** build_loads.c - values to loads, gas, curves over the crank angle and points.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -95,7 +94,7 @@ void flk_build_gas(parser *p)
 /* The link that a load or a point is on. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
-    const flk_kind *kind = flk_kind_of((int)p->d->design.kind);
+    const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
     if (!link->place.source)
@@ -158,20 +157,22 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-void flk_build_points(parser *p)
+/* Room for each section of this kind. */
+static void *keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;
 
     for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == SECTION_POINT;
-    if (!n)
-        return;
-    p->d->points = calloc(n, sizeof *p->d->points);
-    if (!p->d->points) {
-        p->out_of_memory = 1;
-        return;
-    }
-    for (i = 0; i < p->n_uses; i++)
+        n += p->uses[i].section == section;
+    return flk_reader_keep(p, n * size);
+}
+
+void flk_build_points(parser *p)
+{
+    size_t i;
+
+    p->d->points = keep_each(p, SECTION_POINT, sizeof *p->d->points);
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_POINT)
             build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
 }
@@ -188,7 +189,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     if (!force->place.source && !torque->place.source)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
-        flk_kind_of((int)p->d->design.kind)->has_length[link->word])
+        flk_kind_of(p->d->design.kind)->has_length[link->word])
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (at->place.source && !force->place.source)
@@ -207,23 +208,15 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
 
 void flk_build_loads(parser *p)
 {
-    size_t i, n = 0;
+    deck *d = p->d;
+    size_t i;
 
-    for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == SECTION_LOAD;
-    if (!n)
-        return;
-    p->d->loads = calloc(n, sizeof *p->d->loads);
-    p->d->variations = calloc(n, sizeof *p->d->variations);
-    if (!p->d->loads || !p->d->variations) {
-        p->out_of_memory = 1;
-        return;
-    }
-    for (i = 0; i < p->n_uses; i++)
+    d->loads = keep_each(p, SECTION_LOAD, sizeof *d->loads);
+    d->variations = keep_each(p, SECTION_LOAD, sizeof *d->variations);
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_LOAD) {
-            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads],
-                       &p->d->variations[p->d->n_loads]);
-            p->d->n_loads++;
+            build_load(p, &p->uses[i], &d->loads[d->n_loads], &d->variations[d->n_loads]);
+            d->n_loads++;
+            d->has_forces = 1;
         }
-    p->d->has_forces = 1;
 }

@@ -144,7 +144,7 @@ int flk_build_kind(parser *p)
     const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
     size_t i;
     fourlink_kind kind;
-    int k;
+    key_code k;
 
     if (!s) {
         text_place place = flk_reader_end(p);
@@ -161,7 +161,6 @@ int flk_build_kind(parser *p)
     p->d->design.kind = kind;
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];
-        int first = flk_first_key(use->section), n = flk_key_count(use->section);
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
@@ -172,8 +171,8 @@ int flk_build_kind(parser *p)
                         fourlink_link_text((int)kind, FOURLINK_COUPLER));
             continue;
         }
-        for (k = first; k < first + n; k++) {
-            s = flk_setting_of(p, use, (key_code)k);
+        for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
+            s = flk_setting_of(p, use, k);
             if (s->place.source && !(flk_key_table[k].kinds & (int)kind))
                 flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
                             use->section == SECTION_TOP ? "" : "the ",
@@ -239,7 +238,7 @@ static void check_reach(parser *p, const flk_kind *kind)
 void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->design;
-    const flk_kind *kind = flk_kind_of((int)design->kind);
+    const flk_kind *kind = flk_kind_of(design->kind);
     double direction, g;
     int i;
 

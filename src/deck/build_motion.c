@@ -21,11 +21,11 @@ static double angle_or(parser *p, key_code key, double otherwise)
 static int is_mistaken(parser *p, section_code section)
 {
     const section_use *use = flk_section_find(p, section);
-    int first = flk_first_key(section), n = flk_key_count(section), k;
+    key_code k;
     size_t i;
 
-    for (k = first; use && k < first + n; k++) {
-        text_place place = flk_setting_of(p, use, (key_code)k)->place;
+    for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
+        text_place place = flk_setting_of(p, use, k)->place;
 
         for (i = 0; place.source && i < p->mistakes->count; i++)
             if (p->mistakes->list[i].place.source == place.source &&

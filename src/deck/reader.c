@@ -123,11 +123,11 @@ static void read_deck(parser *p, const fourlink_source *source)
     for (i = 0; i < source->n_changes && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
-        flk_values_read_units(p);
+        flk_values_read(p, 1);
     if (!p->out_of_memory && !p->not_text)
         flk_sweep_read(p, source->design);
     if (!p->out_of_memory)
-        flk_values_read(p);
+        flk_values_read(p, 0);
     if (!p->out_of_memory && !p->not_text)
         build(p);
 }
@@ -139,7 +139,7 @@ static void read_answers(parser *p, const fourlink_source *source)
     p->d->n_expectations = 0;
     read_lines(p, source->answers, source->answers_length);
     if (!p->out_of_memory)
-        flk_values_read(p);
+        flk_values_read(p, 0);
     if (!p->out_of_memory)
         flk_build_expectations(p);
 }

@@ -80,7 +80,7 @@ typedef struct parser {
     int out_of_memory;
 } parser;
 
-/* Memory that lasts as long as the deck; null when there is none. */
+/* Memory, zeroed, that lasts as long as the deck; null when there is none. */
 void *flk_reader_keep(parser *p, size_t size);
 
 /* A copy of a text, with an ending, that lasts as long; null-terminated. */
@@ -138,9 +138,8 @@ void flk_lines_read(parser *p, text rest, char *copy);
 /* Second pass: the units, which decide how bare numbers are read; the assignments of a design of the
 ** [sweep]; the values. */
 void flk_values_read_section(parser *p, const section_use *use);
-void flk_values_read_units(parser *p);
+void flk_values_read(parser *p, int units_only);
 void flk_sweep_read(parser *p, unsigned long design);
-void flk_values_read(parser *p);
 
 /* A quantity; 0 and a mistake if it is none.  `whole` is what it is a piece of. */
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,

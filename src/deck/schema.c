@@ -42,14 +42,9 @@ const word_info flk_word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOU
                                     {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
                                     {KEY_COUNT, NULL, 0}};
 
-int flk_first_key(section_code section)
+key_code flk_first_key(section_code section)
 {
     return flk_section_table[section].first;
-}
-
-int flk_key_count(section_code section)
-{
-    return flk_section_table[section + 1].first - flk_section_table[section].first;
 }
 
 section_code flk_find_section(text name)

@@ -27,7 +27,7 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t
 
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
-    size_t n = (size_t)flk_key_count(section);
+    size_t n = (size_t)(flk_first_key(section + 1) - flk_first_key(section));
     section_use *uses, *use;
     setting *settings;
 
@@ -61,8 +61,7 @@ section_use *flk_section_find(parser *p, section_code section)
 
 setting *flk_setting_of(parser *p, const section_use *use, key_code key)
 {
-    return &p->settings[use->first +
-                        (size_t)((int)key - flk_first_key(flk_key_table[key].section))];
+    return &p->settings[use->first + (size_t)(key - flk_first_key(flk_key_table[key].section))];
 }
 
 setting *flk_setting_find(parser *p, key_code key)
@@ -75,11 +74,11 @@ setting *flk_setting_find(parser *p, key_code key)
 
 setting *flk_setting_by_name(parser *p, section_code section, const char *key)
 {
-    int first = flk_first_key(section), n = flk_key_count(section), i;
+    key_code i;
 
-    for (i = first; i < first + n; i++)
+    for (i = flk_first_key(section); i < flk_first_key(section + 1); i++)
         if (strcmp(flk_key_table[i].name, key) == 0)
-            return flk_setting_find(p, (key_code)i);
+            return flk_setting_find(p, i);
     return NULL;
 }
 
@@ -149,12 +148,12 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
 {
     const char *known[KEY_COUNT + 1], *nearest;
     char where[MESSAGE_SIZE];
-    int first = flk_first_key(section), n = flk_key_count(section), i;
     section_code other = section_with(key);
+    key_code first = flk_first_key(section), i;
 
-    for (i = 0; i < n; i++)
-        known[i] = flk_key_table[first + i].name;
-    known[n] = NULL;
+    for (i = first; i < flk_first_key(section + 1); i++)
+        known[i - first] = flk_key_table[i].name;
+    known[i - first] = NULL;
     nearest = nearest_word(key, known);
     flk_message(where, sizeof where,
                 section == SECTION_TOP ? "unknown key '%t' before the first section"
@@ -262,14 +261,14 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
 /* The key of a section; 0 and a mistake if it can have none of that name. */
 static int find_key(parser *p, text_place place, const section_use *use, text key, target *t)
 {
-    int first = flk_first_key(use->section), n = flk_key_count(use->section), i;
+    key_code end = flk_first_key(use->section + 1), i = flk_first_key(use->section);
 
-    for (i = 0; i < n && !flk_text_equal(key, flk_key_table[first + i].name); i++)
-        ;
-    if (i == n && !TAKES_NAMES(use->section))
+    while (i < end && !flk_text_equal(key, flk_key_table[i].name))
+        i++;
+    if (i == end && !TAKES_NAMES(use->section))
         return refuse_key(p, place, use->section, key);
     t->use = (size_t)(use - p->uses);
-    t->key = i < n ? (key_code)(first + i) : KEY_COUNT;
+    t->key = i < end ? i : KEY_COUNT;
     t->part = PART_NONE;
     t->name = key;
     return 1;
@@ -291,7 +290,6 @@ static void set_part(parser *p, text_place place, const target *t, setting *s, t
         s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
         if (!s->parts)
             return;
-        memset(s->parts, 0, PART_NONE * sizeof *s->parts);
     }
     if (s->parts[other].place.source || s->parts[other + 1].place.source)
         flk_mistake(p->mistakes, place,

@@ -93,7 +93,8 @@ static int read_range(parser *p, variation *v)
 
     flk_text_cut(v->value, " to ", &first, &rest);
     in_steps = !flk_text_cut(rest, " step ", &last, &step);
-    if (in_steps && !flk_text_cut_last(rest, " in ", &last, &number)) /* not inches */
+    if (in_steps &&
+        !flk_text_cut_last(rest, " in ", &last, &number)) /* the last: 1 in to 2 in in 3 */
         return flk_mistake(
             p->mistakes, v->place,
             "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "

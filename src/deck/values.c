@@ -3,7 +3,6 @@
 ** values.c - second pass over a deck: the texts of its settings to values in SI units.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -456,30 +455,22 @@ static void read_value(parser *p, key_code code, setting *s)
 
 void flk_values_read_section(parser *p, const section_use *use)
 {
-    int first = flk_first_key(use->section), n = flk_key_count(use->section), k;
+    key_code k;
 
-    for (k = first; k < first + n; k++) {
-        setting *s = flk_setting_of(p, use, (key_code)k);
+    for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
+        setting *s = flk_setting_of(p, use, k);
 
         if (s->place.source && s->value.length)
-            read_value(p, (key_code)k, s);
+            read_value(p, k, s);
     }
 }
 
-void flk_values_read_units(parser *p)
+void flk_values_read(parser *p, int units_only)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == SECTION_UNITS)
-            flk_values_read_section(p, &p->uses[i]);
-}
-
-void flk_values_read(parser *p)
-{
-    size_t i;
-
-    for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section != SECTION_UNITS && p->uses[i].section != SECTION_SWEEP)
+        if (p->uses[i].section != SECTION_SWEEP &&
+            (p->uses[i].section == SECTION_UNITS) == units_only)
             flk_values_read_section(p, &p->uses[i]);
 }
