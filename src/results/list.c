@@ -6,8 +6,7 @@
 
 #include "list.h"
 
-/* An entry without name and value. */
-static void describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
+void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
 {
     const deck_unit *u = &d->units[q];
 
@@ -21,7 +20,7 @@ static void describe(const deck *d, quantity q, const char *meaning, fourlink_va
 
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
 {
-    describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
+    flk_list_describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
     v->name = c->name;
     v->source = flk_column_source_name(c);
     v->flags = flk_column_flags(c);
@@ -45,7 +44,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
         const deck_variable *x = &d->sweep.variables[i];
         fourlink_value *v = &variables->list[variables->n++];
 
-        describe(d, x->q, "", v);
+        flk_list_describe(d, x->q, "", v);
         v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
     }
@@ -65,7 +64,7 @@ static fourlink_value *tell(teller *t, const char *section, const char *key, qua
     char *name = t->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
 
-    describe(t->d, q, meaning, v);
+    flk_list_describe(t->d, q, meaning, v);
     v->name = flk_text_join(name, DECK_NAME_SIZE, section, ".", key, (char *)NULL);
     v->value = flk_unit_from_si(si, t->d->units[q].unit);
     return v;
