@@ -15,40 +15,34 @@
 
 /* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
 ** closes the cycle is the first again. */
-static void build_curve(parser *p, const setting *s, curve *result)
+static int build_curve(parser *p, const setting *s, curve *result)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
     double period = p->d->cycle, *x, *y;
 
     if (!c || !(period > 0))
-        return;
+        return 0;
     for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < LEAST_STEP) {
-            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
-            return;
-        }
+        if (c[i].x - c[i - 1].x < LEAST_STEP)
+            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
-        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
-            flk_mistake(p->mistakes, c[n].place,
-                        "the curve does not close: its last point is the first, one cycle on");
-            return;
-        }
+        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y))
+            return flk_mistake(
+                p->mistakes, c[n].place,
+                "the curve does not close: its last point is the first, one cycle on");
     }
-    if (n < 2) {
-        flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
-        return;
-    }
-    if (c[n - 1].x - c[0].x > period - LEAST_STEP) {
-        flk_mistake(p->mistakes, c[n - 1].place,
-                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
-                    "one of four strokes");
-        return;
-    }
+    if (n < 2)
+        return flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
+    if (c[n - 1].x - c[0].x > period - LEAST_STEP)
+        return flk_mistake(
+            p->mistakes, c[n - 1].place,
+            "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
+            "one of four strokes");
     x = flk_reader_keep(p, 2 * n * sizeof *x);
     if (!x)
-        return;
+        return 0;
     y = x + n;
     for (i = 0; i < n; i++) {
         x[i] = c[i].x;
@@ -56,6 +50,7 @@ static void build_curve(parser *p, const setting *s, curve *result)
     }
     if (!flk_curve_make(x, y, n, period, result))
         p->out_of_memory = 1;
+    return 1;
 }
 
 void flk_build_gas(parser *p)

@@ -150,10 +150,10 @@ int flk_build_kind(parser *p)
         text_place place = flk_reader_end(p);
 
         place.line = 1;
-        flk_mistake(p->mistakes, place,
-                    "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
-                    "first section");
-        return 0;
+        return flk_mistake(
+            p->mistakes, place,
+            "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
+            "first section");
     }
     if (!s->word)
         return 0;

@@ -82,25 +82,6 @@ static void build(parser *p)
     flk_build_expectations(p);
 }
 
-static void start(parser *p, const fourlink_source *source, const char *name, deck *d)
-{
-    memset(p, 0, sizeof *p);
-    p->d = d;
-    p->mistakes = &d->mistakes;
-    p->load = source->load;
-    p->host = source->host;
-    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
-}
-
-static void finish(parser *p)
-{
-    flk_mistakes_sort(p->mistakes);
-    free(p->uses);
-    free(p->settings);
-    free(p->named);
-    free(p->named_slots);
-}
-
 /* The lines of a copy of the text. */
 static void read_lines(parser *p, const char *start, unsigned long length)
 {
@@ -144,22 +125,35 @@ static void read_answers(parser *p, const fourlink_source *source)
         flk_build_expectations(p);
 }
 
-int flk_deck_read(const fourlink_source *source, deck *d)
+/* Read one text of a source; 1, or 0 when out of memory. */
+static int run(deck *d, const fourlink_source *source, const char *name,
+               void read(parser *, const fourlink_source *))
 {
     parser p;
 
-    flk_deck_start(d);
-    start(&p, source, source->name, d);
+    memset(&p, 0, sizeof p);
+    p.d = d;
+    p.mistakes = &d->mistakes;
+    p.load = source->load;
+    p.host = source->host;
+    p.name = flk_reader_copy(&p, flk_text_of(name ? name : ""), "");
     if (!p.out_of_memory)
-        read_deck(&p, source);
-    finish(&p);
-    if (source->answers && !p.out_of_memory && !d->mistakes.count) {
-        start(&p, source, source->answers_name, d);
-        if (!p.out_of_memory)
-            read_answers(&p, source);
-        finish(&p);
-    }
-    if (p.out_of_memory || d->mistakes.out_of_memory)
-        return -1;
-    return d->mistakes.count == 0;
+        read(&p, source);
+    flk_mistakes_sort(p.mistakes);
+    free(p.uses);
+    free(p.settings);
+    free(p.named);
+    free(p.named_slots);
+    return !p.out_of_memory && !d->mistakes.out_of_memory;
+}
+
+int flk_deck_read(const fourlink_source *source, deck *d)
+{
+    int all_read;
+
+    flk_deck_start(d);
+    all_read = run(d, source, source->name, read_deck);
+    if (source->answers && all_read && !d->mistakes.count)
+        all_read = run(d, source, source->answers_name, read_answers);
+    return all_read ? d->mistakes.count == 0 : -1;
 }

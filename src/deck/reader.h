@@ -61,7 +61,8 @@ typedef struct target {
 
 typedef struct parser {
     deck *d;
-    mistakes *mistakes; /* the deck's */
+    mistakes *mistakes;     /* the deck's */
+    char why[MESSAGE_SIZE]; /* what is no quantity, until it is noted */
     const char *name;
     fourlink_loader *load;
     void *host; /* for it */

@@ -233,22 +233,18 @@ static int grow_named(parser *p)
 }
 
 /* A key that the schema does not have, in a section that takes names of its own. */
-static void set_named(parser *p, text_place place, const target *t, text value, int replace)
+static int set_named(parser *p, text_place place, const target *t, text value, int replace)
 {
     size_t *slot;
     named_value *named;
 
-    if (!t->name.length || !value.length) {
-        flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
-        return;
-    }
+    if (!t->name.length || !value.length)
+        return flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
     if (!grow_named(p))
-        return;
+        return 0;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && !replace) {
-        flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
-        return;
-    }
+    if (*slot && !replace)
+        return flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
     if (!*slot)
         *slot = ++p->n_named;
     named = &p->named[*slot - 1];
@@ -256,6 +252,7 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     named->name = t->name;
     named->place = place;
     named->value = value;
+    return 1;
 }
 
 /* The key of a section; 0 and a mistake if it can have none of that name. */
@@ -274,49 +271,44 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static void set(text_place place, setting *s, text value)
+static int set(text_place place, setting *s, text value)
 {
     memset(s, 0, sizeof *s);
     s->place = place;
     s->value = value;
+    return 1;
 }
 
 /* x and y, or size and angle */
-static void set_part(parser *p, text_place place, const target *t, setting *s, text value)
+static int set_part(parser *p, text_place place, const target *t, setting *s, text value)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
 
     if (!s->parts) {
         s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
         if (!s->parts)
-            return;
+            return 0;
     }
     if (s->parts[other].place.source || s->parts[other + 1].place.source)
-        flk_mistake(p->mistakes, place,
-                    "'%t' and another part of it: set x and y, or size and angle", t->name);
-    else
-        set(place, &s->parts[t->part], value);
+        return flk_mistake(p->mistakes, place,
+                           "'%t' and another part of it: set x and y, or size and angle", t->name);
+    return set(place, &s->parts[t->part], value);
 }
 
 /* key = value; the key's own text is in `t->name`. */
-static void set_target(parser *p, text_place place, const target *t, text value, int replace)
+static int set_target(parser *p, text_place place, const target *t, text value, int replace)
 {
     setting *s;
 
-    if (t->key == KEY_COUNT) {
-        set_named(p, place, t, value, replace);
-        return;
-    }
+    if (t->key == KEY_COUNT)
+        return set_named(p, place, t, value, replace);
     s = flk_setting_of(p, &p->uses[t->use], t->key);
     if (s->place.source && !replace)
-        flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld", t->name,
-                    s->place.line);
-    else if (!value.length)
-        flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
-    else if (t->part != PART_NONE)
-        set_part(p, place, t, s, value);
-    else
-        set(place, s, value);
+        return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
+                           t->name, s->place.line);
+    if (!value.length)
+        return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
+    return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
 }
 
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)

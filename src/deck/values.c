@@ -15,38 +15,32 @@ static int is_blank(int c)
     return c == ' ' || c == '\t';
 }
 
+static int refuse(parser *p, text_place place)
+{
+    return flk_mistake(p->mistakes, place, "%s", p->why);
+}
+
 /* The number at the front of `rest`, and the unit that is all of `t` (where it is empty, that of the deck); 0
 ** and a mistake if there is none. */
 static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_number(rest, s->value, q, number, why) ||
-           flk_mistake(p->mistakes, s->place, "%s", why);
+    return flk_quantity_number(rest, s->value, q, number, p->why) || refuse(p, s->place);
 }
 
 static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, why) ||
-           flk_mistake(p->mistakes, s->place, "%s", why);
+    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, p->why) || refuse(p, s->place);
 }
 
 static int check_size(parser *p, const setting *s, quantity q, double si)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_size(si, s->value, q, why) || flk_mistake(p->mistakes, s->place, "%s", why);
+    return flk_quantity_size(si, s->value, q, p->why) || refuse(p, s->place);
 }
 
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, why) ||
-           flk_mistake(p->mistakes, place, "%s", why);
+    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, p->why) || refuse(p, place);
 }
 
 /* A piece of a setting's value that is a quantity. */
