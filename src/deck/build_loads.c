@@ -61,18 +61,18 @@ void flk_build_gas(parser *p)
     const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),
                   *card = flk_setting_find(p, KEY_GAS_INDICATOR);
     deck_gas *gas = &p->d->gas;
-    double d_rod = rod ? rod->si[0] : 0;
+    double d_rod = rod->si[0];
 
     if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
         return;
     p->d->has_forces = 1;
-    if (!bore) {
+    if (!IS_SET(bore)) {
         flk_mistake(p->mistakes, use->place, "[gas] has no bore");
         return;
     }
-    if (!pressure && !card && !flk_setting_find(p, KEY_GAS_BACK_PRESSURE))
+    if (!IS_SET(pressure) && !IS_SET(card) && !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
         flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
-    if (pressure && card)
+    if (IS_SET(pressure) && IS_SET(card))
         flk_mistake(p->mistakes, pressure->place,
                     "give either the pressure or the indicator, not both");
     if (d_rod >= bore->si[0] && bore->si[0] > 0)
@@ -80,10 +80,9 @@ void flk_build_gas(parser *p)
                     rod->value);
     gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
-    gas->pressure = flk_setting_or(p, KEY_GAS_PRESSURE, 0);
+    gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    if (card)
-        build_curve(p, card, &gas->indicator);
+    build_curve(p, card, &gas->indicator);
 }
 
 /* The link that a load or a point is on. */
@@ -92,7 +91,7 @@ static void check_link(parser *p, const section_use *use, const setting *link)
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
-    if (!link->place.source)
+    if (!IS_SET(link))
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
@@ -106,18 +105,18 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     const setting *from = flk_setting_of(p, use, KEY_LOAD_FROM),
                   *to = flk_setting_of(p, use, KEY_LOAD_TO);
 
-    if (!from->place.source && !to->place.source)
+    if (!IS_SET(from) && !IS_SET(to))
         return;
     variation->is_windowed = 1;
     variation->from = from->si[0]; /* 0 if it is not given */
-    variation->to = to->place.source ? to->si[0] : p->d->cycle;
+    variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
-        flk_mistake(p->mistakes, (from->place.source ? from : to)->place,
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be before its 'to', not %t and %t",
-                    from->place.source ? from->value : flk_text_of("0"),
-                    to->place.source ? to->value : flk_text_of("the end of the cycle"));
+                    IS_SET(from) ? from->value : flk_text_of("0"),
+                    IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
-        flk_mistake(p->mistakes, (to->place.source ? to : from)->place,
+        flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
                     "the load acts for longer than a cycle");
 }
 
@@ -181,13 +180,13 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     const setting *frame = flk_setting_of(p, use, KEY_LOAD_FRAME);
 
     check_link(p, use, link);
-    if (!force->place.source && !torque->place.source)
+    if (!IS_SET(force) && !IS_SET(torque))
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
+    if ((force->si[0] != 0 || force->si[1] != 0) && !IS_SET(at) && link->word &&
         flk_kind_of(p->d->design.kind)->has_length[link->word])
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
-    if (at->place.source && !force->place.source)
+    if (IS_SET(at) && !IS_SET(force))
         flk_mistake(p->mistakes, at->place, "'at' is for a force");
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;

@@ -64,10 +64,7 @@ static void change(parser *p, const fourlink_change *c)
 
 static void build(parser *p)
 {
-    const setting *title = flk_setting_find(p, KEY_TOP_TITLE);
-
-    if (title)
-        flk_text_copy(title->value, p->d->title, sizeof p->d->title);
+    flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
     if (!flk_build_kind(p))
         return;
     p->d->cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);

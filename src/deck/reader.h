@@ -15,7 +15,7 @@ typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } ve
 
 /* What the deck sets a key to. */
 typedef struct setting {
-    text_place place; /* source null: not set */
+    text_place place; /* see IS_SET */
     text value;       /* empty: there is a mistake about it already */
     double number;    /* as written */
     unit unit;        /* its unit */
@@ -25,6 +25,8 @@ typedef struct setting {
     struct point *curve;   /* its points, if it is a curve */
     size_t n_points;
 } setting;
+
+#define IS_SET(s) ((s)->place.source != NULL)
 
 /* A point of a curve. */
 typedef struct point {
@@ -108,11 +110,12 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* The setting of a key in a section that has it. */
 setting *flk_setting_of(parser *p, const section_use *use, key_code key);
 
-/* The setting of a key of a section that does not repeat; null if the deck does not set it. */
-setting *flk_setting_find(parser *p, key_code key);
+/* The setting of a key of a section that does not repeat; one that is not set, all 0, if the deck has no
+** such section. */
+const setting *flk_setting_find(parser *p, key_code key);
 
-/* The same of the key with this name; null also if the section has no such key. */
-setting *flk_setting_by_name(parser *p, section_code section, const char *key);
+/* The same of the key with this name; not set also if the section has no such key. */
+const setting *flk_setting_by_name(parser *p, section_code section, const char *key);
 
 /* Its value in SI units, or what it is when the deck does not set it; in the deck's unit of it, without
 ** rounding if it is written in that. */

@@ -64,29 +64,30 @@ setting *flk_setting_of(parser *p, const section_use *use, key_code key)
     return &p->settings[use->first + (size_t)(key - flk_first_key(flk_key_table[key].section))];
 }
 
-setting *flk_setting_find(parser *p, key_code key)
-{
-    section_use *use = flk_section_find(p, flk_key_table[key].section);
-    setting *s = use ? flk_setting_of(p, use, key) : NULL;
+static const setting unset;
 
-    return s && s->place.source ? s : NULL;
+const setting *flk_setting_find(parser *p, key_code key)
+{
+    const section_use *use = flk_section_find(p, flk_key_table[key].section);
+
+    return use ? flk_setting_of(p, use, key) : &unset;
 }
 
-setting *flk_setting_by_name(parser *p, section_code section, const char *key)
+const setting *flk_setting_by_name(parser *p, section_code section, const char *key)
 {
     key_code i;
 
     for (i = flk_first_key(section); i < flk_first_key(section + 1); i++)
         if (strcmp(flk_key_table[i].name, key) == 0)
             return flk_setting_find(p, i);
-    return NULL;
+    return &unset;
 }
 
 double flk_setting_or(parser *p, key_code key, double otherwise)
 {
     const setting *s = flk_setting_find(p, key);
 
-    return s ? s->si[0] : otherwise;
+    return IS_SET(s) ? s->si[0] : otherwise;
 }
 
 double flk_setting_in_unit(parser *p, const setting *s, quantity q)
@@ -303,7 +304,7 @@ static int set_target(parser *p, text_place place, const target *t, text value, 
     if (t->key == KEY_COUNT)
         return set_named(p, place, t, value, replace);
     s = flk_setting_of(p, &p->uses[t->use], t->key);
-    if (s->place.source && !replace)
+    if (IS_SET(s) && !replace)
         return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
                            t->name, s->place.line);
     if (!value.length)
@@ -374,9 +375,9 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
                      ? flk_setting_of(p, &p->uses[t->use], t->key)
                      : NULL;
 
-    if (s && form == FORM_POINT && !s->place.source)
+    if (s && form == FORM_POINT && !IS_SET(s))
         set(place, s, flk_text_of("(0, 0)"));
-    if (s && s->place.source)
+    if (s && IS_SET(s))
         return 1;
     return flk_mistake(p->mistakes, place,
                        s ? "'%t' is not given: only a part of it varies"

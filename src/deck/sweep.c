@@ -348,11 +348,11 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
     const setting *samples = flk_setting_find(p, KEY_SWEEP_SAMPLES),
                   *seed = flk_setting_find(p, KEY_SWEEP_SEED);
 
-    if (seed && seed->si[0] > (double)BITS)
+    if (seed->si[0] > (double)BITS)
         flk_mistake(p->mistakes, seed->place, "the seed must be less than 4294967296");
-    if (has_tolerance && !samples)
+    if (has_tolerance && !IS_SET(samples))
         flk_mistake(p->mistakes, place, "a tolerance needs 'samples = NUMBER' in [sweep]");
-    if (!has_tolerance && samples)
+    if (!has_tolerance && IS_SET(samples))
         flk_mistake(p->mistakes, samples->place,
                     "samples are of a tolerance, such as 66 mm +- 0.1 mm, and there is none");
     if (!p->d->sweep.n_variables)
@@ -436,7 +436,7 @@ void flk_sweep_read(parser *p, unsigned long design)
     place = use->place;
     flk_values_read_section(p, use);
     s = flk_setting_find(p, KEY_SWEEP_SAMPLES);
-    samples = s && s->si[0] > 0 ? s->si[0] : 1;
+    samples = s->si[0] > 0 ? s->si[0] : 1;
     list = flk_reader_keep(p, (p->n_named + 1) * sizeof *list);
     sweep->variables = flk_reader_keep(p, (p->n_named + 1) * sizeof *sweep->variables);
     if (!list || !sweep->variables)
@@ -453,8 +453,7 @@ void flk_sweep_read(parser *p, unsigned long design)
         assign(p, list, samples, design);
     }
     p->lacks_values = p->mistakes->count > before;
-    if ((s = flk_setting_find(p, KEY_SWEEP_OUTPUT)) != NULL) {
-        sweep->output.names = s->value;
-        sweep->output.place = s->place;
-    }
+    s = flk_setting_find(p, KEY_SWEEP_OUTPUT);
+    sweep->output.names = s->value;
+    sweep->output.place = s->place;
 }

@@ -383,7 +383,7 @@ static void read_parts(parser *p, setting *s, quantity q)
     for (i = 0; i < PART_NONE; i++) {
         setting *own = &s->parts[i];
 
-        if (!own->place.source)
+        if (!IS_SET(own))
             continue;
         read_quantity(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
         part[i] = own->si[0];
@@ -454,7 +454,7 @@ void flk_values_read_section(parser *p, const section_use *use)
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
         setting *s = flk_setting_of(p, use, k);
 
-        if (s->place.source && s->value.length)
+        if (IS_SET(s) && s->value.length)
             read_value(p, k, s);
     }
 }
