@@ -55,7 +55,7 @@ static int build_curve(parser *p, const setting *s, curve *result)
 
 void flk_build_gas(parser *p)
 {
-    const section_use *use = flk_section_find(p, SECTION_GAS);
+    const section_use *use = flk_section_find(p, SECTION_GAS, NULL);
     const setting *bore = flk_setting_find(p, KEY_GAS_BORE),
                   *rod = flk_setting_find(p, KEY_GAS_PISTON_ROD);
     const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),

@@ -21,7 +21,7 @@ static int has_stroke(const parser *p)
 /* The length a mechanism cannot do without. */
 static void require_length(parser *p, const char *link)
 {
-    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)));
+    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
 
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
@@ -255,7 +255,7 @@ void flk_build_mechanism(parser *p)
         return;
     i = fourlink_prepare(design, &p->d->mechanism);
     if (i != FOURLINK_OK)
-        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK)->place, "%s",
+        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK, NULL)->place, "%s",
                     fourlink_status_text(i));
 }
 

@@ -20,7 +20,7 @@ static double angle_or(parser *p, key_code key, double otherwise)
 /* 1 if a mistake about a key of the section has been noted: no other is to follow from it. */
 static int is_mistaken(parser *p, section_code section)
 {
-    const section_use *use = flk_section_find(p, section);
+    const section_use *use = flk_section_find(p, section, NULL);
     key_code k;
     size_t i;
 

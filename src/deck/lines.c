@@ -13,7 +13,7 @@
 static int check_section(parser *p, text_place place, section_code section, text name)
 {
     const section_info *info = &flk_section_table[section];
-    const section_use *use = flk_section_find(p, section);
+    const section_use *use = flk_section_find(p, section, NULL);
 
     if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT)
         return flk_mistake(p->mistakes, place,
@@ -24,7 +24,7 @@ static int check_section(parser *p, text_place place, section_code section, text
     if (use && !info->repeats)
         return flk_mistake(p->mistakes, place, "a second [%s]; the first is at line %ld",
                            info->name, use->place.line);
-    if (name.length && flk_section_find_named(p, section, name))
+    if (name.length && flk_section_find(p, section, &name))
         return flk_mistake(p->mistakes, place, "a second [%s %t]", info->name, name);
     if (p->n_uses >= MOST_SECTIONS)
         return flk_mistake(p->mistakes, place, "too many sections");
@@ -96,16 +96,12 @@ static int is_text(parser *p, text line, text_place place)
 /* The next line without its comment; 0 at the end of the deck, or where it is no text. */
 static int next_line(parser *p, text *rest, text *line)
 {
-    text_place place;
-
     if (p->last_line > 0 && !rest->length)
         return 0; /* nothing after the last end of line */
     if (!flk_text_split(rest, '\n', line))
         return 0;
     p->last_line++;
-    place.source = p->name;
-    place.line = p->last_line;
-    if (!is_text(p, *line, place)) {
+    if (!is_text(p, *line, flk_reader_end(p))) {
         rest->start = NULL;
         return 0;
     }
@@ -142,7 +138,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
     text line;
     text_place place;
 
-    place.source = p->name;
+    place = flk_reader_end(p);
     place.line = 1;
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
     rest = flk_text_without_mark(rest);

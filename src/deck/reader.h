@@ -89,14 +89,12 @@ void *flk_reader_keep(parser *p, size_t size);
 /* A copy of a text, with an ending, that lasts as long; null-terminated. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* The end of the deck, for a mistake about what is not in it. */
+/* The line that was read last: the end of the deck, for a mistake about what is not in it. */
 text_place flk_reader_end(const parser *p);
 
-/* A section of the deck, null if it has none of that kind. */
-section_use *flk_section_find(parser *p, section_code section);
-
-/* The same with this name, in which case matters. */
-section_use *flk_section_find_named(parser *p, section_code section, text name);
+/* A section of the deck, of this name, in which case matters, or if `name` is null the first; null if it has
+** none. */
+section_use *flk_section_find(parser *p, section_code section, const text *name);
 
 /* Parts "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);

@@ -49,12 +49,18 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     return use;
 }
 
-section_use *flk_section_find(parser *p, section_code section)
+/* The names that users give: case matters where two differ in it. */
+static int same_name(text x, text y)
+{
+    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
+}
+
+section_use *flk_section_find(parser *p, section_code section, const text *name)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == section)
+        if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
             return &p->uses[i];
     return NULL;
 }
@@ -68,7 +74,7 @@ static const setting unset;
 
 const setting *flk_setting_find(parser *p, key_code key)
 {
-    const section_use *use = flk_section_find(p, flk_key_table[key].section);
+    const section_use *use = flk_section_find(p, flk_key_table[key].section, NULL);
 
     return use ? flk_setting_of(p, use, key) : &unset;
 }
@@ -166,22 +172,6 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
         return flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
                            flk_section_table[other].name);
     return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
-}
-
-/* The names that users give: case matters where two differ in it. */
-static int same_name(text x, text y)
-{
-    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
-}
-
-section_use *flk_section_find_named(parser *p, section_code section, text name)
-{
-    size_t i;
-
-    for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == section && same_name(p->uses[i].name, name))
-            return &p->uses[i];
-    return NULL;
 }
 
 void flk_section_split(text *section, text *name)
@@ -341,7 +331,7 @@ static vector_part take_part(text *key)
 ** if there are several, or none of the name. */
 static section_use *find_section(parser *p, text_place place, section_code code, text name)
 {
-    section_use *use = name.length ? flk_section_find_named(p, code, name) : NULL, *other = NULL;
+    section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
     char word[DECK_NAME_SIZE];
     size_t i, found = 0;
 

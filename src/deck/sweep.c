@@ -422,7 +422,7 @@ static void assign(parser *p, const variation *list, double samples, unsigned lo
 
 void flk_sweep_read(parser *p, unsigned long design)
 {
-    section_use *use = flk_section_find(p, SECTION_SWEEP);
+    section_use *use = flk_section_find(p, SECTION_SWEEP, NULL);
     deck_sweep *sweep = &p->d->sweep;
     size_t before = p->mistakes->count, keys;
     int has_tolerance = 0;

@@ -23,8 +23,9 @@
 ** its half, from which on a position is lost in the rounding of far longer links. */
 #define FLK_LOST 1e-8
 
-/* 1 if |x| <= max; 0 for larger numbers, and for NaN. */
+/* 1 if |x| <= max; 0 for larger numbers, and for NaN.  Likewise for a vector. */
 #define FLK_WITHIN(x, max) (fabs(x) <= (max))
+#define FLK_BOTH_WITHIN(v, max) (FLK_WITHIN((v).x, max) && FLK_WITHIN((v).y, max))
 
 /* A line of the switch that gives a code its text. */
 #define FLK_CASE(name, value, text) \
