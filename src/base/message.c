@@ -101,17 +101,10 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     struct mistake *new;
     va_list values;
 
-    if (m->count == m->capacity && m->count < MOST_MISTAKES) {
-        size_t capacity = m->capacity ? 2 * m->capacity : 8;
-        struct mistake *list = realloc(m->list, capacity * sizeof *list);
-
-        if (list) {
-            m->list = list;
-            m->capacity = capacity;
-        }
-    }
-    if (m->count == m->capacity || m->count >= MOST_MISTAKES) {
-        m->out_of_memory = m->count < MOST_MISTAKES;
+    if (!m->list)
+        m->list = malloc(MOST_MISTAKES * sizeof *m->list);
+    if (!m->list || m->count == MOST_MISTAKES) {
+        m->out_of_memory = !m->list;
         m->left_out++;
         return 0;
     }

@@ -30,7 +30,7 @@ typedef struct text_place {
 /* The mistakes found in a deck, in the order of its lines. */
 typedef struct mistakes {
     struct mistake *list;
-    size_t count, capacity, left_out;
+    size_t count, left_out;
     int out_of_memory; /* 1: there was one that could not be noted */
 } mistakes;
 

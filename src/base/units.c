@@ -87,14 +87,11 @@ static const named_unit units[] = {
 /* Units are case-sensitive: mN and MN are not the same. */
 static const named_unit *find(text name)
 {
-    size_t i, j;
+    size_t i;
 
-    for (i = 0; i < UNIT_COUNT; i++) {
-        for (j = 0; j < name.length && units[i].name[j] == name.start[j]; j++)
-            ;
-        if (j == name.length && units[i].name[j] == '\0')
+    for (i = 0; i < UNIT_COUNT; i++)
+        if (flk_text_same(name, units[i].name))
             return &units[i];
-    }
     return NULL;
 }
 

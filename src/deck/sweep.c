@@ -282,12 +282,6 @@ static text value_at(parser *p, const variation *v, unsigned long i, const gsl_r
     return item;
 }
 
-/* 1 for what a range or a list of values can be of; an indicator card is a curve always. */
-static int can_vary(const key_info *key)
-{
-    return key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE);
-}
-
 /* What a name of [sweep] means; 0 and a mistake if it is no quantity. */
 static int find_quantity(parser *p, variation *v)
 {
@@ -312,8 +306,8 @@ static int find_quantity(parser *p, variation *v)
         memset(s, 0, sizeof *s);
         s->place = v->place;
     }
-    if (can_vary(key))
-        return 1;
+    if (key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
+        return 1; /* an indicator card is a curve always */
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
     return flk_mistake(p->mistakes, v->place,
                        is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
