@@ -48,10 +48,8 @@ static int starts_with(text t, const char *word)
 {
     text head = t;
 
-    if (head.length && (head.start[0] == '+' || head.start[0] == '-')) {
-        head.start++;
-        head.length--;
-    }
+    if (head.length && (head.start[0] == '+' || head.start[0] == '-'))
+        head = flk_text_from(head, 1);
     if (head.length > strlen(word) && flk_text_is_word(head.start[strlen(word)]))
         return 0;
     if (head.length > strlen(word))
@@ -111,8 +109,7 @@ number_status flk_number_read(text *rest, double *value)
     if (result - result != 0)
         return NUMBER_NOT_FINITE;
     *value = result;
-    rest->start += n;
-    rest->length -= n;
+    *rest = flk_text_from(*rest, n);
     return NUMBER_OK;
 }
 

@@ -127,10 +127,8 @@ static double last_digit(text t)
         else if ('0' <= c && c <= '9')
             decimals += after;
         else if ((c == 'e' || c == 'E') && i + 1 < t.length) {
-            text rest = t;
+            text rest = flk_text_from(t, i + 1);
 
-            rest.start += i + 1;
-            rest.length -= i + 1;
             if (flk_number_read(&rest, &value) == NUMBER_OK)
                 exponent = value < -400 ? -400 : value > 400 ? 400 : (int)value;
             break;
