@@ -92,12 +92,10 @@ static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation 
         const flk_extreme *extreme = f->sign > 0 ? &pair->max : &pair->min;
 
         f->value = extreme->value;
-        if (extreme->is_there && gsl_finite(f->value))
-            return 1;
-        flk_message(c->message, sizeof c->message, "%s",
-                    extreme->is_there ? "it grows beyond all bounds"
-                                      : fourlink_status_text(FOURLINK_NOT_REACHED));
-        return 0;
+        if (!extreme->is_there)
+            flk_message(c->message, sizeof c->message, "%s",
+                        fourlink_status_text(FOURLINK_NOT_REACHED));
+        return extreme->is_there;
     }
     if (!e->has_at) {
         flk_message(c->message, sizeof c->message,
@@ -170,6 +168,11 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     }
     u = &a->d->units[f.q];
     c->unit = u->name;
+    if (f.sign && (flk_text_same(e->value, "inf") || flk_text_same(e->value, "-inf"))) {
+        c->printed = e->value.start[0] == '-' ? GSL_NEGINF : GSL_POSINF;
+        c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
+        return c->message[0] ? -1 : c->computed == c->printed;
+    }
     if (!flk_quantity_read(e->value, e->value, f.q, u->unit, &printed, c->message) ||
         !read_tolerance(a->d, e, f.q, &printed, &tolerance, c))
         return -1;

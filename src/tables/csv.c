@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
-** design.  Lines end in CR LF; numbers have 17 digits.
+** design.  Lines end in CR LF; numbers have 17 digits, what is
+** undefined is empty, what is unbounded inf or -inf.
 */
 #include <float.h>
 #include <string.h>
@@ -108,10 +109,10 @@ static void put_fact(sheet *s, const fourlink_value *f)
         return;
     put_labels(s);
     line_put(&s->l, "%s,", f->name);
-    if (!f->words && sheet_is_finite(f))
-        line_number(&s->l, f->value, DIGITS);
+    if (f->words)
+        put_words(&s->l, f->words);
     else
-        put_words(&s->l, f->words ? f->words : SHEET_UNBOUNDED);
+        line_number(&s->l, f->value, DIGITS);
     line_put(&s->l, ",%s,", f->unit);
     if (f->has_angle)
         line_number(&s->l, f->angle, DIGITS);

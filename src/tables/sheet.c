@@ -55,11 +55,6 @@ fourlink_unit sheet_unit(const sheet *s, const char *quantity)
     return u;
 }
 
-int sheet_is_finite(const fourlink_value *v)
-{
-    return gsl_finite(v->value);
-}
-
 static void write_length(sheet *s, const char *before, const char *name, double length)
 {
     fourlink_unit u = sheet_unit(s, "length");

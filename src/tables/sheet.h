@@ -138,10 +138,6 @@ void matrix_write(sheet *s);
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);
 
-/* A value that grows beyond all bounds, in words. */
-#define SHEET_UNBOUNDED "none: it grows beyond all bounds"
-int sheet_is_finite(const fourlink_value *v);
-
 /* The outcomes of a comparison in words. */
 extern const char *const sheet_verdicts[];
 

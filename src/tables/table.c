@@ -188,10 +188,10 @@ static void put_extremes(sheet *s, fourlink_branch branch)
 
                 if (x->has_extreme && at_angle && x->extreme.has_angle)
                     put_cell(&s->l, x->extreme.angle, &angle, width);
-                else if (x->has_extreme && !at_angle && sheet_is_finite(&x->extreme))
+                else if (x->has_extreme && !at_angle)
                     put_cell(&s->l, x->extreme.value, x, width);
                 else
-                    line_field(&s->l, x->has_extreme && !at_angle ? "none" : "", width);
+                    line_field(&s->l, "", width);
             }
             line_put(&s->l, at_angle ? "  at theta2\n" : sign > 0 ? "  max\n" : "  min\n");
         }

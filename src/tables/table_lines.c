@@ -49,15 +49,14 @@ static void put_fact_in_head(sheet *s, const fourlink_value *f)
 
 static void put_fact_of_summary(sheet *s, const fourlink_value *f)
 {
-    const char *words = f->words ? f->words : sheet_is_finite(f) ? NULL : SHEET_UNBOUNDED;
     char value[FORMAT_SIZE] = "", angle[FORMAT_SIZE] = "";
 
-    if (!words)
+    if (!f->words)
         format_general(f->value, 12, value);
     if (f->has_angle)
         format_general(f->angle, 10, angle);
     line_put(&s->l, "%-22s %20s %-8s %14s %-8s %s\n", f->name, value, f->unit, angle,
-             f->branch ? fourlink_branch_text(f->branch) : "", words ? words : f->meaning);
+             f->branch ? fourlink_branch_text(f->branch) : "", f->words ? f->words : f->meaning);
 }
 
 void table_put_fact(sheet *s, const fourlink_value *f)
