@@ -29,16 +29,24 @@
 #define INSIDE 5e-11      /* rad, from a corner into the piece beside it */
 #define CLOSE 1e-12       /* of a column's size: what is equal but for rounding */
 
+/* An extreme in the search. */
+typedef struct found {
+    int is_there;
+    double value, angle;
+    double
+        corner; /* what is told for an angle just inside a corner, if the row there is no worse */
+} found;
+
 /* A column in the search. */
 typedef struct tracked {
     const flk_column *c;
-    double turn;         /* of an angle: a turn in its unit; else 0 */
-    double last;         /* the angle goes on from here, NaN: it starts anew */
-    double first;        /* at the first row */
-    double size, bound;  /* the largest magnitude, and that beyond which it is infinite */
-    int is_noise;        /* 1: a measure of rounding */
-    flk_extreme best[2]; /* greatest, least */
-    flk_extreme here[2]; /* since the angle started anew */
+    double turn;        /* of an angle: a turn in its unit; else 0 */
+    double last;        /* the angle goes on from here, NaN: it starts anew */
+    double first;       /* at the first row */
+    double size, bound; /* the largest magnitude, and that beyond which it is infinite */
+    int is_noise;       /* 1: a measure of rounding */
+    found best[2];      /* greatest, least */
+    found here[2];      /* since the angle started anew */
 } tracked;
 
 typedef struct search {
@@ -88,8 +96,8 @@ static double angle_of(const search *x, double passed)
     return passed >= x->length ? x->end : x->from + x->per_rad * passed;
 }
 
-/* The crank angle at which a parameter is told: at corners that of the corner. */
-static double angle_at(const search *x, double s)
+/* The corner that a parameter is at, or its own angle. */
+static double corner_at(const search *x, double s)
 {
     return angle_of(x, s <= 0 ? x->piece.from : s >= 1 ? x->piece.to : passed_at(x, s));
 }
@@ -207,7 +215,7 @@ static double signed_value(int which, double value)
 }
 
 /* Keep a value if it is better than what there is; of equal ones the first. */
-static void offer(flk_extreme *best, int which, double value, double angle)
+static void offer(found *best, int which, double value, double angle, double corner)
 {
     double close = CLOSE * GSL_MAX_DBL(fabs(value), fabs(best->value));
 
@@ -218,7 +226,14 @@ static void offer(flk_extreme *best, int which, double value, double angle)
         best->is_there = 1;
         best->value = value;
         best->angle = angle;
+        best->corner = corner;
     }
+}
+
+/* The same at a parameter. */
+static void offer_at(const search *x, found *best, int which, double value, double s)
+{
+    offer(best, which, value, angle_of(x, passed_at(x, s)), corner_at(x, s));
 }
 
 /* Close what has been found since an angle started anew, which is shifted by whole turns. */
@@ -228,7 +243,8 @@ static void commit(tracked *t, double shift)
 
     for (which = 0; which < 2; which++)
         if (t->here[which].is_there)
-            offer(&t->best[which], which, t->here[which].value + shift, t->here[which].angle);
+            offer(&t->best[which], which, t->here[which].value + shift, t->here[which].angle,
+                  t->here[which].corner);
     memset(t->here, 0, sizeof t->here);
 }
 
@@ -253,6 +269,11 @@ static void follow(search *x, tracked *t, double *values)
 }
 
 /* ---------------------------------------------------------------------------------------- polynomials */
+
+/* A place and the value there. */
+typedef struct place {
+    double s, value;
+} place;
 
 /* A polynomial by divided differences. */
 typedef struct polynomial {
@@ -341,11 +362,6 @@ static double size_about(const search *x, const double *values, size_t i)
     return size;
 }
 
-/* A place and the value there. */
-typedef struct place {
-    double s, value;
-} place;
-
 /* Samples about a place, closer and closer, until a parabola through three of them says what the row at its top
 ** is, or they cannot be told apart: `best` climbs. */
 static void climb(search *x, const tracked *t, int which, double low, double high, double size,
@@ -392,8 +408,7 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
 }
 
 /* The peak that the samples have at or beside number i. */
-static void refine(search *x, const tracked *t, const double *values, int which, size_t i,
-                   flk_extreme *found)
+static void refine(search *x, const tracked *t, const double *values, int which, size_t i, found *f)
 {
     double low = i > 0 && !gsl_isnan(values[i - 1]) ? x->s[i - 1] : x->s[i];
     double high = i + 1 < x->n && !gsl_isnan(values[i + 1]) ? x->s[i + 1] : x->s[i];
@@ -413,7 +428,7 @@ static void refine(search *x, const tracked *t, const double *values, int which,
             best = top;
         }
     }
-    offer(found, which, best.value, angle_at(x, best.s));
+    offer_at(x, f, which, best.value, best.s);
 }
 
 /* 1 if the samples about number i are evenly spaced. */
@@ -464,6 +479,48 @@ static int may_hide(const search *x, const tracked *t, const double *values, siz
            fabs(t->here[0].value) < t->bound && fabs(t->here[1].value) < t->bound;
 }
 
+/* Between two samples of unlike sign a column that has poles passes through zero or infinity: then its
+** reciprocal is zero there, which is found by false position (the Illinois rule). */
+static void find_pole(search *x, tracked *t, const double *values, size_t i)
+{
+    place low, high, at;
+    int k, side = 0;
+
+    if (!(values[i] * values[i + 1] < 0) || (i > 0 && fabs(values[i - 1]) > fabs(values[i])) ||
+        (i + 2 < x->n && fabs(values[i + 2]) > fabs(values[i + 1])))
+        return;
+    low.s = x->s[i];
+    low.value = 1 / values[i];
+    high.s = x->s[i + 1];
+    high.value = 1 / values[i + 1];
+    for (k = 0; k < 100; k++) {
+        at.s = (low.s * high.value - high.s * low.value) / (high.value - low.value);
+        at.value = 1 / value_at(x, t, at.s, 0);
+        if (fabs(at.value) <= 1 / t->bound) {
+            offer_at(x, &t->here[0], 0, GSL_POSINF, at.s);
+            offer_at(x, &t->here[1], 1, GSL_NEGINF, at.s);
+            return;
+        }
+        if ((at.value > 0) == (low.value > 0)) {
+            low = at;
+            high.value *= side == 1 ? 0.5 : 1;
+            side = 1;
+        } else {
+            high = at;
+            low.value *= side == -1 ? 0.5 : 1;
+            side = -1;
+        }
+    }
+}
+
+static void find_poles(search *x, tracked *t, const double *values)
+{
+    size_t i;
+
+    for (i = 0; i + 1 < x->n && gsl_finite(t->bound) && fabs(t->here[0].value) < t->bound; i++)
+        find_pole(x, t, values, i);
+}
+
 static int hides(const search *x, size_t i)
 {
     size_t c;
@@ -490,8 +547,8 @@ static void halve(search *x, size_t i)
             v[0] +=
                 t->turn *
                 floor(((leap(t, v[-1], v[0]) > HALF_TURN ? v[1] : v[-1]) - v[0]) / t->turn + 0.5);
-        offer(&t->here[0], 0, v[0], angle_at(x, x->s[i]));
-        offer(&t->here[1], 1, v[0], angle_at(x, x->s[i]));
+        offer_at(x, &t->here[0], 0, v[0], x->s[i]);
+        offer_at(x, &t->here[1], 1, v[0], x->s[i]);
     }
 }
 
@@ -530,12 +587,12 @@ static void offer_samples(const search *x, tracked *t, const double *values)
     for (i = 0;
          values[i] != values[most] && !(values[i] > values[most] - CLOSE * fabs(values[most])); i++)
         ;
-    offer(&t->here[0], 0, values[i], angle_at(x, x->s[i]));
+    offer_at(x, &t->here[0], 0, values[i], x->s[i]);
     for (i = 0;
          values[i] != values[least] && !(values[i] < values[least] + CLOSE * fabs(values[least]));
          i++)
         ;
-    offer(&t->here[1], 1, values[i], angle_at(x, x->s[i]));
+    offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
 /* 1 if sample i is a peak of the samples; NaN is no neighbour. */
@@ -615,11 +672,12 @@ static void find_limits(search *x, int at_end)
     int is_dead = kind == FLK_END_DEAD, scale, k, which;
     double length = x->piece.to - x->piece.from, edge = at_end ? x->piece.to : x->piece.from;
     double away[SCALES][LIMIT_NODES], y[SCALES][LIMIT_NODES];
-    flk_row rows[SCALES][LIMIT_NODES];
+    flk_row rows[SCALES][LIMIT_NODES], at_edge;
     size_t c;
 
     if (kind != FLK_END_DEAD && kind != FLK_END_CHANGE)
         return;
+    compute(x, 0, edge, &at_edge);
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < LIMIT_NODES; k++) {
             double most = scales[is_dead ? 0 : 1][scale];
@@ -637,6 +695,12 @@ static void find_limits(search *x, int at_end)
 
         if (t->is_noise)
             continue;
+        if (flk_column_flags(t->c) & FOURLINK_OF_CRANK) {
+            for (which = 0; which < 2; which++)
+                offer(&t->here[which], which, flk_column_value(t->c, &at_edge), angle_of(x, edge),
+                      angle_of(x, edge));
+            continue;
+        }
         for (scale = 0; scale < SCALES; scale++)
             for (k = 0; k < LIMIT_NODES; k++) {
                 y[scale][k] = flk_column_value(t->c, &rows[scale][k]);
@@ -646,7 +710,7 @@ static void find_limits(search *x, int at_end)
         pole = t->turn > 0 ? 0 : pole_of(away[1], y[1], is_dead ? 3 : 2);
         if (pole) {
             offer(&t->here[pole > 0 ? 0 : 1], pole > 0 ? 0 : 1, pole > 0 ? GSL_POSINF : GSL_NEGINF,
-                  angle_of(x, edge));
+                  angle_of(x, edge), angle_of(x, edge));
             continue;
         }
         for (scale = 0; scale < SCALES; scale++)
@@ -656,7 +720,7 @@ static void find_limits(search *x, int at_end)
         if (fabs(limit[scale]) < 1e-9 * t->size)
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
-            offer(&t->here[which], which, limit[scale], angle_of(x, edge));
+            offer(&t->here[which], which, limit[scale], angle_of(x, edge), angle_of(x, edge));
     }
 }
 
@@ -672,12 +736,13 @@ static void search_stretch(search *x, size_t steps)
         if (x->columns[c].turn > 0)
             follow(x, &x->columns[c], row_of(x, c));
         offer_samples(x, &x->columns[c], row_of(x, c));
+        find_poles(x, &x->columns[c], row_of(x, c));
     }
-    resolve_narrow(x);
     if (x->low <= 0)
         find_limits(x, 0);
     if (x->high >= 1)
         find_limits(x, 1);
+    resolve_narrow(x);
     for (c = 0; c < x->n_columns; c++)
         refine_peaks(x, &x->columns[c], row_of(x, c));
 }
@@ -738,6 +803,33 @@ static void start(search *x, double *memory)
     memset(&x->piece, 0, sizeof x->piece);
 }
 
+/* Tell the corner in place of an angle just inside it, unless a load jumps there. */
+static void settle(const search *x, tracked *t, int which)
+{
+    found *f = &t->best[which];
+    double value, close = 1e-10 * fabs(f->value);
+    flk_row row;
+
+    if (!f->is_there || f->corner == f->angle || !gsl_finite(f->value))
+        return;
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, f->corner, &row);
+    value = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        value += t->turn * floor((f->value - value) / t->turn + 0.5);
+    if (signed_value(which, value) < signed_value(which, f->value) - close)
+        return;
+    f->angle = f->corner;
+    if (!gsl_isnan(value))
+        f->value = value;
+}
+
+static void give(const found *f, flk_extreme *extreme)
+{
+    extreme->is_there = f->is_there;
+    extreme->value = f->value;
+    extreme->angle = f->angle;
+}
+
 /* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
 static void finish(search *x, int has_gap)
 {
@@ -752,11 +844,13 @@ static void finish(search *x, int has_gap)
             !gsl_isnan(t->first + t->last))
             shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
         commit(t, shift);
-        for (which = 0; which < 2; which++)
+        for (which = 0; which < 2; which++) {
             if (fabs(t->best[which].value) >= t->bound)
-                t->best[which].value = which == 0 ? GSL_POSINF : GSL_NEGINF;
-        x->pairs[c].max = t->best[0];
-        x->pairs[c].min = t->best[1];
+                t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
+            settle(x, t, which);
+        }
+        give(&t->best[0], &x->pairs[c].max);
+        give(&t->best[1], &x->pairs[c].min);
     }
     x->a->is_fast = 0;
 }
