@@ -118,7 +118,7 @@ static flk_piece_end end_of_motion(const flk_analysis *a, double angle)
 static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 {
     if (of_position == FLK_END_CHANGE && of_motion == FLK_END_ROOT)
-        return FLK_END_DEAD;
+        return FLK_END_CHANGE_REST;
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 

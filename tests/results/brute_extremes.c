@@ -490,6 +490,23 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
                : UNDECIDED;
 }
 
+/* Close to a change point rows are rounding; the limit stands for them. */
+static void leave_out_change_points(void)
+{
+    size_t i;
+    int k;
+
+    for (i = 0; i < n; i++)
+        for (k = 0; k < n_edges; k++)
+            if (edges[k].is_isolated && fabs(rows[i]->passed - edges[k].p) < 2e-3) {
+                row *r = rows[i];
+
+                rows[i--] = rows[--n];
+                rows[n] = r;
+                break;
+            }
+}
+
 static void take_rows(void)
 {
     size_t i, m;
@@ -518,6 +535,7 @@ static void take_rows(void)
             if (n_edges < 100 && !edges[n_edges - 1].is_isolated)
                 add_about(edges[n_edges - 1].p, 1e-6, edges[n_edges - 1].side);
         }
+    leave_out_change_points();
     sort_rows();
     for (pass = 0; pass < 60; pass++) {
         m = n;
