@@ -21,24 +21,33 @@
 #include "extreme.h"
 #include "motion_pieces.h"
 
-#define MOST_SAMPLES 1000 /* of a stretch, */
-#define STRETCH 400       /* which begins with so many at the most, */
-#define LEAST_SAMPLES 12  /* and at the least */
-#define MOST_STEPS 1e6    /* of all of the motion */
-#define NODES 7           /* of a polynomial */
-#define INSIDE 5e-11      /* rad, from a corner into the piece beside it */
-#define CLOSE 1e-12       /* of a column's size: what is equal but for rounding */
+#define MOST_SAMPLES 1000    /* of a stretch, */
+#define STRETCH 400          /* which begins with so many at the most, */
+#define LEAST_SAMPLES 12     /* and at the least */
+#define MOST_STEPS 1e6       /* of all of the motion */
+#define NODES 7              /* of a polynomial */
+#define INSIDE 5e-11         /* rad, from a corner into the piece beside it */
+#define CLOSE_TO_CHANGE 1e-4 /* rad */
+#define CLOSE 1e-12          /* of a column's size: what is equal but for rounding */
+
+/* An extreme in the search. */
+typedef struct found {
+    int is_there;
+    double value, angle;
+    double
+        corner; /* what is told for an angle just inside a corner, if the row there is no worse */
+} found;
 
 /* A column in the search. */
 typedef struct tracked {
     const flk_column *c;
-    double turn;         /* of an angle: a turn in its unit; else 0 */
-    double last;         /* the angle goes on from here, NaN: it starts anew */
-    double first;        /* at the first row */
-    double size, bound;  /* the largest magnitude, and that beyond which it is infinite */
-    int is_noise;        /* 1: a measure of rounding */
-    flk_extreme best[2]; /* greatest, least */
-    flk_extreme here[2]; /* since the angle started anew */
+    double turn;        /* of an angle: a turn in its unit; else 0 */
+    double last;        /* the angle goes on from here, NaN: it starts anew */
+    double first;       /* at the first row */
+    double size, bound; /* the largest magnitude, and that beyond which it is infinite */
+    int is_noise;       /* 1: a measure of rounding */
+    found best[2];      /* greatest, least */
+    found here[2];      /* since the angle started anew */
 } tracked;
 
 typedef struct search {
@@ -62,7 +71,7 @@ typedef struct search {
 
 static int is_root(flk_piece_end end)
 {
-    return end == FLK_END_ROOT || end == FLK_END_DEAD;
+    return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_CHANGE_REST;
 }
 
 /* The angle that the motion has passed at a parameter of the piece; just inside at its ends. */
@@ -88,8 +97,8 @@ static double angle_of(const search *x, double passed)
     return passed >= x->length ? x->end : x->from + x->per_rad * passed;
 }
 
-/* The crank angle at which a parameter is told: at corners that of the corner. */
-static double angle_at(const search *x, double s)
+/* The corner that a parameter is at, or its own angle. */
+static double corner_at(const search *x, double s)
 {
     return angle_of(x, s <= 0 ? x->piece.from : s >= 1 ? x->piece.to : passed_at(x, s));
 }
@@ -132,11 +141,23 @@ static double *row_of(const search *x, size_t column)
     return x->values + MOST_SAMPLES * column;
 }
 
-/* There is no row at a dead position and at a change point. */
-static int has_row(const search *x, double s)
+static int has_limit(flk_piece_end end)
 {
-    return !(s <= 0 && (x->piece.begin == FLK_END_DEAD || x->piece.begin == FLK_END_CHANGE)) &&
-           !(s >= 1 && (x->piece.end == FLK_END_DEAD || x->piece.end == FLK_END_CHANGE));
+    return end == FLK_END_DEAD || end == FLK_END_CHANGE || end == FLK_END_CHANGE_REST;
+}
+
+/* There is no row at a dead position, and close to a change point it is rounding. */
+static int has_row(flk_piece_end end, double away)
+{
+    return !has_limit(end) || away > (end == FLK_END_DEAD ? 0 : CLOSE_TO_CHANGE);
+}
+
+static int has_row_at(const search *x, double s)
+{
+    double passed = passed_at(x, s);
+
+    return has_row(x->piece.begin, s <= 0 ? 0 : passed - x->piece.from) &&
+           has_row(x->piece.end, s >= 1 ? 0 : x->piece.to - passed);
 }
 
 /* Put a sample of all columns before number i. */
@@ -159,17 +180,29 @@ static void insert(search *x, size_t i, double s)
     x->n++;
 }
 
+static void append(search *x, double s)
+{
+    if (has_row_at(x, s))
+        insert(x, x->n, s);
+}
+
+/* Samples of a stretch in even steps, and closer and closer where there is no row at its end. */
+#define HALVINGS 5
+
 static void sample(search *x, size_t steps)
 {
+    double step = (x->high - x->low) / (double)(steps ? steps : 1);
+    int at_begin = x->low <= 0 && has_limit(x->piece.begin),
+        at_end = x->high >= 1 && has_limit(x->piece.end), k;
     size_t i;
 
     x->n = 0;
-    for (i = 0; i <= steps; i++) {
-        double s = i == steps ? x->high : x->low + (x->high - x->low) * (double)i / (double)steps;
-
-        if (has_row(x, s))
-            insert(x, x->n, s);
-    }
+    for (k = HALVINGS; at_begin && k > 0; k--)
+        append(x, x->low + step * pow(0.5, k));
+    for (i = 0; i <= steps; i++)
+        append(x, i == steps ? x->high : x->low + step * (double)i);
+    for (k = 1; at_end && k <= HALVINGS; k++)
+        append(x, x->high - step * pow(0.5, k));
 }
 
 /* Angles go on from sample to sample past half a turn.  Where one leaps by more than a sixth of a turn there are
@@ -207,7 +240,7 @@ static double signed_value(int which, double value)
 }
 
 /* Keep a value if it is better than what there is; of equal ones the first. */
-static void offer(flk_extreme *best, int which, double value, double angle)
+static void offer(found *best, int which, double value, double angle, double corner)
 {
     double close = CLOSE * GSL_MAX_DBL(fabs(value), fabs(best->value));
 
@@ -218,7 +251,14 @@ static void offer(flk_extreme *best, int which, double value, double angle)
         best->is_there = 1;
         best->value = value;
         best->angle = angle;
+        best->corner = corner;
     }
+}
+
+/* The same at a parameter. */
+static void offer_at(const search *x, found *best, int which, double value, double s)
+{
+    offer(best, which, value, angle_of(x, passed_at(x, s)), corner_at(x, s));
 }
 
 /* Close what has been found since an angle started anew, which is shifted by whole turns. */
@@ -228,7 +268,8 @@ static void commit(tracked *t, double shift)
 
     for (which = 0; which < 2; which++)
         if (t->here[which].is_there)
-            offer(&t->best[which], which, t->here[which].value + shift, t->here[which].angle);
+            offer(&t->best[which], which, t->here[which].value + shift, t->here[which].angle,
+                  t->here[which].corner);
     memset(t->here, 0, sizeof t->here);
 }
 
@@ -253,6 +294,11 @@ static void follow(search *x, tracked *t, double *values)
 }
 
 /* ---------------------------------------------------------------------------------------- polynomials */
+
+/* A place and the value there. */
+typedef struct place {
+    double s, value;
+} place;
 
 /* A polynomial by divided differences. */
 typedef struct polynomial {
@@ -341,15 +387,14 @@ static double size_about(const search *x, const double *values, size_t i)
     return size;
 }
 
-/* A place and the value there. */
-typedef struct place {
-    double s, value;
-} place;
+static double median(double x, double y, double z)
+{
+    return GSL_MAX_DBL(GSL_MIN_DBL(x, y), GSL_MIN_DBL(GSL_MAX_DBL(x, y), z));
+}
 
 /* Samples about a place, closer and closer, until a parabola through three of them says what the row at its top
 ** is, or they cannot be told apart: `best` climbs. */
-static void climb(search *x, const tracked *t, int which, double low, double high, double size,
-                  place *best)
+static void climb(search *x, const tracked *t, int which, double low, double high, place *best)
 {
     double step = (high - low) / 8;
     int i;
@@ -382,7 +427,8 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
         if (!find_flat(&p, left.s, right.s, &top.s))
             continue;
         top.value = value_at(x, t, top.s, best->value);
-        if (fabs(top.value - value_of(&p, top.s, &slope)) <= CLOSE * size) {
+        if (fabs(top.value - value_of(&p, top.s, &slope)) <=
+            CLOSE * median(fabs(left.value), fabs(best->value), fabs(right.value))) {
             *best = top;
             return;
         }
@@ -414,9 +460,22 @@ static void sharpen(const search *x, const tracked *t, double low, double high, 
         *top = sharp;
 }
 
+/* The same from an end, if the column rises from there. */
+static void climb_from_end(search *x, const tracked *t, int which, double low, double high,
+                           double size, place *best)
+{
+    place beside;
+
+    beside.s = best->s + 1e-3 * (best->s == low ? high - low : low - high);
+    beside.value = value_at(x, t, beside.s, best->value);
+    if (signed_value(which, beside.value) <= signed_value(which, best->value) + CLOSE * size)
+        return;
+    *best = beside;
+    climb(x, t, which, low, high, best);
+}
+
 /* The peak that the samples have at or beside number i. */
-static void refine(search *x, const tracked *t, const double *values, int which, size_t i,
-                   flk_extreme *found)
+static void refine(search *x, const tracked *t, const double *values, int which, size_t i, found *f)
 {
     double low = i > 0 && !gsl_isnan(values[i - 1]) ? x->s[i - 1] : x->s[i];
     double high = i + 1 < x->n && !gsl_isnan(values[i + 1]) ? x->s[i + 1] : x->s[i];
@@ -424,20 +483,30 @@ static void refine(search *x, const tracked *t, const double *values, int which,
     polynomial p;
     place best, top;
 
+    if (i > 0 && i + 1 < x->n && !gsl_isnan(values[i - 1] + values[i + 1]))
+        size = median(fabs(values[i - 1]), fabs(values[i]), fabs(values[i + 1]));
+
     best.s = x->s[i];
     best.value = values[i];
-    if (!t->is_noise && through_samples(x, values, i, &p) && find_flat(&p, low, high, &top.s)) {
+    if (t->is_noise || !through_samples(x, values, i, &p)) {
+        offer_at(x, f, which, best.value, best.s);
+        return;
+    }
+    if (!find_flat(&p, low, high, &top.s)) {
+        if (low == x->s[i] || high == x->s[i])
+            climb_from_end(x, t, which, low, high, size, &best);
+    } else {
         top.value = value_at(x, t, top.s, best.value);
         if (!(fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size)) {
             if (signed_value(which, top.value) > signed_value(which, best.value))
                 best = top;
-            climb(x, t, which, low, high, size, &best);
+            climb(x, t, which, low, high, &best);
         } else if (signed_value(which, top.value) > signed_value(which, best.value)) {
             best = top;
         }
         sharpen(x, t, low, high, size, &best);
     }
-    offer(found, which, best.value, angle_at(x, best.s));
+    offer_at(x, f, which, best.value, best.s);
 }
 
 /* 1 if the samples about number i are evenly spaced. */
@@ -473,7 +542,7 @@ static double roughness(const search *x, const double *values, size_t i)
     return d == d ? fabs(d) : 0;
 }
 
-#define ROUGH 1e-3 /* of the column's size: below it nothing hides between samples */
+#define ROUGH 1e-5 /* of the column's size: below it nothing hides between samples */
 #define MARGIN 8   /* a column may reach so many times its roughness beyond a sample */
 
 /* 1 if a better extreme of a column may hide beside a sample. */
@@ -486,6 +555,47 @@ static int may_hide(const search *x, const tracked *t, const double *values, siz
         return 0;
     return rough > ROUGH * size_about(x, values, i) && !t->is_noise &&
            fabs(t->here[0].value) < t->bound && fabs(t->here[1].value) < t->bound;
+}
+
+static place sample_at(const search *x, const double *values, size_t i)
+{
+    place p;
+
+    p.s = x->s[i];
+    p.value = values[i];
+    return p;
+}
+
+/* Between two samples of unlike sign a column that has poles passes through zero or infinity: halving shows
+** which of them, as the magnitude falls or rises. */
+static void find_pole(search *x, tracked *t, place low, place high)
+{
+    int k;
+
+    for (k = 0; k < 100; k++) {
+        place at, *same;
+
+        at.s = 0.5 * (low.s + high.s);
+        at.value = value_at(x, t, at.s, 0);
+        same = (at.value > 0) == (low.value > 0) ? &low : &high;
+        if (fabs(at.value) >= t->bound) {
+            offer_at(x, &t->here[0], 0, GSL_POSINF, at.s);
+            offer_at(x, &t->here[1], 1, GSL_NEGINF, at.s);
+            return;
+        }
+        if (k > 2 && !(fabs(at.value) > fabs(same->value)))
+            return;
+        *same = at;
+    }
+}
+
+static void find_poles(search *x, tracked *t, const double *values)
+{
+    size_t i;
+
+    for (i = 0; i + 1 < x->n && gsl_finite(t->bound) && fabs(t->here[0].value) < t->bound; i++)
+        if (values[i] * values[i + 1] < 0)
+            find_pole(x, t, sample_at(x, values, i), sample_at(x, values, i + 1));
 }
 
 static int hides(const search *x, size_t i)
@@ -514,8 +624,8 @@ static void halve(search *x, size_t i)
             v[0] +=
                 t->turn *
                 floor(((leap(t, v[-1], v[0]) > HALF_TURN ? v[1] : v[-1]) - v[0]) / t->turn + 0.5);
-        offer(&t->here[0], 0, v[0], angle_at(x, x->s[i]));
-        offer(&t->here[1], 1, v[0], angle_at(x, x->s[i]));
+        offer_at(x, &t->here[0], 0, v[0], x->s[i]);
+        offer_at(x, &t->here[1], 1, v[0], x->s[i]);
     }
 }
 
@@ -554,12 +664,12 @@ static void offer_samples(const search *x, tracked *t, const double *values)
     for (i = 0;
          values[i] != values[most] && !(values[i] > values[most] - CLOSE * fabs(values[most])); i++)
         ;
-    offer(&t->here[0], 0, values[i], angle_at(x, x->s[i]));
+    offer_at(x, &t->here[0], 0, values[i], x->s[i]);
     for (i = 0;
          values[i] != values[least] && !(values[i] < values[least] + CLOSE * fabs(values[least]));
          i++)
         ;
-    offer(&t->here[1], 1, values[i], angle_at(x, x->s[i]));
+    offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
 /* 1 if sample i is a peak of the samples; NaN is no neighbour. */
@@ -595,7 +705,7 @@ static void refine_peaks(search *x, tracked *t, const double *values)
 /* ---------------------------------------------------------------------------------------------- limits */
 
 #define LIMIT_NODES (NODES + 1)
-#define SCALES 4
+#define SCALES 5
 
 /* The value at 0 of the polynomial through x_k^power y_k, and how much its last node counts. */
 static double extrapolate(const double *x, const double *y, int power, double *error)
@@ -614,17 +724,26 @@ static double extrapolate(const double *x, const double *y, int power, double *e
     return value;
 }
 
-/* How a column behaves towards a place without a row, x away: a pole, +-1 by the sign of it, or 0. */
-static int pole_of(const double *x, const double *y, int order)
+/* The coefficient of x^-order, if there is one; else 0. */
+static double coefficient(const double *x, const double *y, int order)
+{
+    double error, largest = 0, value = extrapolate(x, y, order, &error);
+    int k;
+
+    for (k = 0; k < LIMIT_NODES; k++)
+        largest = GSL_MAX_DBL(largest, fabs(gsl_pow_int(x[k], order) * y[k]));
+    return fabs(value) > 1e-3 * largest && error < 0.1 * fabs(value) ? value : 0;
+}
+
+/* How a column behaves towards a place without a row, x away: a pole, +-1 by the sign of it, or 0.  A pole is
+** the same on two scales. */
+static int pole_of(double x[][LIMIT_NODES], double y[][LIMIT_NODES], int order)
 {
     for (; order > 0; order--) {
-        double error, largest = 0, value = extrapolate(x, y, order, &error);
-        int k;
+        double c = coefficient(x[0], y[0], order), other = coefficient(x[1], y[1], order);
 
-        for (k = 0; k < LIMIT_NODES; k++)
-            largest = GSL_MAX_DBL(largest, fabs(gsl_pow_int(x[k], order) * y[k]));
-        if (fabs(value) > 1e-3 * largest)
-            return value > 0 ? 1 : -1;
+        if (c != 0 && fabs(c - other) < 0.1 * fabs(c))
+            return c > 0 ? 1 : -1;
     }
     return 0;
 }
@@ -634,16 +753,18 @@ static int pole_of(const double *x, const double *y, int order)
 ** ones where poles cancel.  At a dead position x is the root of the angle. */
 static void find_limits(search *x, int at_end)
 {
-    static const double scales[2][SCALES] = {{0.016, 0.06, 0.15, 0.3}, {0.008, 0.03, 0.08, 0.2}};
+    static const double scales[2][SCALES] = {{0.004, 0.016, 0.06, 0.15, 0.3},
+                                             {0.002, 0.008, 0.03, 0.08, 0.2}};
     flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
-    int is_dead = kind == FLK_END_DEAD, scale, k, which;
+    int is_dead = is_root(kind), scale, k, which;
     double length = x->piece.to - x->piece.from, edge = at_end ? x->piece.to : x->piece.from;
     double away[SCALES][LIMIT_NODES], y[SCALES][LIMIT_NODES];
-    flk_row rows[SCALES][LIMIT_NODES];
+    flk_row rows[SCALES][LIMIT_NODES], at_edge;
     size_t c;
 
-    if (kind != FLK_END_DEAD && kind != FLK_END_CHANGE)
+    if (!has_limit(kind))
         return;
+    compute(x, 0, edge, &at_edge);
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < LIMIT_NODES; k++) {
             double most = scales[is_dead ? 0 : 1][scale];
@@ -661,16 +782,22 @@ static void find_limits(search *x, int at_end)
 
         if (t->is_noise)
             continue;
+        if (flk_column_flags(t->c) & FOURLINK_OF_CRANK) {
+            for (which = 0; which < 2; which++)
+                offer(&t->here[which], which, flk_column_value(t->c, &at_edge), angle_of(x, edge),
+                      angle_of(x, edge));
+            continue;
+        }
         for (scale = 0; scale < SCALES; scale++)
             for (k = 0; k < LIMIT_NODES; k++) {
                 y[scale][k] = flk_column_value(t->c, &rows[scale][k]);
                 if (t->turn > 0)
                     y[scale][k] += t->turn * floor((near - y[scale][k]) / t->turn + 0.5);
             }
-        pole = t->turn > 0 ? 0 : pole_of(away[1], y[1], is_dead ? 3 : 2);
+        pole = t->turn > 0 ? 0 : pole_of(away, y, kind == FLK_END_CHANGE_REST ? 6 : 4);
         if (pole) {
             offer(&t->here[pole > 0 ? 0 : 1], pole > 0 ? 0 : 1, pole > 0 ? GSL_POSINF : GSL_NEGINF,
-                  angle_of(x, edge));
+                  angle_of(x, edge), angle_of(x, edge));
             continue;
         }
         for (scale = 0; scale < SCALES; scale++)
@@ -680,7 +807,7 @@ static void find_limits(search *x, int at_end)
         if (fabs(limit[scale]) < 1e-9 * t->size)
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
-            offer(&t->here[which], which, limit[scale], angle_of(x, edge));
+            offer(&t->here[which], which, limit[scale], angle_of(x, edge), angle_of(x, edge));
     }
 }
 
@@ -696,12 +823,13 @@ static void search_stretch(search *x, size_t steps)
         if (x->columns[c].turn > 0)
             follow(x, &x->columns[c], row_of(x, c));
         offer_samples(x, &x->columns[c], row_of(x, c));
+        find_poles(x, &x->columns[c], row_of(x, c));
     }
-    resolve_narrow(x);
     if (x->low <= 0)
         find_limits(x, 0);
     if (x->high >= 1)
         find_limits(x, 1);
+    resolve_narrow(x);
     for (c = 0; c < x->n_columns; c++)
         refine_peaks(x, &x->columns[c], row_of(x, c));
 }
@@ -762,6 +890,35 @@ static void start(search *x, double *memory)
     memset(&x->piece, 0, sizeof x->piece);
 }
 
+/* Tell the corner in place of an angle just inside it, unless a load jumps there. */
+static void settle(const search *x, tracked *t, int which)
+{
+    found *f = &t->best[which];
+    double value, close = 1e-10 * fabs(f->value);
+    flk_row row;
+
+    if (!f->is_there || f->corner == f->angle || !gsl_finite(f->value))
+        return;
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, f->corner, &row);
+    value = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        value += t->turn * floor((f->value - value) / t->turn + 0.5);
+    if (fabs(value) >= t->bound)
+        value = f->value > 0 ? GSL_POSINF : GSL_NEGINF;
+    if (signed_value(which, value) < signed_value(which, f->value) - close)
+        return;
+    f->angle = f->corner;
+    if (!gsl_isnan(value))
+        f->value = value;
+}
+
+static void give(const found *f, flk_extreme *extreme)
+{
+    extreme->is_there = f->is_there;
+    extreme->value = f->value;
+    extreme->angle = f->angle;
+}
+
 /* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
 static void finish(search *x, int has_gap)
 {
@@ -776,11 +933,13 @@ static void finish(search *x, int has_gap)
             !gsl_isnan(t->first + t->last))
             shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
         commit(t, shift);
-        for (which = 0; which < 2; which++)
+        for (which = 0; which < 2; which++) {
+            settle(x, t, which);
             if (fabs(t->best[which].value) >= t->bound)
-                t->best[which].value = which == 0 ? GSL_POSINF : GSL_NEGINF;
-        x->pairs[c].max = t->best[0];
-        x->pairs[c].min = t->best[1];
+                t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
+        }
+        give(&t->best[0], &x->pairs[c].max);
+        give(&t->best[1], &x->pairs[c].min);
     }
     x->a->is_fast = 0;
 }

@@ -114,6 +114,14 @@ static flk_piece_end end_of_motion(const flk_analysis *a, double angle)
                                                                                 : FLK_END_PLAIN;
 }
 
+/* An end of the motion at a position that has an end of its own. */
+static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
+{
+    if (of_position == FLK_END_CHANGE && of_motion == FLK_END_ROOT)
+        return FLK_END_CHANGE_REST;
+    return of_position == FLK_END_PLAIN ? of_motion : of_position;
+}
+
 /* The next end behind `after`. */
 static double next_end(const flk_analysis *a, double after, flk_piece_end *end)
 {
@@ -130,8 +138,7 @@ static double next_end(const flk_analysis *a, double after, flk_piece_end *end)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
     if (s.at >= length - CLOSEST - 1e-14 * length) {
         *end = s.at <= length + CLOSEST + 1e-14 * length ? s.end : FLK_END_PLAIN;
-        if (*end == FLK_END_PLAIN)
-            *end = end_of_motion(a, flk_analysis_end(a));
+        *end = join(end_of_motion(a, flk_analysis_end(a)), *end);
         return length;
     }
     *end = s.end;
@@ -148,7 +155,7 @@ static flk_piece_end first_end(const flk_analysis *a)
     s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;
     offer_positions(&s);
-    return s.end == FLK_END_PLAIN || s.at > CLOSEST ? end_of_motion(a, a->d->motion.from) : s.end;
+    return join(end_of_motion(a, a->d->motion.from), s.at > CLOSEST ? FLK_END_PLAIN : s.end);
 }
 
 int flk_pieces_next(const flk_analysis *a, flk_piece *piece)
