@@ -62,6 +62,7 @@ typedef struct search {
     double end;  /* last angle, in the deck's unit as the first */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
+    double closest;   /* of its samples: those closer than that are one for polynomials */
     size_t n;         /* samples: */
     double *s;        /* the parameter, */
     double *values;   /* and a row of MOST_SAMPLES for each column, NaN where it has no value */
@@ -197,6 +198,7 @@ static void sample(search *x, size_t steps)
     size_t i;
 
     x->n = 0;
+    x->closest = 1e-4 * step;
     for (k = HALVINGS; at_begin && k > 0; k--)
         append(x, x->low + step * pow(0.5, k));
     for (i = 0; i <= steps; i++)
@@ -300,6 +302,15 @@ typedef struct place {
     double s, value;
 } place;
 
+static place sample_at(const search *x, const double *values, size_t i)
+{
+    place p;
+
+    p.s = x->s[i];
+    p.value = values[i];
+    return p;
+}
+
 /* A polynomial by divided differences. */
 typedef struct polynomial {
     int n;
@@ -351,25 +362,38 @@ static int find_flat(const polynomial *p, double low, double high, double *at)
     return 1;
 }
 
+/* The nearest sample on a side that is not so close that differences are rounding; i if there is none. */
+static size_t beside(const search *x, const double *values, size_t i, int side)
+{
+    size_t k = i;
+
+    while (side > 0 ? k + 1 < x->n : k > 0) {
+        k = side > 0 ? k + 1 : k - 1;
+        if (gsl_isnan(values[k]))
+            return i;
+        if (fabs(x->s[k] - x->s[i]) >= x->closest)
+            return k;
+    }
+    return i;
+}
+
 /* The polynomial through the samples nearest to number i; 0 if there are too few. */
 static int through_samples(const search *x, const double *values, size_t i, polynomial *p)
 {
-    size_t from = i, to = i; /* inclusive */
+    size_t from = i, to = i, lower = i, upper = i;
 
-    while (to - from + 1 < NODES) {
-        int lower = from > 0 && !gsl_isnan(values[from - 1]);
-        int upper = to + 1 < x->n && !gsl_isnan(values[to + 1]);
-
-        if (!lower && !upper)
-            break;
-        if (lower && (!upper || x->s[i] - x->s[from - 1] <= x->s[to + 1] - x->s[i]))
-            from--;
-        else
-            to++;
-    }
     p->n = 0;
-    for (; from <= to; from++)
-        add_node(p, x->s[from], values[from]);
+    add_node(p, x->s[i], values[i]);
+    while (p->n < NODES) {
+        lower = lower == from ? beside(x, values, from, -1) : lower;
+        upper = upper == to ? beside(x, values, to, 1) : upper;
+        if (lower == from && upper == to)
+            break;
+        if (upper == to || (lower != from && x->s[i] - x->s[lower] <= x->s[upper] - x->s[i]))
+            add_node(p, x->s[lower], values[from = lower]);
+        else
+            add_node(p, x->s[upper], values[to = upper]);
+    }
     return p->n > 2;
 }
 
@@ -399,7 +423,7 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
     double step = (high - low) / 8;
     int i;
 
-    for (i = 0; i < 60 && step > 1e-14; i++) {
+    for (i = 0; i < 60 && step > 1e-13; i++) {
         place left, right, top;
         polynomial p;
         double slope;
@@ -419,6 +443,9 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
             continue;
         }
         step /= 4;
+        if (fabs(left.value - best->value) + fabs(right.value - best->value) <=
+            CLOSE * fabs(best->value))
+            return;
         if (!(left.s < best->s && best->s < right.s) || gsl_isnan(left.value + right.value))
             continue;
         add_node(&p, left.s, left.value);
@@ -439,13 +466,13 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
 
 /* The same from an end, if the column rises from there. */
 static void climb_from_end(search *x, const tracked *t, int which, double low, double high,
-                           double size, place *best)
+                           place *best)
 {
     place beside;
 
     beside.s = best->s + 1e-3 * (best->s == low ? high - low : low - high);
     beside.value = value_at(x, t, beside.s, best->value);
-    if (signed_value(which, beside.value) <= signed_value(which, best->value) + CLOSE * size)
+    if (signed_value(which, beside.value) <= signed_value(which, best->value))
         return;
     *best = beside;
     climb(x, t, which, low, high, best);
@@ -454,33 +481,24 @@ static void climb_from_end(search *x, const tracked *t, int which, double low, d
 /* The peak that the samples have at or beside number i. */
 static void refine(search *x, const tracked *t, const double *values, int which, size_t i, found *f)
 {
-    double low = i > 0 && !gsl_isnan(values[i - 1]) ? x->s[i - 1] : x->s[i];
-    double high = i + 1 < x->n && !gsl_isnan(values[i + 1]) ? x->s[i + 1] : x->s[i];
-    double size = size_about(x, values, i), slope;
+    size_t before = beside(x, values, i, -1), behind = beside(x, values, i, 1);
+    double low = x->s[before], high = x->s[behind], slope;
+    double size = median(fabs(values[before]), fabs(values[i]), fabs(values[behind]));
+    place best = sample_at(x, values, i), top;
     polynomial p;
-    place best, top;
+    int is_good = 0;
 
-    if (i > 0 && i + 1 < x->n && !gsl_isnan(values[i - 1] + values[i + 1]))
-        size = median(fabs(values[i - 1]), fabs(values[i]), fabs(values[i + 1]));
-
-    best.s = x->s[i];
-    best.value = values[i];
-    if (t->is_noise || !through_samples(x, values, i, &p)) {
-        offer_at(x, f, which, best.value, best.s);
-        return;
-    }
-    if (!find_flat(&p, low, high, &top.s)) {
-        if (low == x->s[i] || high == x->s[i])
-            climb_from_end(x, t, which, low, high, size, &best);
-    } else {
-        top.value = value_at(x, t, top.s, best.value);
-        if (!(fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size)) {
+    if (!t->is_noise && low < high) {
+        if (through_samples(x, values, i, &p) && find_flat(&p, low, high, &top.s)) {
+            top.value = value_at(x, t, top.s, best.value);
+            is_good = fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size;
             if (signed_value(which, top.value) > signed_value(which, best.value))
                 best = top;
-            climb(x, t, which, low, high, &best);
-        } else if (signed_value(which, top.value) > signed_value(which, best.value)) {
-            best = top;
         }
+        if (!is_good && (before == i || behind == i) && best.s == x->s[i])
+            climb_from_end(x, t, which, low, high, &best);
+        else if (!is_good)
+            climb(x, t, which, low, high, &best);
     }
     offer_at(x, f, which, best.value, best.s);
 }
@@ -521,25 +539,28 @@ static double roughness(const search *x, const double *values, size_t i)
 #define ROUGH 1e-5 /* of the column's size: below it nothing hides between samples */
 #define MARGIN 8   /* a column may reach so many times its roughness beyond a sample */
 
+/* 1 if an angle has half a turn between samples about number i, which no step resolves. */
+static int jumps(const search *x, const tracked *t, const double *values, size_t i)
+{
+    size_t k, to = i + 4 < x->n ? i + 4 : x->n - 1;
+
+    for (k = i < 4 ? 0 : i - 4; t->turn > 0 && k < to; k++)
+        if (fabs(values[k + 1] - values[k]) > 0.4 * t->turn)
+            return 1;
+    return 0;
+}
+
 /* 1 if a better extreme of a column may hide beside a sample. */
 static int may_hide(const search *x, const tracked *t, const double *values, size_t i)
 {
     double rough = roughness(x, values, i);
 
-    if (!(rough > 1e-9 * t->size) || (values[i] + MARGIN * rough <= t->here[0].value &&
-                                      values[i] - MARGIN * rough >= t->here[1].value))
+    if (!(rough > 1e-9 * t->size) || jumps(x, t, values, i) ||
+        (values[i] + MARGIN * rough <= t->here[0].value &&
+         values[i] - MARGIN * rough >= t->here[1].value))
         return 0;
     return rough > ROUGH * size_about(x, values, i) && !t->is_noise &&
            fabs(t->here[0].value) < t->bound && fabs(t->here[1].value) < t->bound;
-}
-
-static place sample_at(const search *x, const double *values, size_t i)
-{
-    place p;
-
-    p.s = x->s[i];
-    p.value = values[i];
-    return p;
 }
 
 /* Between two samples of unlike sign a column that has poles passes through zero or infinity: halving shows
@@ -648,13 +669,19 @@ static void offer_samples(const search *x, tracked *t, const double *values)
     offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
-/* 1 if sample i is a peak of the samples; NaN is no neighbour. */
+/* 1 if no sample beside number i is better. */
 static int is_peak(const search *x, const double *values, int which, size_t i)
 {
-    double here = signed_value(which, values[i]);
+    double here = signed_value(which, values[i]), close = here + CLOSE * fabs(here);
+    int side;
 
-    return !gsl_isnan(here) && !(i > 0 && signed_value(which, values[i - 1]) > here) &&
-           !(i + 1 < x->n && signed_value(which, values[i + 1]) > here);
+    if (gsl_isnan(here) || (i > 0 && signed_value(which, values[i - 1]) > close) ||
+        (i + 1 < x->n && signed_value(which, values[i + 1]) > close))
+        return 0;
+    for (side = -1; side <= 1; side += 2)
+        if (signed_value(which, values[beside(x, values, i, side)]) > here)
+            return 0;
+    return 1;
 }
 
 static void refine_peaks(search *x, tracked *t, const double *values)
@@ -673,7 +700,8 @@ static void refine_peaks(search *x, tracked *t, const double *values)
             if (gsl_isnan(gain) || i == 0 || i + 1 == x->n)
                 gain = size_about(x, values, i);
             gain += MARGIN * roughness(x, values, i);
-            if (signed_value(which, values[i]) + gain >= signed_value(which, t->here[which].value))
+            if (gain > CLOSE * fabs(values[i]) &&
+                signed_value(which, values[i]) + gain >= signed_value(which, t->here[which].value))
                 refine(x, t, values, which, i, &t->here[which]);
         }
 }
@@ -780,7 +808,7 @@ static void find_limits(search *x, int at_end)
             limit[scale] = extrapolate(away[scale], y[scale], 0, &error[scale]);
         for (scale = 0, k = 1; k < SCALES; k++)
             scale = error[k] < error[scale] ? k : scale;
-        if (fabs(limit[scale]) < 1e-9 * t->size)
+        if (fabs(limit[scale]) < 1e-9 * fabs(y[scale][LIMIT_NODES - 1]))
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
             offer(&t->here[which], which, limit[scale], angle_of(x, edge), angle_of(x, edge));

@@ -437,7 +437,7 @@ static void add_edge(const row *with, const row *without)
     }
     e->p = is_change ? corner_beside(out) : out;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
-        double p = e->p + e->side * (is_change ? s / 4 : s * s);
+        double p = e->p + e->side * (is_change ? s : s * s);
 
         if (p < 0 || p > total || compute(p, e->v[i]))
             for (unsigned long c = 0; c < n_columns; c++)
