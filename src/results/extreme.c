@@ -164,19 +164,22 @@ static int has_row_at(const search *x, double s)
 /* Put a sample of all columns before number i. */
 static void insert(search *x, size_t i, double s)
 {
+    size_t c, behind = (x->n - i) * sizeof(double);
+    double *place = x->values + i;
     flk_row row;
-    size_t c;
 
     compute(x, x->needs, passed_at(x, s), &row);
-    memmove(x->s + i + 1, x->s + i, (x->n - i) * sizeof *x->s);
+    if (behind)
+        memmove(x->s + i + 1, x->s + i, behind);
     x->s[i] = s;
-    for (c = 0; c < x->n_columns; c++) {
-        double *values = row_of(x, c), value = flk_column_value(x->columns[c].c, &row);
+    for (c = 0; c < x->n_columns; c++, place += MOST_SAMPLES) {
+        tracked *t = &x->columns[c];
 
-        memmove(values + i + 1, values + i, (x->n - i) * sizeof *values);
-        values[i] = value;
-        if (fabs(value) > x->columns[c].size && gsl_finite(value))
-            x->columns[c].size = fabs(value);
+        if (behind)
+            memmove(place + 1, place, behind);
+        *place = flk_column_value(t->c, &row);
+        if (fabs(*place) > t->size && gsl_finite(*place))
+            t->size = fabs(*place);
     }
     x->n++;
 }
@@ -341,23 +344,35 @@ static double value_of(const polynomial *p, double x, double *slope)
     return value;
 }
 
-/* Where the slope of a polynomial vanishes between two places; 0 if it has one sign at both. */
+/* Where the slope of a polynomial vanishes between two places, by false position (the Illinois rule); 0 if it
+** has one sign at both. */
 static int find_flat(const polynomial *p, double low, double high, double *at)
 {
-    double rise_low, rise_high, rise;
-    int i;
+    double rise_low, rise_high, rise, enough = 1e-10 * (high - low);
+    int i, side = 0;
 
     value_of(p, low, &rise_low);
     value_of(p, high, &rise_high);
     if ((rise_low > 0) == (rise_high > 0))
         return 0;
-    for (i = 0; i < 60; i++) {
-        *at = 0.5 * (low + high);
+    for (i = 0; i < 60 && high - low > enough; i++) {
+        double before = *at;
+
+        *at = (low * rise_high - high * rise_low) / (rise_high - rise_low);
         value_of(p, *at, &rise);
-        if ((rise > 0) == (rise_low > 0))
+        if (rise == 0 || (i > 0 && fabs(*at - before) <= enough))
+            break;
+        if ((rise > 0) == (rise_low > 0)) {
             low = *at;
-        else
+            rise_low = rise;
+            rise_high *= side == 1 ? 0.5 : 1;
+            side = 1;
+        } else {
             high = *at;
+            rise_high = rise;
+            rise_low *= side == -1 ? 0.5 : 1;
+            side = -1;
+        }
     }
     return 1;
 }
@@ -586,11 +601,30 @@ static void find_pole(search *x, tracked *t, place low, place high)
     }
 }
 
+/* A pole at a corner has the sign of the samples beside it. */
+static void find_pole_at_corner(search *x, tracked *t, place end)
+{
+    int which = end.value > 0 ? 0 : 1;
+    double corner = corner_at(x, end.s);
+    flk_row row;
+
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
+    if (fabs(flk_column_value(t->c, &row)) >= t->bound)
+        offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, corner, corner);
+}
+
 static void find_poles(search *x, tracked *t, const double *values)
 {
     size_t i;
 
-    for (i = 0; i + 1 < x->n && gsl_finite(t->bound) && fabs(t->here[0].value) < t->bound; i++)
+    if (!gsl_finite(t->bound) || !x->n)
+        return;
+    find_pole_at_corner(x, t, sample_at(x, values, 0));
+    find_pole_at_corner(x, t, sample_at(x, values, x->n - 1));
+
+    for (i = 0;
+         i + 1 < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
+         i++)
         if (values[i] * values[i + 1] < 0)
             find_pole(x, t, sample_at(x, values, i), sample_at(x, values, i + 1));
 }
