@@ -57,6 +57,7 @@ typedef struct search {
     flk_extreme_pair *pairs;
     size_t n_columns;
     tracked *columns;
+    int has_noise; /* 1: samples are the rows of the deck's own solver, whose rounding is asked for */
     double from, length,
         per_rad; /* of the motion: first angle, rad passed in all, deck's units for each */
     double end;  /* last angle, in the deck's unit as the first */
@@ -177,7 +178,7 @@ static void insert(search *x, size_t i, double s)
 
         if (behind)
             memmove(place + 1, place, behind);
-        *place = flk_column_value(t->c, &row);
+        *place = t->is_noise && x->a->is_fast ? GSL_NAN : flk_column_value(t->c, &row);
         if (fabs(*place) > t->size && gsl_finite(*place))
             t->size = fabs(*place);
     }
@@ -202,12 +203,14 @@ static void sample(search *x, size_t steps)
 
     x->n = 0;
     x->closest = 1e-4 * step;
+    x->a->is_fast = !x->has_noise;
     for (k = HALVINGS; at_begin && k > 0; k--)
         append(x, x->low + step * pow(0.5, k));
     for (i = 0; i <= steps; i++)
         append(x, i == steps ? x->high : x->low + step * (double)i);
     for (k = 1; at_end && k <= HALVINGS; k++)
         append(x, x->high - step * pow(0.5, k));
+    x->a->is_fast = 1;
 }
 
 /* Angles go on from sample to sample past half a turn.  Where one leaps by more than a sixth of a turn there are
@@ -384,7 +387,7 @@ static size_t beside(const search *x, const double *values, size_t i, int side)
 
     while (side > 0 ? k + 1 < x->n : k > 0) {
         k = side > 0 ? k + 1 : k - 1;
-        if (gsl_isnan(values[k]))
+        if (values[k] != values[k])
             return i;
         if (fabs(x->s[k] - x->s[i]) >= x->closest)
             return k;
@@ -703,19 +706,32 @@ static void offer_samples(const search *x, tracked *t, const double *values)
     offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
-/* 1 if no sample beside number i is better. */
+/* 1 if sample i is a peak among its neighbours, but for rounding. */
 static int is_peak(const search *x, const double *values, int which, size_t i)
 {
     double here = signed_value(which, values[i]), close = here + CLOSE * fabs(here);
-    int side;
 
-    if (gsl_isnan(here) || (i > 0 && signed_value(which, values[i - 1]) > close) ||
-        (i + 1 < x->n && signed_value(which, values[i + 1]) > close))
-        return 0;
-    for (side = -1; side <= 1; side += 2)
-        if (signed_value(which, values[beside(x, values, i, side)]) > here)
-            return 0;
-    return 1;
+    return here == here && !(i > 0 && signed_value(which, values[i - 1]) > close) &&
+           !(i + 1 < x->n && signed_value(which, values[i + 1]) > close);
+}
+
+/* The same among those that are not too close. */
+static int is_peak_beside(const search *x, const double *values, int which, size_t i)
+{
+    double here = signed_value(which, values[i]);
+
+    return signed_value(which, values[beside(x, values, i, -1)]) <= here &&
+           signed_value(which, values[beside(x, values, i, 1)]) <= here;
+}
+
+/* By how much a column may be better beside a peak of the samples. */
+static double gain_beside(const search *x, const double *values, size_t i)
+{
+    double gain = MARGIN * roughness(x, values, i), bend = GSL_NAN;
+
+    if (i > 0 && i + 1 < x->n)
+        bend = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
+    return gain + (bend == bend ? bend : size_about(x, values, i));
 }
 
 static void refine_peaks(search *x, tracked *t, const double *values)
@@ -723,19 +739,17 @@ static void refine_peaks(search *x, tracked *t, const double *values)
     size_t i;
     int which;
 
-    for (i = 0; i < x->n; i++)
-        for (which = 0; which < 2; which++) {
-            double gain = 0;
+    for (which = 0; which < 2; which++)
+        for (i = 0; i < x->n; i++) {
+            double gain;
 
             if (!is_peak(x, values, which, i))
                 continue;
-            if (i > 0 && i + 1 < x->n)
-                gain = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
-            if (gsl_isnan(gain) || i == 0 || i + 1 == x->n)
-                gain = size_about(x, values, i);
-            gain += MARGIN * roughness(x, values, i);
+            gain = gain_beside(x, values, i);
             if (gain > CLOSE * fabs(values[i]) &&
-                signed_value(which, values[i]) + gain >= signed_value(which, t->here[which].value))
+                signed_value(which, values[i]) + gain >=
+                    signed_value(which, t->here[which].value) &&
+                is_peak_beside(x, values, which, i))
                 refine(x, t, values, which, i, &t->here[which]);
         }
 }
@@ -912,6 +926,7 @@ static void start(search *x, double *memory)
     x->n = 0;
     memset(x->columns, 0, x->n_columns * sizeof *x->columns);
     x->a->is_fast = 1;
+    x->has_noise = 0;
     for (c = 0; c < x->n_columns; c++) {
         tracked *t = &x->columns[c];
 
@@ -922,8 +937,7 @@ static void start(search *x, double *memory)
         t->bound = flk_column_bound(t->c);
         t->is_noise = (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) != 0;
         x->needs |= flk_column_need(t->c);
-        if (t->is_noise)
-            x->a->is_fast = 0; /* it is the rounding of the deck's own solver */
+        x->has_noise |= t->is_noise;
     }
     memset(&x->piece, 0, sizeof x->piece);
 }

@@ -19,7 +19,7 @@
 #include "fourlink.h"
 
 #define PI 3.14159265358979323846
-#define EVEN 2400 /* rows of a revolution, evenly spaced */
+#define EVEN 720 /* rows of a revolution, evenly spaced */
 #define MOST 40000
 #define TOLERANCE 1e-9
 
@@ -344,7 +344,7 @@ static void add_about(double p, double nearest, int side)
 {
     double d;
 
-    for (d = 0.02; d > nearest; d /= 1.7) {
+    for (d = 0.02; d > nearest; d /= 3) {
         if (side <= 0)
             add(p - d);
         if (side >= 0)
@@ -529,8 +529,8 @@ static void take_rows(void)
     n = 0;
     n_edges = 0;
     m = (size_t)(EVEN * total / (2 * PI)) + 50;
-    for (i = 0; i <= (m < 12000 ? m : 12000); i++)
-        add(total * (double)i / (double)(m < 12000 ? m : 12000));
+    for (i = 0; i <= (m < 3000 ? m : 3000); i++)
+        add(total * (double)i / (double)(m < 3000 ? m : 3000));
     add_about(0, 1e-8, 1);
     add_about(total, 1e-8, -1);
     for (k = 0; k < n_corners; k++) {
