@@ -3,7 +3,7 @@
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
 ** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
-** columns, in steps of a degree or less, over a parameter s in which square roots at its ends are smooth:
+** columns, in steps of 1.5 degrees or less, over a parameter s in which square roots at its ends are smooth:
 **
 **    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
 **
@@ -525,15 +525,18 @@ static void refine(search *x, const tracked *t, const double *values, int which,
 static int is_even(const search *x, size_t i)
 {
     const double *s = x->s + i;
-    double step = s[1] - s[0];
+    double step;
 
+    if (i < 2 || i + 2 >= x->n)
+        return 0;
+    step = s[1] - s[0];
     return fabs(s[-1] - s[-2] - step) + fabs(s[0] - s[-1] - step) + fabs(s[2] - s[1] - step) <
            1e-9 * step;
 }
 
 /* How far sample i is from what its four neighbours say: by so much the column may differ from a smooth
 ** curve. */
-static double roughness(const search *x, const double *values, size_t i)
+static double roughness(const search *x, const double *values, size_t i, int even)
 {
     size_t k, from = i < 2 ? 0 : i + 3 > x->n ? x->n - 5 : i - 2;
     const double *v = values + i;
@@ -542,7 +545,7 @@ static double roughness(const search *x, const double *values, size_t i)
 
     if (x->n < 5)
         return 0;
-    if (i >= 2 && i + 2 < x->n && is_even(x, i)) {
+    if (even) {
         d = (v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
     } else {
         p.n = 0;
@@ -569,9 +572,9 @@ static int jumps(const search *x, const tracked *t, const double *values, size_t
 }
 
 /* 1 if a better extreme of a column may hide beside a sample. */
-static int may_hide(const search *x, const tracked *t, const double *values, size_t i)
+static int may_hide(const search *x, const tracked *t, const double *values, size_t i, int even)
 {
-    double rough = roughness(x, values, i);
+    double rough = roughness(x, values, i, even);
 
     if (!(rough > 1e-9 * t->size) || jumps(x, t, values, i) ||
         (values[i] + MARGIN * rough <= t->here[0].value &&
@@ -634,10 +637,11 @@ static void find_poles(search *x, tracked *t, const double *values)
 
 static int hides(const search *x, size_t i)
 {
+    int even = is_even(x, i);
     size_t c;
 
     for (c = 0; c < x->n_columns; c++)
-        if (may_hide(x, &x->columns[c], row_of(x, c), i))
+        if (may_hide(x, &x->columns[c], row_of(x, c), i, even))
             return 1;
     return 0;
 }
@@ -727,7 +731,7 @@ static int is_peak_beside(const search *x, const double *values, int which, size
 /* By how much a column may be better beside a peak of the samples. */
 static double gain_beside(const search *x, const double *values, size_t i)
 {
-    double gain = MARGIN * roughness(x, values, i), bend = GSL_NAN;
+    double gain = MARGIN * roughness(x, values, i, is_even(x, i)), bend = GSL_NAN;
 
     if (i > 0 && i + 1 < x->n)
         bend = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
@@ -886,11 +890,11 @@ static void search_stretch(search *x, size_t steps)
         refine_peaks(x, &x->columns[c], row_of(x, c));
 }
 
-/* A piece in stretches of a step for each degree. */
+/* A piece in stretches. */
 static void search_piece(search *x, int is_reached)
 {
     double length = x->piece.to - x->piece.from;
-    double step = GSL_MAX_DBL(M_PI / 180, x->length / MOST_STEPS);
+    double step = GSL_MAX_DBL(M_PI / 120, x->length / MOST_STEPS);
     size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
 
     steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
