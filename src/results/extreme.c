@@ -3,7 +3,7 @@
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
 ** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
-** columns, in steps of 1.5 degrees or less, over a parameter s in which square roots at its ends are smooth:
+** columns, in steps of two degrees or less, over a parameter s in which square roots at its ends are smooth:
 **
 **    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
 **
@@ -46,8 +46,10 @@ typedef struct tracked {
     double first;       /* at the first row */
     double size, bound; /* the largest magnitude, and that beyond which it is infinite */
     int is_noise;       /* 1: a measure of rounding */
-    found best[2];      /* greatest, least */
-    found here[2];      /* since the angle started anew */
+    double
+        lost[2];   /* rad, from begin and end of the piece, where poles cancel and leave rounding */
+    found best[2]; /* greatest, least */
+    found here[2]; /* since the angle started anew */
 } tracked;
 
 typedef struct search {
@@ -121,12 +123,22 @@ static double leap(const tracked *t, double from, double to)
 /* A force that passes through zero turns by half a turn at once: its direction does not go on there. */
 #define HALF_TURN (0.5 - 1e-6)
 
+/* 1 where rows of a column are rounding. */
+static int is_lost(const search *x, const tracked *t, double s)
+{
+    double passed = passed_at(x, s);
+
+    return passed - x->piece.from < t->lost[0] || x->piece.to - passed < t->lost[1];
+}
+
 /* A column at a parameter; an angle is the one nearest to `near`, NaN half a turn from it. */
 static double value_at(const search *x, const tracked *t, double s, double near)
 {
     double value;
     flk_row row;
 
+    if (is_lost(x, t, s))
+        return GSL_NAN;
     compute(x, flk_column_need(t->c), passed_at(x, s), &row);
     value = flk_column_value(t->c, &row);
     if (!(t->turn > 0))
@@ -178,7 +190,8 @@ static void insert(search *x, size_t i, double s)
 
         if (behind)
             memmove(place + 1, place, behind);
-        *place = t->is_noise && x->a->is_fast ? GSL_NAN : flk_column_value(t->c, &row);
+        *place = (t->is_noise && x->a->is_fast) || is_lost(x, t, s) ? GSL_NAN
+                                                                    : flk_column_value(t->c, &row);
         if (fabs(*place) > t->size && gsl_finite(*place))
             t->size = fabs(*place);
     }
@@ -804,6 +817,18 @@ static int pole_of(double x[][LIMIT_NODES], double y[][LIMIT_NODES], int order)
     return 0;
 }
 
+/* Leave the samples of a column out that are so close to an end of the piece. */
+static void lose(search *x, size_t c, int at_end, double away)
+{
+    tracked *t = &x->columns[c];
+    size_t i;
+
+    t->lost[at_end] = away;
+    for (i = 0; i < x->n; i++)
+        if (is_lost(x, t, x->s[i]))
+            row_of(x, c)[i] = GSL_NAN;
+}
+
 /* The limits of all columns at an end of the piece where there is no row, or that they have none.  Rows at
 ** x_k from it are computed on several scales: the small ones are more exact for what has no poles, the large
 ** ones where poles cancel.  At a dead position x is the root of the angle. */
@@ -860,6 +885,8 @@ static void find_limits(search *x, int at_end)
             limit[scale] = extrapolate(away[scale], y[scale], 0, &error[scale]);
         for (scale = 0, k = 1; k < SCALES; k++)
             scale = error[k] < error[scale] ? k : scale;
+        if (!(error[0] <= 1e-10 * fabs(y[scale][LIMIT_NODES - 1])) && !(t->turn > 0))
+            lose(x, c, at_end, away[scale][1] * (is_dead ? away[scale][1] : 1));
         if (fabs(limit[scale]) < 1e-9 * fabs(y[scale][LIMIT_NODES - 1]))
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
@@ -875,16 +902,17 @@ static void search_stretch(search *x, size_t steps)
 
     sample(x, steps);
     resolve_leaps(x);
-    for (c = 0; c < x->n_columns; c++) {
+    for (c = 0; c < x->n_columns; c++)
         if (x->columns[c].turn > 0)
             follow(x, &x->columns[c], row_of(x, c));
-        offer_samples(x, &x->columns[c], row_of(x, c));
-        find_poles(x, &x->columns[c], row_of(x, c));
-    }
     if (x->low <= 0)
         find_limits(x, 0);
     if (x->high >= 1)
         find_limits(x, 1);
+    for (c = 0; c < x->n_columns; c++) {
+        offer_samples(x, &x->columns[c], row_of(x, c));
+        find_poles(x, &x->columns[c], row_of(x, c));
+    }
     resolve_narrow(x);
     for (c = 0; c < x->n_columns; c++)
         refine_peaks(x, &x->columns[c], row_of(x, c));
@@ -894,11 +922,13 @@ static void search_stretch(search *x, size_t steps)
 static void search_piece(search *x, int is_reached)
 {
     double length = x->piece.to - x->piece.from;
-    double step = GSL_MAX_DBL(M_PI / 120, x->length / MOST_STEPS);
+    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
     size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
 
     steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
     stretches = (steps + STRETCH - 1) / STRETCH;
+    for (i = 0; i < x->n_columns; i++)
+        x->columns[i].lost[0] = x->columns[i].lost[1] = 0;
     for (i = 0; i < stretches; i++) {
         x->low = (double)i / (double)stretches;
         x->high = (double)(i + 1) / (double)stretches;
