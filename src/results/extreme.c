@@ -3,7 +3,7 @@
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
 ** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
-** columns, in steps of a degree or less, over a parameter s in which square roots at its ends are smooth:
+** columns, in steps of two degrees or less, over a parameter s in which square roots at its ends are smooth:
 **
 **    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
 **
@@ -46,8 +46,10 @@ typedef struct tracked {
     double first;       /* at the first row */
     double size, bound; /* the largest magnitude, and that beyond which it is infinite */
     int is_noise;       /* 1: a measure of rounding */
-    found best[2];      /* greatest, least */
-    found here[2];      /* since the angle started anew */
+    double
+        lost[2];   /* rad, from begin and end of the piece, where poles cancel and leave rounding */
+    found best[2]; /* greatest, least */
+    found here[2]; /* since the angle started anew */
 } tracked;
 
 typedef struct search {
@@ -57,11 +59,13 @@ typedef struct search {
     flk_extreme_pair *pairs;
     size_t n_columns;
     tracked *columns;
+    int has_noise; /* 1: samples are the rows of the deck's own solver, whose rounding is asked for */
     double from, length,
         per_rad; /* of the motion: first angle, rad passed in all, deck's units for each */
     double end;  /* last angle, in the deck's unit as the first */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
+    double closest;   /* of its samples: those closer than that are one for polynomials */
     size_t n;         /* samples: */
     double *s;        /* the parameter, */
     double *values;   /* and a row of MOST_SAMPLES for each column, NaN where it has no value */
@@ -119,12 +123,22 @@ static double leap(const tracked *t, double from, double to)
 /* A force that passes through zero turns by half a turn at once: its direction does not go on there. */
 #define HALF_TURN (0.5 - 1e-6)
 
+/* 1 where rows of a column are rounding. */
+static int is_lost(const search *x, const tracked *t, double s)
+{
+    double passed = passed_at(x, s);
+
+    return passed - x->piece.from < t->lost[0] || x->piece.to - passed < t->lost[1];
+}
+
 /* A column at a parameter; an angle is the one nearest to `near`, NaN half a turn from it. */
 static double value_at(const search *x, const tracked *t, double s, double near)
 {
     double value;
     flk_row row;
 
+    if (is_lost(x, t, s))
+        return GSL_NAN;
     compute(x, flk_column_need(t->c), passed_at(x, s), &row);
     value = flk_column_value(t->c, &row);
     if (!(t->turn > 0))
@@ -163,19 +177,23 @@ static int has_row_at(const search *x, double s)
 /* Put a sample of all columns before number i. */
 static void insert(search *x, size_t i, double s)
 {
+    size_t c, behind = (x->n - i) * sizeof(double);
+    double *place = x->values + i;
     flk_row row;
-    size_t c;
 
     compute(x, x->needs, passed_at(x, s), &row);
-    memmove(x->s + i + 1, x->s + i, (x->n - i) * sizeof *x->s);
+    if (behind)
+        memmove(x->s + i + 1, x->s + i, behind);
     x->s[i] = s;
-    for (c = 0; c < x->n_columns; c++) {
-        double *values = row_of(x, c), value = flk_column_value(x->columns[c].c, &row);
+    for (c = 0; c < x->n_columns; c++, place += MOST_SAMPLES) {
+        tracked *t = &x->columns[c];
 
-        memmove(values + i + 1, values + i, (x->n - i) * sizeof *values);
-        values[i] = value;
-        if (fabs(value) > x->columns[c].size && gsl_finite(value))
-            x->columns[c].size = fabs(value);
+        if (behind)
+            memmove(place + 1, place, behind);
+        *place = (t->is_noise && x->a->is_fast) || is_lost(x, t, s) ? GSL_NAN
+                                                                    : flk_column_value(t->c, &row);
+        if (fabs(*place) > t->size && gsl_finite(*place))
+            t->size = fabs(*place);
     }
     x->n++;
 }
@@ -197,12 +215,15 @@ static void sample(search *x, size_t steps)
     size_t i;
 
     x->n = 0;
+    x->closest = 1e-4 * step;
+    x->a->is_fast = !x->has_noise;
     for (k = HALVINGS; at_begin && k > 0; k--)
         append(x, x->low + step * pow(0.5, k));
     for (i = 0; i <= steps; i++)
         append(x, i == steps ? x->high : x->low + step * (double)i);
     for (k = 1; at_end && k <= HALVINGS; k++)
         append(x, x->high - step * pow(0.5, k));
+    x->a->is_fast = 1;
 }
 
 /* Angles go on from sample to sample past half a turn.  Where one leaps by more than a sixth of a turn there are
@@ -300,6 +321,15 @@ typedef struct place {
     double s, value;
 } place;
 
+static place sample_at(const search *x, const double *values, size_t i)
+{
+    place p;
+
+    p.s = x->s[i];
+    p.value = values[i];
+    return p;
+}
+
 /* A polynomial by divided differences. */
 typedef struct polynomial {
     int n;
@@ -330,46 +360,71 @@ static double value_of(const polynomial *p, double x, double *slope)
     return value;
 }
 
-/* Where the slope of a polynomial vanishes between two places; 0 if it has one sign at both. */
+/* Where the slope of a polynomial vanishes between two places, by false position (the Illinois rule); 0 if it
+** has one sign at both. */
 static int find_flat(const polynomial *p, double low, double high, double *at)
 {
-    double rise_low, rise_high, rise;
-    int i;
+    double rise_low, rise_high, rise, enough = 1e-10 * (high - low);
+    int i, side = 0;
 
     value_of(p, low, &rise_low);
     value_of(p, high, &rise_high);
     if ((rise_low > 0) == (rise_high > 0))
         return 0;
-    for (i = 0; i < 60; i++) {
-        *at = 0.5 * (low + high);
+    for (i = 0; i < 60 && high - low > enough; i++) {
+        double before = *at;
+
+        *at = (low * rise_high - high * rise_low) / (rise_high - rise_low);
         value_of(p, *at, &rise);
-        if ((rise > 0) == (rise_low > 0))
+        if (rise == 0 || (i > 0 && fabs(*at - before) <= enough))
+            break;
+        if ((rise > 0) == (rise_low > 0)) {
             low = *at;
-        else
+            rise_low = rise;
+            rise_high *= side == 1 ? 0.5 : 1;
+            side = 1;
+        } else {
             high = *at;
+            rise_high = rise;
+            rise_low *= side == -1 ? 0.5 : 1;
+            side = -1;
+        }
     }
     return 1;
+}
+
+/* The nearest sample on a side that is not so close that differences are rounding; i if there is none. */
+static size_t beside(const search *x, const double *values, size_t i, int side)
+{
+    size_t k = i;
+
+    while (side > 0 ? k + 1 < x->n : k > 0) {
+        k = side > 0 ? k + 1 : k - 1;
+        if (values[k] != values[k])
+            return i;
+        if (fabs(x->s[k] - x->s[i]) >= x->closest)
+            return k;
+    }
+    return i;
 }
 
 /* The polynomial through the samples nearest to number i; 0 if there are too few. */
 static int through_samples(const search *x, const double *values, size_t i, polynomial *p)
 {
-    size_t from = i, to = i; /* inclusive */
+    size_t from = i, to = i, lower = i, upper = i;
 
-    while (to - from + 1 < NODES) {
-        int lower = from > 0 && !gsl_isnan(values[from - 1]);
-        int upper = to + 1 < x->n && !gsl_isnan(values[to + 1]);
-
-        if (!lower && !upper)
-            break;
-        if (lower && (!upper || x->s[i] - x->s[from - 1] <= x->s[to + 1] - x->s[i]))
-            from--;
-        else
-            to++;
-    }
     p->n = 0;
-    for (; from <= to; from++)
-        add_node(p, x->s[from], values[from]);
+    add_node(p, x->s[i], values[i]);
+    while (p->n < NODES) {
+        lower = lower == from ? beside(x, values, from, -1) : lower;
+        upper = upper == to ? beside(x, values, to, 1) : upper;
+        if (lower == from && upper == to)
+            break;
+        if (upper == to || (lower != from && x->s[i] - x->s[lower] <= x->s[upper] - x->s[i]))
+            add_node(p, x->s[lower], values[from = lower]);
+        else
+            add_node(p, x->s[upper], values[to = upper]);
+    }
     return p->n > 2;
 }
 
@@ -399,7 +454,7 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
     double step = (high - low) / 8;
     int i;
 
-    for (i = 0; i < 60 && step > 1e-14; i++) {
+    for (i = 0; i < 60 && step > 1e-13; i++) {
         place left, right, top;
         polynomial p;
         double slope;
@@ -419,6 +474,9 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
             continue;
         }
         step /= 4;
+        if (fabs(left.value - best->value) + fabs(right.value - best->value) <=
+            CLOSE * fabs(best->value))
+            return;
         if (!(left.s < best->s && best->s < right.s) || gsl_isnan(left.value + right.value))
             continue;
         add_node(&p, left.s, left.value);
@@ -437,38 +495,15 @@ static void climb(search *x, const tracked *t, int which, double low, double hig
     }
 }
 
-/* A peak is flat: values tell its place to the root of the rounding only.  The slope of a polynomial through rows
-** close about it tells it better. */
-static void sharpen(const search *x, const tracked *t, double low, double high, double size,
-                    place *top)
-{
-    double step = (high - low) / 20, slope;
-    polynomial p;
-    place sharp;
-    int k;
-
-    if (top->s - 2 * step < low || top->s + 2 * step > high)
-        return;
-    p.n = 0;
-    for (k = -2; k <= 2; k++)
-        add_node(&p, top->s + k * step,
-                 k ? value_at(x, t, top->s + k * step, top->value) : top->value);
-    if (!find_flat(&p, top->s - step, top->s + step, &sharp.s))
-        return;
-    sharp.value = value_at(x, t, sharp.s, top->value);
-    if (fabs(sharp.value - value_of(&p, sharp.s, &slope)) <= CLOSE * size)
-        *top = sharp;
-}
-
 /* The same from an end, if the column rises from there. */
 static void climb_from_end(search *x, const tracked *t, int which, double low, double high,
-                           double size, place *best)
+                           place *best)
 {
     place beside;
 
     beside.s = best->s + 1e-3 * (best->s == low ? high - low : low - high);
     beside.value = value_at(x, t, beside.s, best->value);
-    if (signed_value(which, beside.value) <= signed_value(which, best->value) + CLOSE * size)
+    if (signed_value(which, beside.value) <= signed_value(which, best->value))
         return;
     *best = beside;
     climb(x, t, which, low, high, best);
@@ -477,34 +512,24 @@ static void climb_from_end(search *x, const tracked *t, int which, double low, d
 /* The peak that the samples have at or beside number i. */
 static void refine(search *x, const tracked *t, const double *values, int which, size_t i, found *f)
 {
-    double low = i > 0 && !gsl_isnan(values[i - 1]) ? x->s[i - 1] : x->s[i];
-    double high = i + 1 < x->n && !gsl_isnan(values[i + 1]) ? x->s[i + 1] : x->s[i];
-    double size = size_about(x, values, i), slope;
+    size_t before = beside(x, values, i, -1), behind = beside(x, values, i, 1);
+    double low = x->s[before], high = x->s[behind], slope;
+    double size = median(fabs(values[before]), fabs(values[i]), fabs(values[behind]));
+    place best = sample_at(x, values, i), top;
     polynomial p;
-    place best, top;
+    int is_good = 0;
 
-    if (i > 0 && i + 1 < x->n && !gsl_isnan(values[i - 1] + values[i + 1]))
-        size = median(fabs(values[i - 1]), fabs(values[i]), fabs(values[i + 1]));
-
-    best.s = x->s[i];
-    best.value = values[i];
-    if (t->is_noise || !through_samples(x, values, i, &p)) {
-        offer_at(x, f, which, best.value, best.s);
-        return;
-    }
-    if (!find_flat(&p, low, high, &top.s)) {
-        if (low == x->s[i] || high == x->s[i])
-            climb_from_end(x, t, which, low, high, size, &best);
-    } else {
-        top.value = value_at(x, t, top.s, best.value);
-        if (!(fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size)) {
+    if (!t->is_noise && low < high) {
+        if (through_samples(x, values, i, &p) && find_flat(&p, low, high, &top.s)) {
+            top.value = value_at(x, t, top.s, best.value);
+            is_good = fabs(top.value - value_of(&p, top.s, &slope)) <= 1e-11 * size;
             if (signed_value(which, top.value) > signed_value(which, best.value))
                 best = top;
-            climb(x, t, which, low, high, &best);
-        } else if (signed_value(which, top.value) > signed_value(which, best.value)) {
-            best = top;
         }
-        sharpen(x, t, low, high, size, &best);
+        if (!is_good && (before == i || behind == i) && best.s == x->s[i])
+            climb_from_end(x, t, which, low, high, &best);
+        else if (!is_good)
+            climb(x, t, which, low, high, &best);
     }
     offer_at(x, f, which, best.value, best.s);
 }
@@ -513,15 +538,18 @@ static void refine(search *x, const tracked *t, const double *values, int which,
 static int is_even(const search *x, size_t i)
 {
     const double *s = x->s + i;
-    double step = s[1] - s[0];
+    double step;
 
+    if (i < 2 || i + 2 >= x->n)
+        return 0;
+    step = s[1] - s[0];
     return fabs(s[-1] - s[-2] - step) + fabs(s[0] - s[-1] - step) + fabs(s[2] - s[1] - step) <
            1e-9 * step;
 }
 
 /* How far sample i is from what its four neighbours say: by so much the column may differ from a smooth
 ** curve. */
-static double roughness(const search *x, const double *values, size_t i)
+static double roughness(const search *x, const double *values, size_t i, int even)
 {
     size_t k, from = i < 2 ? 0 : i + 3 > x->n ? x->n - 5 : i - 2;
     const double *v = values + i;
@@ -530,7 +558,7 @@ static double roughness(const search *x, const double *values, size_t i)
 
     if (x->n < 5)
         return 0;
-    if (i >= 2 && i + 2 < x->n && is_even(x, i)) {
+    if (even) {
         d = (v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
     } else {
         p.n = 0;
@@ -545,25 +573,28 @@ static double roughness(const search *x, const double *values, size_t i)
 #define ROUGH 1e-5 /* of the column's size: below it nothing hides between samples */
 #define MARGIN 8   /* a column may reach so many times its roughness beyond a sample */
 
-/* 1 if a better extreme of a column may hide beside a sample. */
-static int may_hide(const search *x, const tracked *t, const double *values, size_t i)
+/* 1 if an angle has half a turn between samples about number i, which no step resolves. */
+static int jumps(const search *x, const tracked *t, const double *values, size_t i)
 {
-    double rough = roughness(x, values, i);
+    size_t k, to = i + 4 < x->n ? i + 4 : x->n - 1;
 
-    if (!(rough > 1e-9 * t->size) || (values[i] + MARGIN * rough <= t->here[0].value &&
-                                      values[i] - MARGIN * rough >= t->here[1].value))
+    for (k = i < 4 ? 0 : i - 4; t->turn > 0 && k < to; k++)
+        if (fabs(values[k + 1] - values[k]) > 0.4 * t->turn)
+            return 1;
+    return 0;
+}
+
+/* 1 if a better extreme of a column may hide beside a sample. */
+static int may_hide(const search *x, const tracked *t, const double *values, size_t i, int even)
+{
+    double rough = roughness(x, values, i, even);
+
+    if (!(rough > 1e-9 * t->size) || jumps(x, t, values, i) ||
+        (values[i] + MARGIN * rough <= t->here[0].value &&
+         values[i] - MARGIN * rough >= t->here[1].value))
         return 0;
     return rough > ROUGH * size_about(x, values, i) && !t->is_noise &&
            fabs(t->here[0].value) < t->bound && fabs(t->here[1].value) < t->bound;
-}
-
-static place sample_at(const search *x, const double *values, size_t i)
-{
-    place p;
-
-    p.s = x->s[i];
-    p.value = values[i];
-    return p;
 }
 
 /* Between two samples of unlike sign a column that has poles passes through zero or infinity: halving shows
@@ -589,21 +620,41 @@ static void find_pole(search *x, tracked *t, place low, place high)
     }
 }
 
+/* A pole at a corner has the sign of the samples beside it. */
+static void find_pole_at_corner(search *x, tracked *t, place end)
+{
+    int which = end.value > 0 ? 0 : 1;
+    double corner = corner_at(x, end.s);
+    flk_row row;
+
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
+    if (fabs(flk_column_value(t->c, &row)) >= t->bound)
+        offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, corner, corner);
+}
+
 static void find_poles(search *x, tracked *t, const double *values)
 {
     size_t i;
 
-    for (i = 0; i + 1 < x->n && gsl_finite(t->bound) && fabs(t->here[0].value) < t->bound; i++)
+    if (!gsl_finite(t->bound) || !x->n)
+        return;
+    find_pole_at_corner(x, t, sample_at(x, values, 0));
+    find_pole_at_corner(x, t, sample_at(x, values, x->n - 1));
+
+    for (i = 0;
+         i + 1 < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
+         i++)
         if (values[i] * values[i + 1] < 0)
             find_pole(x, t, sample_at(x, values, i), sample_at(x, values, i + 1));
 }
 
 static int hides(const search *x, size_t i)
 {
+    int even = is_even(x, i);
     size_t c;
 
     for (c = 0; c < x->n_columns; c++)
-        if (may_hide(x, &x->columns[c], row_of(x, c), i))
+        if (may_hide(x, &x->columns[c], row_of(x, c), i, even))
             return 1;
     return 0;
 }
@@ -672,13 +723,32 @@ static void offer_samples(const search *x, tracked *t, const double *values)
     offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
-/* 1 if sample i is a peak of the samples; NaN is no neighbour. */
+/* 1 if sample i is a peak among its neighbours, but for rounding. */
 static int is_peak(const search *x, const double *values, int which, size_t i)
+{
+    double here = signed_value(which, values[i]), close = here + CLOSE * fabs(here);
+
+    return here == here && !(i > 0 && signed_value(which, values[i - 1]) > close) &&
+           !(i + 1 < x->n && signed_value(which, values[i + 1]) > close);
+}
+
+/* The same among those that are not too close. */
+static int is_peak_beside(const search *x, const double *values, int which, size_t i)
 {
     double here = signed_value(which, values[i]);
 
-    return !gsl_isnan(here) && !(i > 0 && signed_value(which, values[i - 1]) > here) &&
-           !(i + 1 < x->n && signed_value(which, values[i + 1]) > here);
+    return signed_value(which, values[beside(x, values, i, -1)]) <= here &&
+           signed_value(which, values[beside(x, values, i, 1)]) <= here;
+}
+
+/* By how much a column may be better beside a peak of the samples. */
+static double gain_beside(const search *x, const double *values, size_t i)
+{
+    double gain = MARGIN * roughness(x, values, i, is_even(x, i)), bend = GSL_NAN;
+
+    if (i > 0 && i + 1 < x->n)
+        bend = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
+    return gain + (bend == bend ? bend : size_about(x, values, i));
 }
 
 static void refine_peaks(search *x, tracked *t, const double *values)
@@ -686,18 +756,17 @@ static void refine_peaks(search *x, tracked *t, const double *values)
     size_t i;
     int which;
 
-    for (i = 0; i < x->n; i++)
-        for (which = 0; which < 2; which++) {
-            double gain = 0;
+    for (which = 0; which < 2; which++)
+        for (i = 0; i < x->n; i++) {
+            double gain;
 
             if (!is_peak(x, values, which, i))
                 continue;
-            if (i > 0 && i + 1 < x->n)
-                gain = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
-            if (gsl_isnan(gain) || i == 0 || i + 1 == x->n)
-                gain = size_about(x, values, i);
-            gain += MARGIN * roughness(x, values, i);
-            if (signed_value(which, values[i]) + gain >= signed_value(which, t->here[which].value))
+            gain = gain_beside(x, values, i);
+            if (gain > CLOSE * fabs(values[i]) &&
+                signed_value(which, values[i]) + gain >=
+                    signed_value(which, t->here[which].value) &&
+                is_peak_beside(x, values, which, i))
                 refine(x, t, values, which, i, &t->here[which]);
         }
 }
@@ -746,6 +815,18 @@ static int pole_of(double x[][LIMIT_NODES], double y[][LIMIT_NODES], int order)
             return c > 0 ? 1 : -1;
     }
     return 0;
+}
+
+/* Leave the samples of a column out that are so close to an end of the piece. */
+static void lose(search *x, size_t c, int at_end, double away)
+{
+    tracked *t = &x->columns[c];
+    size_t i;
+
+    t->lost[at_end] = away;
+    for (i = 0; i < x->n; i++)
+        if (is_lost(x, t, x->s[i]))
+            row_of(x, c)[i] = GSL_NAN;
 }
 
 /* The limits of all columns at an end of the piece where there is no row, or that they have none.  Rows at
@@ -804,7 +885,9 @@ static void find_limits(search *x, int at_end)
             limit[scale] = extrapolate(away[scale], y[scale], 0, &error[scale]);
         for (scale = 0, k = 1; k < SCALES; k++)
             scale = error[k] < error[scale] ? k : scale;
-        if (fabs(limit[scale]) < 1e-9 * t->size)
+        if (!(error[0] <= 1e-10 * fabs(y[scale][LIMIT_NODES - 1])) && !(t->turn > 0))
+            lose(x, c, at_end, away[scale][1] * (is_dead ? away[scale][1] : 1));
+        if (fabs(limit[scale]) < 1e-9 * fabs(y[scale][LIMIT_NODES - 1]))
             limit[scale] = 0; /* of a transmission angle nothing is left */
         for (which = 0; which < 2; which++)
             offer(&t->here[which], which, limit[scale], angle_of(x, edge), angle_of(x, edge));
@@ -819,30 +902,33 @@ static void search_stretch(search *x, size_t steps)
 
     sample(x, steps);
     resolve_leaps(x);
-    for (c = 0; c < x->n_columns; c++) {
+    for (c = 0; c < x->n_columns; c++)
         if (x->columns[c].turn > 0)
             follow(x, &x->columns[c], row_of(x, c));
-        offer_samples(x, &x->columns[c], row_of(x, c));
-        find_poles(x, &x->columns[c], row_of(x, c));
-    }
     if (x->low <= 0)
         find_limits(x, 0);
     if (x->high >= 1)
         find_limits(x, 1);
+    for (c = 0; c < x->n_columns; c++) {
+        offer_samples(x, &x->columns[c], row_of(x, c));
+        find_poles(x, &x->columns[c], row_of(x, c));
+    }
     resolve_narrow(x);
     for (c = 0; c < x->n_columns; c++)
         refine_peaks(x, &x->columns[c], row_of(x, c));
 }
 
-/* A piece in stretches of a step for each degree. */
+/* A piece in stretches. */
 static void search_piece(search *x, int is_reached)
 {
     double length = x->piece.to - x->piece.from;
-    double step = GSL_MAX_DBL(M_PI / 180, x->length / MOST_STEPS);
+    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
     size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
 
     steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
     stretches = (steps + STRETCH - 1) / STRETCH;
+    for (i = 0; i < x->n_columns; i++)
+        x->columns[i].lost[0] = x->columns[i].lost[1] = 0;
     for (i = 0; i < stretches; i++) {
         x->low = (double)i / (double)stretches;
         x->high = (double)(i + 1) / (double)stretches;
@@ -874,6 +960,7 @@ static void start(search *x, double *memory)
     x->n = 0;
     memset(x->columns, 0, x->n_columns * sizeof *x->columns);
     x->a->is_fast = 1;
+    x->has_noise = 0;
     for (c = 0; c < x->n_columns; c++) {
         tracked *t = &x->columns[c];
 
@@ -884,8 +971,7 @@ static void start(search *x, double *memory)
         t->bound = flk_column_bound(t->c);
         t->is_noise = (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) != 0;
         x->needs |= flk_column_need(t->c);
-        if (t->is_noise)
-            x->a->is_fast = 0; /* it is the rounding of the deck's own solver */
+        x->has_noise |= t->is_noise;
     }
     memset(&x->piece, 0, sizeof x->piece);
 }

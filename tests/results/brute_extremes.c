@@ -19,7 +19,7 @@
 #include "fourlink.h"
 
 #define PI 3.14159265358979323846
-#define EVEN 2400 /* rows of a revolution, evenly spaced */
+#define EVEN 720 /* rows of a revolution, evenly spaced */
 #define MOST 40000
 #define TOLERANCE 1e-9
 
@@ -130,7 +130,7 @@ static void write_four_bar(double unit)
         if (how >= 7)
             set_change_point(d);
         if (how == 9)
-            d[one_of(4)] *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-6, -2));
+            d[one_of(4)] *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-4, -2));
     } while (!can_be_assembled(d));
     write("mechanism = four-bar\n");
     for (i = 0; i < 4; i++) {
@@ -170,7 +170,7 @@ static void write_slider_crank(double unit, double cycle)
         l = r + e;
     }
     if (how == 9)
-        l *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-6, -2));
+        l *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-4, -2));
     write("mechanism = slider-crank\n[ground]\noffset = %.17g m\n", e * unit);
     if (seldom(0.3))
         write("angle = %.17g deg\n", between(-180, 180));
@@ -344,7 +344,7 @@ static void add_about(double p, double nearest, int side)
 {
     double d;
 
-    for (d = 0.02; d > nearest; d /= 1.7) {
+    for (d = 0.02; d > nearest; d /= 3) {
         if (side <= 0)
             add(p - d);
         if (side >= 0)
@@ -394,6 +394,7 @@ typedef struct edge {
     double p;
     int side;        /* +1: the rows are behind it */
     int is_isolated; /* a change point, which the motion passes */
+    int is_noise;    /* one where the crank is at rest: the rows are too few */
     double v[HALVINGS][COLUMNS];
 } edge;
 
@@ -417,12 +418,21 @@ static double corner_beside(double p)
     return nearest;
 }
 
-/* At a dead position columns are smooth in the root of the distance. */
+static double speed_at(double p)
+{
+    fourlink_instant instant;
+
+    memset(&instant, 0, sizeof instant);
+    fourlink_results_at(results, branch, angle_of(p), NULL, &instant, NULL);
+    return instant.row.crank.omega2;
+}
+
+/* At a dead position, and where the crank is at rest, columns are smooth in the root of the distance. */
 static void add_edge(const row *with, const row *without)
 {
     double in = with->passed, out = without->passed, middle, v[COLUMNS], s = 0.16;
     edge *e = &edges[n_edges];
-    int i, is_change = without->status == FOURLINK_CHANGE_POINT;
+    int i, is_change = without->status == FOURLINK_CHANGE_POINT, is_root;
 
     if (n_edges == 100)
         return;
@@ -436,8 +446,10 @@ static void add_edge(const row *with, const row *without)
             in = middle;
     }
     e->p = is_change ? corner_beside(out) : out;
+    is_root = !is_change;
+    e->is_noise = is_change && fabs(speed_at(e->p)) < 1e-9;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
-        double p = e->p + e->side * (is_change ? s / 4 : s * s);
+        double p = e->p + e->side * (is_root ? s * s : s);
 
         if (p < 0 || p > total || compute(p, e->v[i]))
             for (unsigned long c = 0; c < n_columns; c++)
@@ -455,6 +467,8 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
     int i, j, k;
 
     *limit = *error = NAN;
+    if (e->is_noise)
+        return UNDECIDED;
     for (i = 0; i < HALVINGS; i++) {
         y[i] = e->v[i][c];
         if (is_angle(c))
@@ -515,8 +529,8 @@ static void take_rows(void)
     n = 0;
     n_edges = 0;
     m = (size_t)(EVEN * total / (2 * PI)) + 50;
-    for (i = 0; i <= (m < 12000 ? m : 12000); i++)
-        add(total * (double)i / (double)(m < 12000 ? m : 12000));
+    for (i = 0; i <= (m < 3000 ? m : 3000); i++)
+        add(total * (double)i / (double)(m < 3000 ? m : 3000));
     add_about(0, 1e-8, 1);
     add_about(total, 1e-8, -1);
     for (k = 0; k < n_corners; k++) {
@@ -545,6 +559,7 @@ static void take_rows(void)
                 add(0.5 * (rows[i]->passed + rows[i + 1]->passed));
         if (n == m)
             break;
+        leave_out_change_points();
         sort_rows();
     }
 }
