@@ -51,42 +51,42 @@ extern "C" {
 
 /* One list makes the codes and their texts.  1 to 19 concern one crank position and leave the
 ** others usable; 20 and above say that the call or its data are wrong. */
-#define FOURLINK_STATUS_LIST(X)                                                                    \
-    X(FOURLINK_OK, 0, "ok")                                                                        \
-    X(FOURLINK_TOO_FAR, 1, "the links do not reach: B and D are too far apart")                    \
-    X(FOURLINK_TOO_NEAR, 2, "the links do not reach: B and D are too close together")              \
-    X(FOURLINK_ROD_TOO_SHORT, 3, "the rod does not reach the line of stroke")                      \
-    X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")       \
-    X(FOURLINK_CHANGE_POINT, 5, "change point: the motion may go on in two ways")                  \
-    X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                   \
-    X(FOURLINK_LOST_IN_ROUNDING, 7, "the links are too unequal: rounding hides the position")      \
-    X(FOURLINK_NOT_REACHED, 8, "the links reach at no angle of the motion")                        \
-    X(FOURLINK_NULL, 20, "a null pointer was passed")                                              \
-    X(FOURLINK_BAD_NUMBER, 21, "a number is not finite, or beyond what the program computes with") \
-    X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")         \
-    X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                         \
-    X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                          \
-    X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                           \
-    X(FOURLINK_BAD_LINK, 26, "a load or a point is on a link that does not move")                  \
-    X(FOURLINK_BAD_FRAME, 27, "the frame of a load is neither ground nor link")                    \
-    X(FOURLINK_BAD_INTERVAL, 28, "the interval of the crank angle is not positive")                \
-    X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")       \
-    X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                          \
-    X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                   \
-    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                            \
-    X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is no slider-crank")                              \
-    X(FOURLINK_NO_SERIES, 34, "the series are for a line of stroke through the crankshaft")        \
-    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")               \
-    X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                              \
-    X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                 \
-    X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                    \
-    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")          \
-    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is none of exact, piston and all")        \
-    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column and no fact of this name")                    \
-    X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                   \
-    X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                    \
-    X(FOURLINK_NO_TURNING_MOMENT, 44,                                                              \
-      "the turning moment needs forces and a crank that turns fully, at constant speed")           \
+#define FOURLINK_STATUS_LIST(X)                                                                   \
+    X(FOURLINK_OK, 0, "ok")                                                                       \
+    X(FOURLINK_TOO_FAR, 1, "cannot be assembled: B and D are too far apart")                      \
+    X(FOURLINK_TOO_NEAR, 2, "cannot be assembled: B and D are too close together")                \
+    X(FOURLINK_ROD_TOO_SHORT, 3, "the rod does not reach the line of stroke")                     \
+    X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")      \
+    X(FOURLINK_CHANGE_POINT, 5, "change point: the motion can continue in two ways")              \
+    X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                  \
+    X(FOURLINK_LOST_IN_ROUNDING, 7, "link lengths too unequal: the position is lost in rounding") \
+    X(FOURLINK_NOT_REACHED, 8, "the linkage cannot be assembled at any angle of the motion")      \
+    X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
+    X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
+    X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")        \
+    X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                        \
+    X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                         \
+    X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                          \
+    X(FOURLINK_BAD_LINK, 26, "a load or a point is on a link that does not move")                 \
+    X(FOURLINK_BAD_FRAME, 27, "the frame of a load is neither ground nor link")                   \
+    X(FOURLINK_BAD_INTERVAL, 28, "the interval of the crank angle is not positive")               \
+    X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")      \
+    X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                         \
+    X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                  \
+    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                           \
+    X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is not a slider-crank")                          \
+    X(FOURLINK_NO_SERIES, 34, "the series need a line of stroke through the crankshaft")          \
+    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")              \
+    X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                             \
+    X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                \
+    X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                   \
+    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative or above 100")                \
+    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is not exact, piston or all")            \
+    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column or fact of this name")                       \
+    X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                  \
+    X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                   \
+    X(FOURLINK_NO_TURNING_MOMENT, 44,                                                             \
+      "the turning moment needs forces and a crank that turns fully, at constant speed")          \
     X(FOURLINK_NO_SUCH_LIST, 45, "there is no such list")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,

@@ -140,6 +140,6 @@ int designs_write(FILE *out, const input *in, int *signal_number)
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (stopped_by)
-        return command_complain("stopped", in->name, "interrupted: the part can be run again");
+        return command_complain("stopped", in->name, "interrupted; run this part again");
     return s.failed ? EXIT_ROWS : 0;
 }

@@ -142,7 +142,6 @@ int files_tell_clash(const options *o)
                                                                    : NULL;
 
     if (input)
-        return command_complain("cannot write", input, "it is an input");
-    return twice ? command_complain("cannot write", twice, "two results would be written to it")
-                 : 0;
+        return command_complain("cannot write", input, "it is also read");
+    return twice ? command_complain("cannot write", twice, "two outputs have this name") : 0;
 }

@@ -9,7 +9,7 @@
 #include "graph.h"
 #include "sketch.h"
 
-#define NO_REACH "the links reach at no angle of the motion"
+#define NO_REACH "the linkage cannot be assembled at any angle of the motion"
 
 /* With room for the numbers of the extremes.  gnuplot has its own opinion of a range without extent. */
 static void put_range(const canvas *on, const graph_extent *e)

@@ -95,8 +95,8 @@ static void show(FILE *complaints)
 static const char *outcome(int status, long copied, FILE *complaints)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
-        return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
-               "gnuplot. --plot-script writes the script for it";
+        return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or gnuplot; "
+               "--plot-script writes its script";
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         show(complaints);
     else if (copied > 0)

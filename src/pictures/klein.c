@@ -93,8 +93,8 @@ static void put_values(sketch *s, const picture *p, const fourlink_klein *length
     sketch_note(s, "omega3 = omega2 BM / BC");
     sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
     sketch_note(s, "alpha3 = omega2^2 QN / BC");
-    sketch_note(s, "v and a count away from");
-    sketch_note(s, "the inner dead centre");
+    sketch_note(s, "v and a are positive away");
+    sketch_note(s, "from the inner dead centre");
     figure_slope(s, p);
 }
 

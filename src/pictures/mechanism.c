@@ -64,8 +64,8 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
             figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, letter));
         } else {
             format_general(now.row.angle, 12, number);
-            sketch_note(s, flk_text_join(words, sizeof words, number, ": none, see the table",
-                                         (char *)NULL));
+            sketch_note(s, flk_text_join(words, sizeof words, number,
+                                         ": no position, see the table", (char *)NULL));
         }
 }
 

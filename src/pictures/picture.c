@@ -183,7 +183,7 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
     char rest[200];
     int i;
 
-    fprintf(c->out, "# %s of a deck, by fourlink %s: for gnuplot 5 or later\n",
+    fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
             plot_names[p->request->kind], fourlink_version());
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
@@ -310,7 +310,7 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
             return refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                          " is drawn at one position, not at several");
+                          " draws one position, not several");
         if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
             return refuse(mistake, "--plot-at", words, "");
         angle = &p->angles[p->n_angles++];
@@ -328,13 +328,13 @@ static const char *missing(const picture *p)
     int needs = plot_table[p->request->kind].needs;
 
     if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
-        return "there are no forces to draw: the deck has no masses and no loads";
+        return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
-        return "Klein's construction is for a slider-crank";
+        return "Klein's construction needs a slider-crank";
     if ((needs & PLOT_DRAWING) &&
         (p->problem.n_loads - (p->problem.has_gas ? 1 : 0) > PICTURE_LOADS ||
          p->problem.n_points > PICTURE_POINTS))
-        return "a drawing takes 40 loads and 24 points at most";
+        return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }
 

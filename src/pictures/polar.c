@@ -173,5 +173,5 @@ const char *picture_polar(picture *p, fourlink_branch branch)
             p->on.is_text ? -1 : 1);
     for (i = 0; i < sizeof joints / sizeof joints[0]; i++)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
-    return drawn ? NULL : "the links reach at no angle of the motion";
+    return drawn ? NULL : "the linkage cannot be assembled at any angle of the motion";
 }

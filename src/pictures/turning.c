@@ -111,7 +111,7 @@ static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
                 "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
                 "title 'below%s', \\\n"
                 "     '' using 1:2 ",
-                is_clockwise ? ": given up" : "", is_clockwise ? ": taken up" : "");
+                is_clockwise ? ": energy given up" : "", is_clockwise ? ": energy taken up" : "");
     fprintf(on->out,
             "with lines lt %s title '-Ts', \\\n"
             "     mean with lines lt 2 title 'mean'\n",

@@ -78,7 +78,7 @@ static const flk_column_info table[] = {
     {"x", QUANTITY_LENGTH, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(x), 0,
      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)"},
     {"v", QUANTITY_SPEED, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(v), 0,
-     "speed of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)"},
+     "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)"},
     {"a", QUANTITY_ACCELERATION, SLIDER_CRANK, NOTHING, 1, VALUE, STATE(a), 0,
      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)"},
     {"mu", QUANTITY_ANGLE, BOTH, NOTHING, 1, VALUE, STATE(mu), 0, "transmission angle", ""},
@@ -131,27 +131,27 @@ static const flk_column_info table[] = {
     {"F12_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F12.along), 0,
      "F12 along the line of the crank", ""},
     {"F12_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F12.across), 0,
-     "F12 across it, to the left", ""},
+     "F12 normal to the line of the crank, to its left", ""},
     {"F32_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F32.along), 0,
      "F32 along the line of the crank", ""},
     {"F32_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F32.across), 0,
-     "F32 across it, to the left", ""},
+     "F32 normal to the line of the crank, to its left", ""},
     {"F23_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F23.along), 0,
      "F23 along the line of the coupler or rod", ""},
     {"F23_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F23.across), 0,
-     "F23 across it, to the left", ""},
+     "F23 normal to the line of the coupler or rod, to its left", ""},
     {"F43_along", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F43.along), 0,
      "F43 along the line of the coupler or rod", ""},
     {"F43_across", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F43.across), 0,
-     "F43 across it, to the left", ""},
+     "F43 normal to the line of the coupler or rod, to its left", ""},
     {"F34_along", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F34.along), 0,
      "F34 along the line of the rocker", ""},
     {"F34_across", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F34.across),
-     0, "F34 across it, to the left", ""},
+     0, "F34 normal to the line of the rocker, to its left", ""},
     {"F14_along", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F14.along), 0,
      "F14 along the line of the rocker", ""},
     {"F14_across", QUANTITY_FORCE, FOUR_BAR, DERIVED | FORCES, 0, VALUE, DERIVED_PART(F14.across),
-     0, "F14 across it, to the left", ""},
+     0, "F14 normal to the line of the rocker, to its left", ""},
     {"Fi2", QUANTITY_FORCE, BOTH, DERIVED | FORCES, 0, VALUE, DERIVED_PART(inertia[2].size), 0,
      "inertia force of link 2", "F_g2 (ME3491)"},
     {"Fi2_dir", QUANTITY_ANGLE, BOTH, DERIVED | FORCES, 0, VALUE,
@@ -173,7 +173,7 @@ static const flk_column_info table[] = {
     {"mechanical_advantage", QUANTITY_NUMBER, BOTH, DERIVED, 0, VALUE,
      DERIVED_PART(mechanical_advantage), 0, "omega2 / omega4; slider-crank: r omega2 / v", ""},
     {"condition", QUANTITY_NUMBER, BOTH, DERIVED, 0, VALUE, DERIVED_PART(condition), 0,
-     "1 / sine of the transmission angle: how errors of the data grow", ""},
+     "1 / sin(mu): the factor by which errors of the data grow", ""},
     {"I13x", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I13.x), 0,
      "instantaneous centre of links 1 and 3, x", ""},
     {"I13y", QUANTITY_LENGTH, BOTH, DERIVED, 0, VALUE, DERIVED_PART(I13.y), 0,
@@ -185,11 +185,11 @@ static const flk_column_info table[] = {
     {"Ts_work", QUANTITY_TORQUE, BOTH, FORCES, 0, VALUE, FORCE(Ts_work), 0,
      "driving torque by virtual work, without the nine equations", ""},
     {"Ts_static", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(Ts_static), 0,
-     "driving torque of loads and weights at rest", ""},
+     "driving torque of loads and weights alone", ""},
     {"Ts_inertia", QUANTITY_TORQUE, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(Ts_inertia), 0,
      "driving torque of inertia alone", ""},
     {"superposition", QUANTITY_NUMBER, BOTH, FORCES | SPLIT, 0, VALUE, DERIVED_PART(superposition),
-     0, "difference of their sum to the whole, relative to the largest force", ""},
+     0, "error of the superposition, relative to the largest force", ""},
     {"residual", QUANTITY_NUMBER, BOTH, FORCES, 1, VALUE, FORCE(residual), 0,
      "power balance, relative to its largest term", ""},
     {"x_series", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x), 0,
@@ -197,7 +197,7 @@ static const flk_column_info table[] = {
     {"x_diff", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(x), STATE(x),
      "x_series - x", ""},
     {"v_series", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(v), 0,
-     "speed of the piston, two terms of the series", "V_p (DFA eq. 3)"},
+     "velocity of the piston, two terms of the series", "V_p (DFA eq. 3)"},
     {"v_diff", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, DIFFERENCE, OF_SERIES(v), STATE(v),
      "v_series - v", ""},
     {"a_series", QUANTITY_ACCELERATION, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(a), 0,
@@ -214,25 +214,25 @@ static const flk_column_info table[] = {
     {"alpha3_diff", QUANTITY_ANGULAR_ACCELERATION, SLIDER_CRANK, SERIES, 0, DIFFERENCE,
      OF_SERIES(alpha3), STATE(link[3].alpha), "alpha3_series - alpha3", ""},
     {"x_harmonic", QUANTITY_LENGTH, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(x_harmonic), 0,
-     "x with an endless rod: simple harmonic motion", ""},
+     "x with an infinitely long rod: simple harmonic motion", ""},
     {"v_harmonic", QUANTITY_SPEED, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(v_harmonic), 0,
-     "v with an endless rod: simple harmonic motion", ""},
+     "v with an infinitely long rod: simple harmonic motion", ""},
     {"a_harmonic", QUANTITY_ACCELERATION, SLIDER_CRANK, SERIES, 0, VALUE, OF_SERIES(a_harmonic), 0,
-     "a with an endless rod: simple harmonic motion", ""},
+     "a with an infinitely long rod: simple harmonic motion", ""},
     {"gas_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(gas_force), 0,
      "force of the gas on the piston, towards the crank", "F_p (ME3491), (P1 - P2) A (DFA)"},
     {"inertia_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(inertia_force), 0,
      "-(m_p + m_b) a", "-F_b (ME3491)"},
     {"piston_effort", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(piston_effort), 0,
-     "gas, inertia, weight along the stroke, loads on the piston", "F (ME3491), F_p (DFA)"},
+     "sum of gas, inertia, weight and loads along the stroke", "F (ME3491), F_p (DFA)"},
     {"rod_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(rod_force), 0,
      "thrust in the rod", "F_c (ME3491, DFA)"},
     {"side_thrust", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(side_thrust), 0,
-     "guide on piston, along +y", ""},
+     "force of the guide on the piston, along +y", ""},
     {"crank_effort", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(crank_effort), 0,
-     "at right angles to the crank", "F_t (ME3491), F_T (DFA)"},
+     "force at the crank pin, normal to the crank", "F_t (ME3491), F_T (DFA)"},
     {"radial_force", QUANTITY_FORCE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(radial_force), 0,
-     "along the crank, towards the main bearing", "force on crank shaft bearing (DFA)"},
+     "force along the crank, towards the main bearing", "force on crank shaft bearing (DFA)"},
     {"T_piston", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_piston), 0,
      "torque of the piston effort", "T (ME3491), T_1 (DFA)"},
     {"correction_couple", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE,
@@ -244,13 +244,13 @@ static const flk_column_info table[] = {
     {"T_inertia_a", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_inertia_a), 0,
      "torque of the inertia of m_a", ""},
     {"T_engine", QUANTITY_TORQUE, SLIDER_CRANK, ENGINE, 0, VALUE, OF_ENGINE(T_engine), 0,
-     "torque delivered to the crankshaft, sum of the four", "net torque (ME3491)"},
+     "torque delivered to the crankshaft, sum of the four torques", "net torque (ME3491)"},
     {"klein_OM", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(OM), 0,
      "length OM of Klein's construction: v = omega2 OM", ""},
     {"klein_BM", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(BM), 0,
      "length BM of Klein's construction: omega3 = omega2 BM / l", ""},
     {"klein_BQ", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(BQ), 0,
-     "length BQ of Klein's construction: towards B: omega2^2 BQ", ""},
+     "length BQ of Klein's construction: a_CB^n = omega2^2 BQ, towards B", ""},
     {"klein_QN", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(QN), 0,
      "length QN of Klein's construction: alpha3 = omega2^2 QN / l", ""},
     {"klein_ON", QUANTITY_LENGTH, SLIDER_CRANK, KLEIN, 0, VALUE, OF_KLEIN(ON), 0,
@@ -396,13 +396,11 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
 static const char *why_missing(const deck *d, const flk_column_info *info)
 {
     if (info->x == ROW(time))
-        return "needs a crank that turns";
-    if (!(info->kinds & (int)d->design.kind))
-        return "is one of the other mechanism";
+        return "needs a moving crank";
     if (info->need == SERIES)
-        return "is for a line of stroke through the crankshaft: the deck has an offset";
+        return "needs a line of stroke through the crankshaft; the deck has an offset";
     if (!d->has_forces)
-        return "needs masses, loads or gas, which the deck has not";
+        return "needs masses, loads or gas; the deck has none";
     return "needs a rod whose centre of mass is on its line";
 }
 
@@ -412,7 +410,11 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake(m, d->columns.place, "the column '%t' %s", name, why_missing(d, &table[i]));
+            int is_other = !(table[i].kinds & (int)d->design.kind);
+
+            flk_mistake(m, d->columns.place, "the column '%t' %s%s", name,
+                        is_other ? "belongs to the " : why_missing(d, &table[i]),
+                        is_other ? fourlink_kind_text(table[i].kinds) : "");
             return;
         }
     flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));

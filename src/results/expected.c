@@ -25,8 +25,8 @@ typedef struct found {
 /* A name that is neither column nor fact, and the one that is most like it. */
 static int unknown(fourlink_check *c, text name, const char *nearest)
 {
-    flk_message(c->message, sizeof c->message, "'%t' is no column and no fact of this deck%h", name,
-                nearest);
+    flk_message(c->message, sizeof c->message, "'%t' is neither a column nor a fact of this deck%h",
+                name, nearest);
     return 0;
 }
 
@@ -95,13 +95,12 @@ static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fou
         if (status == FOURLINK_OK && gsl_finite(x.value))
             return 1;
         flk_message(c->message, sizeof c->message, "%s",
-                    status == FOURLINK_OK ? "it grows beyond all bounds"
-                                          : fourlink_status_text(status));
+                    status == FOURLINK_OK ? "it is unbounded" : fourlink_status_text(status));
         return 0;
     }
     if (!e->has_at) {
         flk_message(c->message, sizeof c->message,
-                    "a column is expected at a crank angle: give the section 'at = ...'");
+                    "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
     if (!flk_analysis_find_angle(a, e->at, &at)) {

@@ -30,8 +30,8 @@ static void check_output(fourlink_results *r, text name, mistakes *m)
                       (char *)NULL);
     flk_mistake(m, r->d.sweep.output.place,
                 flk_column_find(&r->a, name, &c)
-                    ? "'%t' has many values: name its extremes, max() or min()%h"
-                    : "'%t' is no fact, and no max() or min() of a column, of this deck%h",
+                    ? "'%t' has a value in each row: use its max() or min()%h"
+                    : "'%t' is neither a fact nor the max() or min() of a column of this deck%h",
                 name,
                 !sign    ? flk_fact_nearest(name)
                 : column ? nearest
@@ -70,7 +70,7 @@ static void list_outputs(fourlink_results *r)
         describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), &outputs->list[outputs->n++]);
     }
     if (r->d.sweep.output.names.start && !outputs->n)
-        flk_mistake(m, r->d.sweep.output.place, "output names nothing");
+        flk_mistake(m, r->d.sweep.output.place, "'output' names nothing");
 }
 
 /* All lists in one piece of memory, the facts before them; 0 when out of memory. */

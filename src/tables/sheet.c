@@ -25,6 +25,21 @@ const sheet_format *sheet_find_format(const char *name)
     return *f;
 }
 
+char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES])
+{
+    const sheet_format *const *f, *last = NULL;
+
+    names[0] = '\0';
+    for (f = sheet_formats; *f; f++) {
+        if (!((*f)->writes & 1 << content))
+            continue;
+        if (last)
+            strcat(strcat(names, names[0] ? ", " : ""), last->name);
+        last = *f;
+    }
+    return strcat(strcat(names, names[0] ? " or " : ""), last->name);
+}
+
 int sheet_branches(const sheet *s, fourlink_branch branches[2])
 {
     int n = 0;
@@ -209,8 +224,8 @@ static void write_checks(sheet *s)
 /* All names, each once. */
 static void write_list(sheet *s)
 {
-    static const char *const extremes[][2] = {{"max(COLUMN)", "greatest value of any column"},
-                                              {"min(COLUMN)", "least value of any column"}};
+    static const char *const extremes[][2] = {{"max(COLUMN)", "largest value of any column"},
+                                              {"min(COLUMN)", "smallest value of any column"}};
     const fourlink_value *list;
     fourlink_value extreme;
     unsigned long n, i, k;
@@ -325,7 +340,7 @@ static const char *find_output(sheet *s, fourlink_branch branch, const char *nam
 
     output->has_value = status == FOURLINK_OK;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
-           : status == FOURLINK_NO_SUCH_NAME ? "this design has not all columns of the first"
+           : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
                                              : fourlink_status_text(status);
 }
 

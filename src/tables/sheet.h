@@ -104,6 +104,10 @@ SHEET_FORMATS(SHEET_FORMAT)
 extern const sheet_format *const sheet_formats[];
 const sheet_format *sheet_find_format(const char *name);
 
+/* The names of the formats that can show this: "table, csv or json". */
+#define SHEET_FORMAT_NAMES 100
+char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES]);
+
 /* Begin a sheet: format, content, n_decks and header are set, and of a sweep its problem and variables.
 ** `has_head` 0: it goes on behind one that is there already. */
 void sheet_begin(sheet *s, FILE *out, int has_head);

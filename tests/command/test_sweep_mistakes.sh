@@ -64,10 +64,10 @@ bad 0 '[sweep] varies nothing' ''
 bad 0 '[sweep] varies nothing' 'output = swing'
 bad 2 "'crank.length' a second time" "$good" "$good"
 bad 0 'more than 4e9 designs' 'crank.length = 18 mm to 22 mm in 100000' 'rocker.length = 50 mm to 60 mm in 100000'
-bad 2 "'mu_mn' is no fact, and no max() or min() of a column, of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
-bad 2 "'max(Tx)' is no fact, and no max() or min()" "$good" 'output = max(Tx)'
+bad 2 "'mu_mn' is neither a fact nor the max() or min() of a column of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
+bad 2 "'max(Tx)' is neither a fact nor the max() or min()" "$good" 'output = max(Tx)'
 for column in mu Ts theta2 time omega2; do # those of the crank, too, have many values
-    bad 2 "'$column' has many values: name its extremes, max() or min()" "$good" "output = $column"
+    bad 2 "'$column' has a value in each row: use its max() or min()" "$good" "output = $column"
 done
 
 sweep "$good"
@@ -92,6 +92,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: a [sweep] is printed in the formats table and csv'
+says 't.deck:1: error: a [sweep] can be printed as table, csv or json only'
 
 finish
