@@ -15,15 +15,15 @@
 #include "files.h"
 #include "input.h"
 
-/* A file that a deck names, kept: the designs of a sweep are of one reading of it. */
+/* A file that a deck names.  It is read once, for all designs of a sweep. */
 typedef struct named_file {
     struct named_file *next;
-    char *name; /* as the deck has it, */
+    char *name; /* as in the deck */
     char *contents;
     size_t length;
 } named_file;
 
-/* The deck reader's loader: a file that the deck names. */
+/* Load a file that the deck names, for the deck's reader. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
 {
     input *in = host;
@@ -84,7 +84,7 @@ static int serves_options(const input *in)
 
 #define MOST_MISTAKES 100
 
-/* Tell the mistakes of a deck; the exit status. */
+/* Print the mistakes of a deck; returns the exit status. */
 static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned long n)
 {
     unsigned long i;

@@ -42,14 +42,14 @@ const char *const options_help[] = {
     "2 wrong usage or mistakes in a deck; 3 reading, writing or gnuplot failed.",
     NULL};
 
-/* In place of a letter, of options that have none. */
+/* Stand for the letter of options that have none. */
 enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
     char letter;
     const char *name;
-    int takes_value; /* 2: one may follow behind '=' */
+    int takes_value; /* 2: one may follow after '=' */
     const char *key; /* not null: the key of the deck that it sets, and "=" */
 } option_info;
 
@@ -74,7 +74,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
-/* 0, for the caller to return. */
+/* Returns 0, for the caller to return. */
 static int say(char message[400], const char *a, const char *b, const char *c)
 {
     char word[200];
@@ -156,7 +156,7 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
-/* 1; 0 and why not. */
+/* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
     if (info->key) {
@@ -259,7 +259,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
     return 1;
 }
 
-/* Options that belong together. */
+/* Check the options that belong to --plot. */
 static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;

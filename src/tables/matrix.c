@@ -11,7 +11,7 @@ static void put_number(line *l, double x, int digits, size_t width)
     line_field(l, format_general(x, digits, number), width);
 }
 
-/* theta2 = ANGLE UNIT, branch: BRANCH, and why there are no equations, if there are none. */
+/* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
     line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle, s->angle_unit,

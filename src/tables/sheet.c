@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sheet.c - what stands on a sheet of results, whatever its format.
+** sheet.c - the contents of a sheet of results, for all formats.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -118,8 +118,8 @@ void sheet_write_mechanism(sheet *s)
 
 /* ------------------------------------------------------------------------------------------ content */
 
-/* A dead position is told before it is reached: within a degree of it, errors of the data grow more than
-** 57 times. */
+/* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
+** times. */
 static void find_status(sheet_row *row)
 {
     int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
@@ -129,7 +129,7 @@ static void find_status(sheet_row *row)
     row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
 }
 
-/* Row k of a branch. */
+/* Write row k of a branch. */
 static void write_row(sheet *s, fourlink_branch branch, unsigned long k)
 {
     fourlink_instant at;
@@ -221,7 +221,7 @@ static void write_checks(sheet *s)
     }
 }
 
-/* All names, each once. */
+/* List all names, each once. */
 static void write_list(sheet *s)
 {
     static const char *const extremes[][2] = {{"max(COLUMN)", "largest value of any column"},
@@ -260,7 +260,7 @@ void sheet_begin(sheet *s, FILE *out, int has_head)
     line_end(&s->l);
 }
 
-/* Take up the results of a deck or design; 0 when out of memory. */
+/* Take the results of a deck or design; 0 if out of memory. */
 static int open_results(sheet *s, fourlink_results *results)
 {
     const fourlink_value *list;
@@ -331,7 +331,8 @@ void sheet_write(sheet *s, fourlink_results *results, const char *deck_name)
     close_results(s);
 }
 
-/* The value of an output; why it has none, or null.  A fact that this design has not is no reason. */
+/* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
+** have needs no reason. */
 static const char *find_output(sheet *s, fourlink_branch branch, const char *name,
                                sheet_output *output)
 {
@@ -344,7 +345,7 @@ static const char *find_output(sheet *s, fourlink_branch branch, const char *nam
                                              : fourlink_status_text(status);
 }
 
-/* A line of a design for each branch. */
+/* Write the lines of a design, one for each branch. */
 static void write_lines(sheet *s)
 {
     sheet_output outputs[SHEET_OUTPUTS];
