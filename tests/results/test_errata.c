@@ -206,10 +206,13 @@ static void A11_arcsine(void **unused)
     rest = crank * cos(th) - ground - rocker * cos(ph);
     assert_near(rest + coupler * cos(be), 0, 1e-12);
     assert_near(rest + coupler * cos(wrong), 89.95, 0.005);
-    /* and the velocity of the coupler changes its sign */
+    /* the coupler turns the wrong way, the rocker too slowly */
     assert_near(crank * sin(ph - th) / (coupler * sin(wrong - ph)), -1.377, 5e-4);
     assert_near(crank * sin(ph - th) / (coupler * sin(be - ph)), 1.458, 5e-4);
     assert_near(s.link[3].omega, 1.458, 5e-4);
+    assert_near(crank * sin(wrong - th) / (rocker * sin(wrong - ph)), 0.923, 5e-4);
+    assert_near(crank * sin(be - th) / (rocker * sin(be - ph)), 1.015, 5e-4);
+    assert_near(s.link[4].omega, 1.015, 5e-4);
 }
 
 static void A12_row_at_360(void **unused)
