@@ -10,12 +10,17 @@
 #include "digits.h"
 #include "format.h"
 
-/* Exchange the locale's decimal mark for a point; the end of the text. */
-static char *with_point(char *out)
+/* Where the number ends that digits.c has written; if it has not, `end` null, printf does, with the locale's
+** decimal mark exchanged for a point. */
+static char *finish(char *end, char *out, const char *format, double value, int digits)
 {
-    const char *decimal = localeconv()->decimal_point;
+    const char *decimal;
     char *mark;
 
+    if (end)
+        return end;
+    decimal = localeconv()->decimal_point;
+    sprintf(out, format, digits, value);
     if (strcmp(decimal, ".") != 0 && (mark = strstr(out, decimal)) != NULL) {
         *mark = '.';
         memmove(mark + 1, mark + strlen(decimal), strlen(mark + strlen(decimal)) + 1);
@@ -25,35 +30,17 @@ static char *with_point(char *out)
 
 char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE])
 {
-    char *end = flk_digits_fixed(value, decimals, out);
-
-    if (!end) {
-        sprintf(out, "%.*f", decimals, value);
-        end = with_point(out);
-    }
-    return end;
+    return finish(flk_digits_fixed(value, decimals, out), out, "%.*f", value, decimals);
 }
 
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE])
 {
-    char *end = flk_digits_exponent(value, decimals, out);
-
-    if (!end) {
-        sprintf(out, "%.*e", decimals, value);
-        end = with_point(out);
-    }
-    return end;
+    return finish(flk_digits_exponent(value, decimals, out), out, "%.*e", value, decimals);
 }
 
-char *format_general_end(double value, int n, char out[FORMAT_SIZE])
+char *format_general_end(double value, int digits, char out[FORMAT_SIZE])
 {
-    char *end = flk_digits_general(value, n, out);
-
-    if (!end) {
-        sprintf(out, "%.*g", n, value);
-        end = with_point(out);
-    }
-    return end;
+    return finish(flk_digits_general(value, digits, out), out, "%.*g", value, digits);
 }
 
 char *format_fixed(double value, int decimals, char out[FORMAT_SIZE])

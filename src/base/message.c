@@ -96,30 +96,24 @@ char *flk_message(char *out, size_t size, const char *format, ...)
     return out;
 }
 
-void flk_mistake(mistakes *m, text_place place, const char *format, ...)
+int flk_mistake(mistakes *m, text_place place, const char *format, ...)
 {
     struct mistake *new;
     va_list values;
 
-    if (m->count == m->capacity && m->count < MOST_MISTAKES) {
-        size_t capacity = m->capacity ? 2 * m->capacity : 8;
-        struct mistake *list = realloc(m->list, capacity * sizeof *list);
-
-        if (list) {
-            m->list = list;
-            m->capacity = capacity;
-        }
-    }
-    if (m->count == m->capacity || m->count >= MOST_MISTAKES) {
-        m->out_of_memory = m->count < MOST_MISTAKES;
+    if (!m->list)
+        m->list = malloc(MOST_MISTAKES * sizeof *m->list);
+    if (!m->list || m->count == MOST_MISTAKES) {
+        m->out_of_memory = !m->list;
         m->left_out++;
-        return;
+        return 0;
     }
     new = &m->list[m->count++];
     new->place = place;
     va_start(values, format);
     write_message(new->message, sizeof new->message, format, values);
     va_end(values);
+    return 0;
 }
 
 /* An insertion sort: the list is short, and lines of equal number keep their order. */

@@ -30,7 +30,7 @@ typedef struct text_place {
 /* The mistakes found in a deck, in the order of its lines. */
 typedef struct mistakes {
     struct mistake *list;
-    size_t count, capacity, left_out;
+    size_t count, left_out;
     int out_of_memory; /* 1: there was one that could not be noted */
 } mistakes;
 
@@ -39,8 +39,8 @@ struct mistake {
     char message[MESSAGE_SIZE];
 };
 
-/* Note a mistake; the format as above. */
-void flk_mistake(mistakes *m, text_place place, const char *format, ...);
+/* Note a mistake; the format as above.  0, for a function that fails to return. */
+int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
 /* Sort by line, for printing. */
 void flk_mistakes_sort(mistakes *m);

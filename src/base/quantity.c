@@ -42,13 +42,8 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
 
 static int is_direction(text t)
 {
-    static const char *const words[] = {"clockwise", "cw", "counterclockwise", "ccw"};
-    size_t i;
-
-    for (i = 0; i < sizeof words / sizeof words[0]; i++)
-        if (flk_text_equal(t, words[i]))
-            return 1;
-    return 0;
+    return flk_text_equal(t, "clockwise") || flk_text_equal(t, "cw") ||
+           flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
 /* Why `t` is no unit: `bad` is the part of it that is not known. */
@@ -127,10 +122,8 @@ static double last_digit(text t)
         else if ('0' <= c && c <= '9')
             decimals += after;
         else if ((c == 'e' || c == 'E') && i + 1 < t.length) {
-            text rest = t;
+            text rest = flk_text_from(t, i + 1);
 
-            rest.start += i + 1;
-            rest.length -= i + 1;
             if (flk_number_read(&rest, &value) == NUMBER_OK)
                 exponent = value < -400 ? -400 : value > 400 ? 400 : (int)value;
             break;

@@ -21,12 +21,17 @@ static int is_blank(int c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
+text flk_text_from(text t, size_t n)
+{
+    t.start += n;
+    t.length -= n;
+    return t;
+}
+
 text flk_text_trim(text t)
 {
-    while (t.length && is_blank(t.start[0])) {
-        t.start++;
-        t.length--;
-    }
+    while (t.length && is_blank(t.start[0]))
+        t = flk_text_from(t, 1);
     while (t.length && is_blank(t.start[t.length - 1]))
         t.length--;
     return t;
@@ -34,11 +39,7 @@ text flk_text_trim(text t)
 
 text flk_text_without_mark(text t)
 {
-    if (t.length >= 3 && memcmp(t.start, "\357\273\277", 3) == 0) {
-        t.start += 3;
-        t.length -= 3;
-    }
-    return t;
+    return t.length >= 3 && memcmp(t.start, "\357\273\277", 3) == 0 ? flk_text_from(t, 3) : t;
 }
 
 /* ASCII only: the host's locale has no say in how a deck is read. */
@@ -75,14 +76,11 @@ int flk_text_split(text *rest, int stop, text *piece)
         return 0;
     end = memchr(rest->start, stop, rest->length);
     *piece = *rest;
-    if (end) {
+    if (end)
         piece->length = (size_t)(end - rest->start);
-        rest->start = end + 1;
-        rest->length -= piece->length + 1;
-    } else {
+    *rest = flk_text_from(*rest, piece->length + (end != NULL));
+    if (!end)
         rest->start = NULL;
-        rest->length = 0;
-    }
     return 1;
 }
 
@@ -95,38 +93,31 @@ static int is_at(text t, size_t i, const char *separator)
     return 1;
 }
 
-static void cut(text t, size_t i, size_t n, text *before, text *after)
+static int cut(text t, const char *separator, int at_last, text *before, text *after)
 {
-    before->start = t.start;
-    before->length = i;
-    after->start = t.start + i + n;
-    after->length = t.length - i - n;
-    *before = flk_text_trim(*before);
-    *after = flk_text_trim(*after);
+    size_t n = strlen(separator), i;
+
+    for (i = 0; i + n <= t.length; i++) {
+        size_t at = at_last ? t.length - n - i : i;
+
+        if (is_at(t, at, separator)) {
+            *after = flk_text_trim(flk_text_from(t, at + n));
+            t.length = at;
+            *before = flk_text_trim(t);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 int flk_text_cut(text t, const char *separator, text *before, text *after)
 {
-    size_t n = strlen(separator), i;
-
-    for (i = 0; i + n <= t.length; i++)
-        if (is_at(t, i, separator)) {
-            cut(t, i, n, before, after);
-            return 1;
-        }
-    return 0;
+    return cut(t, separator, 0, before, after);
 }
 
 int flk_text_cut_last(text t, const char *separator, text *before, text *after)
 {
-    size_t n = strlen(separator), i;
-
-    for (i = t.length; i >= n; i--)
-        if (is_at(t, i - n, separator)) {
-            cut(t, i - n, n, before, after);
-            return 1;
-        }
-    return 0;
+    return cut(t, separator, 1, before, after);
 }
 
 char *flk_text_copy(text t, char *out, size_t size)

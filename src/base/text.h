@@ -16,6 +16,9 @@ typedef struct text {
 text flk_text_of(const char *string);
 text flk_text_trim(text t);
 
+/* Without its first n characters. */
+text flk_text_from(text t, size_t n);
+
 /* Without the byte order mark of UTF-8 at its start. */
 text flk_text_without_mark(text t);
 

@@ -87,14 +87,11 @@ static const named_unit units[] = {
 /* Units are case-sensitive: mN and MN are not the same. */
 static const named_unit *find(text name)
 {
-    size_t i, j;
+    size_t i;
 
-    for (i = 0; i < UNIT_COUNT; i++) {
-        for (j = 0; j < name.length && units[i].name[j] == name.start[j]; j++)
-            ;
-        if (j == name.length && units[i].name[j] == '\0')
+    for (i = 0; i < UNIT_COUNT; i++)
+        if (flk_text_same(name, units[i].name))
             return &units[i];
-    }
     return NULL;
 }
 
@@ -138,12 +135,6 @@ const char *flk_unit_nearest(text word, const dimension *dim)
     return nearest ? nearest : nearest_of(word, NULL);
 }
 
-static void skip(text *t)
-{
-    t->start++;
-    t->length--;
-}
-
 #define MOST_FACTORS 8
 
 /* An exponent, with or without ^; 1 where there is none.  0 if it is none of those that units have. */
@@ -152,11 +143,11 @@ static int read_exponent(text *t)
     int marked = t->length && t->start[0] == '^', exponent;
 
     if (marked)
-        skip(t);
+        *t = flk_text_from(*t, 1);
     if (!t->length || t->start[0] < '0' || t->start[0] > '9')
         return marked ? 0 : 1;
     exponent = t->start[0] - '0';
-    skip(t);
+    *t = flk_text_from(*t, 1);
     return exponent > 4 || (t->length && flk_text_is_word(t->start[0])) ? 0 : exponent;
 }
 
@@ -182,7 +173,7 @@ static text take_name(text *t)
 
     while (t->length && flk_text_is_word(t->start[0]) &&
            (t->start == name.start || t->start[0] < '0' || t->start[0] > '9'))
-        skip(t);
+        *t = flk_text_from(*t, 1);
     name.length -= t->length;
     return name;
 }
@@ -217,8 +208,7 @@ int flk_unit_read(text t, unit *result, text *bad)
         *bad = t;
         if (t.start[0] == '.' || t.start[0] == '*' || t.start[0] == '/') {
             sign = t.start[0] == '/' ? -1 : 1;
-            skip(&t);
-            t = flk_text_trim(t);
+            t = flk_text_trim(flk_text_from(t, 1));
             if (!t.length)
                 return 0; /* nothing after the sign */
         }

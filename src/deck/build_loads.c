@@ -3,7 +3,6 @@
 ** build_loads.c - values to loads, gas, curves over the crank angle and points.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -16,40 +15,34 @@
 
 /* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
 ** closes the cycle is the first again. */
-static void build_curve(parser *p, const setting *s, curve *result)
+static int build_curve(parser *p, const setting *s, curve *result)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
     double period = p->d->cycle, *x, *y;
 
     if (!c || !(period > 0))
-        return;
+        return 0;
     for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < LEAST_STEP) {
-            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
-            return;
-        }
+        if (c[i].x - c[i - 1].x < LEAST_STEP)
+            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
-        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y)) {
-            flk_mistake(p->mistakes, c[n].place,
-                        "the curve does not close: its last point is the first, one cycle on");
-            return;
-        }
+        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y))
+            return flk_mistake(
+                p->mistakes, c[n].place,
+                "the curve does not close: its last point is the first, one cycle on");
     }
-    if (n < 2) {
-        flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
-        return;
-    }
-    if (c[n - 1].x - c[0].x > period - LEAST_STEP) {
-        flk_mistake(p->mistakes, c[n - 1].place,
-                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
-                    "one of four strokes");
-        return;
-    }
+    if (n < 2)
+        return flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
+    if (c[n - 1].x - c[0].x > period - LEAST_STEP)
+        return flk_mistake(
+            p->mistakes, c[n - 1].place,
+            "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
+            "one of four strokes");
     x = flk_reader_keep(p, 2 * n * sizeof *x);
     if (!x)
-        return;
+        return 0;
     y = x + n;
     for (i = 0; i < n; i++) {
         x[i] = c[i].x;
@@ -57,28 +50,29 @@ static void build_curve(parser *p, const setting *s, curve *result)
     }
     if (!flk_curve_make(x, y, n, period, result))
         p->out_of_memory = 1;
+    return 1;
 }
 
 void flk_build_gas(parser *p)
 {
-    const section_use *use = flk_section_find(p, SECTION_GAS);
+    const section_use *use = flk_section_find(p, SECTION_GAS, NULL);
     const setting *bore = flk_setting_find(p, KEY_GAS_BORE),
                   *rod = flk_setting_find(p, KEY_GAS_PISTON_ROD);
     const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),
                   *card = flk_setting_find(p, KEY_GAS_INDICATOR);
     deck_gas *gas = &p->d->gas;
-    double d_rod = rod ? rod->si[0] : 0;
+    double d_rod = rod->si[0];
 
     if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
         return;
     p->d->has_forces = 1;
-    if (!bore) {
+    if (!IS_SET(bore)) {
         flk_mistake(p->mistakes, use->place, "[gas] has no bore");
         return;
     }
-    if (!pressure && !card && !flk_setting_find(p, KEY_GAS_BACK_PRESSURE))
+    if (!IS_SET(pressure) && !IS_SET(card) && !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
         flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
-    if (pressure && card)
+    if (IS_SET(pressure) && IS_SET(card))
         flk_mistake(p->mistakes, pressure->place,
                     "give either the pressure or the indicator, not both");
     if (d_rod >= bore->si[0] && bore->si[0] > 0)
@@ -86,19 +80,18 @@ void flk_build_gas(parser *p)
                     rod->value);
     gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
-    gas->pressure = flk_setting_or(p, KEY_GAS_PRESSURE, 0);
+    gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    if (card)
-        build_curve(p, card, &gas->indicator);
+    build_curve(p, card, &gas->indicator);
 }
 
 /* The link that a load or a point is on. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
-    const flk_kind *kind = flk_kind_of((int)p->d->design.kind);
+    const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
-    if (!link->place.source)
+    if (!IS_SET(link))
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
@@ -109,21 +102,21 @@ static void check_link(parser *p, const section_use *use, const setting *link)
 /* The crank angles between which a load acts. */
 static void build_window(parser *p, const section_use *use, deck_load *variation)
 {
-    const setting *from = flk_setting_of(p, use, KEY_LOAD_FROM),
-                  *to = flk_setting_of(p, use, KEY_LOAD_TO);
+    const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
 
-    if (!from->place.source && !to->place.source)
+    if (!IS_SET(from) && !IS_SET(to))
         return;
     variation->is_windowed = 1;
     variation->from = from->si[0]; /* 0 if it is not given */
-    variation->to = to->place.source ? to->si[0] : p->d->cycle;
+    variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
-        flk_mistake(p->mistakes, (from->place.source ? from : to)->place,
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be before its 'to', not %t and %t",
-                    from->place.source ? from->value : flk_text_of("0"),
-                    to->place.source ? to->value : flk_text_of("the end of the cycle"));
+                    IS_SET(from) ? from->value : flk_text_of("0"),
+                    IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
-        flk_mistake(p->mistakes, (to->place.source ? to : from)->place,
+        flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
                     "the load acts for longer than a cycle");
 }
 
@@ -135,8 +128,8 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
 {
     static const char *const endings[DECK_POINT_COLUMNS] = {".x",  ".y",  ".vx", ".vy",
                                                             ".ax", ".ay", ".v",  ".a"};
-    const setting *link = flk_setting_of(p, use, KEY_POINT_LINK),
-                  *at = flk_setting_of(p, use, KEY_POINT_AT);
+    const setting *link = flk_setting_of(use, KEY_POINT_LINK),
+                  *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
     check_link(p, use, link);
@@ -158,40 +151,42 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-void flk_build_points(parser *p)
+/* Room for each section of this kind. */
+static void *keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;
 
     for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == SECTION_POINT;
-    if (!n)
-        return;
-    p->d->points = calloc(n, sizeof *p->d->points);
-    if (!p->d->points) {
-        p->out_of_memory = 1;
-        return;
-    }
-    for (i = 0; i < p->n_uses; i++)
+        n += p->uses[i].section == section;
+    return flk_reader_keep(p, n * size);
+}
+
+void flk_build_points(parser *p)
+{
+    size_t i;
+
+    p->d->points = keep_each(p, SECTION_POINT, sizeof *p->d->points);
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_POINT)
             build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
 }
 
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
 {
-    const setting *link = flk_setting_of(p, use, KEY_LOAD_LINK);
-    const setting *force = flk_setting_of(p, use, KEY_LOAD_FORCE),
-                  *at = flk_setting_of(p, use, KEY_LOAD_AT);
-    const setting *torque = flk_setting_of(p, use, KEY_LOAD_TORQUE);
-    const setting *frame = flk_setting_of(p, use, KEY_LOAD_FRAME);
+    const setting *link = flk_setting_of(use, KEY_LOAD_LINK);
+    const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *at = flk_setting_of(use, KEY_LOAD_AT);
+    const setting *torque = flk_setting_of(use, KEY_LOAD_TORQUE);
+    const setting *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
     check_link(p, use, link);
-    if (!force->place.source && !torque->place.source)
+    if (!IS_SET(force) && !IS_SET(torque))
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    if ((force->si[0] != 0 || force->si[1] != 0) && !at->place.source && link->word &&
-        flk_kind_of((int)p->d->design.kind)->has_length[link->word])
+    if ((force->si[0] != 0 || force->si[1] != 0) && !IS_SET(at) && link->word &&
+        flk_kind_of(p->d->design.kind)->has_length[link->word])
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
-    if (at->place.source && !force->place.source)
+    if (IS_SET(at) && !IS_SET(force))
         flk_mistake(p->mistakes, at->place, "'at' is for a force");
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
@@ -207,23 +202,15 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
 
 void flk_build_loads(parser *p)
 {
-    size_t i, n = 0;
+    deck *d = p->d;
+    size_t i;
 
-    for (i = 0; i < p->n_uses; i++)
-        n += p->uses[i].section == SECTION_LOAD;
-    if (!n)
-        return;
-    p->d->loads = calloc(n, sizeof *p->d->loads);
-    p->d->variations = calloc(n, sizeof *p->d->variations);
-    if (!p->d->loads || !p->d->variations) {
-        p->out_of_memory = 1;
-        return;
-    }
-    for (i = 0; i < p->n_uses; i++)
+    d->loads = keep_each(p, SECTION_LOAD, sizeof *d->loads);
+    d->variations = keep_each(p, SECTION_LOAD, sizeof *d->variations);
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_LOAD) {
-            build_load(p, &p->uses[i], &p->d->loads[p->d->n_loads],
-                       &p->d->variations[p->d->n_loads]);
-            p->d->n_loads++;
+            build_load(p, &p->uses[i], &d->loads[d->n_loads], &d->variations[d->n_loads]);
+            d->n_loads++;
+            d->has_forces = 1;
         }
-    p->d->has_forces = 1;
 }

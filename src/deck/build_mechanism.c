@@ -21,7 +21,7 @@ static int has_stroke(const parser *p)
 /* The length a mechanism cannot do without. */
 static void require_length(parser *p, const char *link)
 {
-    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)));
+    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
 
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
@@ -39,22 +39,16 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
 {
     double g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
            turns = period->si[0] / (2 * M_PI);
-    double x = 0, y = 0, h, L;
+    double x = pin->word == PIN_END ? link->length : pin->si[0], h, L;
 
-    if (!pin) {
+    if (!IS_SET(pin)) {
         flk_mistake(p->mistakes, period->place,
                     "a swing_period needs a swing_pin: origin, end or a point of the link");
         return;
     }
-    if (pin->word == PIN_END)
-        x = link->length;
-    if (pin->word == PIN_POINT) {
-        x = pin->si[0];
-        y = pin->si[1];
-    }
     if (g <= 0)
         g = STANDARD_GRAVITY; /* switched off in the machine, not in the test */
-    h = gsl_hypot(x - link->cg.x, y - link->cg.y);
+    h = gsl_hypot(x - link->cg.x, pin->si[1] - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
         flk_mistake(p->mistakes, pin->place,
@@ -83,7 +77,7 @@ static void build_stroke(parser *p)
 
     if (l <= 0 || !has_stroke(p) || p->lacks_values)
         return;
-    if (flk_setting_find(p, KEY_CRANK_LENGTH))
+    if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
     S = s->si[0];
     link[2].length = S / 2;
@@ -107,34 +101,32 @@ static void build_link(parser *p, const flk_kind *kind, int number)
                   *cg = flk_setting_by_name(p, section, "cg"),
                   *period = flk_setting_by_name(p, section, "swing_period"),
                   *pin = flk_setting_by_name(p, section, "swing_pin");
-    const setting *other = gyration ? gyration : period;
+    const setting *other = IS_SET(gyration) ? gyration : period;
 
-    if (number == FOURLINK_CRANK && flk_setting_find(p, KEY_CRANK_STROKE))
+    if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
         build_stroke(p);
-    else if (length)
+    else if (IS_SET(length))
         link->length = length->si[0];
     else if (kind->has_length[number])
         require_length(p, kind->link[number]);
-    link->mass = mass ? mass->si[0] : 0;
-    link->inertia = inertia ? inertia->si[0] : 0;
-    if (cg) {
-        link->cg.x = cg->si[0];
-        link->cg.y = cg->si[1];
-    }
-    if ((gyration != NULL) + (inertia != NULL) + (period != NULL) > 1)
+    link->mass = mass->si[0];
+    link->inertia = inertia->si[0];
+    link->cg.x = cg->si[0];
+    link->cg.y = cg->si[1];
+    if (IS_SET(gyration) + IS_SET(inertia) + IS_SET(period) > 1)
         flk_mistake(p->mistakes, other->place,
                     "give one of gyration, inertia and swing_period, not several");
-    if (other && !mass)
+    if (IS_SET(other) && !IS_SET(mass))
         flk_mistake(p->mistakes, other->place, "the %s needs a mass",
-                    gyration ? "radius of gyration" : "swing_period");
-    if (gyration)
+                    IS_SET(gyration) ? "radius of gyration" : "swing_period");
+    if (IS_SET(gyration))
         link->inertia = link->mass * gyration->si[0] * gyration->si[0]; /* I = m k^2 */
-    if (period && period->si[0] > 0 && !p->lacks_values)
+    if (period->si[0] > 0 && !p->lacks_values)
         build_swing(p, period, pin, link);
-    if (other && link->inertia > FOURLINK_NUMBER_MAX)
+    if (IS_SET(other) && link->inertia > FOURLINK_NUMBER_MAX)
         flk_mistake(p->mistakes, other->place,
                     "the moment of inertia that follows is beyond what the program computes with");
-    if (!period && pin)
+    if (!IS_SET(period) && IS_SET(pin))
         flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
 }
 
@@ -144,16 +136,16 @@ int flk_build_kind(parser *p)
     const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
     size_t i;
     fourlink_kind kind;
-    int k;
+    key_code k;
 
-    if (!s) {
+    if (!IS_SET(s)) {
         text_place place = flk_reader_end(p);
 
         place.line = 1;
-        flk_mistake(p->mistakes, place,
-                    "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
-                    "first section");
-        return 0;
+        return flk_mistake(
+            p->mistakes, place,
+            "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
+            "first section");
     }
     if (!s->word)
         return 0;
@@ -161,7 +153,6 @@ int flk_build_kind(parser *p)
     p->d->design.kind = kind;
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];
-        int first = flk_first_key(use->section), n = flk_key_count(use->section);
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
@@ -172,9 +163,9 @@ int flk_build_kind(parser *p)
                         fourlink_link_text((int)kind, FOURLINK_COUPLER));
             continue;
         }
-        for (k = first; k < first + n; k++) {
-            s = flk_setting_of(p, use, (key_code)k);
-            if (s->place.source && !(flk_key_table[k].kinds & (int)kind))
+        for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
+            s = flk_setting_of(use, k);
+            if (IS_SET(s) && !(flk_key_table[k].kinds & (int)kind))
                 flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
                             use->section == SECTION_TOP ? "" : "the ",
                             flk_section_table[use->section].name,
@@ -216,7 +207,7 @@ static void check_reach(parser *p, const flk_kind *kind)
             longest = i;
     }
     if (!kind->has_length[FOURLINK_GROUND]) {
-        if (s && fabs(p->d->design.offset) > sum) {
+        if (fabs(p->d->design.offset) > sum) {
             in_unit = in_unit_of(p, s, sum, &written);
             flk_mistake(p->mistakes, s->place,
                         "the offset, %t, is more than crank and rod together, %.6g %t: the rod "
@@ -239,7 +230,7 @@ static void check_reach(parser *p, const flk_kind *kind)
 void flk_build_mechanism(parser *p)
 {
     fourlink_design *design = &p->d->design;
-    const flk_kind *kind = flk_kind_of((int)design->kind);
+    const flk_kind *kind = flk_kind_of(design->kind);
     double direction, g;
     int i;
 
@@ -264,7 +255,7 @@ void flk_build_mechanism(parser *p)
         return;
     i = fourlink_prepare(design, &p->d->mechanism);
     if (i != FOURLINK_OK)
-        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK)->place, "%s",
+        flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK, NULL)->place, "%s",
                     fourlink_status_text(i));
 }
 
@@ -273,8 +264,6 @@ void flk_build_series(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_SERIES);
 
-    if (!s)
-        return;
     p->d->approximation = (fourlink_approximation)s->word;
     if (p->d->approximation != FOURLINK_EXACT && p->d->design.offset != 0)
         flk_mistake(p->mistakes, s->place, "%s", fourlink_status_text(FOURLINK_NO_SERIES));

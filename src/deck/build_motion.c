@@ -14,18 +14,18 @@ static double angle_or(parser *p, key_code key, double otherwise)
 {
     const setting *s = flk_setting_find(p, key);
 
-    return s ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
+    return IS_SET(s) ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
 /* 1 if a mistake about a key of the section has been noted: no other is to follow from it. */
 static int is_mistaken(parser *p, section_code section)
 {
-    const section_use *use = flk_section_find(p, section);
-    int first = flk_first_key(section), n = flk_key_count(section), k;
+    const section_use *use = flk_section_find(p, section, NULL);
+    key_code k;
     size_t i;
 
-    for (k = first; use && k < first + n; k++) {
-        text_place place = flk_setting_of(p, use, (key_code)k)->place;
+    for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
+        text_place place = flk_setting_of(use, k)->place;
 
         for (i = 0; place.source && i < p->mistakes->count; i++)
             if (p->mistakes->list[i].place.source == place.source &&
@@ -44,7 +44,7 @@ static void check_alone(parser *p, const setting *at)
     for (i = 0; i < sizeof others / sizeof others[0]; i++) {
         const setting *s = flk_setting_find(p, others[i]);
 
-        if (s && (s->place.line == 0) == (at->place.line == 0))
+        if (IS_SET(s) && (s->place.line == 0) == (at->place.line == 0))
             flk_mistake(p->mistakes, s->place, "'%s' has no place beside 'at', one instant",
                         flk_key_table[others[i]].name);
     }
@@ -61,15 +61,16 @@ static double whole(double x)
 /* From rest through an angle, then one revolution (Alvi's program, vela = 0). */
 static void build_run_up(parser *p, const setting *run_up)
 {
-    const setting *s;
+    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED),
+                  *to = flk_setting_find(p, KEY_MOTION_TO);
 
     p->d->motion.run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
     p->d->one_revolution = 1;
-    if ((s = flk_setting_find(p, KEY_MOTION_SPEED)) != NULL && s->si[0] != 0)
-        flk_mistake(p->mistakes, s->place,
+    if (speed->si[0] != 0)
+        flk_mistake(p->mistakes, speed->place,
                     "a run-up starts from rest: it takes an acceleration and no speed");
-    if ((s = flk_setting_find(p, KEY_MOTION_TO)) != NULL)
-        flk_mistake(p->mistakes, s->place,
+    if (IS_SET(to))
+        flk_mistake(p->mistakes, to->place,
                     "a run-up ends one revolution after its angle: it takes no 'to'");
     if (p->d->motion.hold)
         flk_mistake(p->mistakes, run_up->place, "a run-up cannot hold its speed");
@@ -79,7 +80,8 @@ void flk_build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
-    const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP), *s;
+    const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP),
+                  *at = flk_setting_find(p, KEY_MOTION_AT), *s;
     double cycle, turning;
     fourlink_range range;
     int status;
@@ -87,11 +89,10 @@ void flk_build_motion(parser *p)
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
-    s = flk_setting_find(p, KEY_MOTION_HOLD);
-    motion->hold = s ? s->word : 0;
+    motion->hold = flk_setting_find(p, KEY_MOTION_HOLD)->word;
     motion->interval = angle_or(p, KEY_MOTION_INTERVAL, whole(flk_unit_from_si(M_PI / 18, *u)));
-    if ((s = flk_setting_find(p, KEY_MOTION_AT)) != NULL) {
-        check_alone(p, s);
+    if (IS_SET(at)) {
+        check_alone(p, at);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
         motion->to = motion->from;
         motion->interval = 1; /* any */
@@ -104,45 +105,40 @@ void flk_build_motion(parser *p)
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
     p->d->one_revolution =
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
-    if (run_up)
+    if (IS_SET(run_up))
         build_run_up(p, run_up);
     if (is_mistaken(p, SECTION_MOTION) || p->lacks_values)
         return;
     status = fourlink_motion_range(motion, &range);
     if (status == FOURLINK_BAD_RANGE) {
         s = flk_setting_find(p, KEY_MOTION_TO);
-        flk_mistake(p->mistakes, s ? s->place : flk_reader_end(p),
+        flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p),
                     "the range runs against the rotation of the accelerated crank; turn it round, "
                     "or give 'hold = yes'");
     } else if (status == FOURLINK_NO_RUN_UP) {
         flk_mistake(p->mistakes, run_up->place, "a run-up from rest needs an acceleration");
     } else if (status != FOURLINK_OK) {
         s = flk_setting_find(p, KEY_MOTION_INTERVAL);
-        flk_mistake(p->mistakes, s ? s->place : flk_reader_end(p), "%s",
+        flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
                     fourlink_status_text(status));
     }
 }
 
 void flk_build_table(parser *p)
 {
-    const setting *s = flk_setting_find(p, KEY_TABLE_BRANCH);
-    int branches = s ? s->word : BRANCH_BOTH;
+    const setting *columns = flk_setting_find(p, KEY_TABLE_COLUMNS),
+                  *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
+    int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
-    p->d->open = (branches & BRANCH_OPEN) != 0;
-    p->d->crossed = (branches & BRANCH_CROSSED) != 0;
-    if ((s = flk_setting_find(p, KEY_TABLE_COLUMNS)) != NULL) {
-        p->d->columns.names = s->value;
-        p->d->columns.place = s->place;
-    }
-    s = flk_setting_find(p, KEY_TOP_SOLVER);
-    p->d->solver = s ? s->word : 0;
-    p->d->digits = 6;
-    if ((s = flk_setting_find(p, KEY_TABLE_DIGITS)) != NULL) {
-        if (s->si[0] > 17)
-            flk_mistake(p->mistakes, s->place, "digits must be 1 to 17, not %t", s->value);
-        else
-            p->d->digits = (int)s->si[0];
-    }
+    p->d->open = branches != BRANCH_CROSSED;
+    p->d->crossed = branches != BRANCH_OPEN;
+    p->d->columns.names = columns->value;
+    p->d->columns.place = columns->place;
+    p->d->solver = flk_setting_find(p, KEY_TOP_SOLVER)->word;
+    if (digits->si[0] > 17)
+        flk_mistake(p->mistakes, digits->place, "digits must be 1 to 17, not %t", digits->value);
+    else
+        p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
 }
 
 /* The printed values of the deck, in the order of its lines, after those it has already. */
@@ -163,16 +159,14 @@ void flk_build_expectations(parser *p)
     for (i = 0; i < p->n_named; i++) {
         const named_value *named = &p->named[i];
         const section_use *use = &p->uses[named->use];
-        int misprint = use->section == SECTION_MISPRINT;
         const setting *at, *branch, *tolerance;
         deck_expectation *e;
 
         if (use->section == SECTION_SWEEP)
             continue;
-        at = flk_setting_of(p, use, misprint ? KEY_MISPRINT_AT : KEY_EXPECT_AT);
-        branch = flk_setting_of(p, use, misprint ? KEY_MISPRINT_BRANCH : KEY_EXPECT_BRANCH);
-        tolerance =
-            flk_setting_of(p, use, misprint ? KEY_MISPRINT_TOLERANCE : KEY_EXPECT_TOLERANCE);
+        at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
+        branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
+        tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
         memset(e, 0, sizeof *e);
         e->place = named->place;
@@ -180,9 +174,9 @@ void flk_build_expectations(parser *p)
         e->value = named->value;
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
-        e->misprint = misprint;
-        e->has_at = at->place.source != NULL || d->one_instant;
-        e->at = at->place.source ? flk_setting_in_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
+        e->misprint = use->section == SECTION_MISPRINT;
+        e->has_at = IS_SET(at) || d->one_instant;
+        e->at = IS_SET(at) ? flk_setting_in_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
@@ -191,11 +185,12 @@ void flk_build_expectations(parser *p)
 
 void flk_build_flywheel(parser *p)
 {
-    const setting *s = flk_setting_find(p, KEY_FLYWHEEL_INERTIA);
+    const setting *inertia = flk_setting_find(p, KEY_FLYWHEEL_INERTIA),
+                  *fluctuation = flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION);
 
-    p->d->flywheel_fluctuation = flk_setting_or(p, KEY_FLYWHEEL_FLUCTUATION, 0);
-    p->d->flywheel_inertia = flk_setting_or(p, KEY_FLYWHEEL_INERTIA, 0);
-    if (s && flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION))
-        flk_mistake(p->mistakes, s->place,
+    p->d->flywheel_fluctuation = fluctuation->si[0];
+    p->d->flywheel_inertia = inertia->si[0];
+    if (IS_SET(inertia) && IS_SET(fluctuation))
+        flk_mistake(p->mistakes, inertia->place,
                     "give either the fluctuation or the inertia: the other follows");
 }

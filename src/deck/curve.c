@@ -18,24 +18,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "curve.h"
-
-static double sign(double x)
-{
-    return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
-
-static double lesser(double x, double y)
-{
-    return x < y ? x : y;
-}
 
 /* The slope at a point between two intervals of these widths and secants. */
 static double slope(double h0, double s0, double h1, double s1)
 {
     double p = (s0 * h1 + s1 * h0) / (h0 + h1);
 
-    return (sign(s0) + sign(s1)) * lesser(lesser(fabs(s0), fabs(s1)), fabs(p) / 2);
+    return (GSL_SIGN(s0) + GSL_SIGN(s1)) * GSL_MIN(GSL_MIN(fabs(s0), fabs(s1)), fabs(p) / 2);
 }
 
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c)

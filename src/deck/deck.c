@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** deck.c - the memory of a deck.
+** deck.c - a deck for the programs that embed the library: its memory, the problem it poses, its loads at a
+** crank angle, its points.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "deck.h"
+#include "mechanics/mechanics.h"
 
 void flk_deck_start(deck *d)
 {
@@ -27,7 +30,7 @@ typedef struct kept {
 
 void *flk_deck_keep(deck *d, size_t size)
 {
-    kept *k = malloc(sizeof *k + size);
+    kept *k = calloc(1, sizeof *k + size);
 
     if (!k)
         return NULL;
@@ -45,13 +48,187 @@ void flk_deck_free(deck *d)
     for (i = 0; d->variations && i < d->n_loads; i++)
         flk_curve_free(&d->variations[i].torque);
     flk_curve_free(&d->gas.indicator);
-    free(d->variations);
-    free(d->points);
-    free(d->loads);
     free(d->expectations);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);
     }
     memset(d, 0, sizeof *d);
+}
+
+void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+                            unsigned long *n_mistakes)
+{
+    unsigned long i;
+
+    for (i = 0; i < max && i < d->mistakes.count; i++) {
+        const struct mistake *m = &d->mistakes.list[i];
+
+        flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
+        list[i].line = m->place.line;
+        memcpy(list[i].message, m->message, sizeof list[i].message);
+    }
+    if (n_mistakes)
+        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
+}
+
+int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
+                       void *host, unsigned long max_mistakes, fourlink_deck **result,
+                       fourlink_mistake *list, unsigned long *n_mistakes)
+{
+    fourlink_source source;
+    deck *d;
+    int status;
+
+    if (!contents || !result || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    d = malloc(sizeof *d);
+    if (!d)
+        return FOURLINK_NO_MEMORY;
+    memset(&source, 0, sizeof source);
+    source.text = contents;
+    source.length = length;
+    source.load = load;
+    source.host = host;
+    status = flk_deck_read(&source, d);
+    if (status > 0) {
+        *result = d;
+        return FOURLINK_OK;
+    }
+    if (status == 0)
+        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
+    fourlink_deck_free(d);
+    return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
+}
+
+void fourlink_deck_free(fourlink_deck *d)
+{
+    if (d)
+        flk_deck_free(d);
+    free(d);
+}
+
+int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
+{
+    fourlink_range range;
+
+    if (!d || !problem)
+        return FOURLINK_NULL;
+    memset(problem, 0, sizeof *problem);
+    memcpy(problem->title, d->title, sizeof problem->title);
+    problem->mechanism = d->mechanism;
+    problem->motion = d->motion;
+    problem->cycle = d->cycle;
+    problem->open = d->open;
+    problem->crossed = d->crossed;
+    problem->has_forces = d->has_forces;
+    problem->approximation = d->approximation;
+    problem->has_gas = d->gas.area > 0;
+    problem->n_loads = d->n_loads + (problem->has_gas ? 1 : 0);
+    problem->n_points = (unsigned long)d->n_points;
+    problem->flywheel_fluctuation = d->flywheel_fluctuation;
+    problem->flywheel_inertia = d->flywheel_inertia;
+    if (fourlink_motion_range(&d->motion, &range) == FOURLINK_OK)
+        problem->n_rows = range.n_rows;
+    problem->one_instant = d->one_instant;
+    problem->one_revolution = d->one_revolution;
+    problem->digits = d->digits;
+    problem->n_expected = (unsigned long)d->n_expectations;
+    problem->n_designs = d->sweep.n_designs;
+    problem->design = d->sweep.design;
+    problem->has_outputs = d->sweep.output.names.length > 0;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *u)
+{
+    int q;
+
+    if (!d || !name || !u)
+        return FOURLINK_NULL;
+    q = (int)flk_quantity_find(name);
+    if (q == QUANTITY_COUNT)
+        return FOURLINK_NO_SUCH_NAME;
+    u->name = d->units[q].name;
+    u->up = d->units[q].unit.up;
+    u->down = d->units[q].unit.down;
+    return FOURLINK_OK;
+}
+
+/* The force of the gas on the piston, towards the crank positive: p1 A1 - p2 A2 (ME3491). */
+static double gas_force(const deck_gas *gas, double theta2)
+{
+    double p1 = gas->indicator.n ? flk_curve_value(&gas->indicator, theta2) : gas->pressure;
+
+    return p1 * gas->area - gas->back_pressure * gas->back_area;
+}
+
+/* A load at this crank angle: its curve is followed, and outside its window it is nothing. */
+static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
+                     double theta2, fourlink_load *now)
+{
+    *now = *load;
+    if (variation->torque.n)
+        now->torque = flk_curve_value(&variation->torque, theta2);
+    if (variation->is_windowed) {
+        double after = theta2 - variation->from;
+
+        after -= cycle * floor(after / cycle + 1e-12);
+        if (after > variation->to - variation->from + 1e-12 * cycle)
+            now->force.x = now->force.y = now->torque = 0;
+    }
+}
+
+int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
+                        fourlink_load *loads, double *gas)
+{
+    double force = 0;
+    unsigned long i;
+
+    if (!d || (!loads && (d->n_loads || d->gas.area > 0)))
+        return FOURLINK_NULL;
+    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+        return FOURLINK_BAD_BRANCH;
+    if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    for (i = 0; i < d->n_loads; i++)
+        set_load(&d->loads[i], &d->variations[i], d->cycle, theta2, &loads[i]);
+    if (d->gas.area > 0) {
+        force = gas_force(&d->gas, theta2);
+        memset(&loads[i], 0, sizeof loads[i]);
+        loads[i].link = FOURLINK_FOLLOWER;
+        loads[i].force.x = -(double)branch * force;
+    }
+    if (gas)
+        *gas = force;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **name, int *link,
+                        fourlink_vector *at)
+{
+    if (!d || !link || !at)
+        return FOURLINK_NULL;
+    if (i >= d->n_points)
+        return FOURLINK_NO_SUCH_POINT;
+    if (name)
+        *name = d->points[i].name;
+    *link = d->points[i].link;
+    *at = d->points[i].at;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
+{
+    int is_load;
+
+    if (!d || !name)
+        return FOURLINK_NULL;
+    is_load = i < d->n_loads;
+    if (!is_load && !(i == d->n_loads && d->gas.area > 0))
+        return FOURLINK_BAD_LINK;
+    *name = !is_load ? "gas" : d->variations[i].name[0] ? d->variations[i].name : "load";
+    if (has_torque)
+        *has_torque = is_load && (d->loads[i].torque != 0 || d->variations[i].torque.n > 0);
+    return FOURLINK_OK;
 }

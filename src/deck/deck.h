@@ -134,7 +134,7 @@ void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
-/* Memory that lasts as long as the deck; null when there is none. */
+/* Memory, zeroed, that lasts as long as the deck; null when there is none. */
 void *flk_deck_keep(deck *d, size_t size);
 
 #endif

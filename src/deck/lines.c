@@ -9,50 +9,45 @@
 #define LINE_MAX_LENGTH 65536
 #define MOST_SECTIONS 10000
 
+/* 1 if such a section can stand here; else 0 and a mistake. */
+static int check_section(parser *p, text_place place, section_code section, text name)
+{
+    const section_info *info = &flk_section_table[section];
+    const section_use *use = flk_section_find(p, section, NULL);
+
+    if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT)
+        return flk_mistake(p->mistakes, place,
+                           "expected [expect] or [misprint] in this file, not [%s]", info->name);
+    if (name.length && !info->repeats)
+        return flk_mistake(p->mistakes, place, "[%s] takes no name, but has '%t'", info->name,
+                           name);
+    if (use && !info->repeats)
+        return flk_mistake(p->mistakes, place, "a second [%s]; the first is at line %ld",
+                           info->name, use->place.line);
+    if (name.length && flk_section_find(p, section, &name))
+        return flk_mistake(p->mistakes, place, "a second [%s %t]", info->name, name);
+    if (p->n_uses >= MOST_SECTIONS)
+        return flk_mistake(p->mistakes, place, "too many sections");
+    return 1;
+}
+
 /* [section], [section NAME] */
 static section_use *read_section(parser *p, text line, text_place place)
 {
-    text word = line, name;
+    text word = flk_text_from(line, 1), name;
     section_code section;
-    section_use *use;
 
     if (line.start[line.length - 1] != ']') {
         flk_mistake(p->mistakes, place, "expected ']' at the end of the section's name");
         return NULL;
     }
-    word.start++;
-    word.length -= 2;
+    word.length--;
     word = flk_text_trim(word);
     flk_section_split(&word, &name);
     section = flk_find_section(word);
-    if (section == SECTION_COUNT) {
-        flk_section_unknown(p, place, word);
+    if (section == SECTION_COUNT ? !flk_section_unknown(p, place, word)
+                                 : !check_section(p, place, section, name))
         return NULL;
-    }
-    if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT) {
-        flk_mistake(p->mistakes, place, "expected [expect] or [misprint] in this file, not [%s]",
-                    flk_section_table[section].name);
-        return NULL;
-    }
-    if (name.length && !flk_section_table[section].repeats) {
-        flk_mistake(p->mistakes, place, "[%s] takes no name, but has '%t'",
-                    flk_section_table[section].name, name);
-        return NULL;
-    }
-    use = flk_section_find(p, section);
-    if (use && !flk_section_table[section].repeats) {
-        flk_mistake(p->mistakes, place, "a second [%s]; the first is at line %ld",
-                    flk_section_table[section].name, use->place.line);
-        return NULL;
-    }
-    if (name.length && flk_section_find_named(p, section, name)) {
-        flk_mistake(p->mistakes, place, "a second [%s %t]", flk_section_table[section].name, name);
-        return NULL;
-    }
-    if (p->n_uses >= MOST_SECTIONS) {
-        flk_mistake(p->mistakes, place, "too many sections");
-        return NULL;
-    }
     return flk_section_open(p, section, name, place);
 }
 
@@ -82,8 +77,7 @@ static int is_text(parser *p, text line, text_place place)
 
     if (line.length > LINE_MAX_LENGTH) {
         p->not_text = 1;
-        flk_mistake(p->mistakes, place, "a line of more than 65536 characters: not a deck");
-        return 0;
+        return flk_mistake(p->mistakes, place, "a line of more than 65536 characters: not a deck");
     }
     for (i = 0; i < line.length; i++) {
         unsigned char c = (unsigned char)line.start[i];
@@ -92,9 +86,8 @@ static int is_text(parser *p, text line, text_place place)
             p->not_text = 1;
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
-            flk_mistake(p->mistakes, place, "a control character (0x%s): decks are plain text",
-                        code);
-            return 0;
+            return flk_mistake(p->mistakes, place,
+                               "a control character (0x%s): decks are plain text", code);
         }
     }
     return 1;
@@ -103,16 +96,12 @@ static int is_text(parser *p, text line, text_place place)
 /* The next line without its comment; 0 at the end of the deck, or where it is no text. */
 static int next_line(parser *p, text *rest, text *line)
 {
-    text_place place;
-
     if (p->last_line > 0 && !rest->length)
         return 0; /* nothing after the last end of line */
     if (!flk_text_split(rest, '\n', line))
         return 0;
     p->last_line++;
-    place.source = p->name;
-    place.line = p->last_line;
-    if (!is_text(p, *line, place)) {
+    if (!is_text(p, *line, flk_reader_end(p))) {
         rest->start = NULL;
         return 0;
     }
@@ -149,7 +138,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
     text line;
     text_place place;
 
-    place.source = p->name;
+    place = flk_reader_end(p);
     place.line = 1;
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
     rest = flk_text_without_mark(rest);

@@ -64,10 +64,7 @@ static void change(parser *p, const fourlink_change *c)
 
 static void build(parser *p)
 {
-    const setting *title = flk_setting_find(p, KEY_TOP_TITLE);
-
-    if (title)
-        flk_text_copy(title->value, p->d->title, sizeof p->d->title);
+    flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
     if (!flk_build_kind(p))
         return;
     p->d->cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
@@ -80,25 +77,6 @@ static void build(parser *p)
     flk_build_flywheel(p);
     flk_build_table(p);
     flk_build_expectations(p);
-}
-
-static void start(parser *p, const fourlink_source *source, const char *name, deck *d)
-{
-    memset(p, 0, sizeof *p);
-    p->d = d;
-    p->mistakes = &d->mistakes;
-    p->load = source->load;
-    p->host = source->host;
-    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
-}
-
-static void finish(parser *p)
-{
-    flk_mistakes_sort(p->mistakes);
-    free(p->uses);
-    free(p->settings);
-    free(p->named);
-    free(p->named_slots);
 }
 
 /* The lines of a copy of the text. */
@@ -123,11 +101,11 @@ static void read_deck(parser *p, const fourlink_source *source)
     for (i = 0; i < source->n_changes && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
-        flk_values_read_units(p);
+        flk_values_read(p, 1);
     if (!p->out_of_memory && !p->not_text)
         flk_sweep_read(p, source->design);
     if (!p->out_of_memory)
-        flk_values_read(p);
+        flk_values_read(p, 0);
     if (!p->out_of_memory && !p->not_text)
         build(p);
 }
@@ -139,27 +117,39 @@ static void read_answers(parser *p, const fourlink_source *source)
     p->d->n_expectations = 0;
     read_lines(p, source->answers, source->answers_length);
     if (!p->out_of_memory)
-        flk_values_read(p);
+        flk_values_read(p, 0);
     if (!p->out_of_memory)
         flk_build_expectations(p);
 }
 
-int flk_deck_read(const fourlink_source *source, deck *d)
+/* Read one text of a source; 1, or 0 when out of memory. */
+static int run(deck *d, const fourlink_source *source, const char *name,
+               void read(parser *, const fourlink_source *))
 {
     parser p;
 
-    flk_deck_start(d);
-    start(&p, source, source->name, d);
+    memset(&p, 0, sizeof p);
+    p.d = d;
+    p.mistakes = &d->mistakes;
+    p.load = source->load;
+    p.host = source->host;
+    p.name = flk_reader_copy(&p, flk_text_of(name ? name : ""), "");
     if (!p.out_of_memory)
-        read_deck(&p, source);
-    finish(&p);
-    if (source->answers && !p.out_of_memory && !d->mistakes.count) {
-        start(&p, source, source->answers_name, d);
-        if (!p.out_of_memory)
-            read_answers(&p, source);
-        finish(&p);
-    }
-    if (p.out_of_memory || d->mistakes.out_of_memory)
-        return -1;
-    return d->mistakes.count == 0;
+        read(&p, source);
+    flk_mistakes_sort(p.mistakes);
+    free(p.uses);
+    free(p.named);
+    free(p.named_slots);
+    return !p.out_of_memory && !d->mistakes.out_of_memory;
+}
+
+int flk_deck_read(const fourlink_source *source, deck *d)
+{
+    int all_read;
+
+    flk_deck_start(d);
+    all_read = run(d, source, source->name, read_deck);
+    if (source->answers && all_read && !d->mistakes.count)
+        all_read = run(d, source, source->answers_name, read_answers);
+    return all_read ? d->mistakes.count == 0 : -1;
 }

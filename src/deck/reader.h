@@ -15,7 +15,7 @@ typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } ve
 
 /* What the deck sets a key to. */
 typedef struct setting {
-    text_place place; /* source null: not set */
+    text_place place; /* see IS_SET */
     text value;       /* empty: there is a mistake about it already */
     double number;    /* as written */
     unit unit;        /* its unit */
@@ -26,6 +26,8 @@ typedef struct setting {
     size_t n_points;
 } setting;
 
+#define IS_SET(s) ((s)->place.source != NULL)
+
 /* A point of a curve. */
 typedef struct point {
     double x, y;      /* rad, SI units */
@@ -34,13 +36,12 @@ typedef struct point {
     double unit_to_si;
 } point;
 
-/* A section as it stands in the deck, with one setting for each key of the schema that it can have;
-** they are found at first + key - (first key of the section). */
+/* A section as it stands in the deck, with one setting for each key that it can have. */
 typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    size_t first;
+    setting *settings; /* see flk_setting_of */
 } section_use;
 
 /* A value of a section that takes names of its own: [expect], [misprint], [sweep]. */
@@ -61,14 +62,13 @@ typedef struct target {
 
 typedef struct parser {
     deck *d;
-    mistakes *mistakes; /* the deck's */
+    mistakes *mistakes;     /* the deck's */
+    char why[MESSAGE_SIZE]; /* what is no quantity, until it is noted */
     const char *name;
     fourlink_loader *load;
     void *host; /* for it */
     section_use *uses;
     size_t n_uses, uses_capacity;
-    setting *settings;
-    size_t n_settings, settings_capacity;
     named_value *named;
     size_t n_named, named_capacity;
     size_t *named_slots; /* of a hash of their names: number + 1; 0: free */
@@ -80,20 +80,18 @@ typedef struct parser {
     int out_of_memory;
 } parser;
 
-/* Memory that lasts as long as the deck; null when there is none. */
+/* Memory, zeroed, that lasts as long as the deck; null when there is none. */
 void *flk_reader_keep(parser *p, size_t size);
 
 /* A copy of a text, with an ending, that lasts as long; null-terminated. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* The end of the deck, for a mistake about what is not in it. */
+/* The line that was read last: the end of the deck, for a mistake about what is not in it. */
 text_place flk_reader_end(const parser *p);
 
-/* A section of the deck, null if it has none of that kind. */
-section_use *flk_section_find(parser *p, section_code section);
-
-/* The same with this name, in which case matters. */
-section_use *flk_section_find_named(parser *p, section_code section, text name);
+/* A section of the deck, of this name, in which case matters, or if `name` is null the first; null if it has
+** none. */
+section_use *flk_section_find(parser *p, section_code section, const text *name);
 
 /* Parts "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
@@ -101,17 +99,18 @@ void flk_section_split(text *section, text *name);
 /* Open a section; its settings are all unset.  Null when there is no memory for it. */
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
 
-/* Note that there is no section of this name. */
-void flk_section_unknown(parser *p, text_place place, text name);
+/* 0 and a mistake: there is no section of this name. */
+int flk_section_unknown(parser *p, text_place place, text name);
 
 /* The setting of a key in a section that has it. */
-setting *flk_setting_of(parser *p, const section_use *use, key_code key);
+setting *flk_setting_of(const section_use *use, key_code key);
 
-/* The setting of a key of a section that does not repeat; null if the deck does not set it. */
-setting *flk_setting_find(parser *p, key_code key);
+/* The setting of a key of a section that does not repeat; one that is not set, all 0, if the deck has no
+** such section. */
+const setting *flk_setting_find(parser *p, key_code key);
 
-/* The same of the key with this name; null also if the section has no such key. */
-setting *flk_setting_by_name(parser *p, section_code section, const char *key);
+/* The same of the key with this name; not set also if the section has no such key. */
+const setting *flk_setting_by_name(parser *p, section_code section, const char *key);
 
 /* Its value in SI units, or what it is when the deck does not set it; in the deck's unit of it, without
 ** rounding if it is written in that. */
@@ -138,9 +137,8 @@ void flk_lines_read(parser *p, text rest, char *copy);
 /* Second pass: the units, which decide how bare numbers are read; the assignments of a design of the
 ** [sweep]; the values. */
 void flk_values_read_section(parser *p, const section_use *use);
-void flk_values_read_units(parser *p);
+void flk_values_read(parser *p, int units_only);
 void flk_sweep_read(parser *p, unsigned long design);
-void flk_values_read(parser *p);
 
 /* A quantity; 0 and a mistake if it is none.  `whole` is what it is a piece of. */
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,

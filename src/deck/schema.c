@@ -12,44 +12,42 @@ const section_info flk_section_table[] = {SECTION_LIST(SECTION_INFO){NULL, 0, 0,
     {SECTION_##section, name, FORM_##form, QUANTITY_##quantity, SIGN_##sign, kinds},
 const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
 
-const word_info flk_word_table[] = {{KEY_TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR},
-                                    {KEY_TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK},
-                                    {KEY_TOP_SERIES, "none", FOURLINK_EXACT},
-                                    {KEY_TOP_SERIES, "piston", FOURLINK_SERIES_PISTON},
-                                    {KEY_TOP_SERIES, "all", FOURLINK_SERIES_ALL},
-                                    {KEY_TOP_SOLVER, "matrix", SOLVER_MATRIX},
-                                    {KEY_TOP_SOLVER, "dyad", SOLVER_DYAD},
-                                    {KEY_MOTION_HOLD, "no", 0},
-                                    {KEY_MOTION_HOLD, "yes", 1},
-                                    {KEY_LOAD_LINK, "crank", FOURLINK_CRANK},
-                                    {KEY_LOAD_LINK, "coupler", FOURLINK_COUPLER},
-                                    {KEY_LOAD_LINK, "rod", FOURLINK_COUPLER},
-                                    {KEY_LOAD_LINK, "rocker", FOURLINK_FOLLOWER},
-                                    {KEY_LOAD_LINK, "piston", FOURLINK_FOLLOWER},
-                                    {KEY_TABLE_BRANCH, "open", BRANCH_OPEN},
-                                    {KEY_TABLE_BRANCH, "crossed", BRANCH_CROSSED},
-                                    {KEY_TABLE_BRANCH, "both", BRANCH_BOTH},
-                                    {KEY_EXPECT_BRANCH, "open", BRANCH_OPEN},
-                                    {KEY_EXPECT_BRANCH, "crossed", BRANCH_CROSSED},
-                                    {KEY_MISPRINT_BRANCH, "open", BRANCH_OPEN},
-                                    {KEY_MISPRINT_BRANCH, "crossed", BRANCH_CROSSED},
-                                    {KEY_POINT_LINK, "crank", FOURLINK_CRANK},
-                                    {KEY_POINT_LINK, "coupler", FOURLINK_COUPLER},
-                                    {KEY_POINT_LINK, "rod", FOURLINK_COUPLER},
-                                    {KEY_POINT_LINK, "rocker", FOURLINK_FOLLOWER},
-                                    {KEY_POINT_LINK, "piston", FOURLINK_FOLLOWER},
-                                    {KEY_LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND},
-                                    {KEY_LOAD_FRAME, "link", FOURLINK_FRAME_LINK},
-                                    {KEY_COUNT, NULL, 0}};
+#define LINK_WORDS(X, key)              \
+    X(key, "crank", FOURLINK_CRANK)     \
+    X(key, "coupler", FOURLINK_COUPLER) \
+    X(key, "rod", FOURLINK_COUPLER)     \
+    X(key, "rocker", FOURLINK_FOLLOWER) \
+    X(key, "piston", FOURLINK_FOLLOWER)
 
-int flk_first_key(section_code section)
+#define BRANCH_WORDS(X, key)    \
+    X(key, "open", BRANCH_OPEN) \
+    X(key, "crossed", BRANCH_CROSSED)
+
+#define WORD_LIST(X)                                        \
+    X(TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR)         \
+    X(TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK) \
+    X(TOP_SERIES, "none", FOURLINK_EXACT)                   \
+    X(TOP_SERIES, "piston", FOURLINK_SERIES_PISTON)         \
+    X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)               \
+    X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                  \
+    X(TOP_SOLVER, "dyad", SOLVER_DYAD)                      \
+    X(MOTION_HOLD, "no", 0)                                 \
+    X(MOTION_HOLD, "yes", 1)                                \
+    LINK_WORDS(X, LOAD_LINK)                                \
+    LINK_WORDS(X, POINT_LINK)                               \
+    BRANCH_WORDS(X, TABLE_BRANCH)                           \
+    X(TABLE_BRANCH, "both", BRANCH_BOTH)                    \
+    BRANCH_WORDS(X, EXPECT_BRANCH)                          \
+    BRANCH_WORDS(X, MISPRINT_BRANCH)                        \
+    X(LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND)          \
+    X(LOAD_FRAME, "link", FOURLINK_FRAME_LINK)
+
+#define WORD_INFO(key, word, value) {KEY_##key, word, value},
+const word_info flk_word_table[] = {WORD_LIST(WORD_INFO){KEY_COUNT, NULL, 0}};
+
+key_code flk_first_key(section_code section)
 {
     return flk_section_table[section].first;
-}
-
-int flk_key_count(section_code section)
-{
-    return flk_section_table[section + 1].first - flk_section_table[section].first;
 }
 
 section_code flk_find_section(text name)

@@ -140,7 +140,7 @@ typedef enum key_code { KEY_LIST(KEY_CODE) KEY_COUNT } key_code;
 typedef struct section_info {
     const char *name;
     int repeats, kinds;
-    int first; /* key_code */
+    key_code first;
 } section_info;
 
 /* By section_code; ended by a null name. */
@@ -172,9 +172,8 @@ typedef struct word_info {
 /* Ended by a null word. */
 extern const word_info flk_word_table[];
 
-/* The first key of a section, and how many it has. */
-int flk_first_key(section_code section);
-int flk_key_count(section_code section);
+/* The first key of a section; its last is the one before the first of the next section. */
+key_code flk_first_key(section_code section);
 
 /* The section of that name, SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);

@@ -27,67 +27,67 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t
 
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
-    size_t n = (size_t)flk_key_count(section);
-    section_use *uses, *use;
-    setting *settings;
+    size_t n = (size_t)(flk_first_key(section + 1) - flk_first_key(section));
+    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses), *use;
+    setting *settings = flk_reader_keep(p, n * sizeof *settings);
 
-    uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses);
-    if (!uses)
+    if (uses)
+        p->uses = uses;
+    if (!uses || !settings)
         return NULL;
-    p->uses = uses;
-    settings = grow(p, p->settings, &p->settings_capacity, p->n_settings + n, sizeof *settings);
-    if (!settings)
-        return NULL;
-    p->settings = settings;
-    memset(settings + p->n_settings, 0, n * sizeof *settings);
     use = &uses[p->n_uses++];
     use->section = section;
     use->name = name;
     use->place = place;
-    use->first = p->n_settings;
-    p->n_settings += n;
+    use->settings = settings;
     return use;
 }
 
-section_use *flk_section_find(parser *p, section_code section)
+/* The names that users give: case matters where two differ in it. */
+static int same_name(text x, text y)
+{
+    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
+}
+
+section_use *flk_section_find(parser *p, section_code section, const text *name)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == section)
+        if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
             return &p->uses[i];
     return NULL;
 }
 
-setting *flk_setting_of(parser *p, const section_use *use, key_code key)
+setting *flk_setting_of(const section_use *use, key_code key)
 {
-    return &p->settings[use->first +
-                        (size_t)((int)key - flk_first_key(flk_key_table[key].section))];
+    return &use->settings[key - flk_first_key(flk_key_table[key].section)];
 }
 
-setting *flk_setting_find(parser *p, key_code key)
-{
-    section_use *use = flk_section_find(p, flk_key_table[key].section);
-    setting *s = use ? flk_setting_of(p, use, key) : NULL;
+static const setting unset;
 
-    return s && s->place.source ? s : NULL;
+const setting *flk_setting_find(parser *p, key_code key)
+{
+    const section_use *use = flk_section_find(p, flk_key_table[key].section, NULL);
+
+    return use ? flk_setting_of(use, key) : &unset;
 }
 
-setting *flk_setting_by_name(parser *p, section_code section, const char *key)
+const setting *flk_setting_by_name(parser *p, section_code section, const char *key)
 {
-    int first = flk_first_key(section), n = flk_key_count(section), i;
+    key_code i;
 
-    for (i = first; i < first + n; i++)
+    for (i = flk_first_key(section); i < flk_first_key(section + 1); i++)
         if (strcmp(flk_key_table[i].name, key) == 0)
-            return flk_setting_find(p, (key_code)i);
-    return NULL;
+            return flk_setting_find(p, i);
+    return &unset;
 }
 
 double flk_setting_or(parser *p, key_code key, double otherwise)
 {
     const setting *s = flk_setting_find(p, key);
 
-    return s ? s->si[0] : otherwise;
+    return IS_SET(s) ? s->si[0] : otherwise;
 }
 
 double flk_setting_in_unit(parser *p, const setting *s, quantity q)
@@ -122,7 +122,7 @@ static const char *nearest_word(text word, const char *const *known)
     return flk_text_nearest(word, known);
 }
 
-void flk_section_unknown(parser *p, text_place place, text name)
+int flk_section_unknown(parser *p, text_place place, text name)
 {
     const char *known[SECTION_COUNT];
     int i;
@@ -130,7 +130,8 @@ void flk_section_unknown(parser *p, text_place place, text name)
     for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
-    flk_mistake(p->mistakes, place, "unknown section '%t'%h", name, nearest_word(name, known));
+    return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
+                       nearest_word(name, known));
 }
 
 /* The first section, but for the units, that has this key; SECTION_COUNT if none has. */
@@ -144,53 +145,34 @@ static section_code section_with(text key)
     return SECTION_COUNT;
 }
 
-static void note_unknown_key(parser *p, text_place place, section_code section, text key)
+static int refuse_key(parser *p, text_place place, section_code section, text key)
 {
     const char *known[KEY_COUNT + 1], *nearest;
     char where[MESSAGE_SIZE];
-    int first = flk_first_key(section), n = flk_key_count(section), i;
     section_code other = section_with(key);
+    key_code first = flk_first_key(section), i;
 
-    for (i = 0; i < n; i++)
-        known[i] = flk_key_table[first + i].name;
-    known[n] = NULL;
+    for (i = first; i < flk_first_key(section + 1); i++)
+        known[i - first] = flk_key_table[i].name;
+    known[i - first] = NULL;
     nearest = nearest_word(key, known);
     flk_message(where, sizeof where,
                 section == SECTION_TOP ? "unknown key '%t' before the first section"
                                        : "unknown key '%t' in [%s]",
                 key, flk_section_table[section].name);
     if (other == SECTION_TOP)
-        flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
-    else if (!nearest && other != SECTION_COUNT)
-        flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
-                    flk_section_table[other].name);
-    else
-        flk_mistake(p->mistakes, place, "%s%h", where, nearest);
-}
-
-/* The names that users give: case matters where two differ in it. */
-static int same_name(text x, text y)
-{
-    return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
-}
-
-section_use *flk_section_find_named(parser *p, section_code section, text name)
-{
-    size_t i;
-
-    for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == section && same_name(p->uses[i].name, name))
-            return &p->uses[i];
-    return NULL;
+        return flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
+    if (!nearest && other != SECTION_COUNT)
+        return flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
+                           flk_section_table[other].name);
+    return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
 
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
-    while (name->length && flk_text_is_word(name->start[0])) {
-        name->start++;
-        name->length--;
-    }
+    while (name->length && flk_text_is_word(name->start[0]))
+        *name = flk_text_from(*name, 1);
     section->length -= name->length;
     *name = flk_text_trim(*name);
 }
@@ -236,22 +218,18 @@ static int grow_named(parser *p)
 }
 
 /* A key that the schema does not have, in a section that takes names of its own. */
-static void set_named(parser *p, text_place place, const target *t, text value, int replace)
+static int set_named(parser *p, text_place place, const target *t, text value, int replace)
 {
     size_t *slot;
     named_value *named;
 
-    if (!t->name.length || !value.length) {
-        flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
-        return;
-    }
+    if (!t->name.length || !value.length)
+        return flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
     if (!grow_named(p))
-        return;
+        return 0;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && !replace) {
-        flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
-        return;
-    }
+    if (*slot && !replace)
+        return flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
     if (!*slot)
         *slot = ++p->n_named;
     named = &p->named[*slot - 1];
@@ -259,70 +237,63 @@ static void set_named(parser *p, text_place place, const target *t, text value, 
     named->name = t->name;
     named->place = place;
     named->value = value;
+    return 1;
 }
 
 /* The key of a section; 0 and a mistake if it can have none of that name. */
 static int find_key(parser *p, text_place place, const section_use *use, text key, target *t)
 {
-    int first = flk_first_key(use->section), n = flk_key_count(use->section), i;
+    key_code end = flk_first_key(use->section + 1), i = flk_first_key(use->section);
 
-    for (i = 0; i < n && !flk_text_equal(key, flk_key_table[first + i].name); i++)
-        ;
-    if (i == n && !TAKES_NAMES(use->section)) {
-        note_unknown_key(p, place, use->section, key);
-        return 0;
-    }
+    while (i < end && !flk_text_equal(key, flk_key_table[i].name))
+        i++;
+    if (i == end && !TAKES_NAMES(use->section))
+        return refuse_key(p, place, use->section, key);
     t->use = (size_t)(use - p->uses);
-    t->key = i < n ? (key_code)(first + i) : KEY_COUNT;
+    t->key = i < end ? i : KEY_COUNT;
     t->part = PART_NONE;
     t->name = key;
     return 1;
 }
 
-static void set(text_place place, setting *s, text value)
+static int set(text_place place, setting *s, text value)
 {
     memset(s, 0, sizeof *s);
     s->place = place;
     s->value = value;
+    return 1;
 }
 
 /* x and y, or size and angle */
-static void set_part(parser *p, text_place place, const target *t, setting *s, text value)
+static int set_part(parser *p, text_place place, const target *t, setting *s, text value)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
 
     if (!s->parts) {
         s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
         if (!s->parts)
-            return;
-        memset(s->parts, 0, PART_NONE * sizeof *s->parts);
+            return 0;
     }
     if (s->parts[other].place.source || s->parts[other + 1].place.source)
-        flk_mistake(p->mistakes, place,
-                    "'%t' and another part of it: set x and y, or size and angle", t->name);
-    else
-        set(place, &s->parts[t->part], value);
+        return flk_mistake(p->mistakes, place,
+                           "'%t' and another part of it: set x and y, or size and angle", t->name);
+    return set(place, &s->parts[t->part], value);
 }
 
 /* key = value; the key's own text is in `t->name`. */
-static void set_target(parser *p, text_place place, const target *t, text value, int replace)
+static int set_target(parser *p, text_place place, const target *t, text value, int replace)
 {
     setting *s;
 
-    if (t->key == KEY_COUNT) {
-        set_named(p, place, t, value, replace);
-        return;
-    }
-    s = flk_setting_of(p, &p->uses[t->use], t->key);
-    if (s->place.source && !replace)
-        flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld", t->name,
-                    s->place.line);
-    else if (!value.length)
-        flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
-    else if (t->part != PART_NONE)
-        set_part(p, place, t, s, value);
-    else
-        set(place, s, value);
+    if (t->key == KEY_COUNT)
+        return set_named(p, place, t, value, replace);
+    s = flk_setting_of(&p->uses[t->use], t->key);
+    if (IS_SET(s) && !replace)
+        return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
+                           t->name, s->place.line);
+    if (!value.length)
+        return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
+    return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
 }
 
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)
@@ -354,7 +325,7 @@ static vector_part take_part(text *key)
 ** if there are several, or none of the name. */
 static section_use *find_section(parser *p, text_place place, section_code code, text name)
 {
-    section_use *use = name.length ? flk_section_find_named(p, code, name) : NULL, *other = NULL;
+    section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
     char word[DECK_NAME_SIZE];
     size_t i, found = 0;
 
@@ -384,19 +355,17 @@ static section_use *find_section(parser *p, text_place place, section_code code,
 static int has_parts(parser *p, text_place place, const target *t, text key)
 {
     value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;
-    setting *s = form == FORM_POINT || form == FORM_VECTOR
-                     ? flk_setting_of(p, &p->uses[t->use], t->key)
-                     : NULL;
+    setting *s =
+        form == FORM_POINT || form == FORM_VECTOR ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
 
-    if (s && form == FORM_POINT && !s->place.source)
+    if (s && form == FORM_POINT && !IS_SET(s))
         set(place, s, flk_text_of("(0, 0)"));
-    if (s && s->place.source)
+    if (s && IS_SET(s))
         return 1;
-    flk_mistake(p->mistakes, place,
-                s ? "'%t' is not given: only a part of it varies"
-                  : "'%t' has no parts that can be varied",
-                key);
-    return 0;
+    return flk_mistake(p->mistakes, place,
+                       s ? "'%t' is not given: only a part of it varies"
+                         : "'%t' has no parts that can be varied",
+                       key);
 }
 
 int flk_setting_target(parser *p, text_place place, text key, target *t)
@@ -410,10 +379,8 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
         flk_section_split(&section, &name);
         code = flk_find_section(section);
     }
-    if (code == SECTION_COUNT) {
-        flk_section_unknown(p, place, section);
-        return 0;
-    }
+    if (code == SECTION_COUNT)
+        return flk_section_unknown(p, place, section);
     use = find_section(p, place, code, name);
     if (!use || !find_key(p, place, use, last, t))
         return 0;

@@ -25,6 +25,7 @@ typedef struct variation {
     text name, value;
     text_place place;
     target target;
+    const key_info *key; /* that it is of, or a part of it */
     quantity q;
     quantity_value first; /* the range's first value, or the nominal one */
     text unit;            /* as it is written behind that */
@@ -79,8 +80,8 @@ static int units_agree(parser *p, const variation *v, text x, text y)
     flk_number_read(&y, &number);
     if ((flk_text_trim(x).length > 0) == (flk_text_trim(y).length > 0))
         return 1;
-    flk_mistake(p->mistakes, v->place, "the values of a quantity have either all a unit or none");
-    return 0;
+    return flk_mistake(p->mistakes, v->place,
+                       "the values of a quantity have either all a unit or none");
 }
 
 /* A to B step S; A to B in N */
@@ -93,12 +94,11 @@ static int read_range(parser *p, variation *v)
     flk_text_cut(v->value, " to ", &first, &rest);
     in_steps = !flk_text_cut(rest, " step ", &last, &step);
     if (in_steps &&
-        !flk_text_cut_last(rest, " in ", &last, &number)) { /* or inches: 1 in to 2 in in 3 */
-        flk_mistake(p->mistakes, v->place,
-                    "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "
-                    "values, '20 mm to 30 mm in 6'");
-        return 0;
-    }
+        !flk_text_cut_last(rest, " in ", &last, &number)) /* the last: 1 in to 2 in in 3 */
+        return flk_mistake(
+            p->mistakes, v->place,
+            "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "
+            "values, '20 mm to 30 mm in 6'");
     v->form = VARY_RANGE;
     if (!read_first(p, v, first) || !units_agree(p, v, first, last) ||
         !read_in(p, v, last, &v->first.unit, &end))
@@ -106,37 +106,31 @@ static int read_range(parser *p, variation *v)
     v->size = fabs(end) > fabs(v->first.number) ? fabs(end) : fabs(v->first.number);
     if (in_steps) {
         if (flk_number_read(&number, &steps) != NUMBER_OK || flk_text_trim(number).length ||
-            steps < 2 || steps != floor(steps)) {
-            flk_mistake(p->mistakes, v->place,
-                        "the number of values of a range is a whole number from 2 up");
-            return 0;
-        }
+            steps < 2 || steps != floor(steps))
+            return flk_mistake(p->mistakes, v->place,
+                               "the number of values of a range is a whole number from 2 up");
         v->count = steps;
         v->step = (end - v->first.number) / (steps - 1);
-        if (v->step == 0)
-            flk_mistake(p->mistakes, v->place, "the first value of the range is its last");
-        return v->step != 0;
+        return v->step != 0 ||
+               flk_mistake(p->mistakes, v->place, "the first value of the range is its last");
     }
     if (!units_agree(p, v, first, step) || !read_in(p, v, step, &v->first.unit, &v->step))
         return 0;
-    if (!((end - v->first.number) * v->step > 0)) {
-        flk_mistake(p->mistakes, v->place,
-                    "the step of the range does not lead from its first value to its last");
-        return 0;
-    }
+    if (!((end - v->first.number) * v->step > 0))
+        return flk_mistake(p->mistakes, v->place,
+                           "the step of the range does not lead from its first value to its last");
     v->count = floor((end - v->first.number) / v->step * (1 + 1e-12) + 1e-9) + 1;
     return 1;
 }
 
 static int refuse_tolerance(parser *p, const variation *v, text t)
 {
-    flk_mistake(p->mistakes, v->place, "expected a tolerance, such as 0.1 mm or 0.5 %%, not '%t'",
-                t);
-    return 0;
+    return flk_mistake(p->mistakes, v->place,
+                       "expected a tolerance, such as 0.1 mm or 0.5 %%, not '%t'", t);
 }
 
 /* A +- T, A +- T normal */
-static int read_tolerance(parser *p, text nominal, text t, const key_info *key, variation *v)
+static int read_tolerance(parser *p, text nominal, text t, variation *v)
 {
     text before, after;
 
@@ -148,10 +142,9 @@ static int read_tolerance(parser *p, text nominal, text t, const key_info *key, 
         t = before;
     }
     if (memchr(nominal.start, ',', nominal.length) ||
-        flk_text_cut(nominal, " to ", &before, &after)) {
-        flk_mistake(p->mistakes, v->place, "a tolerance is of one value, not of a list or a range");
-        return 0;
-    }
+        flk_text_cut(nominal, " to ", &before, &after))
+        return flk_mistake(p->mistakes, v->place,
+                           "a tolerance is of one value, not of a list or a range");
     if (!read_first(p, v, nominal))
         return 0;
     if (!t.length)
@@ -161,24 +154,19 @@ static int read_tolerance(parser *p, text nominal, text t, const key_info *key, 
         if (flk_number_read(&before, &v->tolerance) != NUMBER_OK ||
             !flk_text_same(flk_text_trim(before), "%"))
             return refuse_tolerance(p, v, t);
-        if (v->first.number == 0) {
-            flk_mistake(p->mistakes, v->place,
-                        "a tolerance in per cent is of a value other than 0");
-            return 0;
-        }
+        if (v->first.number == 0)
+            return flk_mistake(p->mistakes, v->place,
+                               "a tolerance in per cent is of a value other than 0");
         v->tolerance *= fabs(v->first.number) / 100;
     } else if (!units_agree(p, v, nominal, t) || !read_in(p, v, t, &v->first.unit, &v->tolerance)) {
         return 0;
     }
-    if (!(v->tolerance > 0)) {
-        flk_mistake(p->mistakes, v->place, "the tolerance must be positive, not %t", t);
-        return 0;
-    }
-    if (key->sign != SIGN_ANY && v->tolerance >= v->first.number) {
-        flk_mistake(p->mistakes, v->place, "the tolerance, %t, is not smaller than the %s, %t", t,
-                    key->name, nominal);
-        return 0;
-    }
+    if (!(v->tolerance > 0))
+        return flk_mistake(p->mistakes, v->place, "the tolerance must be positive, not %t", t);
+    if (v->target.part == PART_NONE && v->key->sign != SIGN_ANY && v->tolerance >= v->first.number)
+        return flk_mistake(p->mistakes, v->place,
+                           "the tolerance, %t, is not smaller than the %s, %t", t, v->key->name,
+                           nominal);
     return 1;
 }
 
@@ -201,7 +189,7 @@ static int read_list(parser *p, variation *v, unsigned long design)
     }
 }
 
-static int read_variation(parser *p, const key_info *key, unsigned long design, variation *v)
+static int read_variation(parser *p, unsigned long design, variation *v)
 {
     static const char *const signs[] = {"\302\261", "+/-", "+-"};
     text before, after;
@@ -209,7 +197,7 @@ static int read_variation(parser *p, const key_info *key, unsigned long design, 
 
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
         if (flk_text_cut(v->value, signs[i], &before, &after))
-            return read_tolerance(p, before, after, key, v);
+            return read_tolerance(p, before, after, v);
     if (flk_text_cut(v->value, " to ", &before, &after))
         return read_range(p, v);
     return read_list(p, v, design);
@@ -294,46 +282,37 @@ static text value_at(parser *p, const variation *v, unsigned long i, const gsl_r
     return item;
 }
 
-/* 1 for what a range or a list of values can be of; an indicator card is a curve always. */
-static int can_vary(const key_info *key)
-{
-    return key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE);
-}
-
 /* What a name of [sweep] means; 0 and a mistake if it is no quantity. */
-static int find_quantity(parser *p, variation *v, key_info *key)
+static int find_quantity(parser *p, variation *v)
 {
+    const key_info *key;
     setting *s;
     int is_vector;
 
-    if (!memchr(v->name.start, '.', v->name.length)) {
-        flk_mistake(p->mistakes, v->place,
-                    "unknown key '%t' in [sweep]; a quantity is named with its section, such as "
-                    "crank.length",
-                    v->name);
-        return 0;
-    }
+    if (!memchr(v->name.start, '.', v->name.length))
+        return flk_mistake(
+            p->mistakes, v->place,
+            "unknown key '%t' in [sweep]; a quantity is named with its section, such as "
+            "crank.length",
+            v->name);
     if (!flk_setting_target(p, v->place, v->name, &v->target))
         return 0;
-    *key = flk_key_table[v->target.key == KEY_COUNT ? KEY_TOP_TITLE : v->target.key];
+    v->key = key = &flk_key_table[v->target.key == KEY_COUNT ? KEY_TOP_TITLE : v->target.key];
     v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE : key->q;
-    if (v->target.part != PART_NONE) {
-        key->sign = SIGN_ANY;
+    if (v->target.part != PART_NONE)
         return 1;
-    }
     if (v->target.key != KEY_COUNT) { /* nothing else is to be said of it, until it has a value */
-        s = flk_setting_of(p, &p->uses[v->target.use], v->target.key);
+        s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         memset(s, 0, sizeof *s);
         s->place = v->place;
     }
-    if (can_vary(key))
-        return 1;
+    if (key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
+        return 1; /* an indicator card is a curve always */
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
-    flk_mistake(p->mistakes, v->place,
-                is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
-                          : "'%t' is no quantity that can be varied",
-                v->name);
-    return 0;
+    return flk_mistake(p->mistakes, v->place,
+                       is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
+                                 : "'%t' is no quantity that can be varied",
+                       v->name);
 }
 
 /* 1, and a mistake, if one of the variations before is of the same quantity: the same part of it, or one
@@ -363,11 +342,11 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
     const setting *samples = flk_setting_find(p, KEY_SWEEP_SAMPLES),
                   *seed = flk_setting_find(p, KEY_SWEEP_SEED);
 
-    if (seed && seed->si[0] > (double)BITS)
+    if (seed->si[0] > (double)BITS)
         flk_mistake(p->mistakes, seed->place, "the seed must be less than 4294967296");
-    if (has_tolerance && !samples)
+    if (has_tolerance && !IS_SET(samples))
         flk_mistake(p->mistakes, place, "a tolerance needs 'samples = NUMBER' in [sweep]");
-    if (!has_tolerance && samples)
+    if (!has_tolerance && IS_SET(samples))
         flk_mistake(p->mistakes, samples->place,
                     "samples are of a tolerance, such as 66 mm +- 0.1 mm, and there is none");
     if (!p->d->sweep.n_variables)
@@ -387,7 +366,6 @@ static double read_variations(parser *p, variation *list, double samples, unsign
     for (i = 0; i < p->n_named && !p->out_of_memory; i++) {
         const named_value *named = &p->named[i];
         variation *v = &list[sweep->n_variables];
-        key_info key;
 
         if (p->uses[named->use].section != SECTION_SWEEP)
             continue;
@@ -395,8 +373,7 @@ static double read_variations(parser *p, variation *list, double samples, unsign
         v->name = named->name;
         v->value = named->value;
         v->place = named->place;
-        if (!find_quantity(p, v, &key) || is_twice(p, list, v) ||
-            !read_variation(p, &key, design, v))
+        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
             continue;
         designs *= v->count;
         *has_tolerance |= v->form == VARY_TOLERANCE;
@@ -439,7 +416,7 @@ static void assign(parser *p, const variation *list, double samples, unsigned lo
 
 void flk_sweep_read(parser *p, unsigned long design)
 {
-    section_use *use = flk_section_find(p, SECTION_SWEEP);
+    section_use *use = flk_section_find(p, SECTION_SWEEP, NULL);
     deck_sweep *sweep = &p->d->sweep;
     size_t before = p->mistakes->count, keys;
     int has_tolerance = 0;
@@ -453,7 +430,7 @@ void flk_sweep_read(parser *p, unsigned long design)
     place = use->place;
     flk_values_read_section(p, use);
     s = flk_setting_find(p, KEY_SWEEP_SAMPLES);
-    samples = s && s->si[0] > 0 ? s->si[0] : 1;
+    samples = s->si[0] > 0 ? s->si[0] : 1;
     list = flk_reader_keep(p, (p->n_named + 1) * sizeof *list);
     sweep->variables = flk_reader_keep(p, (p->n_named + 1) * sizeof *sweep->variables);
     if (!list || !sweep->variables)
@@ -470,8 +447,7 @@ void flk_sweep_read(parser *p, unsigned long design)
         assign(p, list, samples, design);
     }
     p->lacks_values = p->mistakes->count > before;
-    if ((s = flk_setting_find(p, KEY_SWEEP_OUTPUT)) != NULL) {
-        sweep->output.names = s->value;
-        sweep->output.place = s->place;
-    }
+    s = flk_setting_find(p, KEY_SWEEP_OUTPUT);
+    sweep->output.names = s->value;
+    sweep->output.place = s->place;
 }

@@ -3,7 +3,6 @@
 ** values.c - second pass over a deck: the texts of its settings to values in SI units.
 */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -16,42 +15,32 @@ static int is_blank(int c)
     return c == ' ' || c == '\t';
 }
 
-static int refuse(parser *p, text_place place, const char *why)
+static int refuse(parser *p, text_place place)
 {
-    flk_mistake(p->mistakes, place, "%s", why);
-    return 0;
+    return flk_mistake(p->mistakes, place, "%s", p->why);
 }
 
 /* The number at the front of `rest`, and the unit that is all of `t` (where it is empty, that of the deck); 0
 ** and a mistake if there is none. */
 static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_number(rest, s->value, q, number, why) || refuse(p, s->place, why);
+    return flk_quantity_number(rest, s->value, q, number, p->why) || refuse(p, s->place);
 }
 
 static int read_unit(parser *p, const setting *s, text t, quantity q, unit *u)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, why) ||
-           refuse(p, s->place, why);
+    return flk_quantity_unit(t, s->value, q, p->d->units[q].unit, u, p->why) || refuse(p, s->place);
 }
 
 static int check_size(parser *p, const setting *s, quantity q, double si)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_size(si, s->value, q, why) || refuse(p, s->place, why);
+    return flk_quantity_size(si, s->value, q, p->why) || refuse(p, s->place);
 }
 
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value)
 {
-    char why[MESSAGE_SIZE];
-
-    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, why) || refuse(p, place, why);
+    return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, p->why) || refuse(p, place);
 }
 
 /* A piece of a setting's value that is a quantity. */
@@ -106,15 +95,13 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     if (!read_number(p, s, &t, QUANTITY_ANGLE, &x))
         return 0;
     i = second_number(t);
-    if (i >= t.length) {
-        flk_mistake(p->mistakes, s->place, "expected an angle and a value, such as %s, not '%t'",
-                    q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m", s->value);
-        return 0;
-    }
+    if (i >= t.length)
+        return flk_mistake(p->mistakes, s->place,
+                           "expected an angle and a value, such as %s, not '%t'",
+                           q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m", s->value);
     angle = t;
     angle.length = i;
-    t.start += i;
-    t.length -= i;
+    t = flk_text_from(t, i);
     if (!read_unit(p, s, angle, QUANTITY_ANGLE, &ux) || !read_number(p, s, &t, q, &y) ||
         !read_unit(p, s, t, q, &uy))
         return 0;
@@ -170,157 +157,133 @@ static size_t count(text t, int c)
 static text unquoted(text t)
 {
     if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
-        t.start++;
-        t.length -= 2;
+        t = flk_text_from(t, 1);
+        t.length--;
     }
     return t;
 }
 
 /* file NAME */
-static void load_curve(parser *p, setting *s, quantity q, text name)
+static int load_curve(parser *p, setting *s, quantity q, text name)
 {
     char file[1024];
     size_t before = p->mistakes->count;
     unsigned long length;
-    const char *data = NULL;
-    text contents;
+    text contents = {NULL, 0};
 
     name = unquoted(name);
     if (p->load && name.length && name.length < sizeof file)
-        data = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
-    if (!data) {
-        flk_mistake(p->mistakes, s->place, "cannot read the file '%t'", name);
-        return;
-    }
-    contents.start = data;
+        contents.start = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
+    if (!contents.start)
+        return flk_mistake(p->mistakes, s->place, "cannot read the file '%t'", name);
     contents.length = length;
     s->curve = flk_reader_keep(p, (count(contents, '\n') + 1) * sizeof *s->curve);
     if (s->curve)
         s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
     if (p->mistakes->count > before)
         s->curve = NULL;
+    return 1;
 }
 
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
-static void read_curve(parser *p, setting *s, quantity q)
+static int read_curve(parser *p, setting *s, quantity q)
 {
     text rest = s->value, item = rest;
     double number;
+    point *c;
 
-    if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && strchr(" \t", rest.start[4])) {
-        item = rest;
-        item.start += 5;
-        item.length -= 5;
-        load_curve(p, s, q, flk_text_trim(item));
-        return;
-    }
-    if (flk_number_read(&item, &number) == NUMBER_COMMA) { /* 0,5 N m */
-        read_quantity(p, s, rest, q, &number);
-        return;
-    }
+    if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && is_blank(rest.start[4]))
+        return load_curve(p, s, q, flk_text_trim(flk_text_from(rest, 5)));
+    if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
+        return read_quantity(p, s, rest, q, &number);
     if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
-        q != QUANTITY_PRESSURE) {
-        read_quantity(p, s, rest, q, &s->si[0]);
-        return;
-    }
-    s->curve = flk_reader_keep(p, (count(rest, ',') + 1) * sizeof *s->curve);
-    while (s->curve && flk_text_split(&rest, ',', &item)) {
+        q != QUANTITY_PRESSURE)
+        return read_quantity(p, s, rest, q, &s->si[0]);
+    c = flk_reader_keep(p, (count(rest, ',') + 1) * sizeof *c);
+    while (c && flk_text_split(&rest, ',', &item)) {
+        const point *new = &c[s->n_points];
+
         item = flk_text_trim(item);
         if (!item.length && !rest.start)
             break; /* a comma at the very end */
-        if (!read_point(p, s, item, q, &s->curve[s->n_points])) {
-            s->curve = NULL;
-            return;
-        }
-        if (s->curve[s->n_points].unit_to_si != s->curve[0].unit_to_si &&
-            s->curve[s->n_points].has_unit != s->curve[0].has_unit) {
-            flk_mistake(p->mistakes, s->place,
-                        "the values of a curve have either all a unit or none");
-            s->curve = NULL;
-            return;
-        }
-        s->n_points++;
+        if (!read_point(p, s, item, q, &c[s->n_points++]))
+            return 0;
+        if (new->unit_to_si != c->unit_to_si &&new->has_unit != c->has_unit)
+            return flk_mistake(p->mistakes, s->place,
+                               "the values of a curve have either all a unit or none");
     }
+    s->curve = c;
+    return 1;
 }
 
-static void note_components(parser *p, const setting *s, quantity q)
+static int refuse_components(parser *p, const setting *s, quantity q)
 {
-    flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
-                q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
+    return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
+                       q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
 }
 
 /* (10, 5) mm */
-static void read_components(parser *p, setting *s, quantity q)
+static int read_components(parser *p, setting *s, quantity q)
 {
-    text rest = s->value, inside, x;
+    text rest = flk_text_from(s->value, 1), inside, x;
     unit u;
     int i;
 
-    rest.start++;
-    rest.length--;
     flk_text_split(&rest, ')', &inside);
-    if (!rest.start || count(inside, ',') != 1) {
-        note_components(p, s, q);
-        return;
-    }
+    if (!rest.start || count(inside, ',') != 1)
+        return refuse_components(p, s, q);
     if (!read_unit(p, s, rest, q, &u))
-        return;
+        return 0;
     for (i = 0; i < 2; i++) {
         double number;
 
         flk_text_split(&inside, ',', &x);
         if (!read_number(p, s, &x, q, &number))
-            return;
-        if (flk_text_trim(x).length) {
-            note_components(p, s, q);
-            return;
-        }
+            return 0;
+        if (flk_text_trim(x).length)
+            return refuse_components(p, s, q);
         s->si[i] = flk_unit_to_si(number, u);
         if (!check_size(p, s, q, s->si[i]))
-            return;
+            return 0;
     }
+    return 1;
 }
 
-static void note_vector(parser *p, const setting *s, int needs_angle)
+static int refuse_vector(parser *p, const setting *s, int needs_angle)
 {
-    flk_mistake(p->mistakes, s->place,
-                needs_angle ? "expected a force with its direction, such as 50 N at 30 deg or "
-                              "(43, 25) N, not '%t'"
-                            : "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
-                s->value);
+    return flk_mistake(p->mistakes, s->place,
+                       needs_angle
+                           ? "expected a force with its direction, such as 50 N at 30 deg or "
+                             "(43, 25) N, not '%t'"
+                           : "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
+                       s->value);
 }
 
 /* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
-static void read_vector(parser *p, setting *s, quantity q, int needs_angle)
+static int read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
-    text size_text = s->value, angle_text, last;
+    text size_text = s->value, angle_text, before;
     double size, angle = 0, x, y;
 
-    if (s->value.start[0] == '(') {
-        read_components(p, s, q);
-        return;
-    }
-    if (memchr(s->value.start, ',', s->value.length)) {
-        note_vector(p, s, needs_angle);
-        return;
-    }
-    if (flk_text_cut_last(s->value, " ", &size_text, &last) && flk_text_same(last, "at")) {
-        flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'", s->value);
-        return;
-    }
-    size_text = s->value;
+    if (s->value.start[0] == '(')
+        return read_components(p, s, q);
+    if (memchr(s->value.start, ',', s->value.length))
+        return refuse_vector(p, s, needs_angle);
+    if (flk_text_cut_last(s->value, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
+        return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
+                           s->value);
     if (flk_text_cut(s->value, " at ", &size_text, &angle_text)) {
         if (!read_quantity(p, s, angle_text, QUANTITY_ANGLE, &angle))
-            return;
+            return 0;
     } else if (needs_angle) {
-        note_vector(p, s, needs_angle);
-        return;
+        return refuse_vector(p, s, needs_angle);
     }
     if (!read_quantity(p, s, size_text, q, &size))
-        return;
+        return 0;
     flk_values_direction(angle, &x, &y);
     s->si[0] = size * x;
     s->si[1] = size * y;
+    return 1;
 }
 
 static void read_word(parser *p, key_code key, setting *s)
@@ -420,7 +383,7 @@ static void read_parts(parser *p, setting *s, quantity q)
     for (i = 0; i < PART_NONE; i++) {
         setting *own = &s->parts[i];
 
-        if (!own->place.source)
+        if (!IS_SET(own))
             continue;
         read_quantity(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
         part[i] = own->si[0];
@@ -431,80 +394,77 @@ static void read_parts(parser *p, setting *s, quantity q)
     s->si[1] = is_polar ? part[PART_SIZE] * y : part[PART_Y];
 }
 
+/* A whole number. */
+static int read_count(parser *p, setting *s, quantity q)
+{
+    text t = s->value;
+
+    if (!read_number(p, s, &t, q, &s->si[0]))
+        return 0;
+    if (t.length || s->si[0] != floor(s->si[0]))
+        return flk_mistake(p->mistakes, s->place, "expected a whole number, not '%t'", s->value);
+    return 1;
+}
+
 static void read_value(parser *p, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
-    size_t before = p->mistakes->count;
-    text t = s->value;
 
-    if (!t.length)
-        return;
     switch (key->form) {
     case FORM_TEXT:
-        s->value = unquoted(t);
-        return;
+        s->value = unquoted(s->value);
+        break;
     case FORM_WORD:
         read_word(p, code, s);
-        return;
+        break;
     case FORM_UNIT:
-        if (read_unit(p, s, t, key->q, &s->unit))
-            set_unit(p->d, key->q, t, s->unit);
-        return;
+        if (read_unit(p, s, s->value, key->q, &s->unit))
+            set_unit(p->d, key->q, s->value, s->unit);
+        break;
     case FORM_QUANTITY:
-        read_quantity(p, s, t, key->q, &s->si[0]);
+        if (read_quantity(p, s, s->value, key->q, &s->si[0]))
+            check_sign(p, key, s);
+        break;
+    case FORM_COUNT:
+        if (read_count(p, s, key->q))
+            check_sign(p, key, s);
         break;
     case FORM_VECTOR:
     case FORM_POINT:
         read_vector(p, s, key->q, key->form == FORM_VECTOR);
         if (s->parts)
             read_parts(p, s, key->q);
-        return;
+        break;
     case FORM_PIN:
         read_pin(p, s, key->q);
-        return;
+        break;
     case FORM_CURVE:
         read_curve(p, s, key->q);
-        return;
-    case FORM_COUNT:
-        if (!read_number(p, s, &t, key->q, &s->si[0]))
-            return;
-        if (t.length || s->si[0] != floor(s->si[0]))
-            flk_mistake(p->mistakes, s->place, "expected a whole number, not '%t'", s->value);
         break;
     case FORM_NAMES:
     default:
-        return;
+        break;
     }
-    if (p->mistakes->count == before)
-        check_sign(p, key, s);
 }
 
 void flk_values_read_section(parser *p, const section_use *use)
 {
-    int first = flk_first_key(use->section), n = flk_key_count(use->section), k;
+    key_code k;
 
-    for (k = first; k < first + n; k++) {
-        setting *s = flk_setting_of(p, use, (key_code)k);
+    for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
+        setting *s = flk_setting_of(use, k);
 
-        if (s->place.source)
-            read_value(p, (key_code)k, s);
+        if (IS_SET(s) && s->value.length)
+            read_value(p, k, s);
     }
 }
 
-void flk_values_read_units(parser *p)
+void flk_values_read(parser *p, int units_only)
 {
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section == SECTION_UNITS)
-            flk_values_read_section(p, &p->uses[i]);
-}
-
-void flk_values_read(parser *p)
-{
-    size_t i;
-
-    for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section != SECTION_UNITS && p->uses[i].section != SECTION_SWEEP)
+        if (p->uses[i].section != SECTION_SWEEP &&
+            (p->uses[i].section == SECTION_UNITS) == units_only)
             flk_values_read_section(p, &p->uses[i]);
 }

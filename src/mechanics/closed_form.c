@@ -52,7 +52,7 @@ static int is_singular(const fourlink_state *state)
     int i;
 
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        if (!FLK_WITHIN(state->link[i].axis.x, 2) || !FLK_WITHIN(state->link[i].axis.y, 2))
+        if (!FLK_BOTH_WITHIN(state->link[i].axis, 2))
             return 1;
     return !(fabs(state->sine) > FLK_SINGULAR);
 }

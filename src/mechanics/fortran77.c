@@ -67,20 +67,6 @@ static void put_state(const fourlink_state *state, double *numbers)
     }
 }
 
-static void put_forces(const fourlink_forces *forces, double *numbers)
-{
-    numbers[0] = forces->F12x;
-    numbers[1] = forces->F12y;
-    numbers[2] = forces->F23x;
-    numbers[3] = forces->F23y;
-    numbers[4] = forces->F34x;
-    numbers[5] = forces->F34y;
-    numbers[6] = forces->F14x;
-    numbers[7] = forces->F14y;
-    numbers[8] = forces->M14;
-    numbers[9] = forces->Ts;
-}
-
 /* The design without its links and gravity, which are still in the caller's arrays. */
 static int analyse(fourlink_design *design, const double *links, const double *grav, int branch,
                    const double *crank_numbers, int n_loads, const double *load_numbers,
@@ -103,7 +89,7 @@ static int analyse(fourlink_design *design, const double *links, const double *g
                                      (unsigned long)n_loads, &state, &forces);
     if (status == FOURLINK_OK) {
         put_state(&state, state_numbers);
-        put_forces(&forces, force_numbers);
+        flk_list_forces(&forces, force_numbers);
     }
     return status;
 }

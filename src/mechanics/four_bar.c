@@ -244,16 +244,7 @@ static void four_bar_ranges(const fourlink_mechanism *mechanism, fourlink_reach 
     double farthest = far ? 2 * acos(flk_kind_clamp(sqrt(-mechanism->stretched / ad4))) : M_PI;
     double nearest = near ? 2 * asin(flk_kind_clamp(sqrt(-mechanism->folded / ad4))) : 0;
 
-    if (!far && !near) {
-        flk_kind_add_range(reach, 0, 2 * M_PI);
-    } else if (!near) {
-        flk_kind_add_range(reach, -farthest, farthest);
-    } else if (!far) {
-        flk_kind_add_range(reach, nearest, 2 * M_PI - nearest);
-    } else {
-        flk_kind_add_range(reach, nearest, farthest);
-        flk_kind_add_range(reach, 2 * M_PI - farthest, 2 * M_PI - nearest);
-    }
+    flk_kind_set_ranges(reach, near, nearest, far, farthest, 2 * M_PI);
 }
 
 /* The angle opposite the side z of a triangle x, y, z, by the law of cosines. */

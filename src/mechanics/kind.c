@@ -5,6 +5,8 @@
 */
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "kind.h"
 
 static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank};
@@ -91,6 +93,16 @@ int fourlink_unknowns(const fourlink_mechanism *mechanism, const fourlink_forces
     return FOURLINK_OK;
 }
 
+void flk_list_forces(const fourlink_forces *forces, double list[10])
+{
+    int i;
+
+    for (i = 0; i < 8; i++)
+        list[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]);
+    list[8] = forces->M14;
+    list[9] = forces->Ts;
+}
+
 const char *fourlink_type_text(int type)
 {
     switch (type) {
@@ -137,12 +149,28 @@ int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch bran
     return FOURLINK_OK;
 }
 
-void flk_kind_add_range(fourlink_reach *reach, double from, double to)
+/* Add a range, if it is one. */
+static void add_range(fourlink_reach *reach, double from, double to)
 {
     if (from < to) {
         reach->from[reach->n_ranges] = from;
         reach->to[reach->n_ranges] = to;
         reach->n_ranges++;
+    }
+}
+
+void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int is_high,
+                         double highest, double mirror)
+{
+    if (!is_low && !is_high) {
+        add_range(reach, 0, 2 * M_PI);
+    } else if (!is_low) {
+        add_range(reach, mirror - 2 * M_PI - highest, highest);
+    } else if (!is_high) {
+        add_range(reach, lowest, mirror - lowest);
+    } else {
+        add_range(reach, lowest, highest);
+        add_range(reach, mirror - highest, mirror - lowest);
     }
 }
 

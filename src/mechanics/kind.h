@@ -101,8 +101,10 @@ const flk_kind *flk_kind_of(fourlink_kind kind);
 ** FOURLINK_BAD_KIND. */
 int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind);
 
-/* Add a range of crank angles, if it is one. */
-void flk_kind_add_range(fourlink_reach *reach, double from, double to);
+/* The ranges of crank angles between two limits, either of which may be missing, where the mechanism is
+** symmetric: what holds of theta2 holds of `mirror` - theta2. */
+void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int is_high,
+                         double highest, double mirror);
 
 /* For acos and asin, of what rounding, or a mechanism that never reaches, may have taken past 1. */
 double flk_kind_clamp(double x);

@@ -23,8 +23,9 @@
 ** its half, from which on a position is lost in the rounding of far longer links. */
 #define FLK_LOST 1e-8
 
-/* 1 if |x| <= max; 0 for larger numbers, and for NaN. */
+/* 1 if |x| <= max; 0 for larger numbers, and for NaN.  Likewise for a vector. */
 #define FLK_WITHIN(x, max) (fabs(x) <= (max))
+#define FLK_BOTH_WITHIN(v, max) (FLK_WITHIN((v).x, max) && FLK_WITHIN((v).y, max))
 
 /* A line of the switch that gives a code its text. */
 #define FLK_CASE(name, value, text) \
@@ -37,6 +38,9 @@
 
 /* Whether each of several loads is in order: FOURLINK_OK or why it is not (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
+
+/* F12x, F12y, F23x ... F14y, M14, Ts (kind.c). */
+void flk_list_forces(const fourlink_forces *forces, double list[10]);
 
 /* A vector from a link's own axes into the frame of link 1: v = the arm from the link's origin to the
 ** point `at` of it, or a force that turns with the link. */

@@ -10,16 +10,11 @@
 
 #include "kind.h"
 
-static int check_vector(const fourlink_vector *v, double max)
-{
-    return FLK_WITHIN(v->x, max) && FLK_WITHIN(v->y, max);
-}
-
 static int check_link(const fourlink_link *link)
 {
     if (!FLK_WITHIN(link->mass, FOURLINK_NUMBER_MAX) ||
         !FLK_WITHIN(link->inertia, FOURLINK_NUMBER_MAX) ||
-        !check_vector(&link->cg, FOURLINK_LENGTH_MAX))
+        !FLK_BOTH_WITHIN(link->cg, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
     if (link->mass < 0 || link->inertia < 0)
         return FOURLINK_BAD_MASS;
@@ -52,7 +47,7 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
             return status;
     }
     if (!FLK_WITHIN(design->offset, FOURLINK_LENGTH_MAX) ||
-        !check_vector(&design->gravity, FOURLINK_NUMBER_MAX))
+        !FLK_BOTH_WITHIN(design->gravity, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
 
     mechanism->design = *design;
@@ -217,7 +212,7 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
         return FOURLINK_NULL;
     if (link < FOURLINK_CRANK || link > FOURLINK_FOLLOWER)
         return FOURLINK_BAD_LINK;
-    if (!check_vector(at, FOURLINK_LENGTH_MAX))
+    if (!FLK_BOTH_WITHIN(*at, FOURLINK_LENGTH_MAX))
         return FOURLINK_BAD_NUMBER;
     body = &state->link[link];
     FLK_TURN(r, body, *at);

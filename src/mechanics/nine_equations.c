@@ -17,10 +17,8 @@ static int check_load(const fourlink_load *load)
         return FOURLINK_BAD_LINK;
     if (load->frame != FOURLINK_FRAME_GROUND && load->frame != FOURLINK_FRAME_LINK)
         return FOURLINK_BAD_FRAME;
-    if (!FLK_WITHIN(load->force.x, FOURLINK_NUMBER_MAX) ||
-        !FLK_WITHIN(load->force.y, FOURLINK_NUMBER_MAX) ||
-        !FLK_WITHIN(load->at.x, FOURLINK_LENGTH_MAX) ||
-        !FLK_WITHIN(load->at.y, FOURLINK_LENGTH_MAX) ||
+    if (!FLK_BOTH_WITHIN(load->force, FOURLINK_NUMBER_MAX) ||
+        !FLK_BOTH_WITHIN(load->at, FOURLINK_LENGTH_MAX) ||
         !FLK_WITHIN(load->torque, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     return FOURLINK_OK;

@@ -183,16 +183,7 @@ static void slider_crank_ranges(const fourlink_mechanism *mechanism, fourlink_re
     double highest = high ? asin(flk_kind_clamp(1 + mechanism->stretched / r)) : M_PI_2;
     double lowest = low ? asin(flk_kind_clamp(-1 - mechanism->folded / r)) : -M_PI_2;
 
-    if (!high && !low) {
-        flk_kind_add_range(reach, 0, 2 * M_PI);
-    } else if (!low) {
-        flk_kind_add_range(reach, -M_PI - highest, highest);
-    } else if (!high) {
-        flk_kind_add_range(reach, lowest, M_PI - lowest);
-    } else {
-        flk_kind_add_range(reach, lowest, highest);
-        flk_kind_add_range(reach, M_PI - highest, M_PI - lowest);
-    }
+    flk_kind_set_ranges(reach, low, lowest, high, highest, M_PI);
 }
 
 static double one_turn(double angle)

@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "derived.h"
+#include "mechanics/mechanics.h"
 
 /* x / y, which may be beyond all bounds at single positions, and is cut off there. */
 static double ratio(double x, double y)
@@ -102,18 +103,12 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
         e->inertia[i] = inertia_of(mechanism, state, i);
 }
 
-static void list_forces(const fourlink_forces *f, double length, double list[10])
+/* All as forces: couples are divided by a length. */
+static void list_forces(const fourlink_forces *forces, double length, double list[10])
 {
-    list[0] = f->F12x;
-    list[1] = f->F12y;
-    list[2] = f->F23x;
-    list[3] = f->F23y;
-    list[4] = f->F34x;
-    list[5] = f->F34y;
-    list[6] = f->F14x;
-    list[7] = f->F14y;
-    list[8] = f->M14 / length;
-    list[9] = f->Ts / length;
+    flk_list_forces(forces, list);
+    list[8] /= length;
+    list[9] /= length;
 }
 
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -142,12 +137,8 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     list_forces(&of_loads, length, part);
     list_forces(&of_inertia, length, other);
     for (i = 0; i < 10; i++) {
-        if (fabs(part[i] + other[i] - whole[i]) > difference)
-            difference = fabs(part[i] + other[i] - whole[i]);
-        if (fabs(part[i]) > largest)
-            largest = fabs(part[i]);
-        if (fabs(other[i]) > largest)
-            largest = fabs(other[i]);
+        difference = GSL_MAX(difference, fabs(part[i] + other[i] - whole[i]));
+        largest = GSL_MAX(largest, GSL_MAX(fabs(part[i]), fabs(other[i])));
     }
     e->Ts_static = of_loads.Ts;
     e->Ts_inertia = of_inertia.Ts;

@@ -3,12 +3,12 @@
 ** fact.c - what can be said of a deck in single numbers: type, limits, masses, extremes, turning moment.
 */
 #include <math.h>
-#include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "extreme.h"
 #include "fact.h"
+#include "list.h"
 #include "turning.h"
 
 /* name, quantity, 1 if it is one of the turning moment, meaning */
@@ -89,22 +89,12 @@ const char *flk_fact_nearest(text name)
     return flk_text_nearest(name, known);
 }
 
-static void set_unit(const deck *d, quantity q, fourlink_value *f)
-{
-    f->unit = d->units[q].name;
-    f->quantity = flk_quantities[q].name;
-    f->to_si = d->units[q].unit.up / d->units[q].unit.down;
-}
-
 void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
 {
     int i = find(flk_text_of(name));
 
-    memset(f, 0, sizeof *f);
+    flk_list_describe(d, fact_table[i].q, fact_table[i].meaning, f);
     f->name = name;
-    f->meaning = fact_table[i].meaning;
-    f->source = "";
-    set_unit(d, fact_table[i].q, f);
 }
 
 /* The facts told so far. */
@@ -240,11 +230,9 @@ int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
 
     if (status != FOURLINK_OK)
         return status;
-    memset(f, 0, sizeof *f);
+    flk_list_describe(a->d, flk_column_quantity(c), sign > 0 ? "largest value" : "smallest value",
+                      f);
     f->name = name;
-    f->meaning = sign > 0 ? "largest value" : "smallest value";
-    f->source = "";
-    set_unit(a->d, flk_column_quantity(c), f);
     f->value = e.value;
     f->has_angle = gsl_finite(e.value);
     f->angle = e.angle;

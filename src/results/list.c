@@ -6,8 +6,7 @@
 
 #include "list.h"
 
-/* An entry without name and value. */
-static void describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
+void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
 {
     const deck_unit *u = &d->units[q];
 
@@ -21,7 +20,7 @@ static void describe(const deck *d, quantity q, const char *meaning, fourlink_va
 
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
 {
-    describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
+    flk_list_describe(d, flk_column_quantity(c), flk_column_meaning(c), v);
     v->name = c->name;
     v->source = flk_column_source_name(c);
     v->flags = flk_column_flags(c);
@@ -45,7 +44,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
         const deck_variable *x = &d->sweep.variables[i];
         fourlink_value *v = &variables->list[variables->n++];
 
-        describe(d, x->q, "", v);
+        flk_list_describe(d, x->q, "", v);
         v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
     }
@@ -56,34 +55,32 @@ typedef struct teller {
     const deck *d;
     flk_list *to;
     char *names;
+    const char *section; /* that is told of */
 } teller;
 
 /* SECTION.KEY in SI units. */
-static fourlink_value *tell(teller *t, const char *section, const char *key, quantity q, double si,
-                            const char *meaning)
+static fourlink_value *tell(teller *t, const char *key, quantity q, double si, const char *meaning)
 {
     char *name = t->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
 
-    describe(t->d, q, meaning, v);
-    v->name = flk_text_join(name, DECK_NAME_SIZE, section, ".", key, (char *)NULL);
+    flk_list_describe(t->d, q, meaning, v);
+    v->name = flk_text_join(name, DECK_NAME_SIZE, t->section, ".", key, (char *)NULL);
     v->value = flk_unit_from_si(si, t->d->units[q].unit);
     return v;
 }
 
 /* One that is left out where it is 0. */
-static void tell_if(teller *t, const char *section, const char *key, quantity q, double si,
-                    const char *meaning)
+static void tell_if(teller *t, const char *key, quantity q, double si, const char *meaning)
 {
     if (si != 0)
-        tell(t, section, key, q, si, meaning);
+        tell(t, key, q, si, meaning);
 }
 
 /* One whose value is words. */
-static void tell_words(teller *t, const char *section, const char *key, const char *words,
-                       const char *meaning)
+static void tell_words(teller *t, const char *key, const char *words, const char *meaning)
 {
-    fourlink_value *v = tell(t, section, key, QUANTITY_NUMBER, 0, meaning);
+    fourlink_value *v = tell(t, key, QUANTITY_NUMBER, 0, meaning);
 
     v->words = words;
     v->unit = "";
@@ -92,29 +89,29 @@ static void tell_words(teller *t, const char *section, const char *key, const ch
 static void tell_link(teller *t, int i)
 {
     const fourlink_link *link = &t->d->design.link[i];
-    const char *name = fourlink_link_text((int)t->d->design.kind, i);
 
-    tell_if(t, name, "length", QUANTITY_LENGTH, link->length, "length");
-    tell_if(t, name, "mass", QUANTITY_MASS, link->mass, "mass");
-    tell_if(t, name, "inertia", QUANTITY_INERTIA, link->inertia,
+    t->section = fourlink_link_text((int)t->d->design.kind, i);
+    tell_if(t, "length", QUANTITY_LENGTH, link->length, "length");
+    tell_if(t, "mass", QUANTITY_MASS, link->mass, "mass");
+    tell_if(t, "inertia", QUANTITY_INERTIA, link->inertia,
             "moment of inertia about the centre of mass");
-    tell_if(t, name, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
-    tell_if(t, name, "cg.y", QUANTITY_LENGTH, link->cg.y,
-            "centre of mass, to the left of the link");
+    tell_if(t, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
+    tell_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
 }
 
 /* An angle of the motion, which is in the deck's unit already. */
 static void tell_angle(teller *t, const char *key, double angle, const char *meaning)
 {
-    tell(t, "motion", key, QUANTITY_ANGLE, 0, meaning)->value = angle;
+    tell(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
 }
 
 static void tell_motion(teller *t)
 {
     const fourlink_motion *motion = &t->d->motion;
 
-    tell(t, "motion", "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
-    tell_if(t, "motion", "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
+    t->section = "motion";
+    tell(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
+    tell_if(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
             "acceleration of the crank");
     if (t->d->one_instant) {
         tell_angle(t, "at", motion->from, "crank angle");
@@ -126,32 +123,32 @@ static void tell_motion(teller *t)
     else
         tell_angle(t, "to", motion->to, "last crank angle");
     tell_angle(t, "interval", motion->interval, "interval of the crank angle");
-    tell(t, "motion", "cycle", QUANTITY_ANGLE, t->d->cycle, "period of curves and loads");
+    tell(t, "cycle", QUANTITY_ANGLE, t->d->cycle, "period of curves and loads");
     if (motion->hold)
-        tell_words(t, "motion", "hold", "yes", "every row has this speed and acceleration");
+        tell_words(t, "hold", "yes", "every row has this speed and acceleration");
 }
 
 static void tell_load(teller *t, const fourlink_load *load, const deck_load *variation)
 {
     char section[DECK_NAME_SIZE];
 
-    flk_text_join(section, sizeof section - 10, "load ", variation->name, (char *)NULL);
-    tell_words(t, section, "link", fourlink_link_text((int)t->d->design.kind, load->link),
+    t->section =
+        flk_text_join(section, sizeof section - 10, "load ", variation->name, (char *)NULL);
+    tell_words(t, "link", fourlink_link_text((int)t->d->design.kind, load->link),
                "the link it acts on");
-    tell_if(t, section, "force.x", QUANTITY_FORCE, load->force.x, "force, x");
-    tell_if(t, section, "force.y", QUANTITY_FORCE, load->force.y, "force, y");
-    tell_if(t, section, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
-    tell_if(t, section, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
+    tell_if(t, "force.x", QUANTITY_FORCE, load->force.x, "force, x");
+    tell_if(t, "force.y", QUANTITY_FORCE, load->force.y, "force, y");
+    tell_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
+    tell_if(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
     if (load->frame == FOURLINK_FRAME_LINK)
-        tell_words(t, section, "frame", "link", "the force turns with the link");
+        tell_words(t, "frame", "link", "the force turns with the link");
     if (variation->torque.n)
-        tell_words(t, section, "torque", "a curve", "torque, counter-clockwise positive");
+        tell_words(t, "torque", "a curve", "torque, counter-clockwise positive");
     else
-        tell_if(t, section, "torque", QUANTITY_TORQUE, load->torque,
-                "torque, counter-clockwise positive");
+        tell_if(t, "torque", QUANTITY_TORQUE, load->torque, "torque, counter-clockwise positive");
     if (variation->is_windowed) {
-        tell(t, section, "from", QUANTITY_ANGLE, variation->from, "it acts from this crank angle");
-        tell(t, section, "to", QUANTITY_ANGLE, variation->to, "to this one");
+        tell(t, "from", QUANTITY_ANGLE, variation->from, "it acts from this crank angle");
+        tell(t, "to", QUANTITY_ANGLE, variation->to, "to this one");
     }
 }
 
@@ -161,15 +158,15 @@ static void tell_gas(teller *t)
 
     if (gas->area <= 0)
         return;
-    tell(t, "gas", "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
+    t->section = "gas";
+    tell(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
     if (gas->back_area != gas->area)
-        tell(t, "gas", "back_area", QUANTITY_AREA, gas->back_area,
-             "area of the piston on the crank side");
+        tell(t, "back_area", QUANTITY_AREA, gas->back_area, "area of the piston on the crank side");
     if (gas->indicator.n)
-        tell_words(t, "gas", "indicator", "a curve", "pressure on the cover side");
+        tell_words(t, "indicator", "a curve", "pressure on the cover side");
     else
-        tell(t, "gas", "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
-    tell_if(t, "gas", "back_pressure", QUANTITY_PRESSURE, gas->back_pressure,
+        tell(t, "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
+    tell_if(t, "back_pressure", QUANTITY_PRESSURE, gas->back_pressure,
             "pressure on the crank side");
 }
 
@@ -192,16 +189,18 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     t.names = names;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         tell_link(&t, link);
-    tell_if(&t, "ground", "offset", QUANTITY_LENGTH, d->design.offset,
-            "offset of the line of stroke");
-    tell(&t, "gravity", "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
-    tell(&t, "gravity", "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
+    t.section = "ground";
+    tell_if(&t, "offset", QUANTITY_LENGTH, d->design.offset, "offset of the line of stroke");
+    t.section = "gravity";
+    tell(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
+    tell(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
     tell_motion(&t);
     for (i = 0; i < d->n_loads; i++)
         tell_load(&t, &d->loads[i], &d->variations[i]);
     tell_gas(&t);
-    tell_if(&t, "flywheel", "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
+    t.section = "flywheel";
+    tell_if(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
             "moment of inertia of the flywheel");
-    tell_if(&t, "flywheel", "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
+    tell_if(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
             "coefficient of fluctuation of speed");
 }

@@ -13,7 +13,8 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
-/* Describe a column without a value. */
+/* A value of a deck without its name and number; of a column, with its name. */
+void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 
 /* All columns that the deck has. */
