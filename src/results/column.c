@@ -11,7 +11,7 @@
 
 #include "column.h"
 
-/* How a column's value is made of the numbers of a row. */
+/* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
     VALUE,     /* one of them */
     SIZE,      /* resultant of two components */
@@ -209,7 +209,7 @@ static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-/* A crank at rest, or one held at a speed and an acceleration, has no time. */
+/* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const fourlink_motion *motion)
 {
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
@@ -275,7 +275,7 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-/* Add a column that the list does not have yet. */
+/* Add a column to a list, unless it is there. */
 static size_t add(flk_column *list, size_t n, const flk_column *c)
 {
     size_t i;
@@ -287,7 +287,7 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
     return n + 1;
 }
 
-/* The name of column i of those that there can be. */
+/* The name of possible column i. */
 static const char *name_of(const flk_analysis *a, size_t i)
 {
     size_t of_points = i - TABLE_COUNT;
@@ -312,7 +312,7 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c)
     return find(a, name, flk_text_same, c);
 }
 
-/* `a` null: among the columns of any deck. */
+/* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {
     const char *known[TABLE_COUNT + 1];
@@ -325,7 +325,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return flk_text_nearest(name, known);
 }
 
-/* 1: printed when the deck names no columns; of a point its place. */
+/* 1: printed if the deck names no columns; of a point only its place. */
 static int is_usual(const flk_column *c)
 {
     return c->point ? c->component < 2 : (c->info->kinds & USUAL) != 0;
@@ -467,7 +467,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return point_value(c, row);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
-        return x * c->scale; /* nearly all of them */
+        return x * c->scale; /* nearly all columns */
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)
         : c->info->form == DIRECTION ? atan2(y, x)

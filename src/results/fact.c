@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** fact.c - what can be said of a deck in single numbers: type, limits, masses, extremes, turning moment.
+** fact.c - facts of a deck, which are single values: type, limits, masses, extremes, turning moment.
 */
 #include <math.h>
 
@@ -11,7 +11,7 @@
 #include "list.h"
 #include "turning.h"
 
-/* name, quantity, 1 if it is one of the turning moment, meaning */
+/* name, quantity, 1 for the turning moment, meaning */
 #define FACT_LIST(X)                                                                               \
     X(TYPE, "type", NUMBER, 0, "type of the linkage, by the Grashof condition")                    \
     X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2 of Freudenstein's equation")        \
@@ -97,7 +97,7 @@ void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
     f->name = name;
 }
 
-/* The facts told so far. */
+/* The facts listed so far. */
 typedef struct teller {
     const deck *d;
     int branch;
@@ -161,8 +161,8 @@ static void tell_reach(teller *t)
     }
 }
 
-/* The angles that link 4 can have: by symmetry those of a crank in the linkage read from D to A, with
-** the angle 180 deg - theta4. */
+/* The angles that link 4 can have.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
+** linkage read from D to A. */
 static void tell_reach_of_rocker(teller *t)
 {
     fourlink_design mirrored = t->d->design;
