@@ -25,9 +25,9 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
     static const char *const why[] = {"",
                                       "expected %s, such as %s, not '%t'",
                                       "'%t' is not a finite number",
-                                      "'%t': numbers are decimal",
+                                      "'%t' is not a decimal number",
                                       "'%t': the decimal mark is a point, not a comma",
-                                      "'%t': a number of too many digits"};
+                                      "'%t' has too many digits"};
     number_status status;
 
     *rest = flk_text_trim(*rest);
@@ -103,7 +103,7 @@ int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SI
 
     if (-max <= si && si <= max)
         return 1;
-    flk_message(message, MESSAGE_SIZE, "'%t' is beyond what the program computes with", whole);
+    flk_message(message, MESSAGE_SIZE, "'%t' is out of range", whole);
     return 0;
 }
 

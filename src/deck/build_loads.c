@@ -25,13 +25,13 @@ static int build_curve(parser *p, const setting *s, curve *result)
         return 0;
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < LEAST_STEP)
-            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
+            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y))
             return flk_mistake(
                 p->mistakes, c[n].place,
-                "the curve does not close: its last point is the first, one cycle on");
+                "the curve is not periodic: one cycle after its first point it has another value");
     }
     if (n < 2)
         return flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
@@ -112,12 +112,12 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
-                    "the load's 'from' must be before its 'to', not %t and %t",
+                    "the load's 'from' must be less than its 'to', not  %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
         flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
-                    "the load acts for longer than a cycle");
+                    "the load acts for more than a cycle");
 }
 
 /* So that max(NAME.vx) fits wherever names are kept. */
@@ -140,7 +140,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
     for (i = 0; i < use->name.length; i++)
         if (!flk_text_is_word(use->name.start[i])) {
             flk_mistake(p->mistakes, use->place,
-                        "the name of a point is one word: its columns are NAME.x, NAME.y ...");
+                        "the name of a point must be one word: its columns are NAME.x, NAME.y ...");
             break;
         }
     new->link = link->word;
@@ -187,7 +187,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force))
-        flk_mistake(p->mistakes, at->place, "'at' is for a force");
+        flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];

@@ -27,7 +27,7 @@ static void require_length(parser *p, const char *link)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
                     use->section == SECTION_CRANK && has_stroke(p) ? ", and no stroke" : "");
     else
-        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length in it", link);
+        flk_mistake(p->mistakes, flk_reader_end(p), "[%s] with a length is missing", link);
 }
 
 /* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
@@ -52,11 +52,11 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
     L = g * turns * turns;
     if (h == 0)
         flk_mistake(p->mistakes, pin->place,
-                    "the swing_pin is at the centre of mass, where nothing swings");
+                    "the swing_pin is at the centre of mass: the link does not swing there");
     else if (L < h)
         flk_mistake(p->mistakes, period->place,
-                    "a swing_period of %t is too short: even all mass in one point, %.4g m from "
-                    "the pin, swings more slowly",
+                    "a swing_period of %t is too short: a point mass %.4g m from the pin swings "
+                    "more slowly",
                     period->value, h);
     else
         link->inertia = link->mass * h * (L - h);
@@ -84,8 +84,8 @@ static void build_stroke(parser *p)
     rest = 4 * l * l - S * S;
     if (S * S > 4 * l * (l - e))
         flk_mistake(p->mistakes, s->place, "%s",
-                    e > 0 ? "this rod and offset have no such stroke"
-                          : "this rod has no such stroke: the crank would be longer");
+                    e > 0 ? "this stroke is impossible with this rod and offset"
+                          : "this stroke is impossible: the crank would be longer than the rod");
     else if (e > 0)
         link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
@@ -115,7 +115,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     link->cg.y = cg->si[1];
     if (IS_SET(gyration) + IS_SET(inertia) + IS_SET(period) > 1)
         flk_mistake(p->mistakes, other->place,
-                    "give one of gyration, inertia and swing_period, not several");
+                    "give only one of gyration, inertia and swing_period");
     if (IS_SET(other) && !IS_SET(mass))
         flk_mistake(p->mistakes, other->place, "the %s needs a mass",
                     IS_SET(gyration) ? "radius of gyration" : "swing_period");
@@ -124,8 +124,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     if (period->si[0] > 0 && !p->lacks_values)
         build_swing(p, period, pin, link);
     if (IS_SET(other) && link->inertia > FOURLINK_NUMBER_MAX)
-        flk_mistake(p->mistakes, other->place,
-                    "the moment of inertia that follows is beyond what the program computes with");
+        flk_mistake(p->mistakes, other->place, "the resulting moment of inertia is out of range");
     if (!IS_SET(period) && IS_SET(pin))
         flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
 }
@@ -210,8 +209,8 @@ static void check_reach(parser *p, const flk_kind *kind)
         if (fabs(p->d->design.offset) > sum) {
             in_unit = in_unit_of(p, s, sum, &written);
             flk_mistake(p->mistakes, s->place,
-                        "the offset, %t, is more than crank and rod together, %.6g %t: the rod "
-                        "never reaches",
+                        "the offset, %t, is larger than crank and rod together, %.6g %t: the "
+                        "linkage cannot be assembled",
                         s->value, in_unit, written);
         }
         return;

@@ -45,7 +45,8 @@ static void check_alone(parser *p, const setting *at)
         const setting *s = flk_setting_find(p, others[i]);
 
         if (IS_SET(s) && (s->place.line == 0) == (at->place.line == 0))
-            flk_mistake(p->mistakes, s->place, "'%s' has no place beside 'at', one instant",
+            flk_mistake(p->mistakes, s->place,
+                        "'%s' cannot be used with 'at', which is one instant",
                         flk_key_table[others[i]].name);
     }
 }
@@ -68,12 +69,12 @@ static void build_run_up(parser *p, const setting *run_up)
     p->d->one_revolution = 1;
     if (speed->si[0] != 0)
         flk_mistake(p->mistakes, speed->place,
-                    "a run-up starts from rest: it takes an acceleration and no speed");
+                    "a run-up starts from rest: give an acceleration, not a speed");
     if (IS_SET(to))
         flk_mistake(p->mistakes, to->place,
-                    "a run-up ends one revolution after its angle: it takes no 'to'");
+                    "a run-up ends one revolution after its angle: 'to' is not allowed");
     if (p->d->motion.hold)
-        flk_mistake(p->mistakes, run_up->place, "a run-up cannot hold its speed");
+        flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
 void flk_build_motion(parser *p)
@@ -113,8 +114,8 @@ void flk_build_motion(parser *p)
     if (status == FOURLINK_BAD_RANGE) {
         s = flk_setting_find(p, KEY_MOTION_TO);
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p),
-                    "the range runs against the rotation of the accelerated crank; turn it round, "
-                    "or give 'hold = yes'");
+                    "the range runs against the rotation of an accelerated crank: swap 'from' and "
+                    "'to', or set 'hold = yes'");
     } else if (status == FOURLINK_NO_RUN_UP) {
         flk_mistake(p->mistakes, run_up->place, "a run-up from rest needs an acceleration");
     } else if (status != FOURLINK_OK) {

@@ -19,13 +19,12 @@ static int check_section(parser *p, text_place place, section_code section, text
         return flk_mistake(p->mistakes, place,
                            "expected [expect] or [misprint] in this file, not [%s]", info->name);
     if (name.length && !info->repeats)
-        return flk_mistake(p->mistakes, place, "[%s] takes no name, but has '%t'", info->name,
-                           name);
+        return flk_mistake(p->mistakes, place, "[%s] takes no name: remove '%t'", info->name, name);
     if (use && !info->repeats)
-        return flk_mistake(p->mistakes, place, "a second [%s]; the first is at line %ld",
-                           info->name, use->place.line);
+        return flk_mistake(p->mistakes, place, "[%s] is given twice; first at line %ld", info->name,
+                           use->place.line);
     if (name.length && flk_section_find(p, section, &name))
-        return flk_mistake(p->mistakes, place, "a second [%s %t]", info->name, name);
+        return flk_mistake(p->mistakes, place, "[%s %t] is given twice", info->name, name);
     if (p->n_uses >= MOST_SECTIONS)
         return flk_mistake(p->mistakes, place, "too many sections");
     return 1;
@@ -77,7 +76,7 @@ static int is_text(parser *p, text line, text_place place)
 
     if (line.length > LINE_MAX_LENGTH) {
         p->not_text = 1;
-        return flk_mistake(p->mistakes, place, "a line of more than 65536 characters: not a deck");
+        return flk_mistake(p->mistakes, place, "line longer than 65536 characters: not a deck");
     }
     for (i = 0; i < line.length; i++) {
         unsigned char c = (unsigned char)line.start[i];
@@ -86,8 +85,8 @@ static int is_text(parser *p, text line, text_place place)
             p->not_text = 1;
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
-            return flk_mistake(p->mistakes, place,
-                               "a control character (0x%s): decks are plain text", code);
+            return flk_mistake(p->mistakes, place, "control character (0x%s): a deck is plain text",
+                               code);
         }
     }
     return 1;

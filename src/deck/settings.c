@@ -163,7 +163,7 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
     if (other == SECTION_TOP)
         return flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
     if (!nearest && other != SECTION_COUNT)
-        return flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
+        return flk_mistake(p->mistakes, place, "%s; it belongs in a section such as [%s]", where,
                            flk_section_table[other].name);
     return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
@@ -229,7 +229,7 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
         return 0;
     slot = find_slot(p, t->use, t->name);
     if (*slot && !replace)
-        return flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
+        return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
     if (!*slot)
         *slot = ++p->n_named;
     named = &p->named[*slot - 1];
@@ -289,8 +289,8 @@ static int set_target(parser *p, text_place place, const target *t, text value, 
         return set_named(p, place, t, value, replace);
     s = flk_setting_of(&p->uses[t->use], t->key);
     if (IS_SET(s) && !replace)
-        return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
-                           t->name, s->place.line);
+        return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
+                           s->place.line);
     if (!value.length)
         return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
     return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
@@ -363,7 +363,7 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
     if (s && IS_SET(s))
         return 1;
     return flk_mistake(p->mistakes, place,
-                       s ? "'%t' is not given: only a part of it varies"
+                       s ? "'%t' is not in the deck: give it before you vary a part of it"
                          : "'%t' has no parts that can be varied",
                        key);
 }

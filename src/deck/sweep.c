@@ -81,7 +81,7 @@ static int units_agree(parser *p, const variation *v, text x, text y)
     if ((flk_text_trim(x).length > 0) == (flk_text_trim(y).length > 0))
         return 1;
     return flk_mistake(p->mistakes, v->place,
-                       "the values of a quantity have either all a unit or none");
+                       "either all values of a quantity have a unit or none has");
 }
 
 /* A to B step S; A to B in N */
@@ -107,18 +107,19 @@ static int read_range(parser *p, variation *v)
     if (in_steps) {
         if (flk_number_read(&number, &steps) != NUMBER_OK || flk_text_trim(number).length ||
             steps < 2 || steps != floor(steps))
-            return flk_mistake(p->mistakes, v->place,
-                               "the number of values of a range is a whole number from 2 up");
+            return flk_mistake(
+                p->mistakes, v->place,
+                "the number of values of a range must be a whole number, at least 2");
         v->count = steps;
         v->step = (end - v->first.number) / (steps - 1);
         return v->step != 0 ||
-               flk_mistake(p->mistakes, v->place, "the first value of the range is its last");
+               flk_mistake(p->mistakes, v->place, "the range begins and ends at the same value");
     }
     if (!units_agree(p, v, first, step) || !read_in(p, v, step, &v->first.unit, &v->step))
         return 0;
     if (!((end - v->first.number) * v->step > 0))
         return flk_mistake(p->mistakes, v->place,
-                           "the step of the range does not lead from its first value to its last");
+                           "the step leads away from the last value of the range");
     v->count = floor((end - v->first.number) / v->step * (1 + 1e-12) + 1e-9) + 1;
     return 1;
 }
@@ -144,7 +145,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
     if (memchr(nominal.start, ',', nominal.length) ||
         flk_text_cut(nominal, " to ", &before, &after))
         return flk_mistake(p->mistakes, v->place,
-                           "a tolerance is of one value, not of a list or a range");
+                           "a tolerance applies to one value, not to a list or a range");
     if (!read_first(p, v, nominal))
         return 0;
     if (!t.length)
@@ -156,7 +157,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
             return refuse_tolerance(p, v, t);
         if (v->first.number == 0)
             return flk_mistake(p->mistakes, v->place,
-                               "a tolerance in per cent is of a value other than 0");
+                               "a tolerance in per cent needs a value other than 0");
         v->tolerance *= fabs(v->first.number) / 100;
     } else if (!units_agree(p, v, nominal, t) || !read_in(p, v, t, &v->first.unit, &v->tolerance)) {
         return 0;
@@ -311,7 +312,7 @@ static int find_quantity(parser *p, variation *v)
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
     return flk_mistake(p->mistakes, v->place,
                        is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
-                                 : "'%t' is no quantity that can be varied",
+                                 : "'%t' is not a quantity that can be varied",
                        v->name);
 }
 
@@ -325,10 +326,12 @@ static int is_twice(parser *p, const variation *list, const variation *v)
         if (w->target.use != v->target.use || w->target.key != v->target.key)
             continue;
         if (w->target.part == v->target.part)
-            flk_mistake(p->mistakes, v->place, "'%t' is varied a second time", v->name);
+            flk_mistake(p->mistakes, v->place, "'%t' is varied twice", v->name);
         else if ((w->target.part >= PART_SIZE) != (v->target.part >= PART_SIZE))
-            flk_mistake(p->mistakes, v->place,
-                        "'%t' and another part: vary x and y, or size and angle", v->name);
+            flk_mistake(
+                p->mistakes, v->place,
+                "'%t' does not go with another part that varies: use x and y, or size and angle",
+                v->name);
         else
             continue;
         return 1;
@@ -348,10 +351,10 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
         flk_mistake(p->mistakes, place, "a tolerance needs 'samples = NUMBER' in [sweep]");
     if (!has_tolerance && IS_SET(samples))
         flk_mistake(p->mistakes, samples->place,
-                    "samples are of a tolerance, such as 66 mm +- 0.1 mm, and there is none");
+                    "'samples' needs a tolerance, such as 66 mm +- 0.1 mm");
     if (!p->d->sweep.n_variables)
         flk_mistake(p->mistakes, place,
-                    "[sweep] varies nothing: give it a line such as 'crank.length = 20 mm to "
+                    "[sweep] varies nothing: add a line such as 'crank.length = 20 mm to "
                     "30 mm step 2 mm'");
 }
 

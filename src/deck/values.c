@@ -210,7 +210,7 @@ static int read_curve(parser *p, setting *s, quantity q)
             return 0;
         if (new->unit_to_si != c->unit_to_si &&new->has_unit != c->has_unit)
             return flk_mistake(p->mistakes, s->place,
-                               "the values of a curve have either all a unit or none");
+                               "either all values of a curve have a unit or none has");
     }
     s->curve = c;
     return 1;
@@ -314,12 +314,10 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s must not be negative, not %t", key->name,
-                    s->value);
+        flk_mistake(p->mistakes, s->place, "the %s must not be negative:  %t", key->name, s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
-        flk_mistake(p->mistakes, s->place, "'%t' is beyond what the program computes with",
-                    s->value);
+        flk_mistake(p->mistakes, s->place, "'%t' is out of range", s->value);
 }
 
 /* The name of a unit for tables: in one word, kgf.m for "kgf m". */

@@ -47,7 +47,7 @@ says 'empty.deck:1: error:'
 printf 'mechanism = four-bar\000\n' >null.deck
 run 2 null.deck
 nothing
-says 'null.deck:1: error: a control character (0x00)'
+says 'null.deck:1: error: control character (0x00)'
 
 # a row that cannot be computed
 run 1 reach.deck
