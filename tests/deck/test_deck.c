@@ -251,7 +251,7 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
     {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
-     "a swing_period of 0.1 s is too short: a point mass at that distance needs  0.02 m from the pin, "
+     "a swing_period of 0.1 s is too short: a point mass 0.02 m from the pin "
      "swings "
      "more slowly"},
     {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
