@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_loads.c - values to loads, gas, curves over the crank angle and points.
+** build_loads.c - builds loads, gas, curves over the crank angle and points from values.
 */
 #include <math.h>
 #include <string.h>
@@ -10,11 +10,11 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-/* Angles that are closer, in rad, are the same. */
+/* rad; angles closer than this are the same. */
 #define LEAST_STEP 1e-9
 
-/* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
-** closes the cycle is the first again. */
+/* Build a curve over the crank angle.  Its angles increase, over at most one cycle.  A last point at the end
+** of the cycle repeats the first. */
 static int build_curve(parser *p, const setting *s, curve *result)
 {
     const point *c = s->curve;
@@ -85,7 +85,7 @@ void flk_build_gas(parser *p)
     build_curve(p, card, &gas->indicator);
 }
 
-/* The link that a load or a point is on. */
+/* Check the link of a load or a point. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
@@ -99,7 +99,7 @@ static void check_link(parser *p, const section_use *use, const setting *link)
                     kind->words, link->value, own[2], own[3], own[4]);
 }
 
-/* The crank angles between which a load acts. */
+/* Build the range of crank angles in which a load acts. */
 static void build_window(parser *p, const section_use *use, deck_load *variation)
 {
     const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
@@ -108,7 +108,7 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     if (!IS_SET(from) && !IS_SET(to))
         return;
     variation->is_windowed = 1;
-    variation->from = from->si[0]; /* 0 if it is not given */
+    variation->from = from->si[0]; /* 0 if not given */
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
@@ -120,7 +120,7 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
                     "the load acts for more than a cycle");
 }
 
-/* So that max(NAME.vx) fits wherever names are kept. */
+/* max(NAME.vx) must fit wherever names are kept. */
 #define LONGEST_NAME 32
 
 /* [point NAME] */
@@ -151,7 +151,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-/* Room for each section of this kind. */
+/* Allocate room for each section of this kind. */
 static void *keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;

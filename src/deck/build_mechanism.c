@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_mechanism.c - values to the mechanism.
+** build_mechanism.c - builds the mechanism from values.
 */
 #include <math.h>
 
@@ -10,15 +10,15 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-#define STANDARD_GRAVITY 9.81 /* m/s2, as the sources have it */
+#define STANDARD_GRAVITY 9.81 /* m/s2, as in the sources */
 
-/* 1 if the crank can be given by the stroke. */
+/* 1 if the stroke can give the crank. */
 static int has_stroke(const parser *p)
 {
     return (flk_key_table[KEY_CRANK_STROKE].kinds & (int)p->d->design.kind) != 0;
 }
 
-/* The length a mechanism cannot do without. */
+/* Report a missing length. */
 static void require_length(parser *p, const char *link)
 {
     const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
@@ -47,7 +47,7 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
         return;
     }
     if (g <= 0)
-        g = STANDARD_GRAVITY; /* switched off in the machine, not in the test */
+        g = STANDARD_GRAVITY; /* off in the machine, but not in the test */
     h = gsl_hypot(x - link->cg.x, pin->si[1] - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
@@ -63,12 +63,12 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
 }
 
 /* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
-** in line (two right triangles with the cathetus e):
+** in line (two right triangles with the leg e):
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
 ** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
-** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  Beyond it the second root would be the first's sum. */
+** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would need the sum of the two roots. */
 static void build_stroke(parser *p)
 {
     fourlink_link *link = p->d->design.link;
@@ -129,7 +129,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
         flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
 }
 
-/* The mechanism's kind, and that each section and key is one that it has. */
+/* Find the kind of the mechanism, and refuse sections and keys that it does not have. */
 int flk_build_kind(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
@@ -175,7 +175,7 @@ int flk_build_kind(parser *p)
     return 1;
 }
 
-/* A length in the unit in which another is written; that, as it is written. */
+/* A length in the unit in which another is written, and that unit's text. */
 static double in_unit_of(parser *p, const setting *s, double length, text *written)
 {
     double number;
@@ -188,8 +188,8 @@ static double in_unit_of(parser *p, const setting *s, double length, text *writt
     return flk_unit_from_si(length, s->unit);
 }
 
-/* The links reach at some angle if no link is longer than the other three together; where the ground has no
-** length, if crank and rod together reach the line of stroke. */
+/* A four-bar can be assembled at some angle if no link is longer than the other three together; a
+** slider-crank, whose ground has no length, if crank and rod together reach the line of stroke. */
 static void check_reach(parser *p, const flk_kind *kind)
 {
     const fourlink_link *link = p->d->design.link;
@@ -200,7 +200,7 @@ static void check_reach(parser *p, const flk_kind *kind)
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
         if (kind->has_length[i] && !(link[i].length > 0))
-            return; /* told already */
+            return; /* already reported */
         sum += kind->has_length[i] ? link[i].length : 0;
         if (link[i].length > link[longest].length)
             longest = i;
@@ -237,7 +237,8 @@ void flk_build_mechanism(parser *p)
     build_link(p, kind, FOURLINK_GROUND);
     build_link(p, kind, has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
     build_link(p, kind,
-               has_stroke(p) ? FOURLINK_CRANK : FOURLINK_COUPLER); /* from stroke and rod */
+               has_stroke(p) ? FOURLINK_CRANK
+                             : FOURLINK_COUPLER); /* computed from stroke and rod */
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction =
@@ -258,7 +259,7 @@ void flk_build_mechanism(parser *p)
                     fourlink_status_text(i));
 }
 
-/* The engine method's approximations, which the sources have for engines of their kind alone. */
+/* The approximations of the engine method, which exist only for the sources' kind of engine. */
 void flk_build_series(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_SERIES);
