@@ -27,7 +27,7 @@ static void require_length(parser *p, const char *link)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
                     use->section == SECTION_CRANK && has_stroke(p) ? ", and no stroke" : "");
     else
-        flk_mistake(p->mistakes, flk_reader_end(p), "[%s] with a length is missing", link);
+        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length", link);
 }
 
 /* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
@@ -219,10 +219,11 @@ static void check_reach(parser *p, const flk_kind *kind)
     if (link[longest].length > sum * (1 + 1e-14)) {
         s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
         in_unit = in_unit_of(p, s, sum, &written);
-        flk_mistake(p->mistakes, s->place,
-                    "the %s, %t, is longer than the other three together, %.6g %t: they cannot be "
-                    "assembled",
-                    kind->link[longest], s->value, in_unit, written);
+        flk_mistake(
+            p->mistakes, s->place,
+            "the %s, %t, is longer than the other three together, %.6g %t: the linkage cannot be "
+            "assembled",
+            kind->link[longest], s->value, in_unit, written);
     }
 }
 

@@ -55,7 +55,7 @@ quiet
 prints '# theta2 = 200 deg: cannot be assembled: B and D are too far apart'
 run 1 -f csv reach.deck
 run 1 -f paper reach.deck
-prints '# 200 deg, open: the links do not reach'
+prints '# 200 deg, open: cannot be assembled'
 run 0 -s 'motion.from=-40 deg' -s 'motion.to=40 deg' reach.deck
 run 1 -s 'motion.at=180 deg' reach.deck
 run 1 -s 'motion.acceleration=-1 rad/s2' "$alvi" -s 'motion.speed=1 rad/s'

@@ -45,14 +45,14 @@ bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length
 bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length = 18 mm to 20 mm step 1 mm +- 1 mm' 'samples = 2'
 bad 1 'a tolerance in per cent needs a value other than 0' 'ground.angle = 0 deg +- 1 %' 'samples = 2'
 bad 1 'a range needs its step' 'crank.length = 18 mm to 22 mm'
-bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step 0 mm'
-bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step -1 mm'
+bad 1 'the step leads away' 'crank.length = 18 mm to 22 mm step 0 mm'
+bad 1 'the step leads away' 'crank.length = 18 mm to 22 mm step -1 mm'
 bad 1 'the number of values of a range' 'crank.length = 18 mm to 22 mm in 1'
 bad 1 'the tolerance, 30 mm, is not smaller than the length, 20 mm' 'crank.length = 20 mm +- 30 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not 0 mm' 'crank.length = 20 mm +- 0 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not -1 mm' 'crank.length = 20 mm +- -1 mm' 'samples = 3'
 bad 0 "a tolerance needs 'samples = NUMBER'" "$toleranced"
-bad 2 'samples are of a tolerance' "$good" 'samples = 3'
+bad 2 "'samples' needs a tolerance" "$good" 'samples = 3'
 bad 2 'the samples must be positive, not 0' "$toleranced" 'samples = 0'
 bad 2 'the samples must be positive, not -4' "$toleranced" 'samples = -4'
 bad 2 "expected a whole number, not '1.5'" "$toleranced" 'samples = 1.5'
@@ -83,7 +83,7 @@ says 'single.deck:1: error: --part needs a [sweep]'
 cp t.deck u.deck
 run 2 t.deck u.deck
 nothing
-says 'a [sweep] is worked on alone'
+says 'a deck with a [sweep] must be the only deck'
 for option in --matrix --summary --format=paper --check; do
     run 2 $option t.deck
     nothing
@@ -92,6 +92,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: a [sweep] can be printed as table, csv or json only'
+says 't.deck:1: error: --check, --matrix and --summary work for one design'
 
 finish

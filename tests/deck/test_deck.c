@@ -150,16 +150,16 @@ static const mistaken all_mistaken[] = {
      8, "[rocker] has no length"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 66 mm\n",
-     7, "[rocker] with a length is missing"},
-    {"mechanism = slider-crank\n[crank]\nlength = 20 mm\n", 3,
-     "[rod] with a length is missing"},
+     7, "there is no [rocker] with a length"},
+    {"mechanism = slider-crank\n[crank]\nlength = 20 mm\n", 3, "there is no [rod] with a length"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 300 mm\n[rocker]\nlength = 56 mm\n",
      7,
-     "the coupler, 300 mm, is longer than the other three together, 156 mm: they cannot be "
+     "the coupler, 300 mm, is longer than the other three together, 156 mm: the linkage cannot be "
      "assembled"},
     {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
-     "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be assembled"},
+     "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
+     "assembled"},
 
     /* numbers and units */
     {FOUR_BAR "mass = heavy\n", 10, "expected a mass, such as 0.3 kg, not 'heavy'"},
@@ -200,8 +200,7 @@ static const mistaken all_mistaken[] = {
      "'1e-16 m' is out of range"},
     {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative:  -1 g"},
     {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative:  -1 kg m2"},
-    {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11,
-     "the gyration must not be negative:  -1 mm"},
+    {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11, "the gyration must not be negative:  -1 mm"},
     {FOUR_BAR "[motion]\ninterval = 0\n", 11, "the interval must be positive, not 0"},
     {FOUR_BAR "[motion]\ninterval = -5 deg\n", 11, "the interval must be positive, not -5 deg"},
     {FOUR_BAR "[motion]\ninterval = 1e-30 deg\n", 11, "the range has too many rows"},
@@ -238,7 +237,8 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "[load]\nlink = rocker\n", 10, "[load] has neither a force nor a torque"},
     {FOUR_BAR "[load]\nlink = rocker\ntorque = 1 N m\nat = 3 mm\n", 13, "'at' needs a force"},
     {FOUR_BAR "[motion]\nspeed = 1 rad/s\nacceleration = 1 rad/s2\nto = -90 deg\n", 13,
-     "the range runs against the rotation of an accelerated crank: swap 'from' and 'to', or set 'hold = yes'"},
+     "the range runs against the rotation of an accelerated crank: swap 'from' and 'to', or set "
+     "'hold = yes'"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\n", 11, "a run-up from rest needs an acceleration"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nspeed = 1 rpm\n", 13,
      "a run-up starts from rest: give an acceleration, not a speed"},
@@ -251,9 +251,7 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
     {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
-     "a swing_period of 0.1 s is too short: a point mass 0.02 m from the pin "
-     "swings "
-     "more slowly"},
+     "a swing_period of 0.1 s is too short: a point mass 0.02 m from the pin swings more slowly"},
     {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
     {"mechanism = slider-crank\n[rod]\nlength = 100 mm\n[crank]\nstroke = 250 mm\n", 5,
      "this stroke is impossible: the crank would be longer than the rod"},
@@ -389,7 +387,7 @@ static void test_all_in_one_run(void **unused)
                                    "length = 1 N\n";
     static const long lines[] = {4, 5, 6, 8, 9, 10, 13, 15, 16, 19, 20};
     static const char *const words[] = {"interval", "parsec", "[ground]", "positive",
-                                        "colour",   "[rod]",  "comma",    "second",
+                                        "colour",   "[rod]",  "comma",    "twice",
                                         "craank",   "key",    "force"};
     deck d;
     size_t i;
@@ -1047,7 +1045,7 @@ static void test_mistaken_changes(void **unused)
         {"load.torque=1 N m", "there are several [load] sections: name one of them"},
         {"rod.length=1 m", "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
         {"crank.length=1 m",
-         "the crank, 1 m, is longer than the other three together, 0.202 m: they cannot be "
+         "the crank, 1 m, is longer than the other three together, 0.202 m: the linkage cannot be "
          "assembled"},
     };
     fourlink_change change = {"--set", NULL};

@@ -520,7 +520,7 @@ static void test_mistakes_of_places(void **unused)
 {
     (void)unused;
     check_mistake(engine(300, "[expect]\nx = 20 mm\n"), 10,
-                  "a column is expected at a crank angle: give the section 'at = ...'");
+                  "a column needs a crank angle: add 'at = ...' to this section");
     check_mistake(engine(300, "[expect]\nn = 3\nat = 40 mm\n"), 11,
                   "'40 mm' is a length; expected an angle, such as 40 deg");
     check_mistake(four_bar(0.3, 0.4, 0.5, 0.75,

@@ -86,7 +86,7 @@ static void test_mistakes(void **unused)
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = mu_mim, swing\n", 1, 18,
          "'mu_mim' is neither a fact nor the max() or min() of a column of this deck; did you mean "
          "'mu_min'?"},
-        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = ,\n", 1, 18, "output names nothing"},
+        {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = ,\n", 1, 18, "'output' names nothing"},
         {"[coupler]\nmass = 3\n", 1, 16, "[coupler] is given twice; first at line 4"},
     };
     size_t i;

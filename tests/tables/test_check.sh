@@ -83,7 +83,7 @@ run 1 -C -s 'coupler.mass=0.31 kg' "$data/me3491-matrix.deck"
 for pair in '-C -S' '-C -m' '-C -l' '-S -m' '-S -l' '--check=answers --summary' '-CS' '-SC'; do
     run 2 $pair good.deck
     nothing
-    says 'exclude each other'
+    says 'use only one of'
 done
 for option in -C -S --check=answers; do
     run 2 -f paper $option "$alvi"

@@ -91,7 +91,7 @@ mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar
 mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank"
 mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
 mistake '[point]\nlink = coupler\n' '<stdin>:13: error: a point needs a name'
-mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point is one word'
+mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point must be one word'
 mistake '[point P]\nat = 3 mm\n' '<stdin>:13: error: [point] has no link'
 mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m\n[load\n' "<stdin>:16: error: expected ']'"
 mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m, 50 deg 2 N m, 40 deg 1 N m\n' \
@@ -172,6 +172,6 @@ check 'loads and inertia separately make the whole' close whole sum
 "$fourlink" -b open -i 0.1 "$data/me3491-exercise-1.deck" -s 'motion.from=110.48 deg' -s 'motion.to=110.6 deg' \
     -s 'motion.speed=100 rpm' >near
 check 'near a dead position' grep -q '^# theta2 = 110.48 deg: near a dead position' near
-check 'beyond it' grep -q '^# theta2 = 110.58 deg: the links do not reach' near
+check 'beyond it' grep -q '^# theta2 = 110.58 deg: cannot be assembled' near
 
 finish
