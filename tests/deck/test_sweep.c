@@ -360,7 +360,7 @@ static void test_tolerances(void **unused)
 /* --------------------------------------------------------------------------------------- mistakes */
 
 #define GOOD "crank.length = 18 mm to 22 mm step 1 mm\n"
-#define NOT_A_STEP "the step leads away from the last value of the range"
+#define NOT_A_STEP "the step does not lead to the last value of the range"
 #define NOT_A_COUNT "the number of values of a range must be a whole number, at least 2"
 #define NO_STEP                                                                                \
     "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its values, '20 mm " \
