@@ -47,6 +47,7 @@ struct flk_column_info {
 #define OF_FORCES(member) NEED_FORCES, VALUE, FORCE(member), 0
 #define SIZE_OF(F) NEED_FORCES, SIZE, FORCE(F##x), FORCE(F##y)
 #define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
@@ -71,13 +72,16 @@ struct flk_column_info {
     X(F##_along, FORCE, kinds, OF_DERIVED(F.along), #F " along the line of the " link, "") \
     X(F##_across, FORCE, kinds, OF_DERIVED(F.across), #F " across it, to the left", "")
 
-/* Fi2, Fi2_dir, h2 */
+/* Fi2, Fi2_dir, h2, Ci2 */
 #define INERTIA_FORCE(X, i)                                                                 \
     X(Fi##i, FORCE, BOTH, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
       "F_g" #i " (ME3491)")                                                                 \
     X(Fi##i##_dir, ANGLE, BOTH, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, BOTH, OF_DERIVED(inertia[i].h),                                         \
-      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)")
+      "offset of Fi" #i " from the centre of mass, to the left looking along Fi" #i,        \
+      "h (ME3491 fig. 2)")                                                                  \
+    X(Ci##i, TORQUE, BOTH, OF_DERIVED(inertia[i].couple),                                   \
+      "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                 \
@@ -85,8 +89,8 @@ struct flk_column_info {
     X(I##y, LENGTH, BOTH, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
-#define OF_TWO_TERMS(X, x, q, exact, words, source)                                         \
-    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words ", two terms of the series", source) \
+#define OF_SERIES_TERMS(X, x, q, exact, words, source)                           \
+    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
     X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
@@ -132,7 +136,8 @@ struct flk_column_info {
     COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                 \
     COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                                \
     X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
-      "force of the guide on the piston, along +y", "")                                            \
+      "force of the guide on the piston, along +y, by the nine equations; compare side_thrust",    \
+      "")                                                                                          \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
       "X(9), Ts (ME3491)")                                                                         \
@@ -141,9 +146,12 @@ struct flk_column_info {
     RESULTANT(X, F34, BOTH)                                                                        \
     RESULTANT(X, F14, FOUR_BAR)                                                                    \
     X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                          \
-    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                      \
+    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx),                                                           \
+      "shaking force on the frame, x: pins, guide, gas on the head", "")                           \
     X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                      \
     X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
+    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "shaking force, resultant of Fsx and Fsy", "")            \
+    X(Fs_dir, ANGLE, BOTH, OF_SHAKING(DIRECTION), "direction of Fs", "")                           \
     AXIAL(X, F12, BOTH, "crank")                                                                   \
     AXIAL(X, F32, BOTH, "crank")                                                                   \
     AXIAL(X, F23, BOTH, "coupler or rod")                                                          \
@@ -155,6 +163,11 @@ struct flk_column_info {
     INERTIA_FORCE(X, 4)                                                                            \
     X(mechanical_advantage, NUMBER, BOTH, OF_MOTION(mechanical_advantage),                         \
       "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
+      "A (Alvi), P (ME3491)")                                                                      \
+    X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
+    X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
+      "C (Alvi), R (ME3491)")                                                                      \
     X(condition, NUMBER, BOTH, OF_MOTION(condition),                                               \
       "1 / sine of the transmission angle: how errors of the data grow", "")                       \
     CENTRE(X, I13, "1 and 3")                                                                      \
@@ -168,13 +181,14 @@ struct flk_column_info {
       "difference of their sum to the whole, relative to the largest force", "")                   \
     X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                         \
       "power balance, relative to its largest term", "")                                           \
-    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                   \
-    OF_TWO_TERMS(X, v, SPEED, v, "speed of the piston", "V_p (DFA eq. 3)")                         \
-    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")           \
-    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",              \
-                 "-omega_c (DFA)")                                                                 \
-    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                   \
-                 "angular acceleration of the rod", "-alpha_c (DFA)")                              \
+    OF_SERIES_TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")     \
+    OF_SERIES_TERMS(X, v, SPEED, v, "speed of the piston, two terms", "V_p (DFA eq. 3)")           \
+    OF_SERIES_TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms",                \
+                    "a_p (DFA eq. 4)")                                                             \
+    OF_SERIES_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term", \
+                    "-omega_c (DFA)")                                                              \
+    OF_SERIES_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                \
+                    "angular acceleration of the rod, one term", "-alpha_c (DFA)")                 \
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
@@ -184,22 +198,33 @@ struct flk_column_info {
     ENGINE(X, piston_effort, FORCE, "gas, inertia, weight along the stroke, loads on the piston",  \
            "F (ME3491), F_p (DFA)")                                                                \
     ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
-    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y", "")                                 \
+    ENGINE(X, side_thrust, FORCE,                                                                  \
+           "guide on piston, along +y, with the rod as two masses; exact: N", "")                  \
     ENGINE(X, crank_effort, FORCE, "at right angles to the crank", "F_t (ME3491), F_T (DFA)")      \
     ENGINE(X, radial_force, FORCE, "along the crank, towards the main bearing",                    \
            "force on crank shaft bearing (DFA)")                                                   \
     ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
     ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, correction_force, FORCE,                                                             \
+           "force of the correction couple at the crank pin, along +y", "F_y (ME3491)")            \
     ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
     ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_weight_b, TORQUE, "torque of the weight of m_b, part of T_piston", "T_b (ME3491)") \
     ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
     ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four",             \
            "net torque (ME3491)")                                                                  \
     KLEIN(X, OM, "v = omega2 OM")                                                                  \
     KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
-    KLEIN(X, BQ, "towards B: omega2^2 BQ")                                                         \
+    KLEIN(X, BQ, "acceleration of the piston about B, towards B, = omega2^2 BQ")                   \
     KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
-    KLEIN(X, ON, "a = omega2^2 ON")
+    KLEIN(X, ON, "a = omega2^2 ON")                                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+      "arm of the rod's weight about its instantaneous centre I", "IX (ME3491)")                   \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY), "arm of the rod's inertia force about I",      \
+      "IY (ME3491)")                                                                               \
+    X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
+      "drives the rod alone, at right angles to the crank: IB FT = IY F_C - IX W_C",               \
+      "F_T (ME3491)")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},

@@ -56,7 +56,7 @@ static void draw(sample *x)
                  FOURLINK_OK ||
              fabs(x->state.sine) < 0.3);
     flk_derive_from_motion(&x->m, &x->state, &x->e);
-    flk_derive_from_forces(&x->m, &x->state, &x->forces, &x->e);
+    flk_derive_from_forces(&x->m, &x->state, &x->forces, 0, &x->e);
     assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 2, &x->forces, &x->e),
                      FOURLINK_OK);
 }
