@@ -19,8 +19,6 @@ static char *finish(char *end, char *out, const char *format, double value, int 
 
     if (end)
         return end;
-    if (value != value) /* printf shows its sign, which says nothing */
-        return strcpy(out, "nan") + 3;
     decimal = localeconv()->decimal_point;
     sprintf(out, format, digits, value);
     if (strcmp(decimal, ".") != 0 && (mark = strstr(out, decimal)) != NULL) {
