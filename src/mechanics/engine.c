@@ -225,8 +225,8 @@ static void find_crank_effort(const fourlink_mechanism *mechanism, fourlink_vect
     W_C = rod->mass * gsl_hypot(g->x, g->y);
     by_inertia = rod->mass * FLK_DOT(a_G, k_G) + rod->inertia * kk3 * k3;
     by_weight = rod->mass * FLK_DOT(*g, k_G);
-    klein->IX = fabs(k3) < 1e-12 || W_C <= 0 ? GSL_NAN : by_weight / (W_C * fabs(k3));
-    klein->IY = fabs(k3) < 1e-12 || F_C <= 0 ? GSL_NAN : by_inertia / (F_C * fabs(k3));
+    klein->IX = fabs(k3) < 1e-12 || W_C <= 0 ? FLK_UNDEFINED : by_weight / (W_C * fabs(k3));
+    klein->IY = fabs(k3) < 1e-12 || F_C <= 0 ? FLK_UNDEFINED : by_inertia / (F_C * fabs(k3));
     klein->FT = (omega2 * omega2 * by_inertia - by_weight) / mechanism->design.link[2].length;
 }
 

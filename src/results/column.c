@@ -78,8 +78,7 @@ struct flk_column_info {
       "F_g" #i " (ME3491)")                                                                 \
     X(Fi##i##_dir, ANGLE, BOTH, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, BOTH, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from the centre of mass, to the left looking along Fi" #i,        \
-      "h (ME3491 fig. 2)")                                                                  \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")    \
     X(Ci##i, TORQUE, BOTH, OF_DERIVED(inertia[i].couple),                                   \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
@@ -89,7 +88,7 @@ struct flk_column_info {
     X(I##y, LENGTH, BOTH, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
-#define OF_SERIES_TERMS(X, x, q, exact, words, source)                           \
+#define TERMS(X, x, q, exact, words, source)                                     \
     X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
@@ -136,8 +135,7 @@ struct flk_column_info {
     COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                 \
     COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                                \
     X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
-      "force of the guide on the piston, along +y, by the nine equations; compare side_thrust",    \
-      "")                                                                                          \
+      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
       "X(9), Ts (ME3491)")                                                                         \
@@ -147,10 +145,11 @@ struct flk_column_info {
     RESULTANT(X, F14, FOUR_BAR)                                                                    \
     X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                          \
     X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx),                                                           \
-      "shaking force on the frame, x: pins, guide, gas on the head", "")                           \
-    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                      \
+      "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
+    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy),                                                           \
+      "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
     X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
-    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "shaking force, resultant of Fsx and Fsy", "")            \
+    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                           \
     X(Fs_dir, ANGLE, BOTH, OF_SHAKING(DIRECTION), "direction of Fs", "")                           \
     AXIAL(X, F12, BOTH, "crank")                                                                   \
     AXIAL(X, F32, BOTH, "crank")                                                                   \
@@ -181,14 +180,13 @@ struct flk_column_info {
       "difference of their sum to the whole, relative to the largest force", "")                   \
     X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                         \
       "power balance, relative to its largest term", "")                                           \
-    OF_SERIES_TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")     \
-    OF_SERIES_TERMS(X, v, SPEED, v, "speed of the piston, two terms", "V_p (DFA eq. 3)")           \
-    OF_SERIES_TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms",                \
-                    "a_p (DFA eq. 4)")                                                             \
-    OF_SERIES_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term", \
-                    "-omega_c (DFA)")                                                              \
-    OF_SERIES_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                \
-                    "angular acceleration of the rod, one term", "-alpha_c (DFA)")                 \
+    TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
+    TERMS(X, v, SPEED, v, "speed of the piston, two terms", "V_p (DFA eq. 3)")                     \
+    TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
+    TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term",           \
+          "-omega_c (DFA)")                                                                        \
+    TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                          \
+          "angular acceleration of the rod, one term", "-alpha_c (DFA)")                           \
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
@@ -198,8 +196,8 @@ struct flk_column_info {
     ENGINE(X, piston_effort, FORCE, "gas, inertia, weight along the stroke, loads on the piston",  \
            "F (ME3491), F_p (DFA)")                                                                \
     ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
-    ENGINE(X, side_thrust, FORCE,                                                                  \
-           "guide on piston, along +y, with the rod as two masses; exact: N", "")                  \
+    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y, the rod as two masses; exact: N",    \
+           "")                                                                                     \
     ENGINE(X, crank_effort, FORCE, "at right angles to the crank", "F_t (ME3491), F_T (DFA)")      \
     ENGINE(X, radial_force, FORCE, "along the crank, towards the main bearing",                    \
            "force on crank shaft bearing (DFA)")                                                   \
@@ -215,16 +213,15 @@ struct flk_column_info {
            "net torque (ME3491)")                                                                  \
     KLEIN(X, OM, "v = omega2 OM")                                                                  \
     KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
-    KLEIN(X, BQ, "acceleration of the piston about B, towards B, = omega2^2 BQ")                   \
+    KLEIN(X, BQ, "l omega3^2 = omega2^2 BQ")                                                       \
     KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
     KLEIN(X, ON, "a = omega2^2 ON")                                                                \
     X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
-      "arm of the rod's weight about its instantaneous centre I", "IX (ME3491)")                   \
-    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY), "arm of the rod's inertia force about I",      \
-      "IY (ME3491)")                                                                               \
+      "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+      "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
     X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
-      "drives the rod alone, at right angles to the crank: IB FT = IY F_C - IX W_C",               \
-      "F_T (ME3491)")
+      "of the rod, across the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},

@@ -23,7 +23,7 @@ static double ratio(double x, double y)
 /* x / y, with y of the order of 1, or undefined where y is 0 but for rounding. */
 static double quotient(double x, double y)
 {
-    return fabs(y) < 1e-12 ? GSL_NAN : x / y;
+    return fabs(y) < 1e-12 ? FLK_UNDEFINED : x / y;
 }
 
 double flk_derive_freudenstein(const fourlink_design *design)
@@ -117,7 +117,7 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
     F.size = link->mass * a_G;
     F.direction = atan2(-a.y + 0.0, -a.x + 0.0);
     F.couple = 0 - link->inertia * at->alpha;
-    F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : GSL_NAN;
+    F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
     return F;
 }
 
