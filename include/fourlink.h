@@ -229,8 +229,8 @@ typedef struct fourlink_forces {
     double Ts;         /* N m, ground on crank: the driving torque */
     double Ts_work;    /* N m, the same by virtual work, without the nine equations */
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
-                          largest term of the balance, the products of components; 0 where every
-                          term is 0 */
+                          largest term of the balance, F23.v_B and F34.v_B among them, the products
+                          of components; 0 where every term is 0 */
 } fourlink_forces;
 
 /* ---------------------------------------------------------------------------------------------
