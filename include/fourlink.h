@@ -926,9 +926,9 @@ FOURLINK_API int fourlink_engine_method(const fourlink_mechanism *mechanism,
 **
 ** Given:
 **    mechanism  from fourlink_prepare, a slider-crank
-**    state      from fourlink_position
+**    state      from fourlink_position; for FT from fourlink_velocity
 ** Returned:
-**    klein      the lengths of the drawing
+**    klein      the lengths of the drawing, and FT
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NOT_AN_ENGINE
 ** Reference:
