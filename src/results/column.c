@@ -49,6 +49,7 @@ struct flk_column_info {
 #define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
 #define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
@@ -72,13 +73,15 @@ struct flk_column_info {
     X(F##_across, FORCE, kinds, OF_DERIVED(F.across),                                      \
       #F " normal to the line of the " link ", to its left", "")
 
-/* Fi2, Fi2_dir, h2 */
+/* Fi2, Fi2_dir, h2, Ci2 */
 #define INERTIA_FORCE(X, i)                                                                 \
     X(Fi##i, FORCE, BOTH, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
       "F_g" #i " (ME3491)")                                                                 \
     X(Fi##i##_dir, ANGLE, BOTH, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, BOTH, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from the centre of mass, to its left", "h (ME3491 fig. 2)")
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")    \
+    X(Ci##i, TORQUE, BOTH, OF_DERIVED(inertia[i].couple),                                   \
+      "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                 \
@@ -86,8 +89,8 @@ struct flk_column_info {
     X(I##y, LENGTH, BOTH, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
-#define OF_TWO_TERMS(X, x, q, exact, words, source)                                         \
-    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words ", two terms of the series", source) \
+#define TERMS(X, x, q, exact, words, source)                                     \
+    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
     X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
@@ -99,109 +102,128 @@ struct flk_column_info {
       "length " #length " of Klein's construction: " words, "")
 
 /* name, quantity, mechanisms, where its value is from, meaning, name in the sources */
-#define COLUMN_LIST(X)                                                                            \
-    X(theta2, ANGLE, BOTH | USUAL, OF_ROW(angle), "angle of the crank",                           \
-      "thet (Alvi), thetaa (ME3491)")                                                             \
-    X(time, TIME, BOTH, OF_ROW(time), "time since the first row", "")                             \
-    X(omega2, ANGULAR_SPEED, BOTH, OF_ROW(crank.omega2), "angular speed of the crank",            \
-      "vela (Alvi), omegaa (ME3491)")                                                             \
-    X(alpha2, ANGULAR_ACCELERATION, BOTH, OF_ROW(crank.alpha2),                                   \
-      "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                        \
-    X(theta3, ANGLE, BOTH | USUAL, OF_STATE(link[3].theta), "angle of the coupler or rod",        \
-      "beta (Alvi), thetab (ME3491)")                                                             \
-    X(omega3, ANGULAR_SPEED, BOTH | USUAL, OF_STATE(link[3].omega),                               \
-      "angular speed of the coupler or rod", "velb (Alvi), omegab (ME3491)")                      \
-    X(alpha3, ANGULAR_ACCELERATION, BOTH | USUAL, OF_STATE(link[3].alpha),                        \
-      "angular acceleration of the coupler or rod", "accb (Alvi), alphab (ME3491)")               \
-    X(theta4, ANGLE, FOUR_BAR | USUAL, OF_STATE(link[4].theta), "angle of the rocker",            \
-      "phi (Alvi), thetac (ME3491)")                                                              \
-    X(omega4, ANGULAR_SPEED, FOUR_BAR | USUAL, OF_STATE(link[4].omega),                           \
-      "angular speed of the rocker", "velc (Alvi), omegac (ME3491)")                              \
-    X(alpha4, ANGULAR_ACCELERATION, FOUR_BAR | USUAL, OF_STATE(link[4].alpha),                    \
-      "angular acceleration of the rocker", "accc (Alvi), alphac (ME3491)")                       \
-    X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",      \
-      "beta (ME3491), phi (DFA)")                                                                 \
-    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                               \
-      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                 \
-    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                \
-      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")         \
-    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                         \
-      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")     \
-    X(mu, ANGLE, BOTH | USUAL, OF_STATE(mu), "transmission angle", "")                            \
-    COMPONENTS(X, F12, BOTH, "force of ground on crank", 1, 2)                                    \
-    COMPONENTS(X, F23, BOTH, "force of crank on coupler or rod", 3, 4)                            \
-    COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                \
-    COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                               \
-    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                            \
-      "force of the guide on the piston, along +y", "")                                           \
-    X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")         \
-    X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                 \
-      "X(9), Ts (ME3491)")                                                                        \
-    RESULTANT(X, F12, BOTH)                                                                       \
-    RESULTANT(X, F23, BOTH)                                                                       \
-    RESULTANT(X, F34, BOTH)                                                                       \
-    RESULTANT(X, F14, FOUR_BAR)                                                                   \
-    X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                         \
-    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                     \
-    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                     \
-    X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                \
-    AXIAL(X, F12, BOTH, "crank")                                                                  \
-    AXIAL(X, F32, BOTH, "crank")                                                                  \
-    AXIAL(X, F23, BOTH, "coupler or rod")                                                         \
-    AXIAL(X, F43, BOTH, "coupler or rod")                                                         \
-    AXIAL(X, F34, FOUR_BAR, "rocker")                                                             \
-    AXIAL(X, F14, FOUR_BAR, "rocker")                                                             \
-    INERTIA_FORCE(X, 2)                                                                           \
-    INERTIA_FORCE(X, 3)                                                                           \
-    INERTIA_FORCE(X, 4)                                                                           \
-    X(mechanical_advantage, NUMBER, BOTH, OF_MOTION(mechanical_advantage),                        \
-      "omega2 / omega4; slider-crank: r omega2 / v", "")                                          \
-    X(condition, NUMBER, BOTH, OF_MOTION(condition),                                              \
-      "1 / sin(mu): the factor by which errors of the data grow", "")                             \
-    CENTRE(X, I13, "1 and 3")                                                                     \
-    CENTRE(X, I24, "2 and 4")                                                                     \
-    X(Ts_work, TORQUE, BOTH, OF_FORCES(Ts_work),                                                  \
-      "driving torque by virtual work, without the nine equations", "")                           \
-    X(Ts_static, TORQUE, BOTH, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",  \
-      "")                                                                                         \
-    X(Ts_inertia, TORQUE, BOTH, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")      \
-    X(superposition, NUMBER, BOTH, OF_SPLIT(superposition),                                       \
-      "error of the superposition, relative to the largest force", "")                            \
-    X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                        \
-      "power balance, relative to its largest term", "")                                          \
-    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                  \
-    OF_TWO_TERMS(X, v, SPEED, v, "velocity of the piston", "V_p (DFA eq. 3)")                     \
-    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")          \
-    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",             \
-                 "-omega_c (DFA)")                                                                \
-    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                  \
-                 "angular acceleration of the rod", "-alpha_c (DFA)")                             \
-    HARMONIC(X, x, LENGTH)                                                                        \
-    HARMONIC(X, v, SPEED)                                                                         \
-    HARMONIC(X, a, ACCELERATION)                                                                  \
-    ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",              \
-           "F_p (ME3491), (P1 - P2) A (DFA)")                                                     \
-    ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                            \
-    ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",     \
-           "F (ME3491), F_p (DFA)")                                                               \
-    ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                         \
-    ENGINE(X, side_thrust, FORCE, "force of the guide on the piston, along +y", "")               \
-    ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                 \
-           "F_t (ME3491), F_T (DFA)")                                                             \
-    ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",             \
-           "force on crank shaft bearing (DFA)")                                                  \
-    ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")           \
-    ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")      \
-    ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)") \
-    ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")       \
-    ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                            \
-    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",    \
-           "net torque (ME3491)")                                                                 \
-    KLEIN(X, OM, "v = omega2 OM")                                                                 \
-    KLEIN(X, BM, "omega3 = omega2 BM / l")                                                        \
-    KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                               \
-    KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                      \
-    KLEIN(X, ON, "a = omega2^2 ON")
+#define COLUMN_LIST(X)                                                                             \
+    X(theta2, ANGLE, BOTH | USUAL, OF_ROW(angle), "angle of the crank",                            \
+      "thet (Alvi), thetaa (ME3491)")                                                              \
+    X(time, TIME, BOTH, OF_ROW(time), "time since the first row", "")                              \
+    X(omega2, ANGULAR_SPEED, BOTH, OF_ROW(crank.omega2), "angular speed of the crank",             \
+      "vela (Alvi), omegaa (ME3491)")                                                              \
+    X(alpha2, ANGULAR_ACCELERATION, BOTH, OF_ROW(crank.alpha2),                                    \
+      "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
+    X(theta3, ANGLE, BOTH | USUAL, OF_STATE(link[3].theta), "angle of the coupler or rod",         \
+      "beta (Alvi), thetab (ME3491)")                                                              \
+    X(omega3, ANGULAR_SPEED, BOTH | USUAL, OF_STATE(link[3].omega),                                \
+      "angular speed of the coupler or rod", "velb (Alvi), omegab (ME3491)")                       \
+    X(alpha3, ANGULAR_ACCELERATION, BOTH | USUAL, OF_STATE(link[3].alpha),                         \
+      "angular acceleration of the coupler or rod", "accb (Alvi), alphab (ME3491)")                \
+    X(theta4, ANGLE, FOUR_BAR | USUAL, OF_STATE(link[4].theta), "angle of the rocker",             \
+      "phi (Alvi), thetac (ME3491)")                                                               \
+    X(omega4, ANGULAR_SPEED, FOUR_BAR | USUAL, OF_STATE(link[4].omega),                            \
+      "angular speed of the rocker", "velc (Alvi), omegac (ME3491)")                               \
+    X(alpha4, ANGULAR_ACCELERATION, FOUR_BAR | USUAL, OF_STATE(link[4].alpha),                     \
+      "angular acceleration of the rocker", "accc (Alvi), alphac (ME3491)")                        \
+    X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",       \
+      "beta (ME3491), phi (DFA)")                                                                  \
+    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
+      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
+    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                 \
+      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
+    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
+      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
+    X(mu, ANGLE, BOTH | USUAL, OF_STATE(mu), "transmission angle", "")                             \
+    COMPONENTS(X, F12, BOTH, "force of ground on crank", 1, 2)                                     \
+    COMPONENTS(X, F23, BOTH, "force of crank on coupler or rod", 3, 4)                             \
+    COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                 \
+    COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                                \
+    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
+      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
+    X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
+    X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
+      "X(9), Ts (ME3491)")                                                                         \
+    RESULTANT(X, F12, BOTH)                                                                        \
+    RESULTANT(X, F23, BOTH)                                                                        \
+    RESULTANT(X, F34, BOTH)                                                                        \
+    RESULTANT(X, F14, FOUR_BAR)                                                                    \
+    X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                          \
+    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx),                                                           \
+      "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
+    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy),                                                           \
+      "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
+    X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
+    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                           \
+    X(Fs_dir, ANGLE, BOTH, OF_SHAKING(DIRECTION), "direction of Fs", "")                           \
+    AXIAL(X, F12, BOTH, "crank")                                                                   \
+    AXIAL(X, F32, BOTH, "crank")                                                                   \
+    AXIAL(X, F23, BOTH, "coupler or rod")                                                          \
+    AXIAL(X, F43, BOTH, "coupler or rod")                                                          \
+    AXIAL(X, F34, FOUR_BAR, "rocker")                                                              \
+    AXIAL(X, F14, FOUR_BAR, "rocker")                                                              \
+    INERTIA_FORCE(X, 2)                                                                            \
+    INERTIA_FORCE(X, 3)                                                                            \
+    INERTIA_FORCE(X, 4)                                                                            \
+    X(mechanical_advantage, NUMBER, BOTH, OF_MOTION(mechanical_advantage),                         \
+      "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
+      "A (Alvi), P (ME3491)")                                                                      \
+    X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
+    X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
+      "C (Alvi), R (ME3491)")                                                                      \
+    X(condition, NUMBER, BOTH, OF_MOTION(condition),                                               \
+      "1 / sin(mu): the factor by which errors of the data grow", "")                              \
+    CENTRE(X, I13, "1 and 3")                                                                      \
+    CENTRE(X, I24, "2 and 4")                                                                      \
+    X(Ts_work, TORQUE, BOTH, OF_FORCES(Ts_work),                                                   \
+      "driving torque by virtual work, without the nine equations", "")                            \
+    X(Ts_static, TORQUE, BOTH, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",   \
+      "")                                                                                          \
+    X(Ts_inertia, TORQUE, BOTH, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")       \
+    X(superposition, NUMBER, BOTH, OF_SPLIT(superposition),                                        \
+      "error of the superposition, relative to the largest force", "")                             \
+    X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                         \
+      "power balance, relative to its largest term", "")                                           \
+    TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
+    TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
+    TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
+    TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term",           \
+          "-omega_c (DFA)")                                                                        \
+    TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                          \
+          "angular acceleration of the rod, one term", "-alpha_c (DFA)")                           \
+    HARMONIC(X, x, LENGTH)                                                                         \
+    HARMONIC(X, v, SPEED)                                                                          \
+    HARMONIC(X, a, ACCELERATION)                                                                   \
+    ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",               \
+           "F_p (ME3491), (P1 - P2) A (DFA)")                                                      \
+    ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
+    ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
+           "F (ME3491), F_p (DFA)")                                                                \
+    ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
+    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y, the rod as two masses; exact: N",    \
+           "")                                                                                     \
+    ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                  \
+           "F_t (ME3491), F_T (DFA)")                                                              \
+    ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",              \
+           "force on crank shaft bearing (DFA)")                                                   \
+    ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
+    ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, correction_force, FORCE,                                                             \
+           "force of the correction couple at the crank pin, along +y", "F_y (ME3491)")            \
+    ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
+    ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_weight_b, TORQUE, "torque of the weight of m_b, part of T_piston", "T_b (ME3491)") \
+    ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
+    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",     \
+           "net torque (ME3491)")                                                                  \
+    KLEIN(X, OM, "v = omega2 OM")                                                                  \
+    KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
+    KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
+    KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
+    KLEIN(X, ON, "a = omega2^2 ON")                                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+      "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+      "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
+    X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
+      "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},
