@@ -44,20 +44,20 @@ static size_t scan(text t, size_t *point)
     return mark;
 }
 
+/* 1 if the text starts with a word, with or without a sign, that ends there. */
 static int starts_with(text t, const char *word)
 {
-    text head = t;
+    size_t n = strlen(word);
 
-    if (head.length && (head.start[0] == '+' || head.start[0] == '-'))
-        head = flk_text_from(head, 1);
-    if (head.length > strlen(word) && flk_text_is_word(head.start[strlen(word)]))
+    if (t.length && (t.start[0] == '+' || t.start[0] == '-'))
+        t = flk_text_from(t, 1);
+    if (t.length > n && flk_text_is_word(t.start[n]))
         return 0;
-    if (head.length > strlen(word))
-        head.length = strlen(word);
-    return flk_text_equal(head, word);
+    t.length = t.length < n ? t.length : n;
+    return flk_text_equal(t, word);
 }
 
-/* Beyond this an exponent gives 0 or infinity, whatever the digits before it. */
+/* A larger exponent gives 0 or infinity with any digits before it. */
 #define EXPONENT_MAX 100000
 
 /* The exponent at the front of a text, within +-EXPONENT_MAX. */
@@ -73,8 +73,8 @@ static long read_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-/* strtod rounds correctly but looks for the decimal mark of the host's locale, so it is given a whole
-** number and an exponent: 12.5e3 as 125e2. */
+/* strtod rounds correctly but expects the decimal mark of the host's locale, so it gets a whole number and an
+** exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
 {
     char copy[400], *end = copy;

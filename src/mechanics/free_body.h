@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** free_body.h - the three moving links, cut free, and the check by virtual work: what both solutions
-** of the nine equations have in common.
+** free_body.h - the three moving links, cut free, and the check by virtual work, for both solutions of the
+** nine equations.
 **
 ** They are static functions in a header so that the compiler sees each solution in one piece: most of
 ** closed_form.c's time goes into them.
@@ -19,7 +19,7 @@ static double flk_larger(double x, double y)
     return x > y ? x : y;
 }
 
-/* The size of the terms of u . v, of which nothing but rounding may be left. */
+/* The size of the terms of u . v, whose sum may be only rounding. */
 static double flk_dot_size(fourlink_vector u, fourlink_vector v)
 {
     return fabs(u.x * v.x) + fabs(u.y * v.y);
@@ -81,7 +81,7 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
         data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
 }
 
-/* Links 2, 3, 4 cut free, with loads that are in order. */
+/* Links 2, 3, 4 cut free, with valid loads. */
 static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
                          const fourlink_load *loads, unsigned long n_loads, flk_body body[3])
 {
@@ -95,24 +95,43 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
         flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
 }
 
+/* The moment of a link's equation about the link's origin instead of G: with f the right-hand side of its
+** force equations, m that of its moments, and r = G - O,
+**
+**    M_O = m + r x f
+*/
+static double flk_moment_about_origin(const flk_body *body)
+{
+    return body->moment + FLK_CROSS(body->arm, body->force);
+}
+
 /* Virtual work: with the velocities of a unit crank speed,
 **
 **    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
 **
-** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine.
+** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine: Ts of these is
+** the crank's own part and F23.v_B, which the balance is relative to as well.
 */
-static void flk_virtual_work(const flk_body body[3], fourlink_forces *forces)
+static void flk_virtual_work(const fourlink_state *state, const flk_body body[3],
+                             fourlink_forces *forces)
 {
     double largest = fabs(forces->Ts);
+    const fourlink_vector *k_B = &state->link[3].k_origin;
+    fourlink_vector F23, F34;
     int i;
 
+    F23.x = forces->F23x;
+    F23.y = forces->F23y;
+    F34.x = forces->F34x;
+    F34.y = forces->F34y;
+    largest = flk_larger(largest, flk_larger(flk_dot_size(F23, *k_B), flk_dot_size(F34, *k_B)));
     forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
     for (i = 0; i < 3; i++)
         largest = flk_larger(body[i].largest, largest);
     forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
 }
 
-/* 0 for a state whose speeds or accelerations are no numbers: they are in every term of the balance. */
+/* 0 for a state whose speeds or accelerations are NaN or infinite: they are in every term of the balance. */
 static int flk_is_finite(const fourlink_forces *forces)
 {
     return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);

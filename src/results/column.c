@@ -11,7 +11,7 @@
 
 #include "column.h"
 
-/* How a column's value is made of the numbers of a row. */
+/* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
     VALUE,     /* one of them */
     SIZE,      /* resultant of two components */
@@ -49,6 +49,7 @@ struct flk_column_info {
 #define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
 #define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
@@ -69,15 +70,18 @@ struct flk_column_info {
 /* F12_along, F12_across */
 #define AXIAL(X, F, kinds, link)                                                           \
     X(F##_along, FORCE, kinds, OF_DERIVED(F.along), #F " along the line of the " link, "") \
-    X(F##_across, FORCE, kinds, OF_DERIVED(F.across), #F " across it, to the left", "")
+    X(F##_across, FORCE, kinds, OF_DERIVED(F.across),                                      \
+      #F " normal to the line of the " link ", to its left", "")
 
-/* Fi2, Fi2_dir, h2 */
+/* Fi2, Fi2_dir, h2, Ci2 */
 #define INERTIA_FORCE(X, i)                                                                 \
     X(Fi##i, FORCE, BOTH, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
       "F_g" #i " (ME3491)")                                                                 \
     X(Fi##i##_dir, ANGLE, BOTH, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, BOTH, OF_DERIVED(inertia[i].h),                                         \
-      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)")
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")    \
+    X(Ci##i, TORQUE, BOTH, OF_DERIVED(inertia[i].couple),                                   \
+      "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                 \
@@ -85,12 +89,12 @@ struct flk_column_info {
     X(I##y, LENGTH, BOTH, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
-#define OF_TWO_TERMS(X, x, q, exact, words, source)                                         \
-    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words ", two terms of the series", source) \
+#define TERMS(X, x, q, exact, words, source)                                     \
+    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
     X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
-      #x " with an endless rod: simple harmonic motion", "")
+      #x " with an infinitely long rod: simple harmonic motion", "")
 
 #define ENGINE(X, name, q, words, source) X(name, q, SLIDER_CRANK, OF_ENGINE(name), words, source)
 #define KLEIN(X, length, words)                               \
@@ -123,7 +127,7 @@ struct flk_column_info {
     X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
       "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
     X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                 \
-      "speed of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")             \
+      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
     X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
       "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
     X(mu, ANGLE, BOTH | USUAL, OF_STATE(mu), "transmission angle", "")                             \
@@ -132,7 +136,7 @@ struct flk_column_info {
     COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                 \
     COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                                \
     X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
-      "force of the guide on the piston, along +y", "")                                            \
+      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
       "X(9), Ts (ME3491)")                                                                         \
@@ -141,9 +145,13 @@ struct flk_column_info {
     RESULTANT(X, F34, BOTH)                                                                        \
     RESULTANT(X, F14, FOUR_BAR)                                                                    \
     X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                          \
-    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                      \
-    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                      \
+    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx),                                                           \
+      "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
+    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy),                                                           \
+      "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
     X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
+    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                           \
+    X(Fs_dir, ANGLE, BOTH, OF_SHAKING(DIRECTION), "direction of Fs", "")                           \
     AXIAL(X, F12, BOTH, "crank")                                                                   \
     AXIAL(X, F32, BOTH, "crank")                                                                   \
     AXIAL(X, F23, BOTH, "coupler or rod")                                                          \
@@ -155,51 +163,67 @@ struct flk_column_info {
     INERTIA_FORCE(X, 4)                                                                            \
     X(mechanical_advantage, NUMBER, BOTH, OF_MOTION(mechanical_advantage),                         \
       "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
+      "A (Alvi), P (ME3491)")                                                                      \
+    X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
+    X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
+      "C (Alvi), R (ME3491)")                                                                      \
     X(condition, NUMBER, BOTH, OF_MOTION(condition),                                               \
-      "1 / sine of the transmission angle: how errors of the data grow", "")                       \
+      "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     CENTRE(X, I13, "1 and 3")                                                                      \
     CENTRE(X, I24, "2 and 4")                                                                      \
     X(Ts_work, TORQUE, BOTH, OF_FORCES(Ts_work),                                                   \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, BOTH, OF_SPLIT(Ts_static), "driving torque of loads and weights at rest", \
+    X(Ts_static, TORQUE, BOTH, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",   \
       "")                                                                                          \
     X(Ts_inertia, TORQUE, BOTH, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")       \
     X(superposition, NUMBER, BOTH, OF_SPLIT(superposition),                                        \
-      "difference of their sum to the whole, relative to the largest force", "")                   \
+      "error of the superposition, relative to the largest force", "")                             \
     X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                         \
       "power balance, relative to its largest term", "")                                           \
-    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                   \
-    OF_TWO_TERMS(X, v, SPEED, v, "speed of the piston", "V_p (DFA eq. 3)")                         \
-    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")           \
-    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",              \
-                 "-omega_c (DFA)")                                                                 \
-    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                   \
-                 "angular acceleration of the rod", "-alpha_c (DFA)")                              \
+    TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
+    TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
+    TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
+    TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term",           \
+          "-omega_c (DFA)")                                                                        \
+    TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                          \
+          "angular acceleration of the rod, one term", "-alpha_c (DFA)")                           \
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
     ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",               \
            "F_p (ME3491), (P1 - P2) A (DFA)")                                                      \
     ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
-    ENGINE(X, piston_effort, FORCE, "gas, inertia, weight along the stroke, loads on the piston",  \
+    ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
            "F (ME3491), F_p (DFA)")                                                                \
     ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
-    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y", "")                                 \
-    ENGINE(X, crank_effort, FORCE, "at right angles to the crank", "F_t (ME3491), F_T (DFA)")      \
-    ENGINE(X, radial_force, FORCE, "along the crank, towards the main bearing",                    \
+    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y, the rod as two masses; exact: N",    \
+           "")                                                                                     \
+    ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                  \
+           "F_t (ME3491), F_T (DFA)")                                                              \
+    ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",              \
            "force on crank shaft bearing (DFA)")                                                   \
     ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
     ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, correction_force, FORCE,                                                             \
+           "force of the correction couple at the crank pin, along +y", "F_y (ME3491)")            \
     ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
     ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_weight_b, TORQUE, "torque of the weight of m_b, part of T_piston", "T_b (ME3491)") \
     ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
-    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four",             \
+    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",     \
            "net torque (ME3491)")                                                                  \
     KLEIN(X, OM, "v = omega2 OM")                                                                  \
     KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
-    KLEIN(X, BQ, "towards B: omega2^2 BQ")                                                         \
+    KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
     KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
-    KLEIN(X, ON, "a = omega2^2 ON")
+    KLEIN(X, ON, "a = omega2^2 ON")                                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+      "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+      "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
+    X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
+      "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},
@@ -207,7 +231,7 @@ static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-/* A crank at rest, or one held at a speed and an acceleration, has no time. */
+/* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const fourlink_motion *motion)
 {
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
@@ -273,7 +297,7 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-/* Add a column that the list does not have yet. */
+/* Add a column to a list, unless it is there. */
 static size_t add(flk_column *list, size_t n, const flk_column *c)
 {
     size_t i;
@@ -285,7 +309,7 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
     return n + 1;
 }
 
-/* The name of column i of those that there can be. */
+/* The name of possible column i. */
 static const char *name_of(const flk_analysis *a, size_t i)
 {
     size_t of_points = i - TABLE_COUNT;
@@ -310,7 +334,7 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c)
     return find(a, name, flk_text_same, c);
 }
 
-/* `a` null: among the columns of any deck. */
+/* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {
     const char *known[TABLE_COUNT + 1];
@@ -323,7 +347,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return flk_text_nearest(name, known);
 }
 
-/* 1: printed when the deck names no columns; of a point its place. */
+/* 1: printed if the deck names no columns; of a point only its place. */
 static int is_usual(const flk_column *c)
 {
     return c->point ? c->component < 2 : (c->info->kinds & USUAL) != 0;
@@ -343,13 +367,11 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
 static const char *why_missing(const deck *d, const flk_column_info *info)
 {
     if (info->x == ROW(time))
-        return "needs a crank that turns";
-    if (!(info->kinds & (int)d->design.kind))
-        return "is one of the other mechanism";
+        return "needs a moving crank";
     if (info->need == NEED_SERIES)
-        return "is for a line of stroke through the crankshaft: the deck has an offset";
+        return "needs a line of stroke through the crankshaft; the deck has an offset";
     if (!d->has_forces)
-        return "needs masses, loads or gas, which the deck has not";
+        return "needs masses, loads or gas; the deck has none";
     return "needs a rod whose centre of mass is on its line";
 }
 
@@ -359,7 +381,11 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake(m, d->columns.place, "the column '%t' %s", name, why_missing(d, &table[i]));
+            int kinds = table[i].kinds & BOTH, is_other = !(kinds & (int)d->design.kind);
+
+            flk_mistake(m, d->columns.place, "the column '%t' %s%s", name,
+                        is_other ? "belongs to the " : why_missing(d, &table[i]),
+                        is_other ? fourlink_kind_text(kinds) : "");
             return;
         }
     flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
@@ -463,7 +489,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return point_value(c, row);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
-        return x * c->scale; /* nearly all of them */
+        return x * c->scale; /* nearly all columns */
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)
         : c->info->form == DIRECTION ? atan2(y, x)
