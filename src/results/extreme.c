@@ -509,6 +509,29 @@ static void climb_from_end(search *x, const tracked *t, int which, double low, d
     climb(x, t, which, low, high, best);
 }
 
+/* A peak is flat: values tell its place to the root of the rounding only.  The slope of a polynomial through rows
+** close about it tells it better. */
+static void sharpen(const search *x, const tracked *t, double low, double high, double size,
+                    place *top)
+{
+    double step = (high - low) / 20, slope;
+    polynomial p;
+    place sharp;
+    int k;
+
+    if (top->s - 2 * step < low || top->s + 2 * step > high)
+        return;
+    p.n = 0;
+    for (k = -2; k <= 2; k++)
+        add_node(&p, top->s + k * step,
+                 k ? value_at(x, t, top->s + k * step, top->value) : top->value);
+    if (!find_flat(&p, top->s - step, top->s + step, &sharp.s))
+        return;
+    sharp.value = value_at(x, t, sharp.s, top->value);
+    if (fabs(sharp.value - value_of(&p, sharp.s, &slope)) <= CLOSE * size)
+        *top = sharp;
+}
+
 /* The peak that the samples have at or beside number i. */
 static void refine(search *x, const tracked *t, const double *values, int which, size_t i, found *f)
 {
@@ -530,6 +553,7 @@ static void refine(search *x, const tracked *t, const double *values, int which,
             climb_from_end(x, t, which, low, high, &best);
         else if (!is_good)
             climb(x, t, which, low, high, &best);
+        sharpen(x, t, low, high, size, &best);
     }
     offer_at(x, f, which, best.value, best.s);
 }
