@@ -166,7 +166,7 @@ static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
     int i;
 
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        per_length[i] = kind->has_length[i] ? 2 / link[i].length : per_length[i - 1];
+        per_length[i] = kind->has_length[i] == FLK_LENGTH ? 2 / link[i].length : per_length[i - 1];
     assemble(kind, mechanism, state, body, per_length, &banded, A, b);
     for (i = 0; i < 9; i++)
         ordered[banded.row[i]] = b[i];
