@@ -44,17 +44,17 @@ static size_t scan(text t, size_t *point)
     return mark;
 }
 
+/* With or without a sign, and no longer a word. */
 static int starts_with(text t, const char *word)
 {
-    text head = t;
+    size_t n = strlen(word);
 
-    if (head.length && (head.start[0] == '+' || head.start[0] == '-'))
-        head = flk_text_from(head, 1);
-    if (head.length > strlen(word) && flk_text_is_word(head.start[strlen(word)]))
+    if (t.length && (t.start[0] == '+' || t.start[0] == '-'))
+        t = flk_text_from(t, 1);
+    if (t.length > n && flk_text_is_word(t.start[n]))
         return 0;
-    if (head.length > strlen(word))
-        head.length = strlen(word);
-    return flk_text_equal(head, word);
+    t.length = t.length < n ? t.length : n;
+    return flk_text_equal(t, word);
 }
 
 /* Beyond this an exponent gives 0 or infinity, whatever the digits before it. */

@@ -42,13 +42,8 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
 
 static int is_direction(text t)
 {
-    static const char *const words[] = {"clockwise", "cw", "counterclockwise", "ccw"};
-    size_t i;
-
-    for (i = 0; i < sizeof words / sizeof words[0]; i++)
-        if (flk_text_equal(t, words[i]))
-            return 1;
-    return 0;
+    return flk_text_equal(t, "clockwise") || flk_text_equal(t, "cw") ||
+           flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
 /* Why `t` is no unit: `bad` is the part of it that is not known. */

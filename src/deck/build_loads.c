@@ -102,8 +102,8 @@ static void check_link(parser *p, const section_use *use, const setting *link)
 /* The crank angles between which a load acts. */
 static void build_window(parser *p, const section_use *use, deck_load *variation)
 {
-    const setting *from = flk_setting_of(p, use, KEY_LOAD_FROM),
-                  *to = flk_setting_of(p, use, KEY_LOAD_TO);
+    const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
 
     if (!IS_SET(from) && !IS_SET(to))
         return;
@@ -128,8 +128,8 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
 {
     static const char *const endings[DECK_POINT_COLUMNS] = {".x",  ".y",  ".vx", ".vy",
                                                             ".ax", ".ay", ".v",  ".a"};
-    const setting *link = flk_setting_of(p, use, KEY_POINT_LINK),
-                  *at = flk_setting_of(p, use, KEY_POINT_AT);
+    const setting *link = flk_setting_of(use, KEY_POINT_LINK),
+                  *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
     check_link(p, use, link);
@@ -173,11 +173,11 @@ void flk_build_points(parser *p)
 
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
 {
-    const setting *link = flk_setting_of(p, use, KEY_LOAD_LINK);
-    const setting *force = flk_setting_of(p, use, KEY_LOAD_FORCE),
-                  *at = flk_setting_of(p, use, KEY_LOAD_AT);
-    const setting *torque = flk_setting_of(p, use, KEY_LOAD_TORQUE);
-    const setting *frame = flk_setting_of(p, use, KEY_LOAD_FRAME);
+    const setting *link = flk_setting_of(use, KEY_LOAD_LINK);
+    const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *at = flk_setting_of(use, KEY_LOAD_AT);
+    const setting *torque = flk_setting_of(use, KEY_LOAD_TORQUE);
+    const setting *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
     check_link(p, use, link);
     if (!IS_SET(force) && !IS_SET(torque))

@@ -164,7 +164,7 @@ int flk_build_kind(parser *p)
             continue;
         }
         for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
-            s = flk_setting_of(p, use, k);
+            s = flk_setting_of(use, k);
             if (IS_SET(s) && !(flk_key_table[k].kinds & (int)kind))
                 flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
                             use->section == SECTION_TOP ? "" : "the ",

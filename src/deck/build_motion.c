@@ -25,7 +25,7 @@ static int is_mistaken(parser *p, section_code section)
     size_t i;
 
     for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
-        text_place place = flk_setting_of(p, use, k)->place;
+        text_place place = flk_setting_of(use, k)->place;
 
         for (i = 0; place.source && i < p->mistakes->count; i++)
             if (p->mistakes->list[i].place.source == place.source &&
@@ -164,9 +164,9 @@ void flk_build_expectations(parser *p)
 
         if (use->section == SECTION_SWEEP)
             continue;
-        at = flk_setting_of(p, use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
-        branch = flk_setting_of(p, use, KEY_EXPECT_BRANCH);
-        tolerance = flk_setting_of(p, use, KEY_EXPECT_TOLERANCE);
+        at = flk_setting_of(use, KEY_EXPECT_AT); /* [misprint] has the keys of [expect] */
+        branch = flk_setting_of(use, KEY_EXPECT_BRANCH);
+        tolerance = flk_setting_of(use, KEY_EXPECT_TOLERANCE);
         e = &list[d->n_expectations++];
         memset(e, 0, sizeof *e);
         e->place = named->place;

@@ -138,7 +138,6 @@ static int run(deck *d, const fourlink_source *source, const char *name,
         read(&p, source);
     flk_mistakes_sort(p.mistakes);
     free(p.uses);
-    free(p.settings);
     free(p.named);
     free(p.named_slots);
     return !p.out_of_memory && !d->mistakes.out_of_memory;

@@ -36,13 +36,12 @@ typedef struct point {
     double unit_to_si;
 } point;
 
-/* A section as it stands in the deck, with one setting for each key of the schema that it can have;
-** they are found at first + key - (first key of the section). */
+/* A section as it stands in the deck, with one setting for each key that it can have. */
 typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    size_t first;
+    setting *settings; /* see flk_setting_of */
 } section_use;
 
 /* A value of a section that takes names of its own: [expect], [misprint], [sweep]. */
@@ -70,8 +69,6 @@ typedef struct parser {
     void *host; /* for it */
     section_use *uses;
     size_t n_uses, uses_capacity;
-    setting *settings;
-    size_t n_settings, settings_capacity;
     named_value *named;
     size_t n_named, named_capacity;
     size_t *named_slots; /* of a hash of their names: number + 1; 0: free */
@@ -106,7 +103,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
 int flk_section_unknown(parser *p, text_place place, text name);
 
 /* The setting of a key in a section that has it. */
-setting *flk_setting_of(parser *p, const section_use *use, key_code key);
+setting *flk_setting_of(const section_use *use, key_code key);
 
 /* The setting of a key of a section that does not repeat; one that is not set, all 0, if the deck has no
 ** such section. */

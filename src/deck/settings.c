@@ -28,24 +28,18 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
     size_t n = (size_t)(flk_first_key(section + 1) - flk_first_key(section));
-    section_use *uses, *use;
-    setting *settings;
+    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses), *use;
+    setting *settings = flk_reader_keep(p, n * sizeof *settings);
 
-    uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses);
-    if (!uses)
+    if (uses)
+        p->uses = uses;
+    if (!uses || !settings)
         return NULL;
-    p->uses = uses;
-    settings = grow(p, p->settings, &p->settings_capacity, p->n_settings + n, sizeof *settings);
-    if (!settings)
-        return NULL;
-    p->settings = settings;
-    memset(settings + p->n_settings, 0, n * sizeof *settings);
     use = &uses[p->n_uses++];
     use->section = section;
     use->name = name;
     use->place = place;
-    use->first = p->n_settings;
-    p->n_settings += n;
+    use->settings = settings;
     return use;
 }
 
@@ -65,9 +59,9 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
     return NULL;
 }
 
-setting *flk_setting_of(parser *p, const section_use *use, key_code key)
+setting *flk_setting_of(const section_use *use, key_code key)
 {
-    return &p->settings[use->first + (size_t)(key - flk_first_key(flk_key_table[key].section))];
+    return &use->settings[key - flk_first_key(flk_key_table[key].section)];
 }
 
 static const setting unset;
@@ -76,7 +70,7 @@ const setting *flk_setting_find(parser *p, key_code key)
 {
     const section_use *use = flk_section_find(p, flk_key_table[key].section, NULL);
 
-    return use ? flk_setting_of(p, use, key) : &unset;
+    return use ? flk_setting_of(use, key) : &unset;
 }
 
 const setting *flk_setting_by_name(parser *p, section_code section, const char *key)
@@ -293,7 +287,7 @@ static int set_target(parser *p, text_place place, const target *t, text value, 
 
     if (t->key == KEY_COUNT)
         return set_named(p, place, t, value, replace);
-    s = flk_setting_of(p, &p->uses[t->use], t->key);
+    s = flk_setting_of(&p->uses[t->use], t->key);
     if (IS_SET(s) && !replace)
         return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
                            t->name, s->place.line);
@@ -361,9 +355,8 @@ static section_use *find_section(parser *p, text_place place, section_code code,
 static int has_parts(parser *p, text_place place, const target *t, text key)
 {
     value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;
-    setting *s = form == FORM_POINT || form == FORM_VECTOR
-                     ? flk_setting_of(p, &p->uses[t->use], t->key)
-                     : NULL;
+    setting *s =
+        form == FORM_POINT || form == FORM_VECTOR ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
 
     if (s && form == FORM_POINT && !IS_SET(s))
         set(place, s, flk_text_of("(0, 0)"));

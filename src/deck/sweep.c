@@ -302,7 +302,7 @@ static int find_quantity(parser *p, variation *v)
     if (v->target.part != PART_NONE)
         return 1;
     if (v->target.key != KEY_COUNT) { /* nothing else is to be said of it, until it has a value */
-        s = flk_setting_of(p, &p->uses[v->target.use], v->target.key);
+        s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         memset(s, 0, sizeof *s);
         s->place = v->place;
     }

@@ -452,7 +452,7 @@ void flk_values_read_section(parser *p, const section_use *use)
     key_code k;
 
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
-        setting *s = flk_setting_of(p, use, k);
+        setting *s = flk_setting_of(use, k);
 
         if (IS_SET(s) && s->value.length)
             read_value(p, k, s);
