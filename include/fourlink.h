@@ -477,18 +477,19 @@ typedef struct fourlink_problem {
     int has_forces;         /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
-    int has_gas;                          /* 1: the last load is the gas */
-    unsigned long n_points;               /* for fourlink_deck_point */
-    double flywheel_fluctuation;          /* 1; 0 if the deck does not say */
-    double flywheel_inertia;              /* kg m2; 0 if the deck does not say */
-    unsigned long n_rows;                 /* of the motion */
-    int one_instant;                      /* 1: the deck asks for one crank angle */
-    int one_revolution;       /* 1: from its first row to its last the crank turns once */
-    int digits;               /* significant digits of the deck's tables */
-    unsigned long n_expected; /* values of [expect] and [misprint] */
-    unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
-    unsigned long design;     /* which of them this is, from 0 */
-    int has_outputs;          /* 1: the [sweep] names outputs: a line for each design */
+    int has_gas; /* 1: the last load is the gas, on the piston; 2: the last two are, on rod and cylinder; 0: there
+                    is none */
+    unsigned long n_points;      /* for fourlink_deck_point */
+    double flywheel_fluctuation; /* 1; 0 if the deck does not say */
+    double flywheel_inertia;     /* kg m2; 0 if the deck does not say */
+    unsigned long n_rows;        /* of the motion */
+    int one_instant;             /* 1: the deck asks for one crank angle */
+    int one_revolution;          /* 1: from its first row to its last the crank turns once */
+    int digits;                  /* significant digits of the deck's tables */
+    unsigned long n_expected;    /* values of [expect] and [misprint] */
+    unsigned long n_designs;     /* of its [sweep]; 0: the deck has none */
+    unsigned long design;        /* which of them this is, from 0 */
+    int has_outputs;             /* 1: the [sweep] names outputs: a line for each design */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------

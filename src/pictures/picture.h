@@ -99,7 +99,7 @@ typedef struct picture {
 /* One crank angle, with its loads. */
 typedef struct picture_row {
     fourlink_instant now;
-    fourlink_load loads[PICTURE_LOADS + 1];
+    fourlink_load loads[PICTURE_LOADS + 2];
 } picture_row;
 
 /* The functions of the kinds; those with a panel for each branch are called for each, the others for the first.

@@ -25,11 +25,11 @@ static double ratio(double x, double y)
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A (four-bar), where both move alike,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both move alike,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
-** Mechanical advantage, from the power of a machine without losses: four-bar, torque on the load over
+** Mechanical advantage, from the power of a machine without losses: torque on the load over
 ** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
 ** r omega2 / v.
 */
@@ -42,7 +42,7 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     e->condition = 1 / fabs(state->sine);
     e->I13.x = coupler->origin.x - ratio(coupler->k_origin.y, coupler->k);
     e->I13.y = coupler->origin.y + ratio(coupler->k_origin.x, coupler->k);
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR) {
+    if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {
         e->mechanical_advantage = ratio(1, follower->k);
         e->I24.x = ratio(-link[1].length * follower->k, 1 - follower->k);
         e->I24.y = 0;
