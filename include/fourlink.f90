@@ -4,16 +4,16 @@
 !
 ! Compile this file with the program that uses it, and link with -lfourlink.
 !
-! The names are those of fourlink.h, but for two that Fortran, blind to upper and lower case, cannot
-! tell from those of types: the number of the crank among the links is fourlink_crank_link, and the
-! type of linkage FOURLINK_ENGINE is fourlink_engine_type.
+! The names are those of fourlink.h, except two: Fortran ignores case and would take them for
+! names of types.  The crank's link number is fourlink_crank_link, and the type of linkage
+! FOURLINK_ENGINE is fourlink_engine_type.
 !
 ! - Arrays over links are indexed by the link's number, as in C.
-! - What the caller fills in (design, load, crank, motion, source) is 0 to begin with.
+! - What the caller fills in (design, load, crank, motion, source) is initially 0.
 ! - Outputs are intent(inout), since a call that fails leaves them untouched.
-! - Outputs that may be null in C must be there: Fortran 2003 has no optional arguments in bind(c).
-! - Other arguments that may be null: an array without elements, c_null_ptr, c_null_funptr.
-! - An unsigned long of C is an integer(c_long): none of them comes near its end.
+! - Outputs that may be null in C must be given: Fortran 2003 has no optional arguments in bind(c).
+! - For other arguments that may be null give an array without elements, c_null_ptr or c_null_funptr.
+! - An unsigned long of C is an integer(c_long): none is too large for it.
 module fourlink
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funptr, &
     c_int, c_long, c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
@@ -97,7 +97,7 @@ module fourlink
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
-  ! Of a turning moment, the most areas; of a source, whichever design is in order.
+  ! The most areas of a turning moment; for a source, any design without mistakes.
   integer(c_int), parameter :: fourlink_areas = 40
   integer(c_long), parameter :: fourlink_any_design = int(z'ffffffff', c_long)
 
@@ -397,7 +397,7 @@ module fourlink
       type(fourlink_forces), intent(inout) :: forces
     end function fourlink_solve_dyad
 
-    ! The matrix arrives transposed: a(j, i) is what C has as A[i-1][j-1], row i, column j.
+    ! The matrix is transposed: a(j, i) is A[i-1][j-1] in C, row i, column j.
     integer(c_int) function fourlink_system(mechanism, state, loads, n_loads, a, b) bind(c)
       import
       type(fourlink_mechanism), intent(in) :: mechanism
@@ -658,13 +658,13 @@ module fourlink
     end function fourlink_results_check
   end interface
 
-  ! A null-terminated text of C, as an array or by its address, filled up with blanks.
+  ! A null-terminated text of C, as an array or by its address, padded with blanks.
   interface fourlink_text
     module procedure text_of_array, text_of_pointer
   end interface fourlink_text
 
   ! In `contains`: the functions that return a text, fourlink_..._text and fourlink_version, as
-  ! character(len=80), filled up with blanks.
+  ! character(len=80), padded with blanks.
 
 contains
 

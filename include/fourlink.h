@@ -4,16 +4,16 @@
 **
 ** The whole public interface of the library: this header alone is enough to write a program.
 ** It is strict C90 and C++98-clean.  The library keeps no state, prints nothing and never ends the
-** process; every function may be called from several threads at once.  It allocates memory only where a
-** deck is opened, by fourlink_deck_read and fourlink_results_open, and holds it until the deck is freed.
+** process; every function may be called from several threads at once.  Only fourlink_deck_read and
+** fourlink_results_open allocate memory; fourlink_deck_free and fourlink_results_free return it.
 **
 ** Conventions
 **
 **   Links    1 ground (A-D), 2 crank (A-B), 3 coupler or connecting rod (B-C), 4 rocker (D-C) or
-**            piston (at C).  Of an inverted slider-crank 3 is the slider, pinned to the crank at B, which
-**            slides along a line of 4, the lever, which turns about D.  Arrays over links are indexed
-**            by the link's number.
-**   Frame    Right-handed, that of link 1: origin A, x along A->D (four-bar, inverted slider-crank)
+**            piston (at C).  In an inverted slider-crank link 3 is the slider, pinned to the crank at
+**            B, and link 4 the lever, which turns about D; the slider slides along the lever.  Arrays
+**            over links are indexed by the link's number.
+**   Frame    Right-handed, fixed to link 1: origin A, x along A->D (four-bar, inverted slider-crank)
 **            or along the line of stroke from the crankshaft to the piston (slider-crank), z out of
 **            the paper.
 **   Units    SI and radians throughout.  Angles, angular speeds and torques are positive
@@ -52,44 +52,44 @@ extern "C" {
 ** Status codes
 ** ------------------------------------------------------------------------------------------- */
 
-/* One list makes the codes and their texts.  1 to 19 concern one crank position and leave the
-** others usable; 20 and above say that the call or its data are wrong. */
-#define FOURLINK_STATUS_LIST(X)                                                                    \
-    X(FOURLINK_OK, 0, "ok")                                                                        \
-    X(FOURLINK_TOO_FAR, 1, "the links do not reach: B and D are too far apart")                    \
-    X(FOURLINK_TOO_NEAR, 2, "the links do not reach: B and D are too close together")              \
-    X(FOURLINK_ROD_TOO_SHORT, 3, "the rod does not reach the line of stroke")                      \
-    X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")       \
-    X(FOURLINK_CHANGE_POINT, 5, "change point: the motion may go on in two ways")                  \
-    X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                   \
-    X(FOURLINK_LOST_IN_ROUNDING, 7, "the links are too unequal: rounding hides the position")      \
-    X(FOURLINK_NOT_REACHED, 8, "the links reach at no angle of the motion")                        \
-    X(FOURLINK_NULL, 20, "a null pointer was passed")                                              \
-    X(FOURLINK_BAD_NUMBER, 21, "a number is not finite, or beyond what the program computes with") \
-    X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                 \
-    X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                         \
-    X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                          \
-    X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                           \
-    X(FOURLINK_BAD_LINK, 26, "a load or a point is on a link that does not move")                  \
-    X(FOURLINK_BAD_FRAME, 27, "the frame of a load is neither ground nor link")                    \
-    X(FOURLINK_BAD_INTERVAL, 28, "the interval of the crank angle is not positive")                \
-    X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")       \
-    X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                          \
-    X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                   \
-    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                            \
-    X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is no slider-crank")                              \
-    X(FOURLINK_NO_SERIES, 34, "the series are for a line of stroke through the crankshaft")        \
-    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")               \
-    X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                              \
-    X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                 \
-    X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                    \
-    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative, or larger than 100")          \
-    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is none of exact, piston and all")        \
-    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column and no fact of this name")                    \
-    X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                   \
-    X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                    \
-    X(FOURLINK_NO_TURNING_MOMENT, 44,                                                              \
-      "the turning moment needs forces and a crank that turns fully, at constant speed")           \
+/* One list makes the codes and their texts.  1 to 19 concern one crank position; others may still
+** succeed.  20 and above mean that the call or its data are wrong. */
+#define FOURLINK_STATUS_LIST(X)                                                                   \
+    X(FOURLINK_OK, 0, "ok")                                                                       \
+    X(FOURLINK_TOO_FAR, 1, "cannot be assembled: B and D are too far apart")                      \
+    X(FOURLINK_TOO_NEAR, 2, "cannot be assembled: B and D are too close together")                \
+    X(FOURLINK_ROD_TOO_SHORT, 3, "the rod does not reach the line of stroke")                     \
+    X(FOURLINK_DEAD_POSITION, 4, "dead position: the motion is not determined by the crank")      \
+    X(FOURLINK_CHANGE_POINT, 5, "change point: the motion can continue in two ways")              \
+    X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                  \
+    X(FOURLINK_LOST_IN_ROUNDING, 7, "link lengths too unequal: the position is lost in rounding") \
+    X(FOURLINK_NOT_REACHED, 8, "the linkage cannot be assembled at any angle of the motion")      \
+    X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
+    X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
+    X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
+    X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                        \
+    X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                         \
+    X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                          \
+    X(FOURLINK_BAD_LINK, 26, "a load or a point is on a link that does not move")                 \
+    X(FOURLINK_BAD_FRAME, 27, "the frame of a load is neither ground nor link")                   \
+    X(FOURLINK_BAD_INTERVAL, 28, "the interval of the crank angle is not positive")               \
+    X(FOURLINK_BAD_RANGE, 29, "the range runs against the rotation of an accelerated crank")      \
+    X(FOURLINK_NO_RUN_UP, 30, "a run-up from rest needs an acceleration")                         \
+    X(FOURLINK_TOO_MANY_ROWS, 31, "the range has too many rows")                                  \
+    X(FOURLINK_NO_SUCH_ROW, 32, "there is no such row")                                           \
+    X(FOURLINK_NOT_AN_ENGINE, 33, "the mechanism is not a slider-crank")                          \
+    X(FOURLINK_NO_SERIES, 34, "the series need a line of stroke through the crankshaft")          \
+    X(FOURLINK_ROD_OFF_LINE, 35, "the centre of mass of the rod is not on its line")              \
+    X(FOURLINK_BAD_DECK, 36, "the deck has mistakes")                                             \
+    X(FOURLINK_NO_MEMORY, 37, "not enough memory")                                                \
+    X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                   \
+    X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative or above 100")                \
+    X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is not exact, piston or all")            \
+    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column or fact of this name")                       \
+    X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                  \
+    X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                   \
+    X(FOURLINK_NO_TURNING_MOMENT, 44,                                                             \
+      "the turning moment needs forces and a crank that turns fully, at constant speed")          \
     X(FOURLINK_NO_SUCH_LIST, 45, "there is no such list")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
@@ -108,17 +108,16 @@ typedef enum fourlink_kind {
     FOURLINK_INVERTED_SLIDER_CRANK = 4
 } fourlink_kind;
 
-/* The range of numbers the library computes with: no machine comes near its ends, and within it no
-** result of a position that is found overflows.  What is outside is refused with FOURLINK_BAD_NUMBER,
-** NaN included.
+/* The range of numbers that the library accepts.  It is far wider than any machine needs, and no
+** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
 **
-** Where two links are far longer than the other two, positions lose digits, those of the square of the
-** ratio; when no more than eight are left the status is FOURLINK_LOST_IN_ROUNDING. */
+** If two links are far longer than the other two, positions lose as many digits as the square of
+** the ratio has.  If eight or fewer are left, the status is FOURLINK_LOST_IN_ROUNDING. */
 #define FOURLINK_LENGTH_MIN 1e-15 /* m */
 #define FOURLINK_LENGTH_MAX 1e15  /* m; also of distances such as `cg`, `at` and `offset` */
 #define FOURLINK_NUMBER_MAX 1e30  /* all else, in SI units */
 
-/* The two ways in which the links can be put together.
+/* The two assembly modes.
 **
 ** Four-bar:     open, C lies to the left of the directed line B->D; crossed, to the right.
 ** Slider-crank: open, the piston is on the +x side of the crank pin; crossed, on the -x side.
@@ -128,8 +127,8 @@ typedef enum fourlink_kind {
 ** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for
 ** a slider-crank at +90 or -90 deg, for its inversion at 0) passes smoothly from one side to the other.  There the label
 ** stays with the smooth motion that has the named side just after crank angle 0 (four-bar, inverted
-** slider-crank), or at crank angle 0 (slider-crank): it is a function of the lengths and of the angle alone, which for
-** this purpose counts on past 360 deg.
+** slider-crank), or at crank angle 0 (slider-crank): it depends only on the lengths and on the angle, which is not
+** reduced by 360 deg here.
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
@@ -144,19 +143,19 @@ typedef struct fourlink_vector {
 ** along the slide; lever: towards C, or along the slide if its length is 0), y to the left of that.
 */
 typedef struct fourlink_link {
-    double length;      /* m; of piston and slider unused; lever: DC, or 0 */
+    double length;      /* m; unused for piston and slider; lever: DC, or 0 */
     double mass;        /* kg; 0 for a link without weight */
     double inertia;     /* kg m2, moment of inertia about the centre of mass */
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
 } fourlink_link;
 
-/* What the caller knows about a mechanism.  Zero it first: what is left at 0 is absent. */
+/* What the caller knows about a mechanism.  Set it to zero first: what stays 0 is absent. */
 typedef struct fourlink_design {
     fourlink_kind kind;
     fourlink_link
-        link[5];   /* by link number; [0] is unused, of [1] only the length (not slider-crank) */
-    double offset; /* m, either sign; slider-crank: the line of stroke is y = offset; inverted:
-                                so far to the left of D, or of C, passes the slide */
+        link[5];   /* by link number; [0] is unused, [1] has only a length (not slider-crank) */
+    double offset; /* m, either sign; slider-crank: the line of stroke is y = offset;
+                                inverted: the slide passes D, or C, at this distance on the left */
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
     double angle; /* rad, inverted, lever with a length: of the slide, from the line DC */
 } fourlink_design;
@@ -179,17 +178,17 @@ typedef struct fourlink_mechanism {
 ** One crank position
 ** ------------------------------------------------------------------------------------------- */
 
-/* The crank at one row: the input of every analysis. */
+/* The crank at one row, the input of every analysis. */
 typedef struct fourlink_crank {
     double theta2; /* rad, from +x; counts on past 2 pi */
     double omega2; /* rad/s */
     double alpha2; /* rad/s2 */
 } fourlink_crank;
 
-/* The motion of one link, as that of a rigid body. */
+/* The motion of one link, a rigid body. */
 typedef struct fourlink_link_state {
-    double theta;                 /* rad, angle of the link's line from +x, in (-pi, pi] but for the
-                                     crank's, which is the one given */
+    double theta;                 /* rad, angle of the link's line from +x, in (-pi, pi], except
+                                     the crank's, which is as given */
     double omega;                 /* rad/s */
     double alpha;                 /* rad/s2 */
     double k;                     /* 1, d(theta)/d(theta2): omega for a unit crank speed */
@@ -207,8 +206,8 @@ typedef struct fourlink_state {
     fourlink_branch branch;
     double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3);
                        inverted: s / BD.
-                       Positive on the open branch, negative on the crossed one; behind a
-                       change point the other way round (see fourlink_branch).  0 in a dead
+                       Positive on the open branch, negative on the crossed one; past a
+                       change point the signs are exchanged (see fourlink_branch).  0 in a dead
                        position; 1/|sine| is the condition of the position: the factor by
                        which relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
@@ -233,7 +232,7 @@ typedef enum fourlink_frame {
     FOURLINK_FRAME_LINK = 1    /* the link's own axes: the force turns with the link */
 } fourlink_frame;
 
-/* A force and a torque on a moving link, beside its weight. */
+/* A force and a torque on a moving link, in addition to its weight. */
 typedef struct fourlink_load {
     int link; /* 2, 3 or 4 */
     fourlink_frame frame;
@@ -250,9 +249,9 @@ typedef struct fourlink_forces {
     double F14x, F14y; /* N, ground on link 4: at D, or the guide on the piston (then F14x = 0) */
     double M14;        /* N m, slider-crank: couple of the guide on the piston; four-bar: 0 */
     double Ts;         /* N m, ground on crank: the driving torque */
-    double Ts_work;    /* N m, the same by virtual work, without the nine equations */
+    double Ts_work;    /* N m, the same from virtual work, without the nine equations */
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
-                          largest term of the balance, the products of components; 0 where every
+                          largest term of the balance, the products of components; 0 if every
                           term is 0 */
     double N34,
         M34; /* N, N m, inverted: force of the slider on the lever, at B and to the left of the
@@ -288,23 +287,23 @@ typedef enum fourlink_type {
 } fourlink_type;
 #undef FOURLINK_TYPE_CODE_
 
-/* The crank angles at which the links reach. */
+/* The crank angles at which the linkage can be assembled. */
 typedef struct fourlink_reach {
     int n_ranges;          /* 0 (never), 1 or 2 */
-    double from[2], to[2]; /* rad, from < to; a crank that turns fully has 0 to 2 pi.  The ends of
-                                  other ranges are dead positions */
+    double from[2], to[2]; /* rad, from < to; a crank that turns fully has 0 to 2 pi.  Other
+                              ranges end in dead positions */
 } fourlink_reach;
 
 /* The limits of a mechanism on one branch. */
 typedef struct fourlink_limits {
-    double mu_min, mu_max;         /* rad, transmission angle over the reachable crank angles */
+    double mu_min, mu_max;         /* rad, transmission angle over all possible crank angles */
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
     double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; of a lever that
                                       turns fully, of the strokes of a tool whose line of stroke passes D
                                       at right angles to AD; 0: there is none */
-    int has_stroke;      /* 1: the piston goes between two dead centres */
+    int has_stroke;      /* 1: the piston moves between two dead centres */
     double stroke;       /* m */
     double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
                                       farthest from the crankshaft, and nearest to it */
@@ -314,14 +313,14 @@ typedef struct fourlink_limits {
 ** Engines: what textbooks compute for a slider-crank
 ** ------------------------------------------------------------------------------------------- */
 
-/* The textbook's approximations for a rod that is long against the crank. */
+/* The textbook's approximations for a rod much longer than the crank. */
 typedef struct fourlink_series {
     double x, v, a;                            /* m, m/s, m/s2: two terms, as for state->x, v, a */
     double omega3, alpha3;                     /* rad/s, rad/s2, of the rod */
     double x_harmonic, v_harmonic, a_harmonic; /* m, m/s, m/s2: one term, an infinitely long rod */
 } fourlink_series;
 
-/* What of the engine method is computed by the series. */
+/* Which parts of the engine method use the series. */
 typedef enum fourlink_approximation {
     FOURLINK_EXACT = 0,
     FOURLINK_SERIES_PISTON = 1, /* the acceleration of the piston */
@@ -334,23 +333,23 @@ typedef struct fourlink_rod {
     double k; /* m, radius of gyration about the centre of mass */
     double b; /* m, from the gudgeon pin to the centre of mass */
     double m_a,
-        m_b;    /* kg, at the crank pin and at the gudgeon pin: right mass and centre of mass */
-    double d;   /* m, k^2/b, from the centre of mass to m_d of the dynamically true pair */
+        m_b;    /* kg, at the crank pin and at the gudgeon pin: with the rod's centre of mass */
+    double d;   /* m, k^2/b, from the centre of mass to m_d of the dynamically equivalent pair */
     double L;   /* m, b + d, length of the equivalent simple pendulum */
-    double m_d; /* kg, at distance d; its partner at the gudgeon pin is m_g */
-    double m_g; /* kg */
+    double m_d; /* kg, at distance d; the other mass of the pair is m_g */
+    double m_g; /* kg, at the gudgeon pin */
 } fourlink_rod;
 
 /* The engine method, at one crank position.  Forces along the stroke are positive towards the crank,
-** as the gas pushes; torques are those delivered to the crankshaft, counter-clockwise positive. */
+** as the gas pushes; torques are delivered to the crankshaft, counter-clockwise positive. */
 typedef struct fourlink_engine {
     double gas_force;         /* N, as given */
     double inertia_force;     /* N, -(m_p + m_b) a */
     double piston_effort;     /* N, gas, inertia, weight of m_p + m_b along the stroke, loads on the
                                  piston */
     double rod_force;         /* N, thrust in the rod */
-    double side_thrust;       /* N, guide on piston, along +y */
-    double crank_effort;      /* N, at right angles to the crank, counter-clockwise positive */
+    double side_thrust;       /* N, force of the guide on the piston, along +y */
+    double crank_effort;      /* N, normal to the crank, counter-clockwise positive */
     double radial_force;      /* N, along the crank, towards the main bearing positive */
     double correction_couple; /* N m, m b (l - L) phi'', phi'' = -alpha3 */
     double T_piston;          /* N m, of the piston effort */
@@ -376,32 +375,32 @@ typedef struct fourlink_klein {
 ** The motion of the crank
 ** ------------------------------------------------------------------------------------------- */
 
-/* The crank positions to visit.  Angles are in the caller's own unit, so that 40 deg stays exactly
-** 40 from the input to the table. */
+/* The crank positions to compute.  Angles are in the caller's own unit, so that 40 deg stays
+** exactly 40 from the input to the table. */
 typedef struct fourlink_motion {
     double angle_unit; /* rad, the unit of the four angles below: 1 for radians, pi/180 for deg */
-    double from, to;   /* first and last crank angle; to < from is a range that runs clockwise */
-    double interval;   /* > 0; the last row is `to` also where the interval does not divide */
+    double from, to;   /* first and last crank angle; if to < from, the range runs clockwise */
+    double interval;   /* > 0; the last row is at `to` even if no multiple of this */
     double run_up;     /* > 0: start from rest at `from` with `acceleration`, which ends after this
                           angle; `speed` is not used.  0 or less: no run-up */
     double speed;      /* rad/s, at the first row */
     double
         acceleration; /* rad/s2, constant over the range: omega2^2 = speed^2 + 2 acceleration s */
-    int hold;         /* 1: every row has the same speed and acceleration instead */
+    int hold;         /* 1: every row has this speed and acceleration */
 } fourlink_motion;
 
 /* The rows of a motion. */
 typedef struct fourlink_range {
     unsigned long n_rows; /* at least 1 */
     int stops;            /* 1: the crank comes to rest before `to`, and the rows end there */
-    double stop_angle;    /* where it does, in the motion's own unit; else 0 */
+    double stop_angle;    /* the crank angle there, in the motion's own unit; else 0 */
 } fourlink_range;
 
 /* One row of a motion. */
 typedef struct fourlink_row {
     fourlink_crank crank;
     double angle; /* crank angle in the motion's own unit */
-    double time;  /* s, since the first row; 0 where it is not defined (see fourlink_motion_row) */
+    double time;  /* s, since the first row; 0 if it is not defined (see fourlink_motion_row) */
 } fourlink_row;
 
 /* ---------------------------------------------------------------------------------------------
@@ -413,55 +412,52 @@ typedef struct fourlink_deck fourlink_deck;
 
 /* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE". */
 typedef struct fourlink_mistake {
-    char file
-        [1024]; /* where it is written: a file that the deck names, the answers, a change; "": the
-                          deck */
-    long line;  /* 1 for the first; 0: in no file, but in a change */
+    char file[1024];   /* a file that the deck names, the answers, or a change; "": the deck */
+    long line;         /* from 1; 0: in a change, not in a file */
     char message[400]; /* null-terminated */
 } fourlink_mistake;
 
-/* How a deck gets at a file that it names, such as an indicator card.
+/* Loads a file that a deck names, such as an indicator card.
 **
 ** Given:
 **    host       as given to fourlink_deck_read
-**    file_name  as it stands in the deck
+**    file_name  as written in the deck
 ** Returned:
-**    length     bytes of the file
+**    length     of the file, in bytes
 ** Returned (function value):
-**    the file's text, which has to last until the next call, or the end of fourlink_deck_read; null
-**    if there is no such file
+**    the file's text, which must stay valid until the next call or the end of fourlink_deck_read;
+**    null if there is no such file
 */
 typedef const char *fourlink_loader(void *host, const char *file_name, unsigned long *length);
 
-/* An assignment from outside a deck: it replaces, or adds to, those of the deck. */
+/* An assignment from outside a deck.  It replaces the deck's own, or is added. */
 typedef struct fourlink_change {
-    const char *origin;     /* what messages name as its place, such as "--set" */
+    const char *origin;     /* where messages say it is, such as "--set" */
     const char *assignment; /* [SECTION[ NAME].]KEY=VALUE */
 } fourlink_change;
 
-/* For fourlink_results_open: the first design that is in order, if there is one among the first thousand, or
-** a thousand spread over all of them; else the first. */
+/* For fourlink_results_open: the first design without mistakes, among the first thousand and a
+** thousand spread over all; if these all have mistakes, the first design. */
 #define FOURLINK_ANY_DESIGN 0xffffffffUL
 
-/* What a deck is read from.  Zero it first: what is left at 0 is absent. */
+/* What a deck is read from.  Set it to zero first: what stays 0 is absent. */
 typedef struct fourlink_source {
-    const char *name;      /* what messages name as the deck's place; null: "" */
+    const char *name;      /* the deck's name in messages; null: "" */
     const char *text;      /* the deck's text, as in a file */
-    unsigned long length;  /* bytes of it */
-    fourlink_loader *load; /* for the files that the deck names; null: it may name none */
+    unsigned long length;  /* its length in bytes */
+    fourlink_loader *load; /* loads the files that the deck names; null if it may not name any */
     void *host;            /* for `load` */
     const fourlink_change *changes;
     unsigned long n_changes;
-    const char *answers_name; /* as `name`, of the next */
-    const char *answers;      /* [expect] and [misprint] sections that take the place of the deck's;
-                                   null: its own */
+    const char *answers_name; /* as `name`, for `answers` */
+    const char *answers; /* [expect] and [misprint] sections instead of the deck's; may be null */
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
-    int whole_cycle; /* for fourlink_results_open; 1: of one crank angle is made a cycle from 0,
-                             with the same speed and acceleration at every row */
+    int whole_cycle;      /* for fourlink_results_open; 1: a deck of one crank angle gets a cycle
+                             from 0, with the same speed and acceleration at every row */
 } fourlink_source;
 
-/* A unit of a deck: a value in it is value * up / down in SI units and radians. */
+/* A unit of a deck: value * up / down is in SI units and radians. */
 typedef struct fourlink_unit {
     const char *name; /* lasts as long as the deck */
     double up, down;
@@ -469,56 +465,56 @@ typedef struct fourlink_unit {
 
 /* The problem that a deck poses. */
 typedef struct fourlink_problem {
-    char title[256]; /* null-terminated; a longer one is cut off */
+    char title[256]; /* null-terminated; cut off if longer */
     fourlink_mechanism mechanism;
-    fourlink_motion motion; /* the rows of the deck; one row if it is of one instant */
-    double cycle;           /* rad, the period of curves and of the turning moment */
-    int open, crossed;      /* 1: this branch is asked for */
-    int has_forces;         /* 1: there are masses, loads or gas */
+    fourlink_motion motion;               /* the rows of the deck; one row for one instant */
+    double cycle;                         /* rad, the period of curves and of the turning moment */
+    int open, crossed;                    /* 1: this branch is asked for */
+    int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
-    int has_gas; /* 1: the last load is the gas, on the piston; 2: the last two are, on rod and cylinder; 0: there
-                    is none */
+    int has_gas; /* 1: the last load is the gas on the piston; 2: the last two are the gas on rod
+                    and cylinder */
     unsigned long n_points;      /* for fourlink_deck_point */
-    double flywheel_fluctuation; /* 1; 0 if the deck does not say */
-    double flywheel_inertia;     /* kg m2; 0 if the deck does not say */
+    double flywheel_fluctuation; /* 1; 0 if not given */
+    double flywheel_inertia;     /* kg m2; 0 if not given */
     unsigned long n_rows;        /* of the motion */
     int one_instant;             /* 1: the deck asks for one crank angle */
-    int one_revolution;          /* 1: from its first row to its last the crank turns once */
+    int one_revolution;          /* 1: the crank turns once from the first row to the last */
     int digits;                  /* significant digits of the deck's tables */
     unsigned long n_expected;    /* values of [expect] and [misprint] */
     unsigned long n_designs;     /* of its [sweep]; 0: the deck has none */
-    unsigned long design;        /* which of them this is, from 0 */
-    int has_outputs;             /* 1: the [sweep] names outputs: a line for each design */
+    unsigned long design;        /* number of this one, from 0 */
+    int has_outputs; /* 1: the [sweep] names outputs, which give a line for each design */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
 ** Results by name
 ** ------------------------------------------------------------------------------------------- */
 
-/* A deck opened for results, from fourlink_results_open to fourlink_results_free.  It holds all memory
-** that columns, searches and lists need; a thread needs one of its own. */
+/* A deck opened for results, from fourlink_results_open to fourlink_results_free.  It holds all
+** memory that columns, searches and lists need; each thread needs its own. */
 typedef struct fourlink_results fourlink_results;
 
-/* A number or words with a name: a column, an extreme, a fact, an input.  Texts last until
+/* A number or words with a name: a column, an extreme, a fact, an input.  Texts are valid until
 ** fourlink_results_free. */
 typedef struct fourlink_value {
     const char *name;     /* Ts, max(Ts), mu_min, crank.length */
     const char *unit;     /* as the deck names it; "1": a plain number; "": words */
     const char *quantity; /* length, torque ..., as in [units]; "number" */
     const char *meaning;
-    const char *source; /* what the sources call it; "": they do not */
+    const char *source; /* its name in the sources; "": it has none */
     const char *words;  /* a value in words; null: a number */
-    double value;       /* in its unit; infinite: it grows beyond all bounds */
-    double to_si;       /* value * to_si is in SI units and radians */
+    double value;       /* in its unit; infinite: unbounded */
+    double to_si;       /* value * to_si is the value in SI units and radians */
     int has_angle;      /* 1: it belongs to a crank angle */
-    double angle;       /* that, in the deck's unit of angle */
-    int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: it is the same on both */
+    double angle;       /* the crank angle, in the deck's unit */
+    int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the same on both */
     int flags;          /* of a column, FOURLINK_OF_CRANK ... */
 } fourlink_value;
 
 enum {
-    FOURLINK_OF_CRANK = 1, /* of the crank alone: has a value also where the links do not reach */
+    FOURLINK_OF_CRANK = 1,    /* of the crank alone: has a value at every crank angle */
     FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
     FOURLINK_OF_ROUNDING = 4  /* a measure of rounding */
 };
@@ -527,9 +523,9 @@ enum {
 enum {
     FOURLINK_COLUMNS = 1,     /* the columns that the deck asks for, or the usual ones */
     FOURLINK_ALL_COLUMNS = 2, /* all that it can have */
-    FOURLINK_INPUTS = 3,      /* the inputs as they were understood */
-    FOURLINK_VARIABLES = 4,   /* what its [sweep] varies, with the values of this design */
-    FOURLINK_OUTPUTS = 5      /* what its [sweep] names as output */
+    FOURLINK_INPUTS = 3,      /* the inputs as the reader understood them */
+    FOURLINK_VARIABLES = 4,   /* what its [sweep] varies, with this design's values */
+    FOURLINK_OUTPUTS = 5      /* the outputs that its [sweep] names */
 };
 
 /* Groups of facts, to be added up. */
@@ -539,19 +535,19 @@ enum {
     FOURLINK_FACTS_TURNING = 4   /* turning moment and flywheel */
 };
 
-/* All that is known of a mechanism at one crank angle. */
+/* All results at one crank angle. */
 typedef struct fourlink_instant {
     fourlink_row row;
     fourlink_branch branch;
-    int status; /* not FOURLINK_OK: why there is no position; the following are not filled */
+    int status; /* not FOURLINK_OK: why there is no position; the members below are not filled */
     fourlink_state state;
-    fourlink_forces forces; /* if the deck has forces; 0 if not */
+    fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas on the piston, towards the crank positive */
 } fourlink_instant;
 
 /* An area between the turning moment and its mean. */
 typedef struct fourlink_area {
-    double from, to; /* rad, rising whichever way the crank turns */
+    double from, to; /* rad, from < to for either direction of rotation */
     double energy;   /* J, which the flywheel takes up as the crank passes */
 } fourlink_area;
 
@@ -561,40 +557,39 @@ typedef struct fourlink_area {
 typedef struct fourlink_turning {
     double mean_torque;        /* N m */
     double mean_power;         /* W */
-    double energy_fluctuation; /* J, greatest less least energy of the flywheel in a cycle */
+    double energy_fluctuation; /* J, largest minus smallest energy of the flywheel in a cycle */
     int has_coefficient;       /* 0: the mean is 0 */
-    double energy_coefficient; /* 1, of the fluctuation of energy: over the work of a cycle */
-    double inertia; /* kg m2, of the flywheel; 0: the deck gives neither it nor the fluctuation */
+    double energy_coefficient; /* 1, energy_fluctuation / work of a cycle */
+    double inertia; /* kg m2, of the flywheel; 0: the deck gives neither this nor the fluctuation */
     double fluctuation; /* 1, coefficient of fluctuation of speed */
     int n_areas;        /* in one cycle from 0; at most FOURLINK_AREAS are kept */
     fourlink_area area[FOURLINK_AREAS];
 } fourlink_turning;
 
-/* What came of the comparison of a printed value with the computed one. */
+/* The result of comparing a printed value with the computed one. */
 typedef enum fourlink_verdict {
     FOURLINK_AGREES = 0,
     FOURLINK_DIFFERS = 1,
-    FOURLINK_MISPRINT = 2,    /* of a [misprint]: it differs, as expected */
-    FOURLINK_NO_MISPRINT = 3, /* of a [misprint]: it agrees */
-    FOURLINK_NO_VALUE = 4     /* nothing to compare with: the message says why */
+    FOURLINK_MISPRINT = 2,    /* [misprint]: it differs, as expected */
+    FOURLINK_NO_MISPRINT = 3, /* [misprint]: it agrees */
+    FOURLINK_NO_VALUE = 4     /* nothing to compare; the message says why */
 } fourlink_verdict;
 
-/* A value of [expect] or [misprint], compared. */
+/* The comparison of a value of [expect] or [misprint]. */
 typedef struct fourlink_check {
     fourlink_verdict verdict;
     const char *file; /* where it is written */
     long line;
-    char name[64];         /* of the column or fact; as the next, cut off if longer */
-    char printed_text[64]; /* the value as it is written */
-    double printed, computed,
-        tolerance;    /* in `unit`; 0 if there is none, or the value is in words */
-    const char *unit; /* "": words */
-    char words[100];  /* a fact in words, as computed; "": a number */
-    int has_angle;    /* 1: a column, at the crank angle `angle` */
-    double angle;     /* in the deck's unit of angle */
+    char name[64];                       /* of the column or fact; cut off if longer */
+    char printed_text[64];               /* the value as written; cut off if longer */
+    double printed, computed, tolerance; /* in `unit`; 0 if there is no value, or it is in words */
+    const char *unit;                    /* "": words */
+    char words[100];                     /* a fact in words, as computed; "": a number */
+    int has_angle;                       /* 1: a column, at the crank angle `angle` */
+    double angle;                        /* in the deck's unit of angle */
     fourlink_branch branch;
-    long message_line; /* of FOURLINK_NO_VALUE: where the mistake stands, in `file` */
-    char message[400]; /* of FOURLINK_NO_VALUE */
+    long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
+    char message[400]; /* FOURLINK_NO_VALUE: why */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------
@@ -617,21 +612,23 @@ FOURLINK_API const char *fourlink_version(void);
 FOURLINK_API const char *fourlink_kind_text(int kind);
 FOURLINK_API const char *fourlink_link_text(int kind, int link);
 
-/* The link along which a link slides: of the piston FOURLINK_GROUND (1), of the slider
-** FOURLINK_FOLLOWER (4); 0 for a link that has only pins.  A slider is at the origin of the link that slides, which does so along its own x axis. */
+/* The link on which a link slides: FOURLINK_GROUND (1) for the piston, FOURLINK_FOLLOWER (4) for the
+** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
 
 /* Check a design and prepare it for the functions below.
 **
 ** Given:
-**    design     the mechanism: lengths > 0 (of the piston unused), masses and inertias >= 0
+**    design     the mechanism: lengths > 0 (unused for the piston), masses and moments of inertia
+**               >= 0
 ** Returned:
 **    mechanism  the same, checked, with the constants of every position
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
 **    FOURLINK_BAD_MASS
 ** Note:
-**    A design whose links do not reach at some angles, or at any, is in order: the positions tell.
+**    A design that cannot be assembled at some angles, or at any, is accepted: the status of each
+**    position says so.
 ** Reference:
 **    The triangle BCD, law of cosines: it exists where |b - c| <= BD <= b + c.
 */
@@ -651,7 +648,7 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
 FOURLINK_API const char *fourlink_type_text(int type);
 
-/* The crank angles at which the links reach, in closed form.
+/* The crank angles at which the linkage can be assembled, in closed form.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -670,13 +667,13 @@ FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink
 **    mechanism  from fourlink_prepare
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
 ** Returned:
-**    limits     what is not there, by has_swing and has_stroke, is 0
+**    limits     what has_swing and has_stroke exclude is 0
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
 ** Notes:
-** 1) The rocker has limits of this kind in a crank-rocker, where they are at crank and coupler in one
-**    line.  A mechanism with a change point has none, and no dead centres either.
-** 2) time_ratio is the larger over the smaller crank angle between the limits.
+** 1) The rocker of a crank-rocker has limits where crank and coupler are in line.  A mechanism with
+**    a change point has neither limits nor dead centres.
+** 2) time_ratio is the larger crank angle between the limits over the smaller one.
 ** Reference:
 **    The triangles ACD with AC = b - a and a + b, law of cosines; dead centres where crank and rod
 **    are in line.
@@ -697,11 +694,11 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH, FOURLINK_BAD_KIND
 ** Notes:
-** 1) A position counts as dead when sine^2 <= 1e-14: what is left is rounding error.
-** 2) What the next two functions fill is not yet to be used.
-** 3) FOURLINK_BAD_KIND is that of a mechanism which was not prepared, here as in the functions below.
+** 1) A position counts as dead if sine^2 <= 1e-14, which is rounding error.
+** 2) The members that the next two functions fill are not valid yet.
+** 3) FOURLINK_BAD_KIND means that the mechanism was not prepared, here and in the functions below.
 ** Reference:
-**    Alvi, eqs. 1 to 3, by circles in place of Freudenstein's equation (the source file four_bar.c);
+**    Alvi, eqs. 1 to 3, by circles instead of Freudenstein's equation (the source file four_bar.c);
 **    ME3491, and DFA eq. 1 (slider_crank.c).
 */
 FOURLINK_API int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branch,
@@ -761,7 +758,7 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 ** Given:
 **    mechanism  from fourlink_prepare
 **    state      from fourlink_acceleration
-**    loads      forces and torques beside the weights; may be null if n_loads is 0
+**    loads      forces and torques in addition to the weights; may be null if n_loads is 0
 **    n_loads    how many
 ** Returned:
 **    forces     F12 ... F14, Ts, residual
@@ -770,9 +767,9 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 **    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
 ** Notes:
 ** 1) The system is solved by GSL's LU decomposition for banded matrices, which allocates nothing.
-** 2) `residual` is near 1e-15 when all is right, and grows with the condition 1/|sine|.
-** 3) The state is taken as the functions above left it.  One that they did not fill gives forces
-**    without meaning, or FOURLINK_BAD_NUMBER or FOURLINK_SINGULAR if they are no numbers.
+** 2) `residual` is normally near 1e-15, and grows with the condition 1/|sine|.
+** 3) A state that the functions above did not fill gives meaningless forces, or
+**    FOURLINK_BAD_NUMBER or FOURLINK_SINGULAR if it holds NaN or infinity.
 ** Reference:
 **    ME3491, eqs. 3 to 15, corrected; see nine_equations.c.
 */
@@ -780,7 +777,7 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
                                 const fourlink_load *loads, unsigned long n_loads,
                                 fourlink_forces *forces);
 
-/* The same forces in closed form: the nine equations eliminated by hand.
+/* The same forces in closed form, from the nine equations eliminated by hand.
 **
 ** Given:
 **    mechanism, state, loads, n_loads  as for fourlink_solve
@@ -789,9 +786,9 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
 ** Returned (function value):
 **    as from fourlink_solve
 ** Notes:
-** 1) Links 3 and 4 are a dyad: their forces follow from two equations, and the crank's from those.  In
-**    time this is a small part of the general solution of fourlink_solve, each a check on the other.
-** 2) FOURLINK_SINGULAR is judged by the state's `sine`.
+** 1) Links 3 and 4 are a dyad: their forces follow from two equations, and the crank's from those.
+**    This takes a small part of the time of fourlink_solve; each solution checks the other.
+** 2) FOURLINK_SINGULAR follows from the state's `sine`.
 ** Reference:
 **    The equations are those of fourlink_solve; see closed_form.c.
 */
@@ -810,8 +807,8 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK,
 **    FOURLINK_BAD_FRAME
 ** Note:
-**    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts), N
-**    the force of the guide on the piston along +y.
+**    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts),
+**    where N is the force of the guide on the piston along +y.
 ** Reference:
 **    ME3491, eq. 15 and the matrix below it, corrected.
 */
@@ -846,7 +843,7 @@ FOURLINK_API int fourlink_unknowns(const fourlink_mechanism *mechanism,
 ** Returned:
 **    state           the motion of every link
 **    forces          pin forces and driving torque; may be null: then they are not computed, and
-**                    the loads are not looked at
+**                    the loads are ignored
 ** Returned (function value):
 **    as for fourlink_position, fourlink_velocity, fourlink_acceleration and fourlink_solve
 ** Reference:
@@ -857,19 +854,19 @@ FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_
                                   unsigned long n_loads, fourlink_state *state,
                                   fourlink_forces *forces);
 
-/* The same with the forces from fourlink_solve_dyad: for many crank positions, as in a search.
+/* The same with the forces from fourlink_solve_dyad, for many crank positions, as in a search.
 **
 ** Given and returned:
 **    all             as for fourlink_analyse
 ** Returned (function value):
-**    as for fourlink_analyse, but for FOURLINK_SINGULAR: a position that is found has forces
+**    as for fourlink_analyse, except FOURLINK_SINGULAR: every position that is found has forces
 */
 FOURLINK_API int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                        const fourlink_crank *crank, const fourlink_load *loads,
                                        unsigned long n_loads, fourlink_state *state,
                                        fourlink_forces *forces);
 
-/* fourlink_analyse in one call from the design: for one crank position, or few.
+/* fourlink_analyse in one call from the design: for one crank position, or a few.
 **
 ** Given:
 **    design          as for fourlink_prepare
@@ -920,9 +917,9 @@ FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourli
 **    state          from fourlink_acceleration
 **    gas_force      N, on the piston, towards the crank positive
 **    loads          as for fourlink_solve, without the gas; those on crank and rod are outside this
-**                   method and are passed over
+**                   method and are ignored
 **    n_loads        how many
-**    approximation  what is computed by the series
+**    approximation  what the series are used for
 ** Returned:
 **    engine         the forces and torques
 ** Returned (function value):
@@ -930,9 +927,9 @@ FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourli
 **    FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES,
 **    FOURLINK_BAD_APPROXIMATION
 ** Note:
-**    With FOURLINK_EXACT the sum T_engine is the nine equations' -Ts to rounding, if the crank has no
-**    mass and loads act on the piston alone: offset, inclination, branch and crank acceleration
-**    included.
+**    With FOURLINK_EXACT T_engine equals -Ts of the nine equations to rounding, if the crank has no
+**    mass and loads act on the piston alone.  This includes offset, inclination, branch and crank
+**    acceleration.
 ** Reference:
 **    DFA, examples 1 and 2; ME3491, examples 1 and 2; see engine.c.
 */
@@ -962,7 +959,7 @@ FOURLINK_API int fourlink_klein_construction(const fourlink_mechanism *mechanism
 ** Given:
 **    motion     the range, or the run-up and one revolution after it
 ** Returned:
-**    range      how many rows there are, and whether the crank comes to rest on its way
+**    range      the number of rows, and whether the crank comes to rest before the last angle
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_INTERVAL, FOURLINK_BAD_RANGE,
 **    FOURLINK_NO_RUN_UP, FOURLINK_TOO_MANY_ROWS
@@ -984,9 +981,9 @@ FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_r
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP, FOURLINK_NO_SUCH_ROW
 ** Note:
 **    The time is negative in a range that runs against the rotation.  It is not defined, and 0, for
-**    a crank at rest and where `hold` is set with an acceleration.
+**    a crank at rest and if `hold` is set with an acceleration.
 ** Reference:
-**    Alvi, section 5, the program: its three kinds of motion.
+**    Alvi, section 5, the three kinds of motion of the program.
 */
 FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range,
                                      unsigned long i, fourlink_row *row);
@@ -1001,8 +998,8 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP
 ** Notes:
-** 1) The motion is one that fourlink_motion_range accepts.
-** 2) Beyond the angle where a crank comes to rest its speed is 0.
+** 1) The motion must be one that fourlink_motion_range accepts.
+** 2) Past the angle at which the crank comes to rest its speed is 0.
 ** Reference:
 **    omega2^2 = speed^2 + 2 acceleration s, s the angle from the first row in rad.
 */
@@ -1012,24 +1009,24 @@ FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle,
 **
 ** Given:
 **    text          the deck's text, as in a file; it is not needed after the call
-**    length        bytes of it
-**    load          for the files that the deck names; null: it may name none
+**    length        its length in bytes
+**    load          loads the files that the deck names; null if it may not name any
 **    host          for `load`; may be null
 **    max_mistakes  size of `mistakes`
 ** Returned:
 **    deck          the deck, to be given to fourlink_deck_free
 **    mistakes      only with FOURLINK_BAD_DECK: the first of them, in the order of the lines; may be
 **                  null if max_mistakes is 0
-**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, more than max_mistakes included;
+**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, which may exceed max_mistakes;
 **                  may be null
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
 ** Notes:
-** 1) Nothing is left to be freed unless the status is FOURLINK_OK.
-** 2) The locale of the host has no say in how numbers are read.
-** 3) A deck does not change once it is read: several threads may use it.
-** 4) Of a deck with a [sweep] it is the first design.  Columns, expected values and the like are
-**    checked, and left to the command.
+** 1) If the status is not FOURLINK_OK, there is nothing to free.
+** 2) Numbers are read the same way in every locale.
+** 3) A deck does not change after it is read: several threads may use it.
+** 4) For a deck with a [sweep] this is the first design.  Columns and expected values are checked
+**    but not returned.
 ** Reference:
 **    the manual page fourlink-deck(5)
 */
@@ -1037,7 +1034,7 @@ FOURLINK_API int fourlink_deck_read(const char *text, unsigned long length, four
                                     void *host, unsigned long max_mistakes, fourlink_deck **deck,
                                     fourlink_mistake *mistakes, unsigned long *n_mistakes);
 
-/* Give back the memory of a deck; null is passed over. */
+/* Free a deck; null is allowed. */
 FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 
 /* The problem that a deck poses.
@@ -1045,8 +1042,8 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 ** Given:
 **    deck       from fourlink_deck_read
 ** Returned:
-**    problem    in SI units and radians, but for the angles of its motion; it may be changed, and
-**               outlasts the deck
+**    problem    in SI units and radians, except the angles of its motion; a copy, which may be
+**               changed and outlasts the deck
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
 ** Note:
@@ -1055,17 +1052,17 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 */
 FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_problem *problem);
 
-/* The loads of a deck at one crank angle: curves are followed, smoothly between their points (Steffen's
-** interpolation), windows looked at, and the gas pushes the piston.
+/* The loads of a deck at one crank angle: values of curves (Steffen's interpolation), loads within
+** their crank angles, and the gas force on the piston.
 **
 ** Given:
 **    deck       from fourlink_deck_read
-**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: the side from which the gas pushes
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: it sets the side from which the gas pushes
 **    theta2     rad, crank angle
 ** Returned:
 **    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
-**               (whose loads are those without the gas); 0 without gas; may be null
+**               (which takes the loads without the gas); 0 without gas; may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
 ** Reference:
@@ -1080,7 +1077,7 @@ FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch 
 **    deck       from fourlink_deck_read
 **    i          0 ... problem.n_points - 1
 ** Returned:
-**    name       its name, null-terminated; lasts as long as the deck; may be null
+**    name       its name, null-terminated, valid as long as the deck; may be null
 **    link       2, 3 or 4
 **    at         m, in the link's own axes, for fourlink_point
 ** Returned (function value):
@@ -1089,7 +1086,7 @@ FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch 
 FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
                                      int *link, fourlink_vector *at);
 
-/* The unit in which a deck reads bare numbers of a quantity, and prints them.
+/* The unit of a quantity in a deck: of bare numbers, and of printed ones.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
@@ -1109,7 +1106,7 @@ FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quant
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    i          0 ... problem.n_loads - 1
 ** Returned:
-**    name       of its section, "load" if that has none, "gas"; lasts as long as the deck
+**    name       of its section, "load" if that has no name, or "gas"; valid as long as the deck
 **    has_torque 1: it has a torque at some crank angle; may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
@@ -1117,34 +1114,34 @@ FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quant
 FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i, const char **name,
                                     int *has_torque);
 
-/* Open a deck for results: read it, check it, and take the memory that results need.
+/* Open a deck for results: read it, check it, and allocate the memory that results need.
 **
 ** Given:
-**    source        the deck's text, and what is to be changed in it
+**    source        the deck's text, and changes to it
 **    max_mistakes  size of `mistakes`
 ** Returned:
 **    results       to be given to fourlink_results_free
 **    mistakes      only with FOURLINK_BAD_DECK: the first of them, in the order of the lines; may be
 **                  null if max_mistakes is 0
-**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, more than max_mistakes
-**                  included; may be null
+**    n_mistakes    only with FOURLINK_BAD_DECK: how many there are, which may exceed max_mistakes;
+**                  may be null
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NULL, FOURLINK_NO_MEMORY
 ** Notes:
 ** 1) The text is not needed after the call.
-** 2) Beside what fourlink_deck_read checks, the names of columns and of a sweep's outputs are
-**    checked.
-** 3) The functions below take no memory, with results of their own several threads can call them at
-**    once, and no result depends on which call came before.
+** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
+**    are checked.
+** 3) The functions below allocate nothing.  Several threads can call them at once, each with its
+**    own results.  No result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
-/* The values of what a sweep varies in a design, also if that design is not in order.
+/* The values of what a sweep varies in a design, even if that design has mistakes.
 **
 ** Given:
-**    source     what the deck is read from, with the design's number
+**    source     the deck, with the design's number
 **    max        size of `values`
 ** Returned:
 **    values     of the list FOURLINK_VARIABLES, in the deck's units
@@ -1154,20 +1151,20 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
 FOURLINK_API int fourlink_source_design(const fourlink_source *source, unsigned long max,
                                         double *values);
 
-/* Give back the memory of results; null is passed over. */
+/* Free results; null is allowed. */
 FOURLINK_API void fourlink_results_free(fourlink_results *results);
 
-/* The deck of results, for the functions above; it lasts as long as they do.  Null for null. */
+/* The deck of results, for the functions above; valid as long as the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
 
-/* A list of names: columns, inputs, what a sweep varies and gives.
+/* A list of names: columns, inputs, variables and outputs of a sweep.
 **
 ** Given:
 **    results    from fourlink_results_open
 **    which      FOURLINK_COLUMNS ... FOURLINK_OUTPUTS
 ** Returned:
-**    list       the entries, which last until fourlink_results_free; their `value` is that of an
-**               input or a variable, of columns and outputs it is 0
+**    list       the entries, valid until fourlink_results_free; inputs and variables have their
+**               `value`, columns and outputs have 0
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
@@ -1189,8 +1186,8 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 **    FOURLINK_OK; 1 to 19, why the row has no values but those of the crank; FOURLINK_NULL,
 **    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW
 ** Note:
-**    The crank's columns, `instant->row` and `instant->status` are returned with the codes 1 to 19
-**    too.
+**    With the codes 1 to 19 too, the crank's columns, `instant->row` and `instant->status` are
+**    returned.
 */
 FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch branch,
                                       unsigned long i, double *values, fourlink_instant *instant,
@@ -1204,7 +1201,7 @@ FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch
 ** Returned:
 **    as from fourlink_results_row
 ** Returned (function value):
-**    as from fourlink_results_row, but for FOURLINK_NO_SUCH_ANGLE in place of FOURLINK_NO_SUCH_ROW
+**    as from fourlink_results_row, with FOURLINK_NO_SUCH_ANGLE instead of FOURLINK_NO_SUCH_ROW
 */
 FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch branch,
                                      double angle, double *values, fourlink_instant *instant,
@@ -1223,22 +1220,23 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 **    FOURLINK_OK; 1 to 19, why a column has no value; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
 **    FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
 ** Notes:
-** 1) Extremes are those over the deck's motion, refined between its rows.
-** 2) FOURLINK_NO_SUCH_FACT is a fact of other mechanisms, such as the stroke of a four-bar linkage.
-** 3) Of several facts of one name, the ends of two ranges, it is the first.
+** 1) Extremes are taken over the deck's motion, refined between its rows.
+** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar
+**    linkage.
+** 3) If several facts have one name, the ends of two ranges, this is the first.
 */
 FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *name,
                                         fourlink_branch branch, double angle,
                                         fourlink_value *value);
 
-/* What can be said of a deck in single numbers.
+/* The facts of a deck: results that are single numbers or words.
 **
 ** Given:
 **    results    from fourlink_results_open
-**    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: those that the deck asks for
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: the branches that the deck asks for
 **    groups     FOURLINK_FACTS_LIMITS ..., added up
 ** Returned:
-**    facts      they last until the next call of this function, or fourlink_results_free
+**    facts      valid until the next call of this function, or fourlink_results_free
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
@@ -1261,13 +1259,13 @@ FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, i
 FOURLINK_API int fourlink_results_turning(fourlink_results *results, fourlink_branch branch,
                                           fourlink_turning *turning);
 
-/* A value of [expect] or [misprint] against the computed one.
+/* Compare a value of [expect] or [misprint] with the computed one.
 **
 ** Given:
 **    results    from fourlink_results_open
 **    i          0 ... problem.n_expected - 1, in the order of the deck
 ** Returned:
-**    check      what was printed, what is computed, and whether they agree
+**    check      the printed value, the computed one, and whether they agree
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_ROW
 */
@@ -1278,9 +1276,9 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 ** FORTRAN 77
 ** ------------------------------------------------------------------------------------------- */
 
-/* Calls for programs in FORTRAN 77, named and called as their compilers do on Unix: lower case with
-** an underscore behind, everything by reference, the length of a text behind all arguments.  For
-** Fortran 2003 there is a module, fourlink.f90.
+/* Calls for programs in FORTRAN 77, named and called as their compilers do on Unix: in lower case
+** with a trailing underscore, all arguments by reference, and the length of a text after all
+** arguments.  For Fortran 2003 there is a module, fourlink.f90.
 **
 **       DOUBLE PRECISION LINKS(5,4), OFFSET, GRAV(2), CRANK(3), LOADS(7,*)
 **       DOUBLE PRECISION ANGLE, STATE(9,4), SLIDE(4), FORCES(10)
@@ -1295,17 +1293,17 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 ** A whole crank position of a four-bar linkage, of a slider-crank, or of its inversion.
 **
 ** Given:
-**    LINKS      by link number: length (m; of a piston, and of a
-**                slider, unused; of a lever DC, or 0), mass (kg), moment of inertia about
-**               the centre of mass (kg m2), x and y of the centre of mass in the link's own axes (m)
-**    OFFSET     m, of a slider-crank: the line of stroke is y = OFFSET; of its inversion: as in
-**               fourlink_design
-**    ANGLE      rad, of the slide from the line DC, of a lever with a length
+**    LINKS      by link number: length (m; unused for a piston or
+**               slider; of a lever DC, or 0), mass (kg), moment of inertia about
+**               the centre of mass (kg m2), x and y of the centre of mass in the link's own axes
+**               (m)
+**    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; inverted: as in fourlink_design
+**    ANGLE      rad, angle of the slide from the line DC of a lever with a length
 **    GRAV       m/s2, in the frame of link 1
 **    IBRNCH     1 open, -1 crossed
 **    CRANK      theta2 (rad), omega2 (rad/s), alpha2 (rad/s2)
 **    NLOADS     how many loads, 0 to 100
-**    LOADS      of each: link (2, 3 or 4), frame (0 ground, 1 link), x and y of the force (N), x and y
+**    LOADS      for each: link (2, 3 or 4), frame (0 ground, 1 link), x and y of the force (N), x and y
 **               of the point where it acts, in the link's own axes (m), torque (N m)
 ** Returned:
 **    STATE      by link number: theta (rad), omega (rad/s), alpha (rad/s2) and of the link's origin x, y
@@ -1315,8 +1313,8 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **               inversion M34 in place of M14
 **    ISTAT      0, or a status; then STATE and FORCES are untouched
 **
-** FLTEXT gives the text of a status, filled up with blanks.  The length behind its arguments is that of
-** gfortran since version 8; older compilers, which pass an int, may need an interface of their own.
+** FLTEXT gives the text of a status, padded with blanks.  The type of the length is that of
+** gfortran 8 and later; older compilers, which pass an int, may need their own interface.
 **
 ** Reference:
 **    as fourlink_analyse
@@ -1334,7 +1332,7 @@ FOURLINK_API void flinvs_(const double links[20], const double *offset, const do
                           double forces[10], int *istat);
 FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 
-/* Results by name: a deck in, named numbers out, in the deck's units.
+/* Results by name, in the deck's units.
 **
 **       INTEGER*8 HANDLE
 **       INTEGER ISTAT, IBRNCH, I, N, NROWS, NCOLS
@@ -1350,9 +1348,9 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLOPEN opens a deck.
 **
 ** Given:
-**    TEXT       the deck, its lines ended by CHAR(10); blanks behind it are passed over
+**    TEXT       the deck, with CHAR(10) at the end of each line; trailing blanks are ignored
 ** Returned:
-**    HANDLE     for the other calls, to be given to FLSHUT at the end; 0 if ISTAT is not 0
+**    HANDLE     for the other calls, and for FLSHUT at the end; 0 if ISTAT is not 0
 **    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY
 **    MSG        the first mistake of the deck as LINE: MESSAGE, or the text of another status
 **
@@ -1364,19 +1362,20 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 **    ANGLE      of a column: crank angle in the deck's unit; else not used
 ** Returned:
 **    VALUE      the number; untouched if ISTAT is not 0
-**    ISTAT      as from fourlink_results_value; of a fact in words FOURLINK_NO_SUCH_FACT
+**    ISTAT      as from fourlink_results_value; FOURLINK_NO_SUCH_FACT for a fact in words
 **
-** FLNROW tells how many rows and columns the deck's table has, FLNAME the name and unit of column I,
-** 1 to NCOLS (ISTAT else FOURLINK_NO_SUCH_NAME), and FLROW row I, 1 to NROWS.
+** FLNROW gives the number of rows and columns of the deck's table.  FLNAME gives the name and unit
+** of column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW gives row I, 1 to
+** NROWS.
 **
 ** Given:
-**    N          size of VALUES: of more columns, it is the first N
+**    N          size of VALUES; columns after the first N are left out
 ** Returned:
-**    VALUES     by column; NaN where it has no value
+**    VALUES     by column; NaN if a column has no value
 **    ISTAT      as from fourlink_results_row
 **
-** FLSHUT gives the memory back and sets HANDLE to 0, which the other calls refuse with FOURLINK_NULL.
-** Texts that are returned are filled up with blanks, or cut off.
+** FLSHUT frees the memory and sets HANDLE to 0; the other calls then return FOURLINK_NULL.
+** Returned texts are padded with blanks, or cut off.
 **
 ** Reference:
 **    as fourlink_results_open, _value, _row

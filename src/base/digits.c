@@ -9,11 +9,11 @@
 ** and 5.2).  The powers of ten up to 10^22 are doubles, so x 10^k is known exactly for k up to 22;
 ** its integer part has the digits wanted, and its fraction, compared with 1/2, rounds them, halves to
 ** even, as glibc does.  Two steps, or a division, reach further with a relative error below 2^-102;
-** there a fraction near 1/2 is left to the caller, as is all else for which this does not hold: very
-** large and very small numbers, more than 17 digits, infinities.
+** there a fraction near 1/2 is left to the caller, as are very large and very small numbers, more than 17
+** digits, and infinities.
 **
-** It holds in IEEE double arithmetic that rounds to nearest, also where the compiler fuses products
-** with sums: where that would matter, the product is exact, or is stored first.
+** This is true for IEEE double arithmetic that rounds to nearest, even if the compiler fuses products with
+** sums: where that would matter, the product is exact, or is stored first.
 */
 #include <float.h>
 #include <limits.h>
@@ -22,7 +22,7 @@
 
 #include "digits.h"
 
-/* Only where the compiler says that it computes as written, in double and no wider. */
+/* Only if the compiler says that it computes as written, in double and no wider. */
 #if FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && !defined(__FAST_MATH__) && \
     !defined(__ASSOCIATIVE_MATH__) &&                                                         \
     ((defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0) ||                            \
@@ -54,10 +54,10 @@ static double upper_half(double x)
     return c - (c - x);
 }
 
-/* x y, without error: y is an integer here, so that nothing is lost to underflow. */
+/* x y without error; y is an integer here, so that nothing underflows. */
 static pair product(double x, double y)
 {
-    volatile double rounded = x * y; /* stored: not to be fused with the differences */
+    volatile double rounded = x * y; /* stored, so as not to be fused with the differences */
     double x1 = upper_half(x), x2 = x - x1, y1 = upper_half(y), y2 = y - y1;
     pair p;
 
@@ -89,7 +89,7 @@ static pair scaled(double x, int k, double *margin)
     return p;
 }
 
-/* 32 bits are enough for what is divided here, and are divided faster than 64. */
+/* 32 bits are enough here, and divide faster than 64. */
 #if UINT_MAX >= 4294967295UL
 typedef unsigned int word;
 #else
@@ -101,13 +101,13 @@ static const char pairs[] = "00010203040506070809101112131415161718192021222324"
                             "50515253545556575859606162636465666768697071727374"
                             "75767778798081828384858687888990919293949596979899";
 
-/* An integer in so many digits; the end of them, as all of these return. */
+/* Write an integer with so many digits; returns the end, as all of these do. */
 static char *put_integer(word n, int count, char *to)
 {
     char *end = to + count;
     word quotient, rest;
 
-    /* by four digits, so that few divisions have to wait for each other */
+    /* four digits at a time, so that few divisions wait for each other */
     for (to = end; count >= 4; count -= 4, n = quotient) {
         quotient = n / 10000;
         rest = n - 10000 * quotient;
@@ -161,8 +161,8 @@ static int nearest(pair p, double margin, integer *n)
     return 1;
 }
 
-/* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain, or, where
-** either of two neighbours will do, beyond the range of this. */
+/* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain.  With `either`,
+** either of two neighbours will do, and 0 means out of range. */
 static int significant(double x, int n, int either, integer *digits, int *power)
 {
     int binary;
@@ -215,7 +215,7 @@ static char *put_power(int power, char *to)
     return to;
 }
 
-/* Without a plus and zeros: e6, e-12, e100 */
+/* Without plus sign and leading zeros: e6, e-12, e100 */
 static char *put_short_power(int power, char *to)
 {
     int size = power < 0 ? -power : power;
@@ -226,7 +226,7 @@ static char *put_short_power(int power, char *to)
     return put_integer((word)size, size < 10 ? 1 : size < 100 ? 2 : 3, to);
 }
 
-/* Two digits before `to`; where they begin. */
+/* Write two digits before `to`; returns their beginning. */
 static char *put_pair(word n, char *to)
 {
     to -= 2;
@@ -234,8 +234,8 @@ static char *put_pair(word n, char *to)
     return to;
 }
 
-/* The rounded product x 10^k decides where it is not too near to a half: below 4 10^9, which 32 bits
-** hold, its error is less than 5 10^-7. */
+/* The rounded product x 10^k decides if it is not too near a half: below 4 10^9, which 32 bits hold, its
+** error is less than 5 10^-7. */
 char *flk_digits_fixed_before(double value, int decimals, char *end)
 {
     double x = fabs(value), fraction;
@@ -329,7 +329,7 @@ char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE])
     return end;
 }
 
-/* The n digits of a number without zeros at their end, as of printf's %g. */
+/* The n digits of a number without trailing zeros, as in printf's %g. */
 static char *put_general(integer digits, int n, int power, char *(*put_exponent)(int, char *),
                          char *start)
 {
@@ -368,7 +368,7 @@ char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
     return put_general(digits, n, power, put_power, put_sign(value, out));
 }
 
-/* As `significant`, of any number, but the last digits may be wrong. */
+/* As `significant`, for any number, but the last digits may be wrong. */
 static void approximate(double x, int n, integer *digits, int *power)
 {
     double whole;

@@ -7,19 +7,18 @@
 
 #define DIGITS_SIZE 48
 
-/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g); where it
-** ends, or null if its digits are not certain here: it is very large or very small, say. */
+/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g); returns its
+** end, or null if its digits are not certain here, for example if it is very large or very small. */
 char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_general(double value, int digits, char out[DIGITS_SIZE]);
 
-/* Write a number with so many decimals so that its text ends before `end`, without a sign if it is 0 to
-** these; where it begins, or null, and nothing is written, if its digits are not certain here.  At most
-** 12 characters. */
+/* Write a number with so many decimals, ending before `end`, without a sign if it prints as 0; at most 12
+** characters.  Returns its beginning, or null, with nothing written, if its digits are not certain here. */
 char *flk_digits_fixed_before(double value, int decimals, char *end);
 
-/* Write any number with so many significant digits, at most 17, and a short exponent (1e6), for messages:
-** of very large and very small numbers the last digits may be wrong. */
+/* Write any number with so many significant digits, at most 17, and a short exponent (1e6), for messages.
+** The last digits of very large and very small numbers may be wrong. */
 char *flk_digits_short(double value, int digits, char out[DIGITS_SIZE]);
 
 #endif

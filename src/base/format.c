@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** format.c - numbers to text, the same under every locale, and the same as printf's in the C locale:
-** what digits.c leaves is for printf to do.
+** format.c - numbers to text, the same in every locale and as printf in the C locale: printf does what
+** digits.c leaves.
 */
 #include <locale.h>
 #include <stdio.h>
@@ -10,8 +10,8 @@
 #include "digits.h"
 #include "format.h"
 
-/* Where the number ends that digits.c has written; if it has not, `end` null, printf does, with the locale's
-** decimal mark exchanged for a point. */
+/* The end of the number that digits.c has written.  If `end` is null it has not, and printf does, with a
+** point for the locale's decimal mark. */
 static char *finish(char *end, char *out, const char *format, double value, int digits)
 {
     const char *decimal;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** format.h - numbers to text, the same under every locale.
+** format.h - numbers to text, the same in every locale.
 */
 #ifndef FOURLINK_FORMAT_H
 #define FOURLINK_FORMAT_H
@@ -12,7 +12,7 @@ char *format_fixed(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general(double value, int digits, char out[FORMAT_SIZE]);
 
-/* The same; they return where the number ends. */
+/* The same; these return the end of the number. */
 char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);

@@ -12,7 +12,7 @@
 #define WORD_SIZE 64
 #define MOST_MISTAKES 100
 
-/* A message that is being written. */
+/* A message in the making. */
 typedef struct writer {
     char *end;
     size_t room;
@@ -116,7 +116,7 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     return 0;
 }
 
-/* An insertion sort: the list is short, and lines of equal number keep their order. */
+/* An insertion sort: the list is short, and mistakes in the same line keep their order. */
 void flk_mistakes_sort(mistakes *m)
 {
     size_t i, j;

@@ -9,19 +9,19 @@
 
 #define MESSAGE_SIZE 400
 
-/* Write a message.  In its format stand
+/* Write a message.  Its format may hold
 **
 **    %s    a string
 **    %t    a text, shortened if it is longer than a word
 **    %ld   a whole number, a long
 **    %g    a number with at most 9 significant digits; with at most 4: %.4g
-**    %h    the word that is nearest to an unknown one, a string: "; did you mean 'WORD'?".  Null: nothing
+**    %h    the nearest known word, a string: "; did you mean 'WORD'?"; nothing for null
 **    %%    a per cent sign
 **
-** What does not fit is cut off. */
+** A message that does not fit is cut off. */
 char *flk_message(char *out, size_t size, const char *format, ...);
 
-/* Where something is written: "FILE:LINE", or an option of the command line (line 0). */
+/* The place of something: "FILE:LINE", or an option of the command line (line 0). */
 typedef struct text_place {
     const char *source;
     long line;
@@ -31,7 +31,7 @@ typedef struct text_place {
 typedef struct mistakes {
     struct mistake *list;
     size_t count, left_out;
-    int out_of_memory; /* 1: there was one that could not be noted */
+    int out_of_memory; /* 1: one could not be noted */
 } mistakes;
 
 struct mistake {
@@ -39,7 +39,7 @@ struct mistake {
     char message[MESSAGE_SIZE];
 };
 
-/* Note a mistake; the format as above.  0, for a function that fails to return. */
+/* Note a mistake, with a format as above.  Returns 0, for a function that fails to return. */
 int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
 /* Sort by line, for printing. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** number.h - numbers from the text of a deck; the same under every locale.
+** number.h - numbers from the text of a deck, the same in every locale.
 */
 #ifndef FOURLINK_NUMBER_H
 #define FOURLINK_NUMBER_H
@@ -17,10 +17,10 @@ typedef enum number_status {
     NUMBER_TOO_LONG
 } number_status;
 
-/* Take a decimal number off the front of `rest`; on a failure `rest` is unchanged. */
+/* Take a decimal number off the front of `rest`; a failure leaves `rest` unchanged. */
 number_status flk_number_read(text *rest, double *value);
 
-/* Write a number with the fewest digits, from 15 on, that are read as the same number. */
+/* Write a number with the fewest digits, at least 15, that read back as the same number. */
 char *flk_number_shortest(double value, char out[DIGITS_SIZE]);
 
 #endif

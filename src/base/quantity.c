@@ -25,9 +25,9 @@ int flk_quantity_number(text *rest, text whole, quantity q, double *number,
     static const char *const why[] = {"",
                                       "expected %s, such as %s, not '%t'",
                                       "'%t' is not a finite number",
-                                      "'%t': numbers are decimal",
+                                      "'%t' is not a decimal number",
                                       "'%t': the decimal mark is a point, not a comma",
-                                      "'%t': a number of too many digits"};
+                                      "'%t' has too many digits"};
     number_status status;
 
     *rest = flk_text_trim(*rest);
@@ -46,7 +46,7 @@ static int is_direction(text t)
            flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
-/* Why `t` is no unit: `bad` is the part of it that is not known. */
+/* The reason why `t` is not a unit; `bad` is the unknown part of it. */
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
     const char *nearest =
@@ -92,7 +92,7 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     return 0;
 }
 
-/* Beyond 1e9 rad the digits of an angle are those of its revolutions. */
+/* Above 1e9 rad the digits of an angle are used up by its revolutions. */
 #define ANGLE_MAX 1e9
 
 int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE])
@@ -103,11 +103,11 @@ int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SI
 
     if (-max <= si && si <= max)
         return 1;
-    flk_message(message, MESSAGE_SIZE, "'%t' is beyond what the program computes with", whole);
+    flk_message(message, MESSAGE_SIZE, "'%t' is out of range", whole);
     return 0;
 }
 
-/* What one of the last digit of a number is worth: 0.01 for 2.50, 10 for 1.2e2. */
+/* The value of one unit of the last digit: 0.01 for 2.50, 10 for 1.2e2. */
 static double last_digit(text t)
 {
     double digit = 1, value = 0;

@@ -9,30 +9,28 @@
 #include "units.h"
 
 typedef struct quantity_value {
-    double number; /* as it is written */
+    double number; /* as written */
     unit unit;
     double si;    /* in SI units and radians */
-    double digit; /* likewise, one of the last digit: 0.01 m for 2.50 m */
+    double digit; /* likewise, a unit of the last digit: 0.01 m for 2.50 m */
 } quantity_value;
 
 /* Read a quantity.
 **
 ** Given:
 **    t          the text
-**    whole      for messages: what it is a piece of
+**    whole      the text that contains it, for messages
 **    q          the quantity
 **    bare       the unit of a bare number
 ** Returned:
-**    value      only if it is one
-**    message    only if it is none: why
+**    value      only if it is a quantity
+**    message    the reason, only if it is not
 ** Returned (function value):
-**    1 if it is one, 0 if not
-*/
+**    1 if it is a quantity, 0 if not */
 int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value *value,
                       char message[MESSAGE_SIZE]);
 
-/* Its parts: the number at the front of `rest`, which is taken off; the unit that is all of `t`; and whether
-** the program computes with values of this size. */
+/* Its steps: take the number off the front of `rest`; read the unit `t`; check that the value is in range. */
 int flk_quantity_number(text *rest, text whole, quantity q, double *number,
                         char message[MESSAGE_SIZE]);
 int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,

@@ -42,7 +42,7 @@ text flk_text_without_mark(text t)
     return t.length >= 3 && memcmp(t.start, "\357\273\277", 3) == 0 ? flk_text_from(t, 3) : t;
 }
 
-/* ASCII only: the host's locale has no say in how a deck is read. */
+/* ASCII only: a deck is read the same way in every locale. */
 static int lower(int c)
 {
     return 'A' <= c && c <= 'Z' ? c - 'A' + 'a' : c;
@@ -84,7 +84,7 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
-/* A tab is a blank. */
+/* A tab counts as a blank. */
 static int is_at(text t, size_t i, const char *separator)
 {
     for (; *separator; separator++, i++)
@@ -132,7 +132,7 @@ char *flk_text_copy(text t, char *out, size_t size)
     out[n] = '\0';
     if (n < t.length && size > 4) {
         while (n > size - 4 || (n > 0 && (out[n] & 0xc0) == 0x80))
-            n--; /* not within a character of UTF-8 */
+            n--; /* do not cut a UTF-8 character */
         strcpy(out + n, "...");
     }
     return out;
@@ -140,7 +140,7 @@ char *flk_text_copy(text t, char *out, size_t size)
 
 #define WORD_MAX 32
 
-/* Edits between two words: letters inserted, left out or exchanged, neighbours swapped (the
+/* The number of edits between two words: letters inserted, left out or replaced, neighbours swapped (the
 ** restricted Damerau-Levenshtein distance). */
 static size_t distance(text t, const char *word)
 {

@@ -22,8 +22,8 @@ quantity flk_quantity_find(const char *name)
     return (quantity)q;
 }
 
-/* GSL's constants where they are exact by definition; what it gives rounded (lbf, psi, hp) is made
-** of those. */
+/* GSL's constants if they are exact by definition; those that it rounds (lbf, psi, hp) are computed from
+** these. */
 #define INCH GSL_CONST_MKSA_INCH
 #define FOOT GSL_CONST_MKSA_FOOT
 #define POUND GSL_CONST_MKSA_POUND_MASS
@@ -78,7 +78,7 @@ static const named_unit units[] = {
     {"bar", GSL_CONST_MKSA_BAR, 1, {-1, 1, -2, 0}},
     {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
     {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
-    {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, so that it is refused for what it is: no angular speed */
+    {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, to be refused: it is not an angular speed */
     {"1", 1, 1, {0, 0, 0, 0}},
 };
 
@@ -95,7 +95,7 @@ static const named_unit *find(text name)
     return NULL;
 }
 
-/* What people write, and what they mean. */
+/* Words that people use, and the units they mean. */
 static const struct {
     const char *written, *meant;
 } synonyms[] = {{"Nm", "N m"},      {"N\302\267m", "N m"}, {"kgm2", "kg m2"}, {"inch", "in"},
@@ -107,7 +107,7 @@ static const struct {
                 {"gram", "g"},      {"newton", "N"},       {"pascal", "Pa"},  {"rps", "rev/s"},
                 {"lbft", "lbf.ft"}, {"lbin", "lbf.in"}};
 
-/* Among the units of a dimension, or among all. */
+/* The nearest unit of a dimension, or of all. */
 static const char *nearest_of(text word, const dimension *dim)
 {
     const char *names[UNIT_COUNT + 1];
@@ -137,7 +137,7 @@ const char *flk_unit_nearest(text word, const dimension *dim)
 
 #define MOST_FACTORS 8
 
-/* An exponent, with or without ^; 1 where there is none.  0 if it is none of those that units have. */
+/* Read an exponent, with or without ^; 1 if there is none.  Returns 0 if units do not have it. */
 static int read_exponent(text *t)
 {
     int marked = t->length && t->start[0] == '^', exponent;
@@ -166,7 +166,7 @@ static void multiply(unit *u, const named_unit *by, int exponent)
     u->dim.rad += exponent * by->dim.rad;
 }
 
-/* The name at the start of `t`, which is taken off; empty if there is none. */
+/* Take the name off the start of `t`; empty if there is none. */
 static text take_name(text *t)
 {
     text name = *t;
@@ -194,7 +194,7 @@ int flk_unit_read(text t, unit *result, text *bad)
             return 0;
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
-            return 0; /* 1/s, but no 1 mm */
+            return 0; /* 1/s, but not 1 mm */
         exponent = read_exponent(&t);
         if (!exponent)
             return 0;

@@ -7,8 +7,8 @@
 
 #include "text.h"
 
-/* Exponents of metre, kilogram, second and radian.  Angle is a dimension of its own, so that
-** neither 25 1/s nor 3 N m is taken for an angular speed. */
+/* Exponents of metre, kilogram, second and radian.  Angle is a separate dimension, so that 25 1/s is not an
+** angular speed. */
 typedef struct dimension {
     int m, kg, s, rad;
 } dimension;
@@ -45,7 +45,7 @@ typedef struct quantity_info {
 
 extern const quantity_info flk_quantities[QUANTITY_COUNT];
 
-/* The quantity of that name; QUANTITY_COUNT if there is none. */
+/* The quantity with this name; QUANTITY_COUNT if there is none. */
 quantity flk_quantity_find(const char *name);
 
 /* A unit: up / down SI units (and radians).  Kept as a fraction, so that 66 mm is 66/1000 m,
@@ -57,7 +57,7 @@ typedef struct unit {
 
 /* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
 ** one factor after it, an exponent as a digit or after '^'.
-** 1 if it is one; 0 if not: then `bad` is the part that is not known. */
+** Returns 1 if it is a unit; 0 if not, with the unknown part in `bad`. */
 int flk_unit_read(text t, unit *result, text *bad);
 
 double flk_unit_to_si(double number, unit u);
@@ -65,7 +65,7 @@ double flk_unit_from_si(double si, unit u);
 
 int flk_dimension_equal(dimension x, dimension y);
 
-/* The known unit most like a word, or null; one of this dimension, if it is not null and there is one. */
+/* The unit nearest to a word, or null; one of this dimension, if given and if there is one. */
 const char *flk_unit_nearest(text word, const dimension *dim);
 
 #endif

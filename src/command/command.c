@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** command.c - exit status and complaints of the command.
+** command.c - exit status and messages of the command.
 */
 #include <stdio.h>
 #include <string.h>

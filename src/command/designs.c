@@ -2,8 +2,8 @@
 **
 ** designs.c - the designs of a deck's [sweep], one after the other.
 **
-** Every design is a deck of its own, read from the same text: what it prints depends on its number
-** alone, so parts that are put together are the whole, and memory is that of one design.
+** Every design is a deck of its own, read from the same text.  Its output depends on its number alone, so the
+** parts joined are the whole, and memory holds one design.
 */
 #define _XOPEN_SOURCE 600 /* POSIX.1-2001, with SA_RESTART */
 
@@ -23,7 +23,7 @@ static void on_signal(int number)
     stopped_by = number;
 }
 
-/* Note the signals that end a program; or put back what was before. */
+/* Catch the signals that end a program, or restore the old actions. */
 static void watch_signals(int begin, struct sigaction old[3])
 {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
@@ -32,7 +32,7 @@ static void watch_signals(int begin, struct sigaction old[3])
 
     memset(&action, 0, sizeof action);
     action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART; /* a line that is being written is written to its end */
+    action.sa_flags = SA_RESTART; /* finish the line that is being written */
     sigemptyset(&action.sa_mask);
     for (i = 0; i < 3; i++)
         if (!begin)
@@ -60,13 +60,13 @@ static void tell_progress(progress *p, unsigned long done, unsigned long of)
             100 * share, difftime(now, p->start) * (1 / share - 1));
 }
 
-/* Where part k of n ends: k D / n, rounded down.  n is at most 10^6: the product is exact. */
+/* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
 {
     return designs / n * k + (unsigned long)((double)(designs % n) * (double)k / (double)n);
 }
 
-/* One design; 0 when out of memory. */
+/* Write one design; 0 if out of memory. */
 static int write_design(sheet *s, const input *in, unsigned long i, double *varied)
 {
     fourlink_source source = in->source;
@@ -140,6 +140,6 @@ int designs_write(FILE *out, const input *in, int *signal_number)
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (stopped_by)
-        return command_complain("stopped", in->name, "interrupted: the part can be run again");
+        return command_complain("stopped", in->name, "interrupted; run this part again");
     return s.failed ? EXIT_ROWS : 0;
 }

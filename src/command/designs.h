@@ -9,8 +9,8 @@
 
 #include "input.h"
 
-/* Write the designs that are asked for; the exit status.  An interruption ends it behind a whole line, and is
-** told by `signal_number`, which is 0 otherwise. */
+/* Write the designs that are asked for; returns the exit status.  A signal stops it after a whole line; its
+** number is `signal_number`, otherwise 0. */
 int designs_write(FILE *out, const input *in, int *signal_number);
 
 #endif

@@ -11,7 +11,7 @@
 #include "output.h"
 #include "pictures/gnuplot.h"
 
-/* Have gnuplot draw a script; the exit status. */
+/* Let gnuplot draw a script; returns the exit status. */
 static int draw(const char *path, FILE *script)
 {
     output file;

@@ -7,7 +7,7 @@
 
 #include "input.h"
 
-/* Draw what the options ask for; the exit status. */
+/* Draw what the options ask for; returns the exit status. */
 int drawing_write(const input *in);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** files.c - the files of the command line: reading them, and whether two are one.
+** files.c - the files of the command line: reading them, and which are the same.
 */
 #define _POSIX_C_SOURCE 200112L
 
@@ -16,7 +16,7 @@
 
 #define LARGEST_FILE 67108864 /* bytes */
 
-/* All of a stream; null with errno set if it cannot be read. */
+/* Read a whole stream; null with errno set if that fails. */
 static char *read_stream(FILE *file, size_t *length)
 {
     size_t capacity = 65536, n = 0;
@@ -79,7 +79,7 @@ static int is_same(const struct stat *x, const struct stat *y)
     return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
 }
 
-/* 1 if an output would replace an input, "-" for standard input. */
+/* 1 if an output would replace an input, which is "-" for standard input. */
 static int replaces(const char *output, const char *input)
 {
     struct stat out, in;
@@ -105,7 +105,7 @@ static int is_input(const char *output, const options *o)
     return o->check_file && replaces(output, o->check_file);
 }
 
-/* Find the folder that a path is in; its name there, or null. */
+/* Find the folder of a path; returns the file's name in it, or null. */
 static const char *find_folder(const char *path, struct stat *folder)
 {
     const char *slash = strrchr(path, '/');
@@ -116,7 +116,7 @@ static const char *find_folder(const char *path, struct stat *folder)
     return !found ? NULL : slash ? slash + 1 : path;
 }
 
-/* 1 if two paths lead to the same place, whether there is a file yet or not. */
+/* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
     struct stat a, b;
@@ -142,7 +142,6 @@ int files_tell_clash(const options *o)
                                                                    : NULL;
 
     if (input)
-        return command_complain("cannot write", input, "it is an input");
-    return twice ? command_complain("cannot write", twice, "two results would be written to it")
-                 : 0;
+        return command_complain("cannot write", input, "it is also read");
+    return twice ? command_complain("cannot write", twice, "two outputs have this name") : 0;
 }

@@ -10,19 +10,20 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "command.h"
 #include "files.h"
 #include "input.h"
 
-/* A file that a deck names, kept: the designs of a sweep are of one reading of it. */
+/* A file that a deck names.  It is read once, for all designs of a sweep. */
 typedef struct named_file {
     struct named_file *next;
-    char *name; /* as the deck has it, */
+    char *name; /* as in the deck */
     char *contents;
     size_t length;
 } named_file;
 
-/* The deck reader's loader: a file that the deck names. */
+/* Load a file that the deck names, for the deck's reader. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
 {
     input *in = host;
@@ -56,23 +57,25 @@ static int serves_options(const input *in)
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
+    char names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
-        why = "nothing to check: there is no [expect] or [misprint]";
+        why = "nothing to check: no [expect] or [misprint] section";
         name = o->check_file ? o->check_file : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
-        why = "--matrix needs masses or loads, which the deck has not";
+        why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
-        why = "--format=paper is for the paper's mechanism, a four-bar";
+        why = "--format=paper works for a four-bar only";
     } else if (!is_sweep && o->parts) {
-        why = "--part needs a [sweep], which the deck has not";
+        why = "--part needs a [sweep]; the deck has none";
     } else if (is_sweep && o->n_decks > 1) {
-        why = "a [sweep] is worked on alone, not with other decks";
-    } else if (is_sweep && ((o->content != SHEET_ROWS && o->content != SHEET_LIST) ||
-                            !(o->format->writes & 1 << SHEET_DESIGNS))) {
-        why = "a [sweep] is printed in the formats table and csv; --check, --matrix and --summary "
-              "are for one design";
+        why = "a deck with a [sweep] must be the only deck";
+    } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
+        why = "--check, --matrix and --summary work for one design, not for a [sweep]";
+    } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
+        why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
+                            sheet_formats_of(SHEET_DESIGNS, names), " only", (char *)NULL);
     }
     if (why)
         command_tell_mistake(name, 1, why, NULL);
@@ -81,7 +84,7 @@ static int serves_options(const input *in)
 
 #define MOST_MISTAKES 100
 
-/* Tell the mistakes of a deck; the exit status. */
+/* Print the mistakes of a deck; returns the exit status. */
 static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned long n)
 {
     unsigned long i;
@@ -90,7 +93,8 @@ static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned
         command_tell_mistake(list[i].file, list[i].line, list[i].message,
                              in->o->n_decks > 1 ? in->name : NULL);
     if (n > MOST_MISTAKES)
-        fprintf(stderr, "fourlink: and %lu more mistakes\n", n - MOST_MISTAKES);
+        fprintf(stderr, "fourlink: and %lu more mistake%s\n", n - MOST_MISTAKES,
+                n - MOST_MISTAKES > 1 ? "s" : "");
     return EXIT_USAGE;
 }
 
@@ -110,7 +114,7 @@ static int open_results(input *in)
     if (list)
         status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
     if (in->names_output) {
-        status = command_complain("cannot write", "a file that the deck names", "it is an input");
+        status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK) {
         status = tell_mistakes(in, list, n);
@@ -130,10 +134,10 @@ int input_read(input *in, const char *path, const options *o, const char *answer
     in->o = o;
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && isatty(STDIN_FILENO))
-        fputs("fourlink: reading a deck from the keyboard (fourlink --help tells more)\n", stderr);
+        fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
     if (!in->text && errno == EFBIG) {
-        command_tell_mistake(in->name, 1, "a file of more than 64 MB: not a deck", NULL);
+        command_tell_mistake(in->name, 1, "larger than 64 MB: not a deck", NULL);
         return EXIT_USAGE;
     }
     if (!in->text)

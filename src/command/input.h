@@ -7,20 +7,20 @@
 
 #include "options.h"
 
-/* Zero it before input_read, and give it to input_close. */
+/* Set it to zero before input_read, and give it to input_close. */
 typedef struct input {
     const options *o;
     const char *name;
     char *text;
     fourlink_source source;
-    struct named_file *files;  /* those that the deck names */
-    int names_output;          /* 1: one of them is to be written */
+    struct named_file *files;  /* the files that the deck names */
+    int names_output;          /* 1: one of them would be written */
     fourlink_results *results; /* null: the deck is not usable */
     fourlink_problem problem;
 } input;
 
-/* Read a deck, and the answers that take the place of its expected values, if they are not null; the exit
-** status.  Of a [sweep] it is the first design that is in order. */
+/* Read a deck; answers that are not null replace its expected values.  Returns the exit status.  Of a [sweep]
+** this reads the first design without mistakes. */
 int input_read(input *in, const char *path, const options *o, const char *answers,
                size_t answers_length);
 

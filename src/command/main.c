@@ -22,7 +22,7 @@ static void tell_no_value(const fourlink_check *check, const char *deck_name)
     command_tell_mistake(check->file, check->message_line, check->message, deck_name);
 }
 
-/* The columns of all decks, each name with each unit once; null when out of memory. */
+/* The columns of all decks, each name with each unit once; null if out of memory. */
 static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, unsigned long *n)
 {
     const fourlink_value *list;
@@ -53,11 +53,11 @@ static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, un
     return all;
 }
 
-/* What a deck that was written makes of the exit status. */
+/* The exit status for a deck that was written. */
 static int status_of(const sheet *s, const input *in)
 {
     if (!in->results)
-        return 0; /* told already */
+        return 0; /* already reported */
     if (s->out_of_memory)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (s->checks[FOURLINK_NO_VALUE])
@@ -66,7 +66,7 @@ static int status_of(const sheet *s, const input *in)
                                                                                        : 0;
 }
 
-/* Write all decks; the exit status. */
+/* Write all decks; returns the exit status. */
 static int write_decks(FILE *out, const options *o, const input *inputs)
 {
     fourlink_value *header;
@@ -91,7 +91,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
     return status;
 }
 
-/* Write what is asked for; the exit status. */
+/* Write what the options ask for; returns the exit status. */
 static int write_sheet(const options *o, const input *inputs, int *signal_number)
 {
     output out;
@@ -103,7 +103,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
         written = designs_write(out.file, &inputs[0], signal_number);
     else
         written = write_decks(out.file, o, inputs);
-    /* half of the results are none */
+    /* incomplete results are not kept */
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
 }
 
@@ -134,7 +134,7 @@ static int run(const options *o)
     free(answers);
     if (signal_number) {
         fflush(stdout);
-        raise(signal_number); /* what called the program is to know */
+        raise(signal_number); /* so that the caller sees the signal */
     }
     return status;
 }

@@ -15,42 +15,41 @@ const char *const options_help[] = {
     "Usage: fourlink [OPTION]... [DECK]...",
     "",
     "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
-    "Reads the decks, or standard input where none is named, or for -.",
+    "Reads standard input if no DECK is given, or for -.",
     "",
-    "  -f, --format=table|csv|json|paper how the rows are written (default: table)",
-    "  -o, --output=FILE                 write to FILE, all at once, or not at all",
-    "  -b, --branch=open|crossed|both    which way of assembly (default: both)",
-    "  -i, --interval=QUANTITY           the interval of the crank angle, such as '10 deg'",
-    "  -c, --columns=NAME,NAME,...|all   the columns; --list tells their names",
+    "  -f, --format=table|csv|json|paper format of the output (default: table)",
+    "  -o, --output=FILE                 write to FILE, replaced only when complete",
+    "  -b, --branch=open|crossed|both    assembly mode (default: both)",
+    "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
+    "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
-    "  -C, --check[=FILE]                compare with the values that the deck, or FILE, expects",
-    "  -m, --matrix                      the nine equations, A x = b, at each row",
-    "  -S, --summary                     facts of the mechanism, extremes, turning moment",
-    "  -p, --plot=FILE                   draw a picture too: .svg .png .pdf .txt .gif",
+    "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE",
+    "  -m, --matrix                      print the nine equations, A x = b, for each row",
+    "  -S, --summary                     print facts, extremes, turning moment instead of rows",
+    "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment, "
     "polar,",
     "                                    vectors, klein, animation (default for .gif)",
-    "      --plot-at=ANGLE,ANGLE,...     the crank angles to draw, such as '40 deg'",
-    "      --plot-script=FILE            write the script for gnuplot, to be changed and run by "
-    "you",
-    "  -P, --part=K/N                    the K-th of N parts of the deck's [sweep]",
-    "  -l, --list                        the columns and facts of the deck, and what they mean",
-    "  -h, --help                        this text",
-    "  -V, --version                     the version",
+    "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
+    "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
+    "  -l, --list                        list columns and facts of the deck, with meanings",
+    "  -h, --help                        print this text",
+    "  -V, --version                     print the version",
     "",
-    "Exit status: 0 all well; 1 some rows could not be computed; 2 usage or a bad deck;",
-    "3 reading or writing failed.",
+    "Exit status: 0 success; 1 some rows could not be computed, or a check failed;",
+    "2 wrong usage or mistakes in a deck; 3 reading, writing or gnuplot failed.",
     NULL};
 
-/* In place of a letter, of options that have none. */
+/* Stand for the letter of options that have none. */
 enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
     char letter;
     const char *name;
-    int takes_value; /* 2: one may follow behind '=' */
+    int takes_value; /* 2: one may follow after '=' */
     const char *key; /* not null: the key of the deck that it sets, and "=" */
 } option_info;
 
@@ -75,7 +74,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
-/* 0, for the caller to return. */
+/* Returns 0, for the caller to return. */
 static int say(char message[400], const char *a, const char *b, const char *c)
 {
     char word[200];
@@ -89,18 +88,18 @@ static const char no_value[] = "";
 
 static int set_format(options *o, const char *value, char message[400])
 {
-    char names[100] = "--format must be ";
-    const sheet_format *const *f;
+    char names[SHEET_FORMAT_NAMES];
 
     o->format = sheet_find_format(value);
     if (o->format)
         return 1;
-    for (f = sheet_formats; *f; f++) {
-        strcat(names, f == sheet_formats ? "" : f[1] ? ", " : " or ");
-        strcat(names, (*f)->name);
-    }
-    return say(message, strcat(names, ", not '"), value, "'");
+    flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
+                flk_text_of(value));
+    return 0;
 }
+
+/* By sheet_content. */
+static const char *const content_options[] = {"", "--summary", "--check", "--list", "--matrix"};
 
 static int set_content(options *o, sheet_content content)
 {
@@ -119,9 +118,9 @@ static int set_part(options *o, const char *value, char message[400])
     if (!rest.start || flk_number_read(&k, &part) != NUMBER_OK || k.length ||
         flk_number_read(&rest, &parts) != NUMBER_OK || rest.length || part != floor(part) ||
         parts != floor(parts) || part < 1 || parts < 1 || parts > 1e6)
-        return say(message, "--part is K/N, the K-th of N parts, such as 1/4, not '", value, "'");
+        return say(message, "--part must be K/N, such as 1/4, not '", value, "'");
     if (part > parts)
-        return say(message, "--part=", value, ": the first number is from 1 to the second");
+        return say(message, "--part=", value, ": K must be from 1 to N");
     o->part = (unsigned long)part;
     o->parts = (unsigned long)parts;
     return 1;
@@ -150,12 +149,14 @@ static int set_plot(options *o, const char *value, char message[400])
     o->plot = value;
     o->drawing.file = plot_file_of(value);
     if (o->drawing.file == PLOT_FILE_COUNT)
-        return say(message, "the name of a picture ends in .svg, .png, .pdf, .txt or .gif, not '",
-                   value, "'");
+        return say(
+            message,
+            "--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -, not '",
+            value, "'");
     return 1;
 }
 
-/* 1; 0 and why not. */
+/* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
     if (info->key) {
@@ -186,7 +187,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return 1;
     case 'C':
         if (value[0] == '\0' && value != no_value)
-            return say(message, "--check= needs the name of a file", "", "");
+            return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
         return set_content(o, SHEET_CHECK);
     case 'm':
@@ -258,7 +259,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
     return 1;
 }
 
-/* Options that belong together. */
+/* Check the options that belong to --plot. */
 static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
@@ -269,17 +270,19 @@ static int check_plot(options *o, char message[400])
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
-        return say(message, "a picture is of one deck, not of several", "", "");
+        return say(message, "--plot takes one deck, not several", "", "");
     if (!o->plot)
         o->drawing.file = PLOT_SVG;
     if (o->drawing.kind == PLOT_COUNT)
         o->drawing.kind = o->drawing.file == PLOT_GIF ? PLOT_ANIMATION : PLOT_MECHANISM;
     if (o->drawing.at && o->drawing.kind != PLOT_MECHANISM && o->drawing.kind != PLOT_VECTORS &&
         o->drawing.kind != PLOT_KLEIN)
-        return say(message, "--plot-at is for the kinds mechanism, vectors and klein, not for ",
+        return say(message,
+                   "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
                    plot_names[o->drawing.kind], "");
     if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
-        return say(message, "an animation needs a name that ends in .gif, not '", o->plot, "'");
+        return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
+                   "'");
     if (o->drawing.kind == PLOT_ANIMATION)
         o->drawing.file = PLOT_GIF;
     if (o->plot_script && o->plot && strcmp(o->plot, "-") != 0)
@@ -318,14 +321,16 @@ int options_read(int argc, char **argv, options *o, char message[400])
         }
     }
     if (o->n_contents > 1)
-        return say(message, "--check, --summary, --matrix and --list exclude each other", "", "");
+        return say(message, "use only one of --check, --summary, --matrix and --list", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
         o->format = &table_format;
-    if (o->content == SHEET_MATRIX && o->format != &table_format)
-        return say(message, "--matrix is printed in the format table only", "", "");
-    if (!(o->format->writes & 1 << o->content))
-        return say(message, "--summary and --check are printed in the formats table and csv", "",
-                   "");
+    if (!(o->format->writes & 1 << o->content)) {
+        char names[SHEET_FORMAT_NAMES];
+
+        flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
+                    sheet_formats_of(o->content, names));
+        return 0;
+    }
     if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);

@@ -11,7 +11,7 @@
 typedef struct options {
     const sheet_format *format;
     sheet_content content;
-    int n_contents; /* how often one was asked for */
+    int n_contents; /* how many were asked for */
     int help, version;
     const char *check_file;    /* null: the deck's own expectations */
     const char *output;        /* null: standard output */
@@ -19,15 +19,14 @@ typedef struct options {
     const char *plot;          /* the picture's file; null: none */
     const char *plot_script;   /* the script's file; null: none */
     plot_request drawing;      /* PLOT_COUNT: no kind is given */
-    fourlink_change *changes;  /* --set, and the options that are a key of the deck */
+    fourlink_change *changes;  /* --set, and options that set a key of the deck */
     unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;
-    char *storage, *next; /* room for the assignments of them, and for the one to come */
+    char *storage, *next; /* the texts of the assignments, and where the next goes */
 } options;
 
-/* Read the command line: 1 if it is in order; 0 if not, then `message` says why; -1 when out of
-** memory. */
+/* Read the command line.  Returns 1; 0 and the reason in `message`; -1 if out of memory. */
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
 

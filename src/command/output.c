@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** output.c - a file for results, of which nothing is seen until all of it is there.
+** output.c - an output file, replaced only when complete.
 */
 #define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp */
 
@@ -15,10 +15,10 @@
 #include "files.h"
 #include "output.h"
 
-/* Bytes: of millions of rows, a call of the system for each 4 kB is noticed. */
+/* Bytes.  With millions of rows, a system call for each 4 kB costs time. */
 #define BUFFER 65536
 
-/* The temporary file that a signal has to take away, null if there is none. */
+/* The temporary file that a signal must remove; null if there is none. */
 static char *volatile at_work;
 
 static void on_signal(int number)
@@ -29,7 +29,7 @@ static void on_signal(int number)
     raise(number);
 }
 
-/* An interrupted run leaves nothing behind. */
+/* Remove the temporary file if a signal ends the program. */
 static void watch_signals(char *temporary)
 {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU};
@@ -56,7 +56,7 @@ static char *join(const char *x, const char *y)
     return both;
 }
 
-/* Where a symbolic link leads; null if the path is none, or out of memory. */
+/* The target of a symbolic link; null if the path is not one, or if out of memory. */
 static char *read_link(const char *path)
 {
     char target[4096];
@@ -68,7 +68,7 @@ static char *read_link(const char *path)
     return files_beside(path, target);
 }
 
-/* The file that a path leads to through symbolic links, whether it is there yet or not. */
+/* The file that a path leads to through symbolic links, even if it does not exist yet. */
 static char *resolve(const char *path)
 {
     char *real = join(path, ""), *next;
@@ -81,7 +81,7 @@ static char *resolve(const char *path)
     return real;
 }
 
-/* A regular file, or one that is not there yet: its new contents are written beside it. */
+/* Open a temporary file beside a regular file, or beside one that does not exist yet. */
 static FILE *open_beside(output *o, int exists, mode_t mode)
 {
     mode_t mask = umask(0);
@@ -106,7 +106,7 @@ void output_prepare(void)
         setvbuf(stdout, NULL, _IOFBF, BUFFER);
 }
 
-/* 1; 0 and errno. */
+/* 1; 0 with errno set. */
 static int open_output(output *o, const char *path)
 {
     struct stat status, standard;
@@ -122,7 +122,7 @@ static int open_output(output *o, const char *path)
         return 0;
     if (exists && fstat(STDOUT_FILENO, &standard) == 0 && standard.st_dev == status.st_dev &&
         standard.st_ino == status.st_ino) {
-        o->file = stdout; /* as for /dev/stdout: others may be writing to it too */
+        o->file = stdout; /* as for /dev/stdout: other programs may write to it too */
         return 1;
     }
     if (exists && S_ISDIR(status.st_mode)) {
@@ -141,7 +141,7 @@ static int open_output(output *o, const char *path)
     return o->file != NULL;
 }
 
-/* Why a stream failed: it is told once more with another byte. */
+/* The errno of a failed stream, found by writing one more byte. */
 static int reason_of(FILE *file)
 {
     errno = EIO;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** output.h - a file for results, of which nothing is seen until all of it is there.
+** output.h - an output file, replaced only when complete.
 */
 #ifndef FOURLINK_OUTPUT_H
 #define FOURLINK_OUTPUT_H
@@ -13,15 +13,15 @@ typedef struct output {
     char *temporary; /* null: written directly, as to a device or a pipe */
 } output;
 
-/* To be called before anything is written to standard output. */
+/* Call this before anything is written to standard output. */
 void output_prepare(void);
 
-/* Open a path, or standard output for null and "-"; the exit status, which has been told.  A regular file is
-** written beside the path and takes its place in output_end. */
+/* Open a path, or standard output for null and "-"; prints a failure and returns the exit status.  A regular
+** file is written beside the path and renamed in output_end. */
 int output_begin(output *o, const char *path);
 
-/* Finish, or give up what was written; the exit status, which has been told.  A file that was there before
-** is as it was, unless all of the new one was written. */
+/* Keep or discard what was written; prints a failure and returns the exit status.  An old file stays as it
+** was unless the new one is complete. */
 int output_end(output *o, const char *path, int keep);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_loads.c - values to loads, gas, curves over the crank angle and points.
+** build_loads.c - builds loads, gas, curves over the crank angle and points from values.
 */
 #include <math.h>
 #include <string.h>
@@ -10,11 +10,11 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-/* Angles that are closer, in rad, are the same. */
+/* rad; angles closer than this are the same. */
 #define LEAST_STEP 1e-9
 
-/* A curve over the crank angle: its angles rise, and it is no longer than a cycle.  A last point that
-** closes the cycle is the first again. */
+/* Build a curve over the crank angle.  Its angles increase, over at most one cycle.  A last point at the end
+** of the cycle repeats the first. */
 static int build_curve(parser *p, const setting *s, curve *result)
 {
     const point *c = s->curve;
@@ -25,13 +25,13 @@ static int build_curve(parser *p, const setting *s, curve *result)
         return 0;
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < LEAST_STEP)
-            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must rise");
+            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y))
             return flk_mistake(
                 p->mistakes, c[n].place,
-                "the curve does not close: its last point is the first, one cycle on");
+                "the curve is not periodic: one cycle after its first point it has another value");
     }
     if (n < 2)
         return flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
@@ -85,7 +85,7 @@ void flk_build_gas(parser *p)
     build_curve(p, card, &gas->indicator);
 }
 
-/* The link that a load or a point is on. */
+/* Check the link of a load or a point. */
 static void check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
@@ -100,7 +100,7 @@ static void check_link(parser *p, const section_use *use, const setting *link)
                     own[4]);
 }
 
-/* The crank angles between which a load acts. */
+/* Build the range of crank angles in which a load acts. */
 static void build_window(parser *p, const section_use *use, deck_load *variation)
 {
     const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
@@ -109,19 +109,19 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     if (!IS_SET(from) && !IS_SET(to))
         return;
     variation->is_windowed = 1;
-    variation->from = from->si[0]; /* 0 if it is not given */
+    variation->from = from->si[0]; /* 0 if not given */
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
-                    "the load's 'from' must be before its 'to', not %t and %t",
+                    "the load's 'from' must be less than its 'to', not  %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
         flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
-                    "the load acts for longer than a cycle");
+                    "the load acts for more than a cycle");
 }
 
-/* So that max(NAME.vx) fits wherever names are kept. */
+/* max(NAME.vx) must fit wherever names are kept. */
 #define LONGEST_NAME 32
 
 /* [point NAME] */
@@ -141,7 +141,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
     for (i = 0; i < use->name.length; i++)
         if (!flk_text_is_word(use->name.start[i])) {
             flk_mistake(p->mistakes, use->place,
-                        "the name of a point is one word: its columns are NAME.x, NAME.y ...");
+                        "the name of a point must be one word: its columns are NAME.x, NAME.y ...");
             break;
         }
     new->link = link->word;
@@ -152,7 +152,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-/* Room for each section of this kind. */
+/* Allocate room for each section of this kind. */
 static void *keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;
@@ -188,7 +188,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force))
-        flk_mistake(p->mistakes, at->place, "'at' is for a force");
+        flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];

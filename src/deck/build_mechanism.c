@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_mechanism.c - values to the mechanism.
+** build_mechanism.c - builds the mechanism from values.
 */
 #include <math.h>
 
@@ -10,15 +10,15 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-#define STANDARD_GRAVITY 9.81 /* m/s2, as the sources have it */
+#define STANDARD_GRAVITY 9.81 /* m/s2, as in the sources */
 
-/* 1 if the crank can be given by the stroke. */
+/* 1 if the stroke can give the crank. */
 static int has_stroke(const parser *p)
 {
     return (flk_key_table[KEY_CRANK_STROKE].kinds & (int)p->d->design.kind) != 0;
 }
 
-/* The length a mechanism cannot do without. */
+/* Report a missing length. */
 static void require_length(parser *p, const char *link)
 {
     const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
@@ -27,7 +27,7 @@ static void require_length(parser *p, const char *link)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
                     use->section == SECTION_CRANK && has_stroke(p) ? ", and no stroke" : "");
     else
-        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length in it", link);
+        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length", link);
 }
 
 /* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
@@ -47,28 +47,28 @@ static void build_swing(parser *p, const setting *period, const setting *pin, fo
         return;
     }
     if (g <= 0)
-        g = STANDARD_GRAVITY; /* switched off in the machine, not in the test */
+        g = STANDARD_GRAVITY; /* off in the machine, but not in the test */
     h = gsl_hypot(x - link->cg.x, pin->si[1] - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
         flk_mistake(p->mistakes, pin->place,
-                    "the swing_pin is at the centre of mass, where nothing swings");
+                    "the swing_pin is at the centre of mass: the link does not swing there");
     else if (L < h)
         flk_mistake(p->mistakes, period->place,
-                    "a swing_period of %t is too short: even all mass in one point, %.4g m from "
-                    "the pin, swings more slowly",
+                    "a swing_period of %t is too short: a point mass %.4g m from the pin swings "
+                    "more slowly",
                     period->value, h);
     else
         link->inertia = link->mass * h * (L - h);
 }
 
 /* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
-** in line (two right triangles with the cathetus e):
+** in line (two right triangles with the leg e):
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
 ** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
-** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  Beyond it the second root would be the first's sum. */
+** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would need the sum of the two roots. */
 static void build_stroke(parser *p)
 {
     fourlink_link *link = p->d->design.link;
@@ -84,8 +84,8 @@ static void build_stroke(parser *p)
     rest = 4 * l * l - S * S;
     if (S * S > 4 * l * (l - e))
         flk_mistake(p->mistakes, s->place, "%s",
-                    e > 0 ? "this rod and offset have no such stroke"
-                          : "this rod has no such stroke: the crank would be longer");
+                    e > 0 ? "this stroke is impossible with this rod and offset"
+                          : "this stroke is impossible: the crank would be longer than the rod");
     else if (e > 0)
         link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
@@ -115,7 +115,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     link->cg.y = cg->si[1];
     if (IS_SET(gyration) + IS_SET(inertia) + IS_SET(period) > 1)
         flk_mistake(p->mistakes, other->place,
-                    "give one of gyration, inertia and swing_period, not several");
+                    "give only one of gyration, inertia and swing_period");
     if (IS_SET(other) && !IS_SET(mass))
         flk_mistake(p->mistakes, other->place, "the %s needs a mass",
                     IS_SET(gyration) ? "radius of gyration" : "swing_period");
@@ -124,13 +124,12 @@ static void build_link(parser *p, const flk_kind *kind, int number)
     if (period->si[0] > 0 && !p->lacks_values)
         build_swing(p, period, pin, link);
     if (IS_SET(other) && link->inertia > FOURLINK_NUMBER_MAX)
-        flk_mistake(p->mistakes, other->place,
-                    "the moment of inertia that follows is beyond what the program computes with");
+        flk_mistake(p->mistakes, other->place, "the resulting moment of inertia is out of range");
     if (!IS_SET(period) && IS_SET(pin))
         flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
 }
 
-/* The mechanism's kind, and that each section and key is one that it has. */
+/* Find the kind of the mechanism, and refuse sections and keys that it does not have. */
 int flk_build_kind(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
@@ -179,7 +178,7 @@ int flk_build_kind(parser *p)
     return 1;
 }
 
-/* A length in the unit in which another is written; that, as it is written. */
+/* A length in the unit in which another is written, and that unit's text. */
 static double in_unit_of(parser *p, const setting *s, double length, text *written)
 {
     double number;
@@ -212,7 +211,7 @@ static void build_slide(parser *p)
                     "a lever with an angle needs a length, from D to C on the slide");
 }
 
-/* A slide is reached at some angle if it is no farther than the two links with a length together. */
+/* A slide can be reached at some angle if it is no farther than the two links with a length together. */
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
     const fourlink_design *design = &p->d->design;
@@ -230,10 +229,9 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
 
         in_unit = in_unit_of(p, length, sum, &written);
         flk_mistake(p->mistakes, s->place,
-                    "the slide passes D at %.6g %t, more than %s and %s together, %.6g %t: the %s "
-                    "never reaches",
-                    in_unit * distance / sum, written, first, second, in_unit, written,
-                    kind->link[FOURLINK_COUPLER]);
+                    "the slide passes D at %.6g %t, farther than %s and %s together, %.6g %t: the "
+                    "linkage cannot be assembled",
+                    in_unit * distance / sum, written, first, second, in_unit, written);
     }
     if (IS_SET(s) || fabs(design->offset) <= sum)
         return;
@@ -242,12 +240,13 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
         s = flk_setting_find(p, KEY_GROUND_OFFSET);
     in_unit = in_unit_of(p, s, sum, &written);
     flk_mistake(p->mistakes, s->place,
-                "the offset, %t, is more than %s and %s together, %.6g %t: the %s never reaches",
-                s->value, first, second, in_unit, written, kind->link[FOURLINK_COUPLER]);
+                "the offset, %t, is larger than %s and %s together, %.6g %t: the linkage cannot be "
+                "assembled",
+                s->value, first, second, in_unit, written);
 }
 
-/* The links reach at some angle if no link is longer than the other three together; where one slides, if the
-** others reach its slide. */
+/* A linkage can be assembled at some angle if no link is longer than the other three together; one with a
+** slide, if the others reach it. */
 static void check_reach(parser *p, const flk_kind *kind)
 {
     const fourlink_link *link = p->d->design.link;
@@ -260,7 +259,7 @@ static void check_reach(parser *p, const flk_kind *kind)
         if (kind->has_length[i] != FLK_LENGTH)
             continue;
         if (!(link[i].length > 0))
-            return; /* told already */
+            return; /* already reported */
         sum += link[i].length;
         if (link[i].length > link[longest].length)
             longest = i;
@@ -274,10 +273,11 @@ static void check_reach(parser *p, const flk_kind *kind)
     if (link[longest].length > sum * (1 + 1e-14)) {
         s = flk_setting_by_name(p, flk_find_section(flk_text_of(kind->link[longest])), "length");
         in_unit = in_unit_of(p, s, sum, &written);
-        flk_mistake(p->mistakes, s->place,
-                    "the %s, %t, is longer than the other three together, %.6g %t: they cannot be "
-                    "assembled",
-                    kind->link[longest], s->value, in_unit, written);
+        flk_mistake(
+            p->mistakes, s->place,
+            "the %s, %t, is longer than the other three together, %.6g %t: the linkage cannot be "
+            "assembled",
+            kind->link[longest], s->value, in_unit, written);
     }
 }
 
@@ -292,7 +292,8 @@ void flk_build_mechanism(parser *p)
     build_link(p, kind, FOURLINK_GROUND);
     build_link(p, kind, has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
     build_link(p, kind,
-               has_stroke(p) ? FOURLINK_CRANK : FOURLINK_COUPLER); /* from stroke and rod */
+               has_stroke(p) ? FOURLINK_CRANK
+                             : FOURLINK_COUPLER); /* computed from stroke and rod */
     build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction =
@@ -313,7 +314,7 @@ void flk_build_mechanism(parser *p)
                     fourlink_status_text(i));
 }
 
-/* The engine method's approximations, which the sources have for engines of their kind alone. */
+/* The approximations of the engine method, which exist only for the sources' kind of engine. */
 void flk_build_series(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_SERIES);

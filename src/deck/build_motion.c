@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_motion.c - values to the motion of the crank, the flywheel, the table and what is expected.
+** build_motion.c - builds the motion of the crank, the flywheel, the table and the expected values.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@ static double angle_or(parser *p, key_code key, double otherwise)
     return IS_SET(s) ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
-/* 1 if a mistake about a key of the section has been noted: no other is to follow from it. */
+/* 1 if a key of the section has a mistake, from which no other should follow. */
 static int is_mistaken(parser *p, section_code section)
 {
     const section_use *use = flk_section_find(p, section, NULL);
@@ -35,7 +35,7 @@ static int is_mistaken(parser *p, section_code section)
     return 0;
 }
 
-/* One instant has no range.  But `at` from the command line takes the place of the deck's range. */
+/* One instant has no range, but `at` from the command line replaces the deck's range. */
 static void check_alone(parser *p, const setting *at)
 {
     static const key_code others[] = {KEY_MOTION_FROM, KEY_MOTION_TO, KEY_MOTION_RUN_UP};
@@ -45,12 +45,13 @@ static void check_alone(parser *p, const setting *at)
         const setting *s = flk_setting_find(p, others[i]);
 
         if (IS_SET(s) && (s->place.line == 0) == (at->place.line == 0))
-            flk_mistake(p->mistakes, s->place, "'%s' has no place beside 'at', one instant",
+            flk_mistake(p->mistakes, s->place,
+                        "'%s' cannot be used with 'at', which is one instant",
                         flk_key_table[others[i]].name);
     }
 }
 
-/* 360 and not 360.00000000000006 */
+/* 360 rather than 360.00000000000006 */
 static double whole(double x)
 {
     double nearest = floor(x + 0.5);
@@ -58,7 +59,7 @@ static double whole(double x)
     return fabs(x - nearest) < 1e-12 * x ? nearest : x;
 }
 
-/* From rest through an angle, then one revolution (Alvi's program, vela = 0). */
+/* Start from rest through an angle, then one revolution (Alvi's program, vela = 0). */
 static void build_run_up(parser *p, const setting *run_up)
 {
     const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED),
@@ -68,12 +69,12 @@ static void build_run_up(parser *p, const setting *run_up)
     p->d->one_revolution = 1;
     if (speed->si[0] != 0)
         flk_mistake(p->mistakes, speed->place,
-                    "a run-up starts from rest: it takes an acceleration and no speed");
+                    "a run-up starts from rest: give an acceleration, not a speed");
     if (IS_SET(to))
         flk_mistake(p->mistakes, to->place,
-                    "a run-up ends one revolution after its angle: it takes no 'to'");
+                    "a run-up ends one revolution after its angle: 'to' is not allowed");
     if (p->d->motion.hold)
-        flk_mistake(p->mistakes, run_up->place, "a run-up cannot hold its speed");
+        flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
 void flk_build_motion(parser *p)
@@ -95,7 +96,7 @@ void flk_build_motion(parser *p)
         check_alone(p, at);
         motion->from = angle_or(p, KEY_MOTION_AT, 0);
         motion->to = motion->from;
-        motion->interval = 1; /* any */
+        motion->interval = 1; /* any value */
         p->d->one_instant = 1;
         return;
     }
@@ -113,8 +114,8 @@ void flk_build_motion(parser *p)
     if (status == FOURLINK_BAD_RANGE) {
         s = flk_setting_find(p, KEY_MOTION_TO);
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p),
-                    "the range runs against the rotation of the accelerated crank; turn it round, "
-                    "or give 'hold = yes'");
+                    "the range runs against the rotation of an accelerated crank: swap 'from' and "
+                    "'to', or set 'hold = yes'");
     } else if (status == FOURLINK_NO_RUN_UP) {
         flk_mistake(p->mistakes, run_up->place, "a run-up from rest needs an acceleration");
     } else if (status != FOURLINK_OK) {
@@ -141,7 +142,7 @@ void flk_build_table(parser *p)
         p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
 }
 
-/* The printed values of the deck, in the order of its lines, after those it has already. */
+/* Add the printed values of the deck, in the order of its lines. */
 void flk_build_expectations(parser *p)
 {
     deck *d = p->d;

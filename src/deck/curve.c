@@ -12,7 +12,7 @@
 **    y    = y_i + d (y'_i + d (b + d a)),  d = x - x_i                                         (eq. 1)
 **    a    = (y'_i + y'_{i+1} - 2 s_i) / h_i^2,  b = (3 s_i - 2 y'_i - y'_{i+1}) / h_i    (eqs. 2, 3)
 **
-** GSL has it too, but GSL allocates, and tells its error handler when it cannot.
+** GSL has it too, but GSL allocates memory, and calls its error handler if it cannot.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@
 
 #include "curve.h"
 
-/* The slope at a point between two intervals of these widths and secants. */
+/* The slope at a point between two intervals with these widths and secants. */
 static double slope(double h0, double s0, double h1, double s1)
 {
     double p = (s0 * h1 + s1 * h0) / (h0 + h1);

@@ -8,13 +8,13 @@
 #include <stddef.h>
 
 typedef struct curve {
-    double *x, *y; /* the n points, and the first again one period on; one piece of memory */
+    double *x, *y; /* n points, and the first again one period later; in one piece of memory */
     double *slope; /* dy/dx at the n points */
     size_t n;      /* 0: no curve */
     double period;
 } curve;
 
-/* Make a curve through n >= 2 points, x rising, x[n-1] - x[0] < period.  1, or 0 when out of memory. */
+/* Make a curve through n >= 2 points, x increasing, x[n-1] - x[0] < period.  1; 0 if out of memory. */
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c);
 
 /* Its value at any x. */

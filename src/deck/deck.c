@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** deck.c - a deck for the programs that embed the library: its memory, the problem it poses, its loads at a
-** crank angle, its points.
+** deck.c - a deck for programs that embed the library: its memory, problem, loads at a crank angle, points.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -22,10 +21,10 @@ void flk_deck_start(deck *d)
     }
 }
 
-/* A piece of memory of the deck's, in front of what it holds. */
+/* The head of a piece of the deck's memory, before its contents. */
 typedef struct kept {
     struct kept *next;
-    double contents[1]; /* aligned for all that is kept */
+    double contents[1]; /* aligned for all contents */
 } kept;
 
 void *flk_deck_keep(deck *d, size_t size)
@@ -163,7 +162,7 @@ static double gas_force(const deck_gas *gas, double theta2)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
-/* A load at this crank angle: its curve is followed, and outside its window it is nothing. */
+/* A load at a crank angle: the value of its curve, and 0 outside its range of crank angles. */
 static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
                      double theta2, fourlink_load *now)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** deck.h - the input deck: text in, a problem to solve out, or its mistakes.
+** deck.h - the input deck: from a text to a problem to solve, or to mistakes.
 */
 #ifndef FOURLINK_DECK_H
 #define FOURLINK_DECK_H
@@ -12,31 +12,31 @@
 
 #define DECK_NAME_SIZE 64
 
-/* A unit in which a quantity is printed, and in which bare numbers of it are read. */
+/* The unit in which a quantity is printed and its bare numbers are read. */
 typedef struct deck_unit {
     char name[DECK_NAME_SIZE];
     unit unit;
 } deck_unit;
 
-/* A list of names in a deck, such as columns, and where it stands. */
+/* A list of names in a deck, such as columns, and its place. */
 typedef struct deck_names {
     text names;
     text_place place;
 } deck_names;
 
-/* The gas in the cylinder; area 0: there is none. */
+/* The gas in the cylinder; area 0: no gas. */
 typedef struct deck_gas {
     double area, back_area; /* m2, of the piston on the cover side and on the crank side */
     double pressure;        /* Pa, on the cover side */
-    curve indicator;        /* Pa over the crank angle in rad, in place of pressure */
+    curve indicator;        /* Pa over the crank angle in rad, instead of pressure */
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
-/* Beside a load: its name, and what changes with the crank angle. */
+/* In addition to a load: its name, and what changes with the crank angle. */
 typedef struct deck_load {
     const char *name; /* of [load NAME]; "": it has none */
-    curve torque;     /* over the crank angle, if it has such a curve */
-    int is_windowed;  /* 1: it acts between two crank angles only, in every cycle */
+    curve torque;     /* over the crank angle, if given as a curve */
+    int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double from, to;  /* rad */
 } deck_load;
 
@@ -53,7 +53,7 @@ typedef struct deck_point {
 /* A value that a source printed. */
 typedef struct deck_expectation {
     text_place place;
-    text name, value; /* a column or a fact; what was printed */
+    text name, value; /* a column or a fact; the printed value */
     text tolerance;   /* empty: half of the last printed digit */
     text_place tolerance_place;
     int misprint; /* 1: known to be wrong */
@@ -66,10 +66,10 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    double value; /* of this design, in the deck's unit of the quantity */
+    double value; /* in this design, in the deck's unit */
 } deck_variable;
 
-/* [sweep]; without variables there is none. */
+/* [sweep]; a deck without one has no variables. */
 typedef struct deck_sweep {
     deck_variable *variables;
     size_t n_variables;
@@ -80,7 +80,7 @@ typedef struct deck_sweep {
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
-/* A deck; hosts of the library have it as fourlink_deck, without its members. */
+/* A deck; to hosts of the library it is fourlink_deck, without members. */
 typedef struct fourlink_deck deck;
 
 struct fourlink_deck {
@@ -101,43 +101,43 @@ struct fourlink_deck {
     fourlink_approximation approximation;
     deck_expectation *expectations;
     size_t n_expectations;
-    double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if the deck does not say */
+    double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
     deck_sweep sweep;
-    int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if the deck does not say */
+    int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
     deck_names columns;
     int digits;
     deck_unit units[QUANTITY_COUNT];
 
-    mistakes mistakes;    /* none: the deck is in order */
-    struct kept *storage; /* the texts that names and places point to */
+    mistakes mistakes;    /* none: the deck is valid */
+    struct kept *storage; /* texts that names and places point to */
 };
 
 /* Read a deck.
 **
 ** Given:
-**    source      its text, and what is to be changed in it; it is not needed after the call
+**    source      its text, and changes to it; not needed after the call
 ** Returned:
-**    d           the deck; to be given to flk_deck_free also where it is full of mistakes
+**    d           the deck, for flk_deck_free, even if it has mistakes
 ** Returned (function value):
-**    1 the deck is in order, 0 see d->mistakes, -1 out of memory
+**    1 the deck is valid, 0 see d->mistakes, -1 out of memory
 ** Note:
-**    Answers are read only for a deck that is in order without them.
+**    Answers are read only if the deck itself has no mistakes.
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Copy the mistakes of a deck for a host: the first `max`, and how many there are. */
+/* Copy the first `max` mistakes of a deck for a host, and their number. */
 void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
-/* Set up a deck without anything but the default units; give back its memory. */
+/* Set up a deck with nothing but the default units; free its memory. */
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
 /* How many of its loads are the gas: one on the piston; two on the rod and on the cylinder. */
 unsigned long flk_deck_gas_loads(const deck *d);
 
-/* Memory, zeroed, that lasts as long as the deck; null when there is none. */
+/* Memory set to 0 that lasts as long as the deck; null if there is none. */
 void *flk_deck_keep(deck *d, size_t size);
 
 #endif

@@ -9,7 +9,7 @@
 #define LINE_MAX_LENGTH 65536
 #define MOST_SECTIONS 10000
 
-/* 1 if such a section can stand here; else 0 and a mistake. */
+/* 1 if such a section is allowed here; otherwise 0 and a mistake. */
 static int check_section(parser *p, text_place place, section_code section, text name)
 {
     const section_info *info = &flk_section_table[section];
@@ -19,13 +19,12 @@ static int check_section(parser *p, text_place place, section_code section, text
         return flk_mistake(p->mistakes, place,
                            "expected [expect] or [misprint] in this file, not [%s]", info->name);
     if (name.length && !info->repeats)
-        return flk_mistake(p->mistakes, place, "[%s] takes no name, but has '%t'", info->name,
-                           name);
+        return flk_mistake(p->mistakes, place, "[%s] takes no name: remove '%t'", info->name, name);
     if (use && !info->repeats)
-        return flk_mistake(p->mistakes, place, "a second [%s]; the first is at line %ld",
-                           info->name, use->place.line);
+        return flk_mistake(p->mistakes, place, "[%s] is given twice; first at line %ld", info->name,
+                           use->place.line);
     if (name.length && flk_section_find(p, section, &name))
-        return flk_mistake(p->mistakes, place, "a second [%s %t]", info->name, name);
+        return flk_mistake(p->mistakes, place, "[%s %t] is given twice", info->name, name);
     if (p->n_uses >= MOST_SECTIONS)
         return flk_mistake(p->mistakes, place, "too many sections");
     return 1;
@@ -77,7 +76,7 @@ static int is_text(parser *p, text line, text_place place)
 
     if (line.length > LINE_MAX_LENGTH) {
         p->not_text = 1;
-        return flk_mistake(p->mistakes, place, "a line of more than 65536 characters: not a deck");
+        return flk_mistake(p->mistakes, place, "line longer than 65536 characters: not a deck");
     }
     for (i = 0; i < line.length; i++) {
         unsigned char c = (unsigned char)line.start[i];
@@ -86,14 +85,14 @@ static int is_text(parser *p, text line, text_place place)
             p->not_text = 1;
             code[0] = hex[c / 16];
             code[1] = hex[c % 16];
-            return flk_mistake(p->mistakes, place,
-                               "a control character (0x%s): decks are plain text", code);
+            return flk_mistake(p->mistakes, place, "control character (0x%s): a deck is plain text",
+                               code);
         }
     }
     return 1;
 }
 
-/* The next line without its comment; 0 at the end of the deck, or where it is no text. */
+/* The next line without its comment; 0 at the end of the deck, or if the line is not text. */
 static int next_line(parser *p, text *rest, text *line)
 {
     if (p->last_line > 0 && !rest->length)
@@ -109,8 +108,8 @@ static int next_line(parser *p, text *rest, text *line)
     return 1;
 }
 
-/* A line that ends in a comma goes on in the next, unless that is an assignment or a section.  What
-** is between the two, a comment and the end of the line, becomes blanks in the deck's copy. */
+/* A line that ends in a comma continues in the next, unless that is an assignment or a section.  The comment
+** and the end of line between them become blanks in the deck's copy. */
 static void join_lines(parser *p, char *copy, text *rest, text *line)
 {
     while (line->length && line->start[line->length - 1] == ',' && rest->start) {
@@ -158,7 +157,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
         if (!value.start) {
             flk_mistake(p->mistakes, place, "expected 'key = value' or '[section]', not '%t'",
                         line);
-        } else if (use) { /* the keys of an unknown section are not judged */
+        } else if (use) { /* keys of an unknown section are not checked */
             flk_setting_read(p, place, use, flk_text_trim(key), flk_text_trim(value));
         }
     }

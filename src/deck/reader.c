@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** reader.c - the reader of decks: text in, a problem to solve out, or its mistakes.
+** reader.c - the reader of decks: from a text to a problem to solve, or to mistakes.
 **
-** In three passes: the lines give settings, each a text and its place (lines.c, settings.c); the texts give
-** values, by the forms of schema.h and in the deck's units (values.c); the values give the problem
-** (build_*.c).  A mistake does not end the reading, so that one run tells all of them.
+** It makes three passes: lines to settings, each a text and its place (lines.c, settings.c); texts to values,
+** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
+** does not end the reading, so that one run reports all of them.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -79,7 +79,7 @@ static void build(parser *p)
     flk_build_expectations(p);
 }
 
-/* The lines of a copy of the text. */
+/* Read the lines of a copy of the text. */
 static void read_lines(parser *p, const char *start, unsigned long length)
 {
     text contents;
@@ -110,7 +110,7 @@ static void read_deck(parser *p, const fourlink_source *source)
         build(p);
 }
 
-/* The [expect] and [misprint] sections of another text, in place of the deck's. */
+/* Read the [expect] and [misprint] sections of another text, instead of the deck's. */
 static void read_answers(parser *p, const fourlink_source *source)
 {
     p->expectations_only = 1;
@@ -122,7 +122,7 @@ static void read_answers(parser *p, const fourlink_source *source)
         flk_build_expectations(p);
 }
 
-/* Read one text of a source; 1, or 0 when out of memory. */
+/* Read one text of a source; 1, or 0 if out of memory. */
 static int run(deck *d, const fourlink_source *source, const char *name,
                void read(parser *, const fourlink_source *))
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** reader.h - what the three passes over a deck share: lines to settings (lines.c, settings.c), settings to
-** values (values.c), values to a problem (build_*.c).
+** reader.h - the common part of the three passes over a deck: lines to settings (lines.c, settings.c),
+** settings to values (values.c), values to a problem (build_*.c).
 */
 #ifndef FOURLINK_READER_H
 #define FOURLINK_READER_H
@@ -10,18 +10,18 @@
 #include "deck.h"
 #include "schema.h"
 
-/* The parts of a force or a point that can be set on their own: load F.force.size. */
+/* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
 /* What the deck sets a key to. */
 typedef struct setting {
     text_place place; /* see IS_SET */
-    text value;       /* empty: there is a mistake about it already */
+    text value;       /* empty: it has a mistake that is already noted */
     double number;    /* as written */
     unit unit;        /* its unit */
     double si[2];     /* the value in SI units and radians, or the two components */
     int word;
-    struct setting *parts; /* of a vector: those set on their own, by vector_part; or null */
+    struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
     size_t n_points;
 } setting;
@@ -31,12 +31,12 @@ typedef struct setting {
 /* A point of a curve. */
 typedef struct point {
     double x, y;      /* rad, SI units */
-    text_place place; /* where it is written */
+    text_place place; /* its place in the text */
     int has_unit;     /* 1: its value has one */
     double unit_to_si;
 } point;
 
-/* A section as it stands in the deck, with one setting for each key that it can have. */
+/* A section of the deck, with one setting for each key that it can have. */
 typedef struct section_use {
     section_code section;
     text name;
@@ -44,7 +44,7 @@ typedef struct section_use {
     setting *settings; /* see flk_setting_of */
 } section_use;
 
-/* A value of a section that takes names of its own: [expect], [misprint], [sweep]. */
+/* A value of a section that takes names as keys: [expect], [misprint], [sweep]. */
 typedef struct named_value {
     size_t use; /* number of its section */
     text name;
@@ -52,7 +52,7 @@ typedef struct named_value {
     text value;
 } named_value;
 
-/* What a key of a section means: one of the schema, a part of its vector, or a name of its own. */
+/* What a key of a section means: a key of the schema, a part of its vector, or a name. */
 typedef struct target {
     size_t use;
     key_code key; /* KEY_COUNT: `name` */
@@ -63,84 +63,83 @@ typedef struct target {
 typedef struct parser {
     deck *d;
     mistakes *mistakes;     /* the deck's */
-    char why[MESSAGE_SIZE]; /* what is no quantity, until it is noted */
+    char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
     const char *name;
     fourlink_loader *load;
-    void *host; /* for it */
+    void *host; /* for the loader */
     section_use *uses;
     size_t n_uses, uses_capacity;
     named_value *named;
     size_t n_named, named_capacity;
-    size_t *named_slots; /* of a hash of their names: number + 1; 0: free */
+    size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
     int expectations_only;
-    int lacks_values; /* 1: values are missing, due to a mistake: what follows from values is not judged */
-    int not_text; /* 1: the reading ended at what is no text */
+    int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
+    int not_text; /* 1: the reading ended at a byte that is not text */
     long last_line;
     int out_of_memory;
 } parser;
 
-/* Memory, zeroed, that lasts as long as the deck; null when there is none. */
+/* Memory set to 0 that lasts as long as the deck; null if there is none. */
 void *flk_reader_keep(parser *p, size_t size);
 
-/* A copy of a text, with an ending, that lasts as long; null-terminated. */
+/* A null-terminated copy of a text with an ending, which lasts as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* The line that was read last: the end of the deck, for a mistake about what is not in it. */
+/* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
 
-/* A section of the deck, of this name, in which case matters, or if `name` is null the first; null if it has
+/* The section of the deck with this name (case matters), or the first if `name` is null; null if there is
 ** none. */
 section_use *flk_section_find(parser *p, section_code section, const text *name);
 
-/* Parts "section NAME"; the name may be empty. */
+/* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
 
-/* Open a section; its settings are all unset.  Null when there is no memory for it. */
+/* Open a section without settings; null if out of memory. */
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
 
 /* 0 and a mistake: there is no section of this name. */
 int flk_section_unknown(parser *p, text_place place, text name);
 
-/* The setting of a key in a section that has it. */
+/* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
 
-/* The setting of a key of a section that does not repeat; one that is not set, all 0, if the deck has no
-** such section. */
+/* The setting of a key in a section that does not repeat; an unset one, all 0, if the deck has no such
+** section. */
 const setting *flk_setting_find(parser *p, key_code key);
 
-/* The same of the key with this name; not set also if the section has no such key. */
+/* The same for the key with this name; also unset if the section has no such key. */
 const setting *flk_setting_by_name(parser *p, section_code section, const char *key);
 
-/* Its value in SI units, or what it is when the deck does not set it; in the deck's unit of it, without
-** rounding if it is written in that. */
+/* Its value in SI units, or `otherwise` if it is not set; the same in the deck's unit, without rounding if it
+** is written in that unit. */
 double flk_setting_or(parser *p, key_code key, double otherwise);
 double flk_setting_in_unit(parser *p, const setting *s, quantity q);
 
 /* Set a key in a section, once. */
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value);
 
-/* What [SECTION[ NAME].]KEY[.PART] means; 0 and mostly a mistake if it means nothing.  A section that the
-** deck has not is opened. */
+/* Find what [SECTION[ NAME].]KEY[.PART] means; 0, and usually a mistake, if it means nothing.  Opens a
+** section that the deck does not have. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set it, from elsewhere than its section: by --set, or for a design of a sweep. */
+/* Set it from outside its section: by --set, or for a design of a sweep. */
 void flk_setting_assign(parser *p, text_place place, text key, text value);
 
-/* A line up to its comment, which starts with # or ; at the start of the line or after a blank, but
-** not within quotes. */
+/* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
+** quotes. */
 text flk_line_without_comment(text line);
 
-/* First pass: the lines of the deck, all in `copy`. */
+/* First pass: the lines of the deck, all within `copy`. */
 void flk_lines_read(parser *p, text rest, char *copy);
 
-/* Second pass: the units, which decide how bare numbers are read; the assignments of a design of the
-** [sweep]; the values. */
+/* Second pass: the units, which bare numbers need; the assignments of a design of the [sweep]; the values. */
 void flk_values_read_section(parser *p, const section_use *use);
 void flk_values_read(parser *p, int units_only);
 void flk_sweep_read(parser *p, unsigned long design);
 
-/* A quantity; 0 and a mistake if it is none.  `whole` is what it is a piece of. */
+/* Read a quantity; 0 and a mistake if it is not one.  `whole` is the text that contains it. */
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value);
 

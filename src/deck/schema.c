@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** schema.c - the sections and keys that a deck can have, and what may stand behind each.
+** schema.c - the sections and keys that a deck can have, and the values they take.
 */
 #include "deck.h"
 #include "schema.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** schema.h - the sections and keys that a deck can have, and what may stand behind each.
+** schema.h - the sections and keys that a deck can have, and the values they take.
 */
 #ifndef FOURLINK_SCHEMA_H
 #define FOURLINK_SCHEMA_H
@@ -8,7 +8,7 @@
 #include "fourlink.h"
 #include "base/units.h"
 
-/* name, may repeat, mechanisms, the first of its keys in KEY_LIST, which has the sections in this order */
+/* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK | INVERTED)
 #define SECTION_LIST(X)                                              \
@@ -35,12 +35,12 @@
 
 /* What a value is. */
 typedef enum value_form {
-    FORM_TEXT,     /* as it stands, or in double quotes */
+    FORM_TEXT,     /* as written, or in double quotes */
     FORM_WORD,     /* one of a list of words */
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
     FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N */
-    FORM_POINT,    /* the same for a point of a link; an angle of 0 may be left out */
+    FORM_POINT,    /* the same for a point of a link, without the angle if it is 0 */
     FORM_PIN,      /* origin, end, or as FORM_POINT */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
@@ -61,11 +61,11 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
     X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
 
-/* Sections that take names of their own beside their keys: columns and facts, or keys of the deck. */
+/* Sections that take names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section) \
     ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP)
 
-/* Beside these, any column or fact. */
+/* In addition to these, any column or fact. */
 #define EXPECT_KEYS(X, S)                               \
     X(S, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)      \
     X(S, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND) \
@@ -153,7 +153,7 @@ typedef struct section_info {
     key_code first;
 } section_info;
 
-/* By section_code; ended by a null name. */
+/* By section_code, with a null name at the end. */
 extern const section_info flk_section_table[];
 
 typedef struct key_info {
@@ -179,13 +179,13 @@ typedef struct word_info {
     int value;
 } word_info;
 
-/* Ended by a null word. */
+/* With a null word at the end. */
 extern const word_info flk_word_table[];
 
-/* The first key of a section; its last is the one before the first of the next section. */
+/* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
 
-/* The section of that name, SECTION_COUNT if there is none. */
+/* The section with this name; SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** settings.c - the sections of a deck, and what their keys are set to: in the deck, by --set, and for a
-** design of a sweep.
+** settings.c - the sections of a deck and the settings of their keys: in the deck, by --set, for a design of
+** a sweep.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +43,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     return use;
 }
 
-/* The names that users give: case matters where two differ in it. */
+/* Names that users choose; case matters. */
 static int same_name(text x, text y)
 {
     return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
@@ -99,7 +99,7 @@ double flk_setting_in_unit(parser *p, const setting *s, quantity q)
     return flk_unit_from_si(s->si[0], *u);
 }
 
-/* What people write, and what they mean. */
+/* Words that people use, and the words they mean. */
 static const struct {
     const char *written, *meant;
 } synonyms[] = {{"connecting", "rod"},     {"conrod", "rod"},    {"follower", "rocker"},
@@ -110,7 +110,7 @@ static const struct {
                 {"alpha", "acceleration"}, {"step", "interval"}, {"g", "acceleration"},
                 {"weight", "mass"},        {"k", "gyration"},    {"radius", "length"}};
 
-/* The nearest word, by meaning or by spelling; null if none is. */
+/* The nearest word, by meaning or by spelling, or null. */
 static const char *nearest_word(text word, const char *const *known)
 {
     size_t i, j;
@@ -134,7 +134,7 @@ int flk_section_unknown(parser *p, text_place place, text name)
                        nearest_word(name, known));
 }
 
-/* The first section, but for the units, that has this key; SECTION_COUNT if none has. */
+/* The first section, except the units, that has this key; SECTION_COUNT if none has. */
 static section_code section_with(text key)
 {
     int i;
@@ -163,7 +163,7 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
     if (other == SECTION_TOP)
         return flk_mistake(p->mistakes, place, "%s; it belongs before the first section", where);
     if (!nearest && other != SECTION_COUNT)
-        return flk_mistake(p->mistakes, place, "%s; it belongs to a section such as [%s]", where,
+        return flk_mistake(p->mistakes, place, "%s; it belongs in a section such as [%s]", where,
                            flk_section_table[other].name);
     return flk_mistake(p->mistakes, place, "%s%h", where, nearest);
 }
@@ -177,7 +177,7 @@ void flk_section_split(text *section, text *name)
     *name = flk_text_trim(*name);
 }
 
-/* Where a name of a section stands in the hash, or is to be put (FNV-1a, G. Fowler, L. C. Noll, K.-P. Vo). */
+/* The slot of a name in the hash table, or a free one for it (FNV-1a, G. Fowler, L. C. Noll, K.-P. Vo). */
 static size_t *find_slot(parser *p, size_t use, text name)
 {
     unsigned long hash = (2166136261UL + (unsigned long)use) & 0xffffffffUL;
@@ -194,7 +194,7 @@ static size_t *find_slot(parser *p, size_t use, text name)
     return &p->named_slots[i];
 }
 
-/* Room for one more name, half of the slots at least being free. */
+/* Make room for one more name; at least half of the slots stay free. */
 static int grow_named(parser *p)
 {
     named_value *list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *p->named);
@@ -217,7 +217,7 @@ static int grow_named(parser *p)
     return 1;
 }
 
-/* A key that the schema does not have, in a section that takes names of its own. */
+/* Set a name in a section that takes names. */
 static int set_named(parser *p, text_place place, const target *t, text value, int replace)
 {
     size_t *slot;
@@ -229,7 +229,7 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
         return 0;
     slot = find_slot(p, t->use, t->name);
     if (*slot && !replace)
-        return flk_mistake(p->mistakes, place, "'%t' a second time", t->name);
+        return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
     if (!*slot)
         *slot = ++p->n_named;
     named = &p->named[*slot - 1];
@@ -240,7 +240,7 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
     return 1;
 }
 
-/* The key of a section; 0 and a mistake if it can have none of that name. */
+/* Find a key of a section; 0 and a mistake if the section cannot have it. */
 static int find_key(parser *p, text_place place, const section_use *use, text key, target *t)
 {
     key_code end = flk_first_key(use->section + 1), i = flk_first_key(use->section);
@@ -289,8 +289,8 @@ static int set_target(parser *p, text_place place, const target *t, text value, 
         return set_named(p, place, t, value, replace);
     s = flk_setting_of(&p->uses[t->use], t->key);
     if (IS_SET(s) && !replace)
-        return flk_mistake(p->mistakes, place, "'%t' a second time; the first is at line %ld",
-                           t->name, s->place.line);
+        return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
+                           s->place.line);
     if (!value.length)
         return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
     return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
@@ -304,7 +304,7 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
         set_target(p, place, &t, value, 0);
 }
 
-/* The part that SECTION.KEY.PART means; it is taken off. */
+/* Remove the part of SECTION.KEY.PART and return it. */
 static vector_part take_part(text *key)
 {
     static const char *const parts[] = {"x", "y", "size", "angle"};
@@ -321,8 +321,8 @@ static vector_part take_part(text *key)
     return PART_NONE;
 }
 
-/* The section that an assignment means by "section NAME", the one if there is one only; null and a mistake
-** if there are several, or none of the name. */
+/* The section that an assignment means by "section NAME", or the only section; null and a mistake if there
+** are several, or none with this name. */
 static section_use *find_section(parser *p, text_place place, section_code code, text name)
 {
     section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
@@ -350,8 +350,8 @@ static section_use *find_section(parser *p, text_place place, section_code code,
     return use ? use : flk_section_open(p, code, name, place);
 }
 
-/* 1 if the target is a vector, of which a part can be set: a force has to be given, a point that is not is
-** the link's origin. */
+/* 1 if the target is a vector whose parts can be set.  The deck must have a force; a point defaults to the
+** link's origin. */
 static int has_parts(parser *p, text_place place, const target *t, text key)
 {
     value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;
@@ -363,7 +363,7 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
     if (s && IS_SET(s))
         return 1;
     return flk_mistake(p->mistakes, place,
-                       s ? "'%t' is not given: only a part of it varies"
+                       s ? "'%t' is not in the deck: give it before you vary a part of it"
                          : "'%t' has no parts that can be varied",
                        key);
 }
@@ -396,7 +396,7 @@ void flk_setting_assign(parser *p, text_place place, text key, text value)
     target t;
 
     if (flk_text_cut(key, ".", &section, &name) && flk_text_equal(section, "sweep")) {
-        sweep = find_section(p, place, SECTION_SWEEP, no_name); /* all that follows is a name */
+        sweep = find_section(p, place, SECTION_SWEEP, no_name); /* the rest is a name */
         if (!sweep || !find_key(p, place, sweep, name, &t))
             return;
     } else if (!flk_setting_target(p, place, key, &t)) {

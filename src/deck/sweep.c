@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sweep.c - [sweep]: the designs that a deck varies its quantities over.
+** sweep.c - [sweep]: the designs of a deck that varies its quantities.
 **
-** A design is a list of assignments, those that --set makes.  Ranges and lists are combined in all ways, the
-** last one changing fastest; of each combination there are as many samples as the deck says if there are
-** tolerances.  What a design is depends on its index alone: its random numbers are the first of a generator
-** whose seed is made of the deck's seed and the index.
+** A design is a list of assignments, as --set makes them.  Ranges and lists are combined in all ways; the
+** last changes fastest.  With tolerances, each combination has as many samples as the deck says.  A design
+** depends on its index alone: its random numbers are the first of a generator seeded with the deck's seed and
+** the index.
 */
 #include <math.h>
 #include <string.h>
@@ -17,7 +17,7 @@
 #include "base/number.h"
 #include "reader.h"
 
-#define MOST_DESIGNS 4e9 /* an unsigned long holds it on every machine */
+#define MOST_DESIGNS 4e9 /* fits an unsigned long on every machine */
 
 /* How one quantity is varied. */
 typedef struct variation {
@@ -25,12 +25,12 @@ typedef struct variation {
     text name, value;
     text_place place;
     target target;
-    const key_info *key; /* that it is of, or a part of it */
+    const key_info *key; /* the key, or its vector */
     quantity q;
     quantity_value first; /* the range's first value, or the nominal one */
-    text unit;            /* as it is written behind that */
-    double step, size; /* of a range, and the larger of its ends, in the unit of the first value */
-    double tolerance;  /* in the unit of the nominal value */
+    text unit;            /* as written after that */
+    double step, size;    /* step of a range, and its larger end, in the unit of the first value */
+    double tolerance;     /* in the unit of the nominal value */
     int is_normal;
     double count; /* of values; 1 for a tolerance */
 } variation;
@@ -48,7 +48,7 @@ static int read(parser *p, const variation *v, text t, quantity_value *value)
     return flk_values_quantity(p, v->place, t, t, v->q, value);
 }
 
-/* The range's first value, or the nominal one. */
+/* Read the first value of a range, or the nominal value. */
 static int read_first(parser *p, variation *v, text t)
 {
     double number;
@@ -58,7 +58,7 @@ static int read_first(parser *p, variation *v, text t)
     return read(p, v, t, &v->first);
 }
 
-/* A quantity in a unit, without rounding if it is written in that. */
+/* Read a quantity in a unit, without rounding if it is written in that unit. */
 static int read_in(parser *p, const variation *v, text t, const unit *u, double *number)
 {
     quantity_value value;
@@ -70,8 +70,8 @@ static int read_in(parser *p, const variation *v, text t, const unit *u, double 
     return 1;
 }
 
-/* 1 if both have a unit, or neither; else 0 and a mistake: nobody means 100 rad/s to 300 rpm by
-** "100 to 300 rpm". */
+/* 1 if both have a unit, or neither; otherwise 0 and a mistake: "100 to 300 rpm" does not mean 100 rad/s to
+** 300 rpm. */
 static int units_agree(parser *p, const variation *v, text x, text y)
 {
     double number;
@@ -81,7 +81,7 @@ static int units_agree(parser *p, const variation *v, text x, text y)
     if ((flk_text_trim(x).length > 0) == (flk_text_trim(y).length > 0))
         return 1;
     return flk_mistake(p->mistakes, v->place,
-                       "the values of a quantity have either all a unit or none");
+                       "either all values of a quantity have a unit or none has");
 }
 
 /* A to B step S; A to B in N */
@@ -107,18 +107,19 @@ static int read_range(parser *p, variation *v)
     if (in_steps) {
         if (flk_number_read(&number, &steps) != NUMBER_OK || flk_text_trim(number).length ||
             steps < 2 || steps != floor(steps))
-            return flk_mistake(p->mistakes, v->place,
-                               "the number of values of a range is a whole number from 2 up");
+            return flk_mistake(
+                p->mistakes, v->place,
+                "the number of values of a range must be a whole number, at least 2");
         v->count = steps;
         v->step = (end - v->first.number) / (steps - 1);
         return v->step != 0 ||
-               flk_mistake(p->mistakes, v->place, "the first value of the range is its last");
+               flk_mistake(p->mistakes, v->place, "the range begins and ends at the same value");
     }
     if (!units_agree(p, v, first, step) || !read_in(p, v, step, &v->first.unit, &v->step))
         return 0;
     if (!((end - v->first.number) * v->step > 0))
         return flk_mistake(p->mistakes, v->place,
-                           "the step of the range does not lead from its first value to its last");
+                           "the step leads away from the last value of the range");
     v->count = floor((end - v->first.number) / v->step * (1 + 1e-12) + 1e-9) + 1;
     return 1;
 }
@@ -144,7 +145,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
     if (memchr(nominal.start, ',', nominal.length) ||
         flk_text_cut(nominal, " to ", &before, &after))
         return flk_mistake(p->mistakes, v->place,
-                           "a tolerance is of one value, not of a list or a range");
+                           "a tolerance applies to one value, not to a list or a range");
     if (!read_first(p, v, nominal))
         return 0;
     if (!t.length)
@@ -156,7 +157,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
             return refuse_tolerance(p, v, t);
         if (v->first.number == 0)
             return flk_mistake(p->mistakes, v->place,
-                               "a tolerance in per cent is of a value other than 0");
+                               "a tolerance in per cent needs a value other than 0");
         v->tolerance *= fabs(v->first.number) / 100;
     } else if (!units_agree(p, v, nominal, t) || !read_in(p, v, t, &v->first.unit, &v->tolerance)) {
         return 0;
@@ -170,7 +171,7 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
     return 1;
 }
 
-/* A, B, C; all are read with the first design only, for a list can be long. */
+/* A, B, C; only the first design reads all of them, because a list can be long. */
 static int read_list(parser *p, variation *v, unsigned long design)
 {
     text rest = v->value, first = next_item(&rest), item = first;
@@ -203,7 +204,7 @@ static int read_variation(parser *p, unsigned long design, variation *v)
     return read_list(p, v, design);
 }
 
-/* The generator of a design, in memory of the caller: GSL's own tells its error handler when there is none. */
+/* The generator of a design, in the caller's memory: GSL would call its error handler if out of memory. */
 #define GENERATOR gsl_rng_mt19937
 #define STATE_SIZE 5120
 
@@ -214,7 +215,7 @@ typedef struct generator {
 
 #define BITS 0xffffffffUL
 
-/* The last steps of MurmurHash3 (A. Appleby, 2011): a one-to-one map of 32 bits that leaves no pattern. */
+/* The last steps of MurmurHash3 (A. Appleby, 2011): a one-to-one map of 32 bits that removes patterns. */
 static unsigned long mixed(unsigned long x)
 {
     x ^= x >> 16;
@@ -235,8 +236,8 @@ static int start_generator(generator *g, double seed, unsigned long design)
     return 1;
 }
 
-/* Within the tolerance: uniform, or normal with a standard deviation of a third of it, what is outside
-** being drawn again. */
+/* A value within the tolerance: uniform, or normal with a third of the tolerance as standard deviation, drawn
+** again while outside. */
 static double draw(const variation *v, const gsl_rng *rng)
 {
     double x;
@@ -249,7 +250,7 @@ static double draw(const variation *v, const gsl_rng *rng)
     return x;
 }
 
-/* To 15 digits of the range's size: 0.3, where 3 * 0.1 is a little more, and 0, not 5e-17. */
+/* Round to 15 digits of the range's size: 3 * 0.1 to 0.3, and 5e-17 to 0. */
 static double rounded(double x, double size)
 {
     int digits = 14 - (int)floor(log10(size));
@@ -258,7 +259,7 @@ static double rounded(double x, double size)
     return power > 0 && size * power < 1e16 ? floor(x * power + 0.5) / power : x;
 }
 
-/* The value of index `i`, as in an assignment. */
+/* The value of index `i`, as written in an assignment. */
 static text value_at(parser *p, const variation *v, unsigned long i, const gsl_rng *rng)
 {
     text rest = v->value, item;
@@ -282,7 +283,7 @@ static text value_at(parser *p, const variation *v, unsigned long i, const gsl_r
     return item;
 }
 
-/* What a name of [sweep] means; 0 and a mistake if it is no quantity. */
+/* Find what a name in [sweep] means; 0 and a mistake if it is not a quantity. */
 static int find_quantity(parser *p, variation *v)
 {
     const key_info *key;
@@ -301,22 +302,22 @@ static int find_quantity(parser *p, variation *v)
     v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE : key->q;
     if (v->target.part != PART_NONE)
         return 1;
-    if (v->target.key != KEY_COUNT) { /* nothing else is to be said of it, until it has a value */
+    if (v->target.key != KEY_COUNT) { /* report nothing else about it until it has a value */
         s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         memset(s, 0, sizeof *s);
         s->place = v->place;
     }
     if (key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
-        return 1; /* an indicator card is a curve always */
+        return 1; /* an indicator card is always a curve */
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
     return flk_mistake(p->mistakes, v->place,
                        is_vector ? "'%t' has parts: vary its .x, .y, .size or .angle"
-                                 : "'%t' is no quantity that can be varied",
+                                 : "'%t' is not a quantity that can be varied",
                        v->name);
 }
 
-/* 1, and a mistake, if one of the variations before is of the same quantity: the same part of it, or one
-** that another depends on. */
+/* 1, and a mistake, if an earlier variation has the same quantity: the same part, or one that does not go
+** with it. */
 static int is_twice(parser *p, const variation *list, const variation *v)
 {
     const variation *w;
@@ -325,10 +326,12 @@ static int is_twice(parser *p, const variation *list, const variation *v)
         if (w->target.use != v->target.use || w->target.key != v->target.key)
             continue;
         if (w->target.part == v->target.part)
-            flk_mistake(p->mistakes, v->place, "'%t' is varied a second time", v->name);
+            flk_mistake(p->mistakes, v->place, "'%t' is varied twice", v->name);
         else if ((w->target.part >= PART_SIZE) != (v->target.part >= PART_SIZE))
-            flk_mistake(p->mistakes, v->place,
-                        "'%t' and another part: vary x and y, or size and angle", v->name);
+            flk_mistake(
+                p->mistakes, v->place,
+                "'%t' does not go with another part that varies: use x and y, or size and angle",
+                v->name);
         else
             continue;
         return 1;
@@ -336,7 +339,7 @@ static int is_twice(parser *p, const variation *list, const variation *v)
     return 0;
 }
 
-/* Samples belong to tolerances. */
+/* Check that samples and tolerances go together. */
 static void check_samples(parser *p, text_place place, int has_tolerance)
 {
     const setting *samples = flk_setting_find(p, KEY_SWEEP_SAMPLES),
@@ -348,14 +351,14 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
         flk_mistake(p->mistakes, place, "a tolerance needs 'samples = NUMBER' in [sweep]");
     if (!has_tolerance && IS_SET(samples))
         flk_mistake(p->mistakes, samples->place,
-                    "samples are of a tolerance, such as 66 mm +- 0.1 mm, and there is none");
+                    "'samples' needs a tolerance, such as 66 mm +- 0.1 mm");
     if (!p->d->sweep.n_variables)
         flk_mistake(p->mistakes, place,
-                    "[sweep] varies nothing: give it a line such as 'crank.length = 20 mm to "
+                    "[sweep] varies nothing: add a line such as 'crank.length = 20 mm to "
                     "30 mm step 2 mm'");
 }
 
-/* Read the lines of [sweep]; how many designs. */
+/* Read the lines of [sweep]; returns the number of designs. */
 static double read_variations(parser *p, variation *list, double samples, unsigned long design,
                               int *has_tolerance)
 {
@@ -382,7 +385,7 @@ static double read_variations(parser *p, variation *list, double samples, unsign
     return designs;
 }
 
-/* The assignments of a design; what its variables are in the deck's units. */
+/* Make the assignments of a design, and its variables in the deck's units. */
 static void assign(parser *p, const variation *list, double samples, unsigned long design)
 {
     deck_sweep *sweep = &p->d->sweep;

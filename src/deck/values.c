@@ -20,8 +20,8 @@ static int refuse(parser *p, text_place place)
     return flk_mistake(p->mistakes, place, "%s", p->why);
 }
 
-/* The number at the front of `rest`, and the unit that is all of `t` (where it is empty, that of the deck); 0
-** and a mistake if there is none. */
+/* Read the number at the front of `rest`, and the unit `t` (if empty, the deck's); 0 and a mistake if there
+** is none. */
 static int read_number(parser *p, const setting *s, text *rest, quantity q, double *number)
 {
     return flk_quantity_number(rest, s->value, q, number, p->why) || refuse(p, s->place);
@@ -43,7 +43,7 @@ int flk_values_quantity(parser *p, text_place place, text t, text whole, quantit
     return flk_quantity_read(t, whole, q, p->d->units[q].unit, value, p->why) || refuse(p, place);
 }
 
-/* A piece of a setting's value that is a quantity. */
+/* Read a quantity that is a piece of a setting's value. */
 static int read_quantity(parser *p, setting *s, text t, quantity q, double *si)
 {
     quantity_value value;
@@ -73,7 +73,8 @@ void flk_values_direction(double angle, double *x, double *y)
     }
 }
 
-/* Where a number starts behind a blank, as the value of "20 deg 32 bar"; the text's length if none does. */
+/* Where a number starts after a blank, as the value in "20 deg 32 bar"; the text's length if there is
+** none. */
 static size_t second_number(text t)
 {
     size_t i;
@@ -84,7 +85,7 @@ static size_t second_number(text t)
     return t.length ? i : 0;
 }
 
-/* The next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
+/* Read the next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
 static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
 {
     double x, y;
@@ -113,7 +114,7 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
     return check_size(p, s, QUANTITY_ANGLE, result->x) && check_size(p, s, q, result->y);
 }
 
-/* Two columns of bare numbers in the deck's units, separated by blanks or a comma. */
+/* Read two columns of bare numbers in the deck's units, separated by blanks or a comma. */
 static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
                               text contents)
 {
@@ -210,7 +211,7 @@ static int read_curve(parser *p, setting *s, quantity q)
             return 0;
         if (new->unit_to_si != c->unit_to_si &&new->has_unit != c->has_unit)
             return flk_mistake(p->mistakes, s->place,
-                               "the values of a curve have either all a unit or none");
+                               "either all values of a curve have a unit or none has");
     }
     s->curve = c;
     return 1;
@@ -259,7 +260,7 @@ static int refuse_vector(parser *p, const setting *s, int needs_angle)
                        s->value);
 }
 
-/* 10 mm at 30 deg, or (10, 5) mm; where `angle` is not needed also 10 mm. */
+/* 10 mm at 30 deg, or (10, 5) mm; also 10 mm if the angle is not needed. */
 static int read_vector(parser *p, setting *s, quantity q, int needs_angle)
 {
     text size_text = s->value, angle_text, before;
@@ -314,15 +315,13 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s must not be negative, not %t", key->name,
-                    s->value);
+        flk_mistake(p->mistakes, s->place, "the %s must not be negative:  %t", key->name, s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
-        flk_mistake(p->mistakes, s->place, "'%t' is beyond what the program computes with",
-                    s->value);
+        flk_mistake(p->mistakes, s->place, "'%t' is out of range", s->value);
 }
 
-/* The name of a unit for tables: in one word, kgf.m for "kgf m". */
+/* The name of a unit for tables, as one word: kgf.m for "kgf m". */
 static void name_unit(text t, char name[DECK_NAME_SIZE])
 {
     char *c, *end = name;
@@ -336,7 +335,7 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
     *end = '\0';
 }
 
-/* Areas are in the square of the unit of length, but for one with an exponent of its own. */
+/* Areas are in the square of the unit of length, unless that has its own exponent. */
 static void set_area(deck *d)
 {
     const deck_unit *length = &d->units[QUANTITY_LENGTH];
@@ -370,7 +369,7 @@ static void read_pin(parser *p, setting *s, quantity q)
         read_vector(p, s, q, 0);
 }
 
-/* The parts of a vector that are set on their own, each of the others from the vector as a whole. */
+/* Read the parts of a vector that are set separately; the others come from the whole vector. */
 static void read_parts(parser *p, setting *s, quantity q)
 {
     double part[PART_NONE], x, y;

@@ -46,7 +46,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_virtual_work(body, forces);
 }
 
-/* No position gives a singular state, or one with axes that are not numbers, but a caller may. */
+/* A position never gives a singular state, or one with axes that are NaN, but a caller may. */
 static int is_singular(const fourlink_state *state)
 {
     int i;

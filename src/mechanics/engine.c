@@ -16,7 +16,7 @@
 **    dphi/dt = omega cos(theta) / n,   d2phi/dt2 = -omega^2 sin(theta) / n + alpha cos(theta) / n
 **
 ** The terms with alpha, the acceleration of the crank, are the series' own derivative; the sources have
-** constant speed.  For an endless rod, simple harmonic motion, the terms with n vanish.  The rod's
+** constant speed.  For an infinitely long rod, simple harmonic motion, the terms with n vanish.  The rod's
 ** angle is theta3 = -phi.
 */
 int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -51,11 +51,11 @@ int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink
     return FOURLINK_OK;
 }
 
-/* The rod as two masses, b from the gudgeon pin to G (ME3491; DFA, its misprint l1 l2 mended):
+/* The rod as two masses, b from the gudgeon pin to G (ME3491; DFA, its misprint l1 l2 corrected):
 **
 **    m_a = m b / l at the crank pin,  m_b = m (l - b) / l at the gudgeon pin
 **
-** have the mass and centre of mass of the rod, and more inertia.  The true pair (ME3491):
+** have the mass and centre of mass of the rod, and more inertia.  The dynamically equivalent pair (ME3491):
 **
 **    m_g = m d / (b + d) at the gudgeon pin,  m_d = m b / (b + d) at d beyond G,  d = k^2 / b
 */
@@ -141,7 +141,7 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
     side = (double)state->branch; /* the piston is at +x or -x: towards the crank is -side */
     r = mechanism->design.link[2].length;
     reciprocating = mechanism->design.link[4].mass + rod.m_b;
-    cos_phi = side * link3->axis.x; /* negative behind a change point */
+    cos_phi = side * link3->axis.x; /* negative past a change point */
 
     engine->gas_force = gas_force;
     engine->inertia_force = -reciprocating * a;
@@ -169,12 +169,11 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
 /* Klein's construction, point by point, O the origin, B the crank pin, P the piston, u = (P - B) / l:
 **
 **    M = B + m u with M_x = 0:           m = -B_x / u_x, so BM = |m|
-**    circle about B, radius |m|, and circle on BP as diameter: their common chord is at right angles
-**    to BP and cuts it at Q,             BQ = m^2 / l
-**    N on the chord with N_y = O_y = 0:  N = B + BQ u + t (-u_y, u_x)
+**    circle about B, radius |m|, and circle on BP as diameter: their common chord is normal to BP and cuts it
+**    at Q,             BQ = m^2 / l N on the chord with N_y = O_y = 0:  N = B + BQ u + t (-u_y, u_x)
 **
 ** The triangle OBM is the velocity polygon, turned by a right angle, with omega2 for its scale; the
-** quadrangle OBQN is that of the accelerations, turned half round, with omega2^2.
+** quadrangle OBQN is the acceleration polygon, turned by two right angles, with omega2^2.
 */
 int fourlink_klein_construction(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                 fourlink_klein *klein)

@@ -22,8 +22,8 @@
 ** and u1 u2 = 16 area^2 = 4 b^2 c^2 sin^2(theta4 - theta3), u1 + u2 = 4 b c.  The brackets, `stretched` and
 ** `folded`, depend on the lengths alone.  The first is 0 for a linkage that can lie in one line at 180 deg,
 ** the second for one that can do so at 0 deg: its change points.  There the root of u1, or u2, is
-** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes
-** sign: so the side on which C lies follows from the angle, with no memory of earlier rows.
+** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes sign: so
+** the side on which C lies follows from the angle alone, not from earlier rows.
 */
 static void four_bar_prepare(fourlink_mechanism *mechanism)
 {
@@ -111,7 +111,7 @@ static void four_bar_angles(const fourlink_mechanism *mechanism, fourlink_state 
         state->mu = M_PI - state->mu;
 }
 
-/* Velocity (Alvi eqs. 4.1, its sign mended, and 4.2), here for a unit crank speed:
+/* Velocity (Alvi eqs. 4.1, its sign corrected, and 4.2), here for a unit crank speed:
 **
 **    k3 = a sin(theta4 - theta2) / (b sin(theta3 - theta4)),   omega3 = k3 omega2
 **    k4 = a sin(theta3 - theta2) / (c sin(theta3 - theta4)),   omega4 = k4 omega2
@@ -133,7 +133,7 @@ static void four_bar_velocity(const fourlink_mechanism *mechanism, fourlink_stat
     rocker->velocity = zero;
 }
 
-/* Acceleration (Alvi section 3.3, the second formula's label mended):
+/* Acceleration (Alvi section 3.3, the second formula's label corrected):
 **
 **    alpha3 = [a alpha2 sin(theta4 - theta2) - a omega2^2 cos(theta4 - theta2)
 **              - b omega3^2 cos(theta4 - theta3) + c omega4^2] / (b sin(theta3 - theta4))
@@ -159,8 +159,8 @@ static void four_bar_acceleration(const fourlink_mechanism *mechanism, fourlink_
     rocker->acceleration = zero;
 }
 
-/* Forces in closed form.  Moments about B and D leave out the force at that pin, and what is left has one
-** arm, the link's own:
+/* Forces in closed form.  Moments about B and D leave out the force at that pin; the rest has one arm, the
+** link's:
 **
 **    moments of link 3 about B    b e3 x F34 = -M3
 **    moments of link 4 about D    c e4 x F34 =  M4
@@ -250,8 +250,8 @@ static double angle_in_triangle(double x, double y, double z)
     return acos(flk_kind_clamp((x * x + y * y - z * z) / (2 * x * y)));
 }
 
-/* The angle between coupler and rocker goes from its value at the least to that at the greatest distance
-** BD; the transmission angle is it, or 180 deg less it. */
+/* The angle between coupler and rocker goes from its value at the smallest distance BD to that at the
+** largest; the transmission angle is this, or 180 deg minus this. */
 static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *limits)
 {
     const fourlink_link *link = mechanism->design.link;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** free_body.h - the three moving links, cut free, and the check by virtual work: what both solutions
-** of the nine equations have in common.
+** free_body.h - the three moving links, cut free, and the check by virtual work, for both solutions of the
+** nine equations.
 **
 ** They are static functions in a header so that the compiler sees each solution in one piece: most of
 ** closed_form.c's time goes into them.
@@ -19,7 +19,7 @@ static double flk_larger(double x, double y)
     return x > y ? x : y;
 }
 
-/* The size of the terms of u . v, of which nothing but rounding may be left. */
+/* The size of the terms of u . v, whose sum may be only rounding. */
 static double flk_dot_size(fourlink_vector u, fourlink_vector v)
 {
     return fabs(u.x * v.x) + fabs(u.y * v.y);
@@ -81,7 +81,7 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
         data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
 }
 
-/* Links 2, 3, 4 cut free, with loads that are in order. */
+/* Links 2, 3, 4 cut free, with valid loads. */
 static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
                          const fourlink_load *loads, unsigned long n_loads, flk_body body[3])
 {
@@ -112,7 +112,7 @@ static void flk_virtual_work(const flk_body body[3], fourlink_forces *forces)
     forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
 }
 
-/* 0 for a state whose speeds or accelerations are no numbers: they are in every term of the balance. */
+/* 0 for a state whose speeds or accelerations are NaN or infinite: they are in every term of the balance. */
 static int flk_is_finite(const fourlink_forces *forces)
 {
     return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** kind.c - the table of kinds, and what it tells: names, the nine unknowns, and the mechanism as a
-** whole.
+** kind.c - the table of kinds: names, the nine unknowns, and the mechanism as a whole.
 */
 #include <string.h>
 
@@ -149,7 +148,7 @@ int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlink_branch bran
     return FOURLINK_OK;
 }
 
-/* Add a range, if it is one. */
+/* Add a range, if it is not empty. */
 static void add_range(fourlink_reach *reach, double from, double to)
 {
     if (from < to) {

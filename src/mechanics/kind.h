@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** kind.h - the table of kinds: what one kind of mechanism adds to what all have in common.
+** kind.h - the table of kinds: what each kind of mechanism adds to the common part.
 **
-** A kind is one file, with everything of it, and one line in the table of kind.c.
+** A kind is one file, and one line in the table of kind.c.
 */
 #ifndef FOURLINK_KIND_H
 #define FOURLINK_KIND_H
@@ -26,15 +26,15 @@ typedef struct flk_body {
 ** slider   a couple, and a normal force N n that acts at the joint, n the direction of the slide
 **          turned left by 90 deg
 **
-** The joint is at the origin of a link, or at its tip, the other end of its length.  That of a slider
-** is at the origin of the link that slides, which does so along its own x axis. */
+** The joint is at the origin of a link, or at its tip, the other end of its length.  A slider is at the
+** origin of the link that slides, along its own x axis. */
 typedef enum flk_place { FLK_ORIGIN, FLK_TIP } flk_place;
 
 typedef struct flk_joint {
     int from, on;    /* links */
     flk_place place; /* of link `at` */
     int at;
-    int slider; /* 0: a pin; else the link that slides */
+    int slider; /* 0: a pin; otherwise the link that slides */
 } flk_joint;
 
 /* One of the nine unknowns, two of each joint and Ts: its name, and the member of fourlink_forces that
@@ -60,18 +60,18 @@ enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 ** moved before `velocity`, accelerated before `acceleration`.
 **
 ** prepare       the constants of the mechanism, from its lengths
-** reach         whether links 3 and 4 meet with the crank at the angle whose half has this sine and
-**               cosine; `sine` is that of the open branch, change points passed smoothly
+** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that
+**               of the open branch, smooth through change points
 ** position, velocity, acceleration
 **               axis and origin; k, omega and the origin's k and velocity; alpha and the origin's
-**               acceleration, of link 3 (but for its origin) and of link 4; what is a kind's own in
-**               fourlink_state is zeroed before
-** angles        what is left of the position, from theta of links 3 and 4: mu, phi.  Nothing else is
-**               computed from these, and so they come last
-** forces        closed form: F34, and the unknowns of sliders, zeroed before, from the links cut free, and the moments
-**               of links 3 and 4 about their origins
+**               acceleration, of link 3 (except its origin) and of link 4; a kind's own members of
+**               fourlink_state are set to 0 before
+** angles        the rest of the position, from theta of links 3 and 4: mu, phi.  They come last because
+**               nothing else depends on them
+** forces        closed form: F34, and the unknowns of sliders, which are 0 before, from the links cut
+**               free, and the moments of links 3 and 4 about their origins
 ** type, ranges, limits
-**               of the mechanism as a whole; ranges and limits are zeroed before
+**               of the mechanism as a whole; ranges and limits are set to 0 before
 */
 typedef struct flk_kind {
     fourlink_kind kind;
@@ -105,15 +105,15 @@ const flk_kind *flk_kind_of(fourlink_kind kind);
 ** FOURLINK_BAD_KIND. */
 int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind);
 
-/* The ranges of crank angles between two limits, either of which may be missing, where the mechanism is
-** symmetric: what holds of theta2 holds of `mirror` - theta2. */
+/* The ranges of crank angles between two limits, either of which may be missing, for a symmetric mechanism:
+** theta2 and `mirror` - theta2 are alike. */
 void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int is_high,
                          double highest, double mirror);
 
-/* For acos and asin, of what rounding, or a mechanism that never reaches, may have taken past 1. */
+/* Limit x to -1 ... 1, for acos and asin: rounding, or a linkage that cannot be assembled, may exceed it. */
 double flk_kind_clamp(double x);
 
-/* The forces of a position that is not singular, with loads that are in order (closed_form.c). */
+/* The forces of a position that is not singular, with valid loads (closed_form.c). */
 void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
               const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
               fourlink_forces *forces);

@@ -1,33 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanics.h - what the files of the library share, and its callers do not see.
+** mechanics.h - what the files of the library share and hide from its callers.
 */
 #ifndef FOURLINK_MECHANICS_H
 #define FOURLINK_MECHANICS_H
 
 #include "fourlink.h"
 
-/* Below this value of sine^2 a position is dead: what is left of it is rounding error. */
+/* A position with sine^2 below this is dead: the rest is rounding error. */
 #define FLK_DEAD 1e-14
 
-/* Below this a pivot of the scaled nine equations, whose coefficients are near 1, or the sine of a
-** position, which is the determinant of two of them, is their singularity.  Dead positions are refused
-** before, at 1e-7. */
+/* The nine equations are singular if a pivot, scaled so that coefficients are near 1, or the sine of the
+** position, which is the determinant of two of them, is below this.  Dead positions are refused earlier, at
+** 1e-7. */
 #define FLK_SINGULAR 1e-13
 
-/* A sum of lengths below this, relative to the sum of their magnitudes, is their rounding: 807 + 6
-** and 595 + 218 mm are equal, though not in binary. */
+/* A sum of lengths below this, relative to the sum of their magnitudes, is rounding: 807 + 6 and 595 + 218 mm
+** are equal, though not in binary. */
 #define FLK_ROUNDING 1e-15
 
 /* The error of u1 + u2 (four_bar.c, slider_crank.c), which the lengths of links 3 and 4 give, in parts of
 ** its half, from which on a position is lost in the rounding of far longer links. */
 #define FLK_LOST 1e-8
 
-/* 1 if |x| <= max; 0 for larger numbers, and for NaN.  Likewise for a vector. */
+/* 1 if |x| <= max; 0 for larger numbers and NaN.  The same for a vector. */
 #define FLK_WITHIN(x, max) (fabs(x) <= (max))
 #define FLK_BOTH_WITHIN(v, max) (FLK_WITHIN((v).x, max) && FLK_WITHIN((v).y, max))
 
-/* A line of the switch that gives a code its text. */
+/* A case of the switch from codes to texts. */
 #define FLK_CASE(name, value, text) \
     case name:                      \
         return text;
@@ -36,7 +36,7 @@
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)
 
-/* Whether each of several loads is in order: FOURLINK_OK or why it is not (nine_equations.c). */
+/* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 
 /* F12x, F12y, F23x ... F14y, the couple of the slider, Ts (kind.c). */

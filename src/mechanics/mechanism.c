@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanism.c - what all mechanisms have in common: checking a design, the crank, points of links,
-** and the steps of an analysis.
+** mechanism.c - the common part of all mechanisms: checking a design, the crank, points of links, and the
+** steps of an analysis.
 */
 #include <math.h>
 #include <stddef.h>
@@ -63,8 +63,8 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
     return FOURLINK_OK;
 }
 
-/* The sine and cosine of half the crank angle, and from them the sine of the position, on the branch
-** asked for; or why there is none. */
+/* Sine and cosine of half the crank angle, and the sine of the position on this branch, or the reason why
+** there is none. */
 typedef struct half_angle {
     double half_sine, half_cosine, sine;
 } half_angle;
@@ -111,8 +111,8 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     kind->position(mechanism, state);
 }
 
-/* The angle of an axis, in (-pi, pi]: one that is at 180 deg but for rounding is not at -180.  atan and
-** a quotient take much less of a row's time than atan2. */
+/* The angle of an axis, in (-pi, pi]: 180 deg does not become -180 by rounding.  atan of a quotient is much
+** faster than atan2. */
 static double angle_of(const fourlink_vector *axis)
 {
     double x = fabs(axis->x), y = fabs(axis->y), angle;
@@ -244,8 +244,8 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
     return FOURLINK_OK;
 }
 
-/* The motion of every link, but for the angles; the state is written to only if all is in order, the
-** loads included. */
+/* The motion of every link, except the angles; the state is written only if everything, the loads included,
+** is valid. */
 static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechanism,
                           fourlink_branch branch, const fourlink_crank *crank,
                           const fourlink_load *loads, unsigned long n_loads, fourlink_state *state)
@@ -270,7 +270,7 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
     return FOURLINK_OK;
 }
 
-/* The matrix may turn out to be singular when the state is known: so that is kept back. */
+/* The matrix may be singular, so the state is written only after the solution. */
 int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,
                      fourlink_state *state, fourlink_forces *forces)
@@ -293,7 +293,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
     return FOURLINK_OK;
 }
 
-/* Here nothing can fail once the position is found: its sine is not 0. */
+/* Nothing can fail after the position is found: its sine is not 0. */
 int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
                           const fourlink_crank *crank, const fourlink_load *loads,
                           unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** motion.c - the crank positions to visit.
+** motion.c - the crank positions to compute.
 **
 ** The paper's three kinds of motion (Alvi, section 5, the program): one revolution at constant
 ** speed; a run-up from rest at constant acceleration, then one revolution at the speed reached; one
-** instant.  And, beyond it, any range from - to at constant acceleration.
+** instant.  In addition, any range from - to at constant acceleration.
 */
 #include <float.h>
 #include <limits.h>
@@ -14,10 +14,10 @@
 
 #include "mechanics.h"
 
-/* Beyond this many rows a row's number is no exact floating-point number. */
+/* Above this a row's number is not exact in floating point. */
 #define MAX_ROWS 1e15
 
-/* Where the rows end, in the motion's unit. */
+/* The last crank angle, in the motion's unit. */
 static double last_angle(const fourlink_motion *motion)
 {
     double revolution = 2 * M_PI / motion->angle_unit;
@@ -48,8 +48,8 @@ static double stopping_angle(const fourlink_motion *motion)
     return fabs(s) / motion->angle_unit;
 }
 
-/* The number of intervals in a span, the last of which may be short.  A span that is a whole number
-** of them but for rounding has no sliver at its end. */
+/* The number of intervals in a span, the last of which may be short.  A span that is a whole number of them,
+** except for rounding, has no short one at its end. */
 static double intervals(double span, double interval)
 {
     double n = span / interval, whole = floor(n + 0.5);
@@ -93,7 +93,7 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
     if (n >= MAX_ROWS || n >= (double)ULONG_MAX)
         return FOURLINK_TOO_MANY_ROWS;
     if (fourlink_motion_at(motion, stops ? motion->from : last_angle(motion), &last) != FOURLINK_OK)
-        return FOURLINK_BAD_NUMBER; /* a crank so slow that its time is infinite */
+        return FOURLINK_BAD_NUMBER; /* the crank is so slow that its time is infinite */
     range->n_rows = (unsigned long)n + 1;
     range->stops = stops;
     range->stop_angle = stops ? motion->from + direction(motion) * stop : 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** nine_equations.c - pin forces and driving torque from the Newton-Euler equations of the three
-** moving links, as a system of nine: the equations are those of any mechanism, and so is GSL's solution
-** of them.  closed_form.c has the other one.
+** moving links, as a system of nine equations, solved by GSL.  They are the same for every mechanism.
+** closed_form.c has the other solution.
 */
 #include <math.h>
 #include <string.h>
@@ -83,7 +83,7 @@ typedef struct layout {
 
 /* The nine equations, A x = b, x the two unknowns of each joint, and Ts.  With rho_P = P - G and
 ** rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 where all joints are pins (ME3491 eqs. 3 to 15;
-** theirs have cosines for sines in the moments, and r_g3 for r_g4):
+** there with cosines for sines in the moments, and r_g3 for r_g4):
 **
 **    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
 **    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
@@ -138,11 +138,11 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 **
 **    moment 2, x 2, y 2, x 3, y 3, moment 3, moment 4, x 4, y 4
 **
-** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded
-** matrices works in the arrays given to it: nothing is allocated.  Row j of GSL's storage is column j of
-** the matrix, with BELOW places before it for fill-in.  Moments are divided by half their link's length,
-** or, of a link without one, that of the link before: so all coefficients are near 1, pivots can be
-** judged, and most already stand on the diagonal.
+** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded matrices works in
+** the caller's arrays: nothing is allocated.  Row j of GSL's storage is column j of the matrix, with BELOW
+** places before it for fill-in.  Moments are divided by half their link's length, or, of a link without one,
+** that of the link before: so all coefficients are near 1, pivots can be compared with a limit, and most are
+** already on the diagonal.
 */
 #define BELOW 2
 #define ABOVE 4

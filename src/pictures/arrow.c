@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** arrow.c - forces as arrows of one scale.
+** arrow.c - forces as arrows on one scale.
 */
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 
 #include "arrow.h"
 
-/* Below this fraction of the largest an arrow would be a head without a tail. */
+/* An arrow shorter than this fraction of the largest would have a head and no tail. */
 #define SMALLEST 0.02
 
 void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,

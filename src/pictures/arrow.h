@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** arrow.h - forces as arrows of one scale.
+** arrow.h - forces as arrows on one scale.
 */
 #ifndef FOURLINK_ARROW_H
 #define FOURLINK_ARROW_H
@@ -22,28 +22,28 @@ typedef struct arrow_list {
     int n;
 } arrow_list;
 
-/* Add a force; arrow_add does not if it is 0. */
+/* Add a force; arrow_add leaves out a force of 0. */
 void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector at,
                fourlink_vector F);
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
                double y);
 
-/* Add the force that a link exerts on another, at their pin or at the guide; its weight and its loads. */
+/* Add the force of a link on another, at their pin or at the guide; add a link's weight and loads. */
 void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on);
 void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link);
 
-/* The size of the largest, N. */
+/* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
 
-/* Draw them, with so many units of length for a newton; their values stand beside the drawing. */
+/* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
-/* The torques of the loads on a link, and any other. */
+/* Draw the torques of the loads on a link; draw any other torque. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link);
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque);
 
-/* An arrow that tells the scale of a quantity, below the drawing; `largest` in SI units. */
+/* Draw an arrow that shows the scale of a quantity, below the drawing; `largest` is in SI units. */
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest);
 
 #endif

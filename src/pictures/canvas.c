@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** canvas.c - a picture's panels: where each one stands, its margins, its titles.
+** canvas.c - a picture's panels: their places, margins and titles.
 */
 #include <stdarg.h>
 #include <stdlib.h>
@@ -11,13 +11,12 @@
 #include "base/text.h"
 
 #define HEAD (4 * CANVAS_LINE)    /* title and source */
-#define CANVAS_WORDS 1200         /* bytes of a title, letters of which may have four */
-#define LEFT (12 * CANVAS_LETTER) /* numbers and name of the axis */
+#define CANVAS_WORDS 1200         /* bytes of a title; a letter may have four */
+#define LEFT (12 * CANVAS_LETTER) /* numbers and name of the y axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Within double quotes gnuplot looks for backslashes, for commands between backquotes, and for the end of
-** the line. */
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line. */
 static void put_quoted(FILE *out, const char *words)
 {
     putc('"', out);
@@ -159,7 +158,7 @@ static void put_axis(const canvas *c, const char *axis, const char *name, const 
     canvas_print(c, "set %slabel %q\n", axis, words);
 }
 
-/* A text terminal cannot turn the name of the axis y, which goes to the title. */
+/* A text terminal cannot turn the name of the y axis, so it goes to the title. */
 void canvas_titles(const canvas *c, const char *title, const char *x, const char *x_unit,
                    const char *y, const char *y_unit)
 {

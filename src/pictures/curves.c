@@ -9,9 +9,10 @@
 #include "graph.h"
 #include "sketch.h"
 
-#define NO_REACH "the links reach at no angle of the motion"
+#define NO_REACH "the linkage cannot be assembled at any angle of the motion"
 
-/* With room for the numbers of the extremes.  gnuplot has its own opinion of a range without extent. */
+/* Set the range, with room for the numbers of the extremes.  An empty range is widened here; gnuplot would
+** choose its own. */
 static void put_range(const canvas *on, const graph_extent *e)
 {
     int is_cut = graph_is_cut(e);
@@ -49,7 +50,7 @@ typedef struct marks {
     int n;
 } marks;
 
-/* An extreme's value, above a maximum, below a minimum; not over one that stands there. */
+/* Put the value of an extreme above a maximum or below a minimum, unless it would cover another. */
 static void put_extreme(const picture *p, double value, double angle, int is_minimum, double height,
                         marks *m)
 {
@@ -67,7 +68,8 @@ static void put_extreme(const picture *p, double value, double angle, int is_min
                  value, angle, value, canvas_side(side), side, is_minimum ? -1 : 1);
 }
 
-/* The extremes of a column on a branch within the picture; what is rounding beside the other is 0. */
+/* Put the extremes of a column on a branch that are in the picture; an extreme that is rounding compared with
+** the other is 0. */
 static void put_extremes(const picture *p, fourlink_branch branch, const char *name,
                          const graph_extent *e, marks *m)
 {
@@ -92,7 +94,7 @@ static void put_extremes(const picture *p, fourlink_branch branch, const char *n
     }
 }
 
-/* A column over the crank angle, of all branches, with its extremes. */
+/* Draw a column over the crank angle, for all branches, with its extremes. */
 static void put_panel(picture *p, int y)
 {
     const char *name = p->columns[y].name;
@@ -129,7 +131,7 @@ const char *picture_motion(picture *p, fourlink_branch branch)
     return drawn ? NULL : NO_REACH;
 }
 
-/* Columns of one unit in one panel. */
+/* Draw columns of one unit in one panel. */
 static void put_columns(picture *p, fourlink_branch branch, const char *const *names)
 {
     graph_extent e = graph_nothing;
@@ -151,7 +153,7 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     putc('\n', p->on.out);
 }
 
-/* Where the links reach somewhere on the motion. */
+/* Draw the branches that can be assembled somewhere on the motion. */
 const char *picture_forces(picture *p, fourlink_branch branch)
 {
     static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};

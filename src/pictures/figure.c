@@ -10,7 +10,7 @@
 
 #define STEPS 180 /* of a path */
 
-/* Half of the piston's sides, as fractions of the drawing. */
+/* Half the sides of the piston, as fractions of the drawing. */
 #define PISTON_X 0.055
 #define PISTON_Y 0.035
 
@@ -54,7 +54,7 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     return pins;
 }
 
-/* Where tracer point i is; its name and its link. */
+/* The place of tracer point i, its name and its link. */
 static fourlink_vector tracer(const picture *p, const fourlink_state *state, unsigned long i,
                               const char **name, int *link)
 {
@@ -64,7 +64,7 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
     return figure_of_link(p, state, *link, &at);
 }
 
-/* One position; of a piston with room for its guide. */
+/* Make room for one position, and for the guide of a piston. */
 static void include_position(sketch *s, const picture *p, const fourlink_state *state,
                              double margin)
 {
@@ -82,7 +82,7 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
         sketch_include(s, tracer(p, state, i, &name, &link));
 }
 
-/* All positions of a branch. */
+/* Make room for all positions of a branch. */
 static void include_all(sketch *s, const picture *p, fourlink_branch branch, double margin)
 {
     fourlink_instant now;
@@ -92,7 +92,7 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
     for (k = 0; k <= STEPS; k++)
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
-    /* that of a motion which the samples miss */
+    /* of a motion that the samples miss */
     for (i = 0; i < p->range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
         if (fourlink_results_row(p->results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
@@ -182,7 +182,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     sketch_pin(s, pins.C);
 }
 
-/* The direction from a place to another, of length 1; of no length if they are one. */
+/* The unit vector from one place to another; 0 if they are the same. */
 static fourlink_vector direction(fourlink_vector from, fourlink_vector to)
 {
     double x = to.x - from.x, y = to.y - from.y, length = gsl_hypot(x, y);
@@ -213,7 +213,7 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     }
 }
 
-/* An angle: a ray along x, an arc, and the angle in the deck's unit. */
+/* Draw an angle: a ray along x, an arc, and the angle in the deck's unit. */
 static void put_angle(sketch *s, const picture *p, fourlink_vector at, double angle, double radius,
                       const char *name)
 {
@@ -267,7 +267,7 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
     figure_slope(s, p);
 }
 
-/* A curve of tracer point i over the motion, or of C, which is behind the last of them. */
+/* Draw the path of tracer point i over the motion; C comes after the last of them. */
 static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsigned long i,
                      const double *until)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** gnuplot.c - the program that draws, run without a shell: its script is its standard input, and its
-** standard output the picture, so that no name of a file is ever read by it.  It does not look whether
-** what it writes arrives, so that is copied here.
+** gnuplot.c - runs gnuplot without a shell.  The script is its standard input and the picture its standard
+** output, so that it never reads a file name.  gnuplot does not check whether it can write, so the picture is
+** copied here.
 */
 #define _POSIX_C_SOURCE 200112L
 
@@ -19,7 +19,7 @@
 #define NOT_FOUND 127
 #define NOT_STARTED 126
 
-/* With no other file open than the three that it is given. */
+/* Run gnuplot with only the three standard files open. */
 static void run(FILE *complaints)
 {
     int file, reason;
@@ -35,7 +35,7 @@ static void run(FILE *complaints)
     errno = reason;
 }
 
-/* In the child: never returns. */
+/* Become gnuplot, in the child; never returns. */
 static void become_gnuplot(FILE *script, int picture, FILE *complaints)
 {
     if (dup2(fileno(script), STDIN_FILENO) >= 0 && dup2(picture, STDOUT_FILENO) >= 0 &&
@@ -44,7 +44,7 @@ static void become_gnuplot(FILE *script, int picture, FILE *complaints)
     _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
 }
 
-/* Start it; the end of the pipe that the picture comes from, -1 if that went wrong. */
+/* Start gnuplot; returns the pipe that the picture comes from, or -1. */
 static int start(FILE *script, FILE *complaints, pid_t *child)
 {
     int ends[2];
@@ -52,7 +52,7 @@ static int start(FILE *script, FILE *complaints, pid_t *child)
     if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
         pipe(ends) != 0)
         return -1;
-    signal(SIGCHLD, SIG_DFL); /* else there is no status to wait for */
+    signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
     *child = fork();
     if (*child == 0) {
         close(ends[0]);
@@ -66,7 +66,7 @@ static int start(FILE *script, FILE *complaints, pid_t *child)
     return ends[0];
 }
 
-/* How many bytes there were; -1 and errno if they could not be written. */
+/* Copy a stream; returns the number of bytes, or -1 with errno set if they cannot be written. */
 static long copy(int from, FILE *to)
 {
     long copied = 0;
@@ -91,12 +91,12 @@ static void show(FILE *complaints)
         putc(c, stderr);
 }
 
-/* Null, or why there is no picture. */
+/* Null, or the reason why there is no picture. */
 static const char *outcome(int status, long copied, FILE *complaints)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
-        return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or "
-               "gnuplot. --plot-script writes the script for it";
+        return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or gnuplot; "
+               "--plot-script writes its script";
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         show(complaints);
     else if (copied > 0)

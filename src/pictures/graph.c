@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** graph.c - columns of a deck as curves over its motion, and the axes that they need.
+** graph.c - columns of a deck as curves over its motion, and their axes.
 */
 #include <math.h>
 #include <string.h>
@@ -12,9 +12,8 @@
 
 const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF, GSL_POSINF};
 
-/* rad, transmission angles: below the first a dead position is near, where values say little but that
-** they grow; above the second it is far.  Curves that are so many times higher near it go on beyond the
-** picture. */
+/* rad, transmission angles: below the first a dead position is near, and above the second it is far. If a
+** curve is so many times higher near it, the picture cuts the curve. */
 #define NEAR 0.2
 #define SOUND 0.6
 #define HIGHER 3
@@ -53,20 +52,20 @@ int graph_sample(const picture *p, fourlink_branch branch, int k, double values[
                                NULL) == FOURLINK_OK;
 }
 
-/* The same where a curve can be drawn. */
+/* The same if a curve can be drawn there. */
 static int sound_sample(const picture *p, fourlink_branch branch, int k,
                         double values[PICTURE_COLUMNS], fourlink_instant *now)
 {
     return graph_sample(p, branch, k, values, now) && !(now->state.mu < 1e-3);
 }
 
-/* The value of an angle goes on from the one before it, past half a turn. */
+/* Continue an angle from the one before it, past half a turn. */
 static double go_on(double value, double last, double turn)
 {
     return turn > 0 && !gsl_isnan(last) ? value + turn * floor((last - value) / turn + 0.5) : value;
 }
 
-/* 1 if the motion is one revolution whose ends are one position, at one speed. */
+/* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
 static int is_periodic(const picture *p)
 {
     const fourlink_motion *motion = &p->problem.motion;
@@ -76,8 +75,8 @@ static int is_periodic(const picture *p)
            p->mechanism->change_stretched == p->mechanism->change_folded;
 }
 
-/* The sample behind the last gap of a revolution, and the value from which an angle goes on there, so that
-** it is the same at both ends; -1 if there is none. */
+/* The sample after the last gap of a revolution, and the value from which an angle continues there, so that
+** both ends agree; -1 if there is no gap. */
 static int behind_gap(const picture *p, fourlink_branch branch, int y, double turn, double *last)
 {
     double values[PICTURE_COLUMNS];
@@ -108,7 +107,7 @@ int graph_put(const picture *p, fourlink_branch branch, const char *name, int x,
     for (k = 0; k <= GRAPH_STEPS; k++) {
         if (!sound_sample(p, branch, k, values, &now)) {
             putc('\n', p->on.out);
-            last = GSL_NAN; /* behind a gap an angle starts anew */
+            last = GSL_NAN; /* after a gap an angle starts anew */
             continue;
         }
         last = go_on(values[y], k == from ? behind : last, turn);
@@ -120,7 +119,7 @@ int graph_put(const picture *p, fourlink_branch branch, const char *name, int x,
     return n;
 }
 
-/* In degrees, parts of a turn. */
+/* In degrees the steps are parts of a turn. */
 double graph_angle_step(const picture *p, double span)
 {
     static const double parts[] = {5, 10, 15, 30, 45, 60, 90, 180, 360, 720};

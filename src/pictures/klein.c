@@ -16,12 +16,12 @@
 
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
-    fourlink_vector K, L; /* where the circles cut each other */
-    int meet;             /* 0: they do not, the rod being shorter than BM */
+    fourlink_vector K, L; /* the intersections of the circles */
+    int meet;             /* 0: there are none; the rod is shorter than BM */
 } construction;
 
-/* The points, from the lengths of fourlink_klein_construction; K and L are on the chord, BQ from B, of the
-** circle about B with the radius BM. */
+/* Find the points from the lengths of fourlink_klein_construction.  K and L end the chord, at BQ from B, of
+** the circle about B with radius BM. */
 static void construct(const picture *p, const fourlink_state *state, const fourlink_klein *lengths,
                       construction *k)
 {
@@ -42,7 +42,7 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
     k->L = sketch_beside(k->Q, half * u.y, -half * u.x);
 }
 
-/* A length of the drawing; beside the rod's, rounding is 0. */
+/* Note a length of the drawing; rounding, compared with the rod's length, is 0. */
 static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
     int is_rounding = fabs(length) < 1e-12 * p->design->link[FOURLINK_COUPLER].length;
@@ -50,7 +50,7 @@ static void put_length(sketch *s, const picture *p, const char *name, double len
     figure_note(s, p, name, is_rounding ? 0 : length, QUANTITY_LENGTH);
 }
 
-/* The lines, and their letters, each on the side that is away from the middle of the rod. */
+/* Draw the lines, and put each letter on the side away from the middle of the rod. */
 static void draw_lines(sketch *s, const construction *k, double rod)
 {
     fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
@@ -93,8 +93,8 @@ static void put_values(sketch *s, const picture *p, const fourlink_klein *length
     sketch_note(s, "omega3 = omega2 BM / BC");
     sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
     sketch_note(s, "alpha3 = omega2^2 QN / BC");
-    sketch_note(s, "v and a count away from");
-    sketch_note(s, "the inner dead centre");
+    sketch_note(s, "v and a are positive away");
+    sketch_note(s, "from the inner dead centre");
     figure_slope(s, p);
 }
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** labels.c - where the texts of a drawing stand.
+** labels.c - the places of the texts of a drawing.
 **
-** Each in turn is tried around its place, in 16 directions at three distances, and stays where it costs
-** least: texts before it and thick lines cost most, the direction that was asked for costs nothing.  The
-** scale follows from what is drawn and the texts together; as the texts keep their size in pixels, a
-** few rounds find it.
+** Each text in turn is tried around its place, in 16 directions at three distances, and stays where it costs
+** least: covering earlier texts and thick lines costs most, the requested direction costs nothing.  The scale
+** depends on both drawing and texts; as texts keep their size in pixels, it takes a few rounds.
 */
 #include <math.h>
 
@@ -21,7 +20,7 @@
 
 #define HALF_LINE (0.45 * CANVAS_LINE)
 
-/* In pixels; of a text, with half a letter at either end. */
+/* The box of a text in pixels, with half a letter at either end. */
 static sketch_box box_of(const sketch *s, const sketch_label *label)
 {
     double w = label->half + CANVAS_LETTER / 2;
@@ -34,7 +33,7 @@ static sketch_box box_of(const sketch *s, const sketch_label *label)
     return b;
 }
 
-/* In pixels; what is drawn, without its texts. */
+/* The box of the drawing in pixels, without texts. */
 static sketch_box drawn(const sketch *s)
 {
     sketch_box b = sketch_nothing;
@@ -49,7 +48,7 @@ static int overlap(const sketch_box *x, const sketch_box *y)
     return x->x_min < y->x_max && y->x_min < x->x_max && x->y_min < y->y_max && y->y_min < x->y_max;
 }
 
-/* Cut the part of a line from p in the direction d, from *from to *to, that is beyond one side. */
+/* Cut off the part of a line p + s d, s from *from to *to, that is outside one pair of sides. */
 static int clip(double p, double d, double low, double high, double *from, double *to)
 {
     double first, last;
@@ -79,7 +78,7 @@ static int leaves(const sketch *s, const sketch_box *b)
            b->y_min < all.y_min - BORDER || b->y_max > all.y_max + BORDER;
 }
 
-/* Of label k where it is now. */
+/* The cost of label k at its present place. */
 static double cost_of(const sketch *s, int k)
 {
     sketch_box b = box_of(s, &s->labels[k]);
@@ -157,6 +156,6 @@ void sketch_place(sketch *s, double width, double height)
     s->drawn = sketch_nothing;
     sketch_grow(&s->drawn, b.x_min * s->scale, b.y_min * s->scale);
     sketch_grow(&s->drawn, b.x_max * s->scale, b.y_max * s->scale);
-    /* if the texts have not come to rest */
+    /* if the texts still move */
     s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
 }

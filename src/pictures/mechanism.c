@@ -8,10 +8,10 @@
 #define GHOSTS 12
 #define FRAMES 60
 
-/* The longest arrow of a force, as a fraction of the drawing. */
+/* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
-/* Loads, weights and pin forces. */
+/* Draw loads, weights and pin forces. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
@@ -35,7 +35,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, r->now.forces.Ts);
 }
 
-/* Rows spread over the motion, grey. */
+/* Draw rows spread over the motion in grey. */
 static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
     unsigned long n = p->range.n_rows, i, row;
@@ -48,7 +48,7 @@ static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
     }
 }
 
-/* The other positions of the request, thin, each with its angle at the crank pin. */
+/* Draw the other positions of the request thin, with the angle at the crank pin. */
 static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
 {
     char words[200], number[FORMAT_SIZE], letter[PICTURE_MARK];
@@ -64,8 +64,8 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
             figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, letter));
         } else {
             format_general(now.row.angle, 12, number);
-            sketch_note(s, flk_text_join(words, sizeof words, number, ": none, see the table",
-                                         (char *)NULL));
+            sketch_note(s, flk_text_join(words, sizeof words, number,
+                                         ": no position, see the table", (char *)NULL));
         }
 }
 

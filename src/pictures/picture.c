@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** picture.c - pictures of a deck, as scripts for gnuplot: what all kinds share.
+** picture.c - pictures of a deck, as gnuplot scripts: what all kinds share.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static const struct plot_info {
     const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
-#define LONGEST_NAME 24 /* letters, beside a value */
+#define LONGEST_NAME 24 /* letters, next to a value */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* By plot_file, with width and height. */
@@ -103,8 +103,8 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
     return status == FOURLINK_OK ? FOURLINK_OK : first;
 }
 
-/* At most so many lines stand beside a drawing: angles, forces, torques, and the paths in its key; of
-** free bodies for each link. */
+/* The largest number of lines beside a drawing: angles, forces, torques, and paths in the key; for free
+** bodies, of each link. */
 static int lines_beside(const picture *p, int each_link)
 {
     int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
@@ -155,13 +155,13 @@ static void put_terminal(const canvas *c, const plot_request *request)
     else
         fprintf(c->out, terminal, width, height);
     putc('\n', c->out);
-    if (request->picture) /* not a pipe, and not a home folder, whatever it begins with */
+    if (request->picture) /* neither a pipe nor a home folder, whatever its first letter */
         canvas_print(c, request->picture[0] == '/' ? "set output %q\n" : "set output './' . %q\n",
                      request->picture);
 }
 
-/* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which the colour-blind tell apart;
-** widths and dashes tell the lines apart also in grey. */
+/* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which colour-blind people can tell apart;
+** widths and dashes distinguish the lines in grey too. */
 static const char *const style_of_pen[PEN_COUNT] = {
     "",
     "lw 1.5 lc rgb '#000000'",        /* ground */
@@ -183,7 +183,7 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
     char rest[200];
     int i;
 
-    fprintf(c->out, "# %s of a deck, by fourlink %s: for gnuplot 5 or later\n",
+    fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
             plot_names[p->request->kind], fourlink_version());
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
@@ -204,7 +204,7 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
                               "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
-/* 0, for the caller to return. */
+/* Returns 0, for the caller to return. */
 static int refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
     memset(mistake, 0, sizeof *mistake);
@@ -263,7 +263,7 @@ static int has_column(const picture *p, text name)
     return 0;
 }
 
-/* Open the deck anew, with those of some columns that it has, and of one instant as a whole cycle. */
+/* Open the deck again with the columns of the picture that it has; one instant becomes a whole cycle. */
 static int reopen(picture *p, const fourlink_source *source, const char *columns,
                   fourlink_mistake *mistake)
 {
@@ -310,7 +310,7 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
             return refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                          " is drawn at one position, not at several");
+                          " draws one position, not several");
         if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
             return refuse(mistake, "--plot-at", words, "");
         angle = &p->angles[p->n_angles++];
@@ -328,17 +328,17 @@ static const char *missing(const picture *p)
     int needs = plot_table[p->request->kind].needs;
 
     if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
-        return "there are no forces to draw: the deck has no masses and no loads";
+        return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
-        return "Klein's construction is for a slider-crank";
+        return "Klein's construction needs a slider-crank";
     if ((needs & PLOT_DRAWING) &&
         (p->problem.n_loads - (unsigned long)p->problem.has_gas > PICTURE_LOADS ||
          p->problem.n_points > PICTURE_POINTS))
-        return "a drawing takes 40 loads and 24 points at most";
+        return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }
 
-/* Draw the panels; null, or the reason why there is none. */
+/* Draw the panels; returns null, or the reason why there are none. */
 static const char *draw(picture *p)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
@@ -359,7 +359,7 @@ static const char *draw(picture *p)
     return drawn ? NULL : why;
 }
 
-/* Write the script of a deck that is open. */
+/* Write the script of an open deck. */
 static int write_script(picture *p, FILE *out, const fourlink_source *source,
                         fourlink_mistake *mistake)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** picture.h - pictures of a deck, as scripts for gnuplot.
+** picture.h - pictures of a deck, as gnuplot scripts.
 */
 #ifndef FOURLINK_PICTURE_H
 #define FOURLINK_PICTURE_H
@@ -10,9 +10,8 @@
 #include "canvas.h"
 #include "fourlink.h"
 
-/* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what
-** it needs of the deck; the function that draws it; the deck's columns that it is made of, if it has
-** them */
+/* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
+** needs from the deck; the function that draws it; the columns it uses, if the deck has them */
 #define PLOT_LIST(X)                                                                        \
     X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
     X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
@@ -39,10 +38,10 @@ enum {
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
-/* By plot_kind; ended by a null pointer. */
+/* By plot_kind, with a null pointer at the end. */
 extern const char *const plot_names[];
 
-/* The kind of file that a name stands for: .svg .png .pdf .txt .gif, and - for the terminal. */
+/* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
 typedef enum plot_file {
     PLOT_SVG,
     PLOT_PNG,
@@ -52,7 +51,7 @@ typedef enum plot_file {
     PLOT_FILE_COUNT
 } plot_file;
 
-/* PLOT_FILE_COUNT if the name is none of these. */
+/* PLOT_FILE_COUNT for another name. */
 plot_file plot_file_of(const char *name);
 
 typedef struct plot_request {
@@ -62,11 +61,12 @@ typedef struct plot_request {
     const char *at;      /* the crank angles of --plot-at; null: it was not given */
 } plot_request;
 
-/* Write the script of a picture of a deck, which has no mistakes.  1; 0 and why there is none to draw. */
+/* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
+** to draw. */
 int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
                   fourlink_mistake *mistake);
 
-/* What a drawing has room for: the gas is a load beside these. */
+/* What a drawing has room for; the gas is one more load. */
 #define PICTURE_LOADS 40
 #define PICTURE_POINTS 24
 #define PICTURE_POSITIONS 24
@@ -80,7 +80,7 @@ typedef struct picture {
     fourlink_results *results;
     const fourlink_deck *deck;
     fourlink_problem problem;
-    const fourlink_mechanism *mechanism; /* of the problem; as the next */
+    const fourlink_mechanism *mechanism; /* of the problem */
     const fourlink_design *design;
     int kind;   /* of the design */
     int slides; /* 1: link 4 slides on the ground */
@@ -89,9 +89,9 @@ typedef struct picture {
     fourlink_range range;
     double end; /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
-    const fourlink_value *columns; /* those of its kind that the deck has */
+    const fourlink_value *columns; /* the columns of its kind that the deck has */
     unsigned long n_columns;
-    fourlink_load *loads;             /* room for those of one crank angle */
+    fourlink_load *loads;             /* room for the loads at one crank angle */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
 } picture;
@@ -102,8 +102,8 @@ typedef struct picture_row {
     fourlink_load loads[PICTURE_LOADS + 2];
 } picture_row;
 
-/* The functions of the kinds; those with a panel for each branch are called for each, the others for the first.
-** Null, or the reason why there is nothing to draw. */
+/* The functions of the kinds.  Those with a panel for each branch are called for each, the others for the
+** first. They return null, or the reason why there is nothing to draw. */
 #define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values) \
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
@@ -112,7 +112,7 @@ PLOT_LIST(PLOT_FUNCTION)
 double picture_value(const picture *p, quantity q, double si);
 double picture_si(const picture *p, quantity q, double value);
 
-/* A crank angle, in the deck's unit: 60 and the sign of degrees, or 1.047 rad. */
+/* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
 char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
 
@@ -121,15 +121,16 @@ char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
-/* The crank angle that is k of so many equal steps into the motion, in the deck's unit. */
+/* The crank angle after k of so many equal steps of the motion, in the deck's unit. */
 double picture_angle(const picture *p, int k, int steps);
 
-/* The position there, without its forces.  A status. */
+/* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, or else of the deck's one instant, or
-** else a sixth into the motion, or the first row that the links reach; `loads` may be null.  A status. */
+/* The position to draw on a branch: the first of the request, otherwise the deck's one instant, otherwise
+** after a sixth of the motion, otherwise the first row at which the linkage can be assembled.  `loads` may be
+** null.  Returns a status. */
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** polar.c - pin forces as curves in the axes of their links, as bearing-load diagrams have them: what
-** wears where.  Marks tell the crank angle.
+** polar.c - pin forces as curves in the axes of their links, as in bearing-load diagrams, which show where a
+** bearing wears.  Marks show the crank angle.
 */
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "sketch.h"
 
 #define MARKS 12
-#define LETTERED 3 /* every third of them has its angle beside it */
+#define LETTERED 3 /* every third mark has its angle beside it */
 #define MOST_LETTERED (2 * MARKS / LETTERED)
 
 /* A pin force: the columns of its components. */
@@ -21,7 +21,7 @@ typedef struct bearing {
     int x, y;
 } bearing;
 
-/* A drawing of equal scale on both axes, and what is lettered in it. */
+/* A drawing with equal scales on both axes, and its texts. */
 typedef struct frame {
     sketch_box box;
     double scale; /* of a pixel */
@@ -29,7 +29,7 @@ typedef struct frame {
     int n;
 } frame;
 
-/* Room for the curves, and for 0, where there is no force. */
+/* Find the room for the curves, and for the origin, where the force is 0. */
 static void find_frame(const picture *p, const bearing *b, frame *f)
 {
     graph_extent ex = graph_nothing, ey = graph_nothing;
@@ -66,7 +66,7 @@ static void put_frame(const canvas *on, frame *f)
                  sketch_round(8 * CANVAS_LETTER * f->scale));
 }
 
-/* A crank angle beside the curve, in its colour, unless another stands there. */
+/* Put a crank angle beside the curve, in its colour, unless another is there. */
 static void put_angle(const picture *p, frame *f, double x, double y, double angle, int line)
 {
     const sketch_box *b = &f->box;
@@ -86,7 +86,7 @@ static void put_angle(const picture *p, frame *f, double x, double y, double ang
                  y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
 }
 
-/* The crank angles along the curve of branch i, as $NAME_BRANCH_marks. */
+/* Write the crank angles along the curve of branch i, as $NAME_BRANCH_marks. */
 static void put_marks(const picture *p, int i, const bearing *b, frame *f)
 {
     const int step = GRAPH_STEPS / MARKS;
@@ -133,7 +133,7 @@ static int put_polar(picture *p, const bearing *b, const char *title)
     return p->on.curves;
 }
 
-/* The column of a component; -1 if there is none. */
+/* The index of a component's column; -1 if there is none. */
 static int component(const picture *p, const bearing *b, const char *end)
 {
     char name[20];
@@ -141,7 +141,8 @@ static int component(const picture *p, const bearing *b, const char *end)
     return graph_column(p, flk_text_join(name, sizeof name, b->name, end, (char *)NULL));
 }
 
-/* The force of a link on another, in the axes of the latter: those of one that slides are x and y. */
+/* Draw the force of a link on another, in the axes of the latter, which are x and y for a link that
+** slides. */
 static int put_bearing(picture *p, int by, int on)
 {
     int slides = fourlink_slides(p->kind, on);
@@ -173,5 +174,5 @@ const char *picture_polar(picture *p, fourlink_branch branch)
             p->on.is_text ? -1 : 1);
     for (i = 0; i < sizeof joints / sizeof joints[0]; i++)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
-    return drawn ? NULL : "the links reach at no angle of the motion";
+    return drawn ? NULL : "the linkage cannot be assembled at any angle of the motion";
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sketch.c - a drawing to scale, as commands for gnuplot: lines, arrows, circles, texts, curves.
+** sketch.c - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
 */
 #include <math.h>
 #include <string.h>
@@ -11,19 +11,19 @@
 #include "sketch.h"
 #include "base/text.h"
 
-/* Heights of a letter, and that, as a fraction of the drawing's size. */
+/* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
 #define PIN 0.4
 #define SUPPORT 1.3
 #define HATCH 0.65
 
-/* Names are narrower than numbers, after which the width of a letter is. */
+/* The width of a letter is that of digits; names are narrower. */
 #define NARROW 0.9
 
-#define MOST_TITLES 18 /* in the key: gnuplot gives it the height of the axes */
-#define TICS 7         /* letters between two of them, at least */
+#define MOST_TITLES 18 /* in the key, which is as high as the axes */
+#define TICS 7         /* smallest distance between two, in letters */
 
-/* So many points of a curve are an obstacle for texts. */
+/* Texts avoid every so many points of a curve. */
 #define OBSTACLE 4
 
 const sketch_box sketch_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
@@ -104,7 +104,7 @@ void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 {
-    /* in text what is in front would hide the letters */
+    /* in a text picture, arrows in front would hide the letters */
     put_arrow(s, p, from, to,
               s->c->is_text ? "head filled size graph 0.025,18"
                             : "head filled size graph 0.025,18 front");
@@ -115,7 +115,7 @@ static fourlink_vector on_circle(fourlink_vector centre, double radius, double a
     return sketch_beside(centre, radius * cos(angle), radius * sin(angle));
 }
 
-/* As a polygon: the circles of gnuplot know no dashes. */
+/* Drawn as a polygon: gnuplot's circles cannot be dashed. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
     int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
@@ -128,7 +128,7 @@ void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double 
     }
 }
 
-/* A disc, by its diameters. */
+/* Add a disc as an obstacle, by its diameters. */
 static void add_disc(sketch *s, fourlink_vector at, double radius)
 {
     int i;
@@ -246,11 +246,11 @@ void sketch_break(sketch *s)
 void sketch_end(sketch *s)
 {
     fputs("EOD\n", s->c->out);
-    if (s->is_empty) /* gnuplot has a word for those */
+    if (s->is_empty) /* gnuplot needs a word for an empty curve */
         s->n_curves--;
 }
 
-/* Values and key stand at the right of the axes. */
+/* Values and key are to the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
     double width = CANVAS_LETTER;
@@ -264,7 +264,7 @@ static double width_of_margin(const sketch *s)
     return width;
 }
 
-/* The key, and below it the notes. */
+/* Put the key, and the notes below it. */
 static void put_margin(const sketch *s)
 {
     int in_key = 0, i;
@@ -292,7 +292,7 @@ static void put_labels(const sketch *s)
     }
 }
 
-/* Tics of one step on both axes, so far apart that their numbers have room. */
+/* Put tics with the same step on both axes, far enough apart for their numbers. */
 static void put_axes(const sketch *s)
 {
     double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;

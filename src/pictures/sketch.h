@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sketch.h - a drawing to scale, as commands for gnuplot: lines, arrows, circles, texts, curves.
+** sketch.h - a drawing to scale, as gnuplot commands: lines, arrows, circles, texts, curves.
 */
 #ifndef FOURLINK_SKETCH_H
 #define FOURLINK_SKETCH_H
@@ -8,7 +8,7 @@
 #include "canvas.h"
 #include "fourlink.h"
 
-/* Line styles, defined in plot.c at the head of every script. */
+/* Line styles, defined in picture.c at the head of every script. */
 typedef enum pen {
     PEN_OF_LINK, /* each link has its own */
     PEN_GROUND = 1,
@@ -20,7 +20,7 @@ typedef enum pen {
     PEN_FORCE,        /* pin forces */
     PEN_LOAD,         /* loads and weights */
     PEN_CONSTRUCTION, /* auxiliary lines */
-    PEN_RESULT,       /* what a construction is made for */
+    PEN_RESULT,       /* the result of a construction */
     PEN_OTHER,        /* other positions */
     PEN_COUNT
 } pen;
@@ -35,16 +35,16 @@ typedef struct sketch_box {
     double x_min, x_max, y_min, y_max;
 } sketch_box;
 
-/* A text that is put beside a place when all else is drawn: on that side, or where there is room. */
+/* A text that is put beside a place after everything else: on the requested side, or where there is room. */
 typedef struct sketch_label {
     fourlink_vector at;
     double dx, dy;          /* the direction, of any length */
-    double half;            /* of its width, in pixels */
+    double half;            /* half its width, in pixels */
     fourlink_vector middle; /* of the text, in pixels from the place */
     char words[SKETCH_WORDS];
 } sketch_label;
 
-/* What a text should not cover, and how bad that would be. */
+/* What a text should not cover, and the cost of doing so. */
 typedef struct sketch_obstacle {
     fourlink_vector from, to;
     double weight;
@@ -52,71 +52,71 @@ typedef struct sketch_obstacle {
 
 typedef struct sketch {
     canvas *c;
-    sketch_box drawn; /* what is drawn so far */
-    int is_fixed;     /* 1: that is all, whatever is drawn */
+    sketch_box drawn; /* the drawing so far */
+    int is_fixed;     /* 1: it does not grow */
     double size;      /* of the whole */
-    double letter;    /* height of a letter, a fraction of it; pins follow */
-    double scale;     /* of what is closed: its unit, for a pixel */
+    double letter;    /* height of a letter, a fraction of the size */
+    double scale;     /* unit of length for a pixel, when closed */
     int n_notes, n_labels, n_obstacles, n_curves;
     char notes[SKETCH_NOTES][SKETCH_WORDS];
     sketch_label labels[SKETCH_LABELS];
     sketch_obstacle obstacles[SKETCH_OBSTACLES];
     fourlink_vector last;   /* of a curve */
-    int n_points, is_empty; /* of the curve that is being put */
+    int n_points, is_empty; /* of the present curve */
     pen curve_pen[SKETCH_CURVES];
-    char curve_title[SKETCH_CURVES][80]; /* for the key; "": not in it */
+    char curve_title[SKETCH_CURVES][80]; /* in the key; "": not in it */
 } sketch;
 
 /* Begin a drawing of about this size in the next panel. */
 void sketch_open(sketch *s, canvas *c, double size);
 
-/* A box around nothing; and to make a box so large that a place is in it. */
+/* An empty box; enlarge a box so that it contains a place. */
 extern const sketch_box sketch_nothing;
 void sketch_grow(sketch_box *b, double x, double y);
 
-/* Leave room for a place; once all is included, for nothing more. */
+/* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 
-/* A pin, its radius a fraction of the drawing's size. */
+/* Draw a pin; its radius is a fraction of the drawing's size. */
 void sketch_pin(sketch *s, fourlink_vector at);
 
-/* A part of a circle from one angle to another, in rad, counter-clockwise. */
+/* Draw an arc from one angle to another, in rad, counter-clockwise. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to);
 
-/* A torque about a point: an arc with a head, counter-clockwise for sign > 0. */
+/* Draw a torque about a point: an arc with a head, counter-clockwise for sign > 0. */
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign);
 
-/* A text beside a point, in the direction (dx, dy) if there is room. */
+/* Put a text beside a point, in the direction (dx, dy) if there is room. */
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words);
 
-/* A line of text beside the drawing, one below the other. */
+/* Put a line of text beside the drawing, below the one before. */
 void sketch_note(sketch *s, const char *words);
 
-/* A centre of mass. */
+/* Draw a centre of mass. */
 void sketch_centre(sketch *s, fourlink_vector at);
 
-/* A support: a triangle on hatched ground below the point. */
+/* Draw a support: a triangle on hatched ground below the point. */
 void sketch_support(sketch *s, fourlink_vector at);
 
-/* Hatched ground along y, from x1 to x2, on its lower (side -1) or upper side (1). */
+/* Draw ground along y from x1 to x2, hatched on its lower (side -1) or upper side (1). */
 void sketch_ground(sketch *s, double x1, double x2, double y, double side);
 
-/* A curve: begin, points, breaks, end.  There may be SKETCH_CURVES of them. */
+/* Draw a curve: begin, points, breaks, end.  There may be SKETCH_CURVES of them. */
 void sketch_curve(sketch *s, pen p, const char *title);
 void sketch_point(sketch *s, fourlink_vector at);
 void sketch_break(sketch *s);
 void sketch_end(sketch *s);
 
-/* Finish: axes of equal scale around all that was drawn. */
+/* Finish the drawing, with axes of equal scale around it. */
 void sketch_close(sketch *s, const char *title, const char *unit_name);
 
-/* Put the texts where they cover least, and choose scale and range of a box of so many pixels. */
+/* Put the texts where they cover least, and choose scale and range for a box of so many pixels. */
 void sketch_place(sketch *s, double width, double height);
 
-/* A place, and one so far from another. */
+/* A place; a place at a distance from another. */
 fourlink_vector sketch_at(double x, double y);
 fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
 

@@ -10,7 +10,7 @@
 
 #define AREA_STEPS 100 /* of an area */
 
-/* N m, -Ts at an angle of the cycle; NaN where the links do not reach. */
+/* N m, -Ts at an angle of the cycle; NaN if the linkage cannot be assembled there. */
 static double moment_at(const picture *p, fourlink_branch branch, double theta2)
 {
     fourlink_forces forces;
@@ -27,7 +27,7 @@ static double moment_at(const picture *p, fourlink_branch branch, double theta2)
     return -forces.Ts;
 }
 
-/* An angle of the cycle as it is drawn: a clockwise crank goes from 0 to -cycle. */
+/* An angle of the cycle as drawn: a clockwise crank goes from 0 to -cycle. */
 static double cycle_angle(const picture *p, double theta2)
 {
     if (p->problem.motion.speed < 0)
@@ -35,7 +35,7 @@ static double cycle_angle(const picture *p, double theta2)
     return picture_value(p, QUANTITY_ANGLE, theta2);
 }
 
-/* Where the turning moment is farthest from its mean in an area, as it is drawn. */
+/* Where the turning moment is farthest from its mean in an area, as drawn. */
 static fourlink_vector find_peak(const picture *p, fourlink_branch branch,
                                  const fourlink_area *area, double mean)
 {
@@ -56,7 +56,7 @@ static fourlink_vector find_peak(const picture *p, fourlink_branch branch,
     return peak;
 }
 
-/* The energies of the areas, each above or below its curve, if it does not run into the one before it. */
+/* Put the energies of the areas, each above or below its curve, unless it would overlap the one before it. */
 static void put_areas(const picture *p, fourlink_branch branch, const fourlink_turning *t)
 {
     double pixel = picture_value(p, QUANTITY_ANGLE, p->problem.cycle) / p->on.box_width;
@@ -99,8 +99,8 @@ static void put_moment(const picture *p, fourlink_branch branch)
     fputs("EOD\n", p->on.out);
 }
 
-/* Areas are filled, but for a text terminal.  A clockwise crank gives energy to the flywheel where the
-** moment is below its mean. */
+/* Fill the areas, except on a text terminal.  A clockwise crank gives energy to the flywheel while the moment
+** is below its mean. */
 static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
 {
     fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
@@ -111,7 +111,7 @@ static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
                 "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
                 "title 'below%s', \\\n"
                 "     '' using 1:2 ",
-                is_clockwise ? ": given up" : "", is_clockwise ? ": taken up" : "");
+                is_clockwise ? ": energy given up" : "", is_clockwise ? ": energy taken up" : "");
     fprintf(on->out,
             "with lines lt %s title '-Ts', \\\n"
             "     mean with lines lt 2 title 'mean'\n",

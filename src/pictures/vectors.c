@@ -13,10 +13,10 @@
 
 #include "arrow.h"
 
-/* Of these small drawings. */
+/* The height of a letter in these small drawings. */
 #define LETTER 0.045
 
-/* Below this fraction of the largest a side is shorter than the head of an arrow. */
+/* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
 
 static const fourlink_vector zero = {0, 0};
@@ -44,7 +44,7 @@ static fourlink_vector end_of(const arrow *x)
     return sketch_beside(x->at, x->F.x, x->F.y);
 }
 
-/* Add a vector in SI units at the tip of another; where it ends. */
+/* Add a vector in SI units at the tip of another; returns its end. */
 static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
                                 fourlink_vector v)
 {
@@ -70,8 +70,8 @@ static void find_size(polygon *g)
     }
 }
 
-/* Draw the sides; each has its name on the side that is away from the middle of the polygon.  One too
-** short for a head has no name. */
+/* Draw the sides, with their names away from the middle of the polygon.  A side too short for a head has no
+** name. */
 static void draw_sides(polygon *g)
 {
     int i;
@@ -98,13 +98,13 @@ static void draw_sides(polygon *g)
     }
 }
 
-/* The letter of a corner, away from the middle. */
+/* Put the letter of a corner away from the middle. */
 static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 {
     sketch_text(&g->s, at, at.x - g->middle.x, at.y - g->middle.y, letter);
 }
 
-/* Motion of pin C: of link 3 at its end. */
+/* The motion of pin C, the end of link 3. */
 static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
                         fourlink_vector *a)
 {
@@ -130,7 +130,7 @@ static void put_velocities(picture *p, const fourlink_state *state)
     sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
 }
 
-/* Add normal and tangential part of the acceleration of a link's end about its origin. */
+/* Add the normal and the tangential acceleration of a link's end about its origin. */
 static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int link,
                                  const char *normal, const char *tangential, fourlink_vector from)
 {
@@ -164,8 +164,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
 }
 
-/* A link with the forces on it: of its two neighbours, weight, loads, and -m a_G, with which they are
-** balanced. */
+/* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
 typedef struct free_body {
     int link, slides;
     fourlink_vector first, second, G; /* its pins, and its centre of mass */
@@ -194,7 +193,7 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     arrow_add(&b->forces, PEN_RESULT, "-m aG", b->G, -body->mass * a_G.x, -body->mass * a_G.y);
 }
 
-/* Thin lines from the pins to a point of the link that is off its line. */
+/* Draw thin lines from the pins to a point that is off the link's line. */
 static void draw_off(sketch *s, const free_body *b, fourlink_vector at)
 {
     double along = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
@@ -207,7 +206,7 @@ static void draw_off(sketch *s, const free_body *b, fourlink_vector at)
     }
 }
 
-/* The body between its pins, out to where it is loaded, with its centre of mass. */
+/* Draw the body between its pins, out to its loads, with its centre of mass. */
 static void draw_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
     static const char *const letters[] = {"A", "B", "C", "D"};
@@ -232,7 +231,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
     }
 }
 
-/* The body with forces and torques. */
+/* Draw the body with forces and torques. */
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
     double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
@@ -258,7 +257,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
 }
 
-/* The same forces one after the other: the polygon closes. */
+/* Draw the same forces in sequence: the polygon closes. */
 static void put_force_polygon(picture *p, const free_body *b)
 {
     fourlink_vector at = zero;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** analysis.c - a deck at work: all that is known of one crank position on one branch.
+** analysis.c - analysis of a deck: all results at one crank position on one branch.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 #include "analysis.h"
 
-/* What a deck can give. */
+/* What can be computed for a deck. */
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0);
@@ -28,7 +28,7 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
-    fourlink_motion_range(&d->motion, &a->range); /* which the deck's reader has tried */
+    fourlink_motion_range(&d->motion, &a->range); /* the deck's reader has checked it */
     a->n_loads = d->n_loads + flk_deck_gas_loads(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
     return a->loads != NULL;
@@ -105,8 +105,8 @@ int flk_analysis_is_periodic(const flk_analysis *a)
            d->mechanism.change_stretched == d->mechanism.change_folded;
 }
 
-/* The angle after which all is as before: that of the cycle, a turn at least, and two where one change
-** point lets the links come back on the other side. */
+/* The angle after which everything repeats: the cycle, at least one turn, and two turns if the mechanism has
+** one change point, after which the links return on the other side. */
 static double period(const deck *d)
 {
     double turns = d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** analysis.h - a deck at work: all that is known of one crank position on one branch.
+** analysis.h - analysis of a deck: all results at one crank position on one branch.
 */
 #ifndef FOURLINK_ANALYSIS_H
 #define FOURLINK_ANALYSIS_H
@@ -8,7 +8,7 @@
 #include "deck/deck.h"
 #include "derived.h"
 
-/* What is computed beside the motion of the links. */
+/* What is computed in addition to the motion of the links. */
 enum {
     NEED_FORCES = 1,
     NEED_ENGINE = 2,
@@ -21,38 +21,38 @@ enum {
 /* One row. */
 typedef struct flk_row {
     fourlink_instant at;
-    fourlink_engine engine; /* these only if they are needed */
+    fourlink_engine engine; /* computed only if needed */
     fourlink_series series;
     fourlink_klein klein;
-    flk_derived derived; /* of motion, and of forces if these are needed */
+    flk_derived derived; /* from the motion, and from the forces if needed */
 } flk_row;
 
-/* The turning moment of a branch, found once. */
+/* The turning moment of a branch, computed once. */
 typedef struct flk_turning {
     int is_known, is_there;
     fourlink_turning t;
 } flk_turning;
 
-/* A deck at work. */
+/* A deck with the memory that its analysis needs. */
 typedef struct flk_analysis {
     const deck *d;
-    int possible; /* what the deck can give of the things above */
+    int possible; /* what of the above can be computed */
     fourlink_range range;
     unsigned long n_loads;  /* the gas included */
-    fourlink_load *loads;   /* memory for those of the row that is being computed */
+    fourlink_load *loads;   /* memory for the loads of the present row */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
 } flk_analysis;
 
-/* Set up an analysis; 0 when out of memory. */
+/* Set up an analysis; 0 if out of memory. */
 int flk_analysis_open(flk_analysis *a, const deck *d);
 void flk_analysis_close(flk_analysis *a);
 
-/* Compute any crank position: row->at.row is for the caller to fill.  `needs` is what is computed. */
+/* Compute any crank position; the caller fills row->at.row.  `needs` says what to compute. */
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row);
 
-/* Row i of the deck's motion, and the row at an angle of it, in the deck's unit. */
+/* Row i of the deck's motion; the row at an angle of the motion, in the deck's unit. */
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row);
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
@@ -61,11 +61,11 @@ void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, d
 /* The last crank angle of the motion, in the deck's unit. */
 double flk_analysis_end(const flk_analysis *a);
 
-/* 1 if the motion is one revolution whose ends are one position, at one speed. */
+/* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
 int flk_analysis_is_periodic(const flk_analysis *a);
 
-/* The angle of the motion that an angle is, but for whole periods (a turn, a cycle of several), all in the
-** deck's unit; 0 if the motion does not reach it. */
+/* Find the angle of the motion that differs from an angle by whole periods (a turn, or a cycle of several),
+** in the deck's unit; 0 if the motion does not reach it. */
 int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at);
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "column.h"
 
-/* How a column's value is made of the numbers of a row. */
+/* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
     VALUE,     /* one of them */
     SIZE,      /* resultant of two components */
@@ -71,7 +71,8 @@ struct flk_column_info {
 /* F12_along, F12_across */
 #define AXIAL(X, F, kinds, link)                                                           \
     X(F##_along, FORCE, kinds, OF_DERIVED(F.along), #F " along the line of the " link, "") \
-    X(F##_across, FORCE, kinds, OF_DERIVED(F.across), #F " across it, to the left", "")
+    X(F##_across, FORCE, kinds, OF_DERIVED(F.across),                                      \
+      #F " normal to the line of the " link ", to its left", "")
 
 /* Fi2, Fi2_dir, h2 */
 #define INERTIA_FORCE(X, i)                                                                \
@@ -79,7 +80,7 @@ struct flk_column_info {
       "F_g" #i " (ME3491)")                                                                \
     X(Fi##i##_dir, ANGLE, ALL, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                         \
-      "its offset from the centre of mass, to its left", "h (ME3491 fig. 2)")
+      "offset of Fi" #i " from the centre of mass, to its left", "h (ME3491 fig. 2)")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                \
@@ -92,7 +93,7 @@ struct flk_column_info {
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
     X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
-      #x " with an endless rod: simple harmonic motion", "")
+      #x " with an infinitely long rod: simple harmonic motion", "")
 
 #define ENGINE(X, name, q, words, source) X(name, q, SLIDER_CRANK, OF_ENGINE(name), words, source)
 #define KLEIN(X, length, words)                               \
@@ -100,118 +101,119 @@ struct flk_column_info {
       "length " #length " of Klein's construction: " words, "")
 
 /* name, quantity, mechanisms, where its value is from, meaning, name in the sources */
-#define COLUMN_LIST(X)                                                                            \
-    X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                            \
-      "thet (Alvi), thetaa (ME3491)")                                                             \
-    X(time, TIME, ALL, OF_ROW(time), "time since the first row", "")                              \
-    X(omega2, ANGULAR_SPEED, ALL, OF_ROW(crank.omega2), "angular speed of the crank",             \
-      "vela (Alvi), omegaa (ME3491)")                                                             \
-    X(alpha2, ANGULAR_ACCELERATION, ALL, OF_ROW(crank.alpha2),                                    \
-      "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                        \
-    X(theta3, ANGLE, ALL | USUAL, OF_STATE(link[3].theta), "angle of the coupler, rod or slide",  \
-      "beta (Alvi), thetab (ME3491)")                                                             \
-    X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                \
-      "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")               \
-    X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                         \
-      "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")        \
-    X(theta4, ANGLE, PINNED | USUAL, OF_STATE(link[4].theta), "angle of the rocker or lever",     \
-      "phi (Alvi), thetac (ME3491)")                                                              \
-    X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                             \
-      "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                     \
-    X(alpha4, ANGULAR_ACCELERATION, PINNED | USUAL, OF_STATE(link[4].alpha),                      \
-      "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")              \
-    X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",      \
-      "beta (ME3491), phi (DFA)")                                                                 \
-    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                               \
-      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                 \
-    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                \
-      "speed of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")            \
-    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                         \
-      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")     \
-    X(slide, LENGTH, INVERTED | USUAL, OF_STATE(slide),                                           \
-      "coordinate of the crank pin B along the slide", "")                                        \
-    X(slide_v, SPEED, INVERTED | USUAL, OF_STATE(slide_v),                                        \
-      "velocity of B relative to the lever, along the slide", "")                                 \
-    X(slide_a, ACCELERATION, INVERTED | USUAL, OF_STATE(slide_a),                                 \
-      "acceleration of B relative to the lever, along the slide", "")                             \
-    X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                       \
-      "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                     \
-    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                             \
-    COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                     \
-    COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                     \
-    COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                    \
-    X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                               \
-      "force of slider on lever at B, to the left of the slide", "")                              \
-    X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                     \
-    COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                        \
-    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                            \
-      "force of the guide on the piston, along +y", "")                                           \
-    X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")         \
-    X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
-      "X(9), Ts (ME3491)")                                                                        \
-    RESULTANT(X, F12, ALL)                                                                        \
-    RESULTANT(X, F23, ALL)                                                                        \
-    RESULTANT(X, F34, ALL)                                                                        \
-    RESULTANT(X, F14, PINNED)                                                                     \
-    X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                          \
-    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                      \
-    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                      \
-    X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
-    AXIAL(X, F12, ALL, "crank")                                                                   \
-    AXIAL(X, F32, ALL, "crank")                                                                   \
-    AXIAL(X, F23, ALL, "coupler, rod or slide")                                                   \
-    AXIAL(X, F43, ALL, "coupler, rod or slide")                                                   \
-    AXIAL(X, F34, PINNED, "rocker or lever")                                                      \
-    AXIAL(X, F14, PINNED, "rocker or lever")                                                      \
-    INERTIA_FORCE(X, 2)                                                                           \
-    INERTIA_FORCE(X, 3)                                                                           \
-    INERTIA_FORCE(X, 4)                                                                           \
-    X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                         \
-      "omega2 / omega4; slider-crank: r omega2 / v", "")                                          \
-    X(condition, NUMBER, ALL, OF_MOTION(condition),                                               \
-      "1 / sine of the transmission angle: how errors of the data grow", "")                      \
-    CENTRE(X, I13, "1 and 3")                                                                     \
-    CENTRE(X, I24, "2 and 4")                                                                     \
-    X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                   \
-      "driving torque by virtual work, without the nine equations", "")                           \
-    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static), "driving torque of loads and weights at rest", \
-      "")                                                                                         \
-    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")       \
-    X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                        \
-      "difference of their sum to the whole, relative to the largest force", "")                  \
-    X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                         \
-      "power balance, relative to its largest term", "")                                          \
-    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                  \
-    OF_TWO_TERMS(X, v, SPEED, v, "speed of the piston", "V_p (DFA eq. 3)")                        \
-    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")          \
-    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",             \
-                 "-omega_c (DFA)")                                                                \
-    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                  \
-                 "angular acceleration of the rod", "-alpha_c (DFA)")                             \
-    HARMONIC(X, x, LENGTH)                                                                        \
-    HARMONIC(X, v, SPEED)                                                                         \
-    HARMONIC(X, a, ACCELERATION)                                                                  \
-    ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",              \
-           "F_p (ME3491), (P1 - P2) A (DFA)")                                                     \
-    ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                            \
-    ENGINE(X, piston_effort, FORCE, "gas, inertia, weight along the stroke, loads on the piston", \
-           "F (ME3491), F_p (DFA)")                                                               \
-    ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                         \
-    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y", "")                                \
-    ENGINE(X, crank_effort, FORCE, "at right angles to the crank", "F_t (ME3491), F_T (DFA)")     \
-    ENGINE(X, radial_force, FORCE, "along the crank, towards the main bearing",                   \
-           "force on crank shaft bearing (DFA)")                                                  \
-    ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")           \
-    ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")      \
-    ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)") \
-    ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")       \
-    ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                            \
-    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four",            \
-           "net torque (ME3491)")                                                                 \
-    KLEIN(X, OM, "v = omega2 OM")                                                                 \
-    KLEIN(X, BM, "omega3 = omega2 BM / l")                                                        \
-    KLEIN(X, BQ, "towards B: omega2^2 BQ")                                                        \
-    KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                      \
+#define COLUMN_LIST(X)                                                                             \
+    X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                             \
+      "thet (Alvi), thetaa (ME3491)")                                                              \
+    X(time, TIME, ALL, OF_ROW(time), "time since the first row", "")                               \
+    X(omega2, ANGULAR_SPEED, ALL, OF_ROW(crank.omega2), "angular speed of the crank",              \
+      "vela (Alvi), omegaa (ME3491)")                                                              \
+    X(alpha2, ANGULAR_ACCELERATION, ALL, OF_ROW(crank.alpha2),                                     \
+      "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
+    X(theta3, ANGLE, ALL | USUAL, OF_STATE(link[3].theta), "angle of the coupler, rod or slide",   \
+      "beta (Alvi), thetab (ME3491)")                                                              \
+    X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                 \
+      "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
+    X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                          \
+      "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
+    X(theta4, ANGLE, PINNED | USUAL, OF_STATE(link[4].theta), "angle of the rocker or lever",      \
+      "phi (Alvi), thetac (ME3491)")                                                               \
+    X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
+      "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                      \
+    X(alpha4, ANGULAR_ACCELERATION, PINNED | USUAL, OF_STATE(link[4].alpha),                       \
+      "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")               \
+    X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",       \
+      "beta (ME3491), phi (DFA)")                                                                  \
+    X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
+      "displacement of the piston from its inner dead centre", "x (ME3491, DFA)")                  \
+    X(v, SPEED, SLIDER_CRANK | USUAL, OF_STATE(v),                                                 \
+      "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
+    X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
+      "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
+    X(slide, LENGTH, INVERTED | USUAL, OF_STATE(slide),                                            \
+      "coordinate of the crank pin B along the slide", "")                                         \
+    X(slide_v, SPEED, INVERTED | USUAL, OF_STATE(slide_v),                                         \
+      "velocity of B relative to the lever, along the slide", "")                                  \
+    X(slide_a, ACCELERATION, INVERTED | USUAL, OF_STATE(slide_a),                                  \
+      "acceleration of B relative to the lever, along the slide", "")                              \
+    X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
+      "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
+    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                              \
+    COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
+    COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
+    COMPONENTS(X, F34, ALL, "force of coupler on rocker, rod on piston, or slider on lever", 5, 6) \
+    X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                                \
+      "force of slider on lever at B, to the left of the slide", "")                               \
+    X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                      \
+    COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                         \
+    X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
+      "force of the guide on the piston, along +y", "")                                            \
+    X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
+    X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
+      "X(9), Ts (ME3491)")                                                                         \
+    RESULTANT(X, F12, ALL)                                                                         \
+    RESULTANT(X, F23, ALL)                                                                         \
+    RESULTANT(X, F34, ALL)                                                                         \
+    RESULTANT(X, F14, PINNED)                                                                      \
+    X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                           \
+    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                       \
+    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                       \
+    X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
+    AXIAL(X, F12, ALL, "crank")                                                                    \
+    AXIAL(X, F32, ALL, "crank")                                                                    \
+    AXIAL(X, F23, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F43, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F34, PINNED, "rocker or lever")                                                       \
+    AXIAL(X, F14, PINNED, "rocker or lever")                                                       \
+    INERTIA_FORCE(X, 2)                                                                            \
+    INERTIA_FORCE(X, 3)                                                                            \
+    INERTIA_FORCE(X, 4)                                                                            \
+    X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                          \
+      "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(condition, NUMBER, ALL, OF_MOTION(condition),                                                \
+      "1 / sin(mu): the factor by which errors of the data grow", "")                              \
+    CENTRE(X, I13, "1 and 3")                                                                      \
+    CENTRE(X, I24, "2 and 4")                                                                      \
+    X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
+      "driving torque by virtual work, without the nine equations", "")                            \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",    \
+      "")                                                                                          \
+    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")        \
+    X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                         \
+      "error of the superposition, relative to the largest force", "")                             \
+    X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
+      "power balance, relative to its largest term", "")                                           \
+    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                   \
+    OF_TWO_TERMS(X, v, SPEED, v, "velocity of the piston", "V_p (DFA eq. 3)")                      \
+    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")           \
+    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",              \
+                 "-omega_c (DFA)")                                                                 \
+    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                   \
+                 "angular acceleration of the rod", "-alpha_c (DFA)")                              \
+    HARMONIC(X, x, LENGTH)                                                                         \
+    HARMONIC(X, v, SPEED)                                                                          \
+    HARMONIC(X, a, ACCELERATION)                                                                   \
+    ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",               \
+           "F_p (ME3491), (P1 - P2) A (DFA)")                                                      \
+    ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
+    ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
+           "F (ME3491), F_p (DFA)")                                                                \
+    ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
+    ENGINE(X, side_thrust, FORCE, "force of the guide on the piston, along +y", "")                \
+    ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                  \
+           "F_t (ME3491), F_T (DFA)")                                                              \
+    ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",              \
+           "force on crank shaft bearing (DFA)")                                                   \
+    ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
+    ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
+    ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
+    ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",     \
+           "net torque (ME3491)")                                                                  \
+    KLEIN(X, OM, "v = omega2 OM")                                                                  \
+    KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
+    KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
+    KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
     KLEIN(X, ON, "a = omega2^2 ON")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
@@ -220,7 +222,7 @@ static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
-/* A crank at rest, or one held at a speed and an acceleration, has no time. */
+/* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
 static int has_time(const fourlink_motion *motion)
 {
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
@@ -286,7 +288,7 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-/* Add a column that the list does not have yet. */
+/* Add a column to a list, unless it is there. */
 static size_t add(flk_column *list, size_t n, const flk_column *c)
 {
     size_t i;
@@ -298,7 +300,7 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
     return n + 1;
 }
 
-/* The name of column i of those that there can be. */
+/* The name of possible column i. */
 static const char *name_of(const flk_analysis *a, size_t i)
 {
     size_t of_points = i - TABLE_COUNT;
@@ -323,7 +325,7 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c)
     return find(a, name, flk_text_same, c);
 }
 
-/* `a` null: among the columns of any deck. */
+/* If `a` is null, search the columns of any deck. */
 const char *flk_column_nearest(const flk_analysis *a, text name)
 {
     const char *known[TABLE_COUNT + 1];
@@ -336,7 +338,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return flk_text_nearest(name, known);
 }
 
-/* 1: printed when the deck names no columns; of a point its place. */
+/* 1: printed if the deck names no columns; of a point only its place. */
 static int is_usual(const flk_column *c)
 {
     return c->point ? c->component < 2 : (c->info->kinds & USUAL) != 0;
@@ -356,13 +358,11 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
 static const char *why_missing(const deck *d, const flk_column_info *info)
 {
     if (info->x == ROW(time))
-        return "needs a crank that turns";
-    if (!(info->kinds & (int)d->design.kind))
-        return "is one of another mechanism";
+        return "needs a moving crank";
     if (info->need == NEED_SERIES)
-        return "is for a line of stroke through the crankshaft: the deck has an offset";
+        return "needs a line of stroke through the crankshaft; the deck has an offset";
     if (!d->has_forces)
-        return "needs masses, loads or gas, which the deck has not";
+        return "needs masses, loads or gas; the deck has none";
     return "needs a rod whose centre of mass is on its line";
 }
 
@@ -372,7 +372,12 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            flk_mistake(m, d->columns.place, "the column '%t' %s", name, why_missing(d, &table[i]));
+            int kinds = table[i].kinds & ALL, is_other = !(kinds & (int)d->design.kind);
+
+            /* of several kinds, the first */
+            flk_mistake(m, d->columns.place, "the column '%t' %s%s", name,
+                        is_other ? "belongs to the " : why_missing(d, &table[i]),
+                        is_other ? fourlink_kind_text(kinds & -kinds) : "");
             return;
         }
     flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
@@ -476,7 +481,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return point_value(c, row);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
-        return x * c->scale; /* nearly all of them */
+        return x * c->scale; /* nearly all columns */
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)
         : c->info->form == DIRECTION ? atan2(y, x)

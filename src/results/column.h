@@ -18,48 +18,48 @@ typedef struct flk_column {
     int component;           /* which of the point's columns */
 } flk_column;
 
-/* How many columns a deck can have at most. */
+/* The largest number of columns of a deck. */
 size_t flk_column_limit(const deck *d);
 
-/* Choose the columns that the deck asks for, or the usual ones; how many.  Mistakes of the deck if it asks
-** for some that it has not.  `list` has room for flk_column_limit. */
+/* Choose the columns that the deck asks for, or the usual ones; returns their number.  A column that the deck
+** does not have is a mistake.  `list` has room for flk_column_limit. */
 size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list);
 
-/* Column i of those that there can be, 0 ... flk_column_limit - 1; 0 if the deck has it not. */
+/* Possible column i, 0 ... flk_column_limit - 1; returns 0 if the deck does not have it. */
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c);
 
-/* Of a deck with other mistakes: look for columns that no deck has. */
+/* For a deck with other mistakes: report columns that no deck has. */
 void flk_column_check(deck *d);
 
-/* The column of that name; 0 if the deck has none. */
+/* Find the column of a name; 0 if the deck has none. */
 int flk_column_find(const flk_analysis *a, text name, flk_column *c);
 
-/* The next name of a list separated by commas or blanks; 0 at its end. */
+/* The next name in a list separated by commas or blanks; 0 at the end. */
 int flk_column_next_name(text *rest, text *name);
 
-/* max(COLUMN) or min(COLUMN): its sign, and the column's name; 0 if it is neither. */
+/* The sign and the column's name of max(COLUMN) or min(COLUMN); 0 for another name. */
 int flk_column_extreme_of(text name, text *of);
 
-/* The column's name most like this one, or null. */
+/* The most similar column name, or null. */
 const char *flk_column_nearest(const flk_analysis *a, text name);
 
-/* The value of a column in its unit; NaN where it has none. */
+/* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
 
 /* FOURLINK_OF_CRANK ... */
 int flk_column_flags(const flk_column *c);
 
-/* What has to be computed for it: NEED_FORCES ... */
+/* What must be computed for it: NEED_FORCES ... */
 int flk_column_need(const flk_column *c);
 
-/* Beyond this magnitude, in its unit, a column is infinite: a centre or an advantage at a position where
-** there is none. */
+/* A column is infinite beyond this magnitude, in its unit: a centre or an advantage that does not exist at a
+** position. */
 double flk_column_bound(const flk_column *c);
 
 quantity flk_column_quantity(const flk_column *c);
 const char *flk_column_meaning(const flk_column *c);
 
-/* What the sources call it; "" if they do not. */
+/* Its name in the sources; "" if it has none. */
 const char *flk_column_source_name(const flk_column *c);
 
 #endif

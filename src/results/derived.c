@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** derived.c - what textbooks ask for beyond the nine unknowns.
+** derived.c - what textbooks derive from the nine unknowns and the motion.
 */
 #include <stddef.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "derived.h"
 #include "mechanics/mechanics.h"
 
-/* x / y, which may be beyond all bounds at single positions, and is cut off there. */
+/* x / y, limited where it is unbounded, at single positions. */
 static double ratio(double x, double y)
 {
     double bound = 1e15;
@@ -25,7 +25,7 @@ static double ratio(double x, double y)
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both move alike,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have the same velocity,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **

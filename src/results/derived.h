@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** derived.h - what textbooks ask for beyond the nine unknowns.
+** derived.h - what textbooks derive from the nine unknowns and the motion.
 */
 #ifndef FOURLINK_DERIVED_H
 #define FOURLINK_DERIVED_H
 
 #include "fourlink.h"
 
-/* A force in a link's own axes: along its line, and across it to the left. */
+/* A force in a link's own axes: along its line, and normal to it, to the left. */
 typedef struct flk_axial {
     double along, across; /* N */
 } flk_axial;
@@ -27,9 +27,9 @@ typedef struct flk_derived {
     double mechanical_advantage;  /* 1 */
     double condition;             /* 1 */
     fourlink_vector I13, I24;     /* m, instantaneous centres */
-    double Ts_static, Ts_inertia; /* N m, of loads and weights at rest, and of inertia alone */
-    double superposition;         /* 1, the largest difference of all nine unknowns between their
-                                        sum and the whole, relative to the largest force */
+    double Ts_static, Ts_inertia; /* N m, of loads and weights alone, and of inertia alone */
+    double superposition; /* 1, largest difference, of all nine unknowns, between the sum of both
+                             and the whole, relative to the largest force */
 } flk_derived;
 
 /* The part that follows from the motion alone. */
@@ -40,7 +40,7 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *forces, flk_derived *e);
 
-/* Loads and inertia separately.  A status of the library. */
+/* Solve for loads and inertia separately; returns a status. */
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,
                              const fourlink_load *loads, unsigned long n_loads,
                              const fourlink_forces *forces, flk_derived *e);

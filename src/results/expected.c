@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** expected.c - the values that a source printed against those computed.
+** expected.c - the values that a source printed, compared with the computed ones.
 */
 #include <math.h>
 #include <string.h>
@@ -12,25 +12,25 @@
 #include "extreme.h"
 #include "fact.h"
 
-/* What is found under a name. */
+/* What a name means. */
 typedef struct found {
     flk_column c; /* a column, or that of an extreme */
     int is_column, sign;
     quantity q;
     double value; /* in the deck's unit */
     const fourlink_value *facts;
-    unsigned long n_facts; /* of one name, such as the ends of two ranges; 0: a column */
+    unsigned long n_facts; /* with this name, such as the ends of two ranges; 0: a column */
 } found;
 
-/* A name that is neither column nor fact, and the one that is most like it. */
+/* Report a name that is neither a column nor a fact, with the most similar one. */
 static int unknown(fourlink_check *c, text name, const char *nearest)
 {
-    flk_message(c->message, sizeof c->message, "'%t' is no column and no fact of this deck%h", name,
-                nearest);
+    flk_message(c->message, sizeof c->message, "'%t' is neither a column nor a fact of this deck%h",
+                name, nearest);
     return 0;
 }
 
-/* The first fact that is spelt nearly like it. */
+/* The first fact with a similar name. */
 static const char *nearest_fact(text name, const fourlink_value *facts, unsigned long n)
 {
     unsigned long i;
@@ -46,7 +46,7 @@ static const char *nearest_fact(text name, const fourlink_value *facts, unsigned
     return NULL;
 }
 
-/* A column, an extreme of one, or a fact. */
+/* Find a column, an extreme of a column, or a fact. */
 static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                      fourlink_check *c, found *f)
 {
@@ -80,7 +80,7 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
     return 1;
 }
 
-/* The value of a column at the expectation's angle, or its extreme; 0 and a message if it has none. */
+/* Find the value of a column at the expected angle, or its extreme; 0 and a message if there is none. */
 static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fourlink_check *c)
 {
     const char *name = a->d->units[QUANTITY_ANGLE].name;
@@ -95,13 +95,12 @@ static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fou
         if (status == FOURLINK_OK && gsl_finite(x.value))
             return 1;
         flk_message(c->message, sizeof c->message, "%s",
-                    status == FOURLINK_OK ? "it grows beyond all bounds"
-                                          : fourlink_status_text(status));
+                    status == FOURLINK_OK ? "it is unbounded" : fourlink_status_text(status));
         return 0;
     }
     if (!e->has_at) {
         flk_message(c->message, sizeof c->message,
-                    "a column is expected at a crank angle: give the section 'at = ...'");
+                    "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
     if (!flk_analysis_find_angle(a, e->at, &at)) {
@@ -118,7 +117,7 @@ static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fou
     return 0;
 }
 
-/* The tolerance in SI units: half of the last printed digit, a quantity, or per cent of the value. */
+/* The tolerance in SI units: half the last printed digit, a quantity, or per cent of the value. */
 static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
                           const quantity_value *printed, double *tolerance, fourlink_check *c)
 {
@@ -143,7 +142,7 @@ static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
     return 0;
 }
 
-/* The difference of two angles is one of less than half a turn. */
+/* The difference of two values; for angles it is at most half a turn. */
 static double difference(double x, double y, quantity q, double turn)
 {
     double d = x - y;
@@ -151,7 +150,7 @@ static double difference(double x, double y, quantity q, double turn)
     return q == QUANTITY_ANGLE ? d - turn * floor(d / turn + 0.5) : d;
 }
 
-/* Whether they agree; -1 and a message if there is nothing to compare. */
+/* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                    fourlink_check *c)
 {
@@ -178,13 +177,13 @@ static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *f
         return -1;
     turn = flk_unit_from_si(2 * M_PI, u->unit);
     c->printed = flk_unit_from_si(printed.si, u->unit);
-    for (i = 1; i < f.n_facts; i++) /* that nearest to the printed one is meant */
+    for (i = 1; i < f.n_facts; i++) /* the nearest to the printed value is meant */
         if (fabs(difference(f.facts[i].value, c->printed, f.q, turn)) <
             fabs(difference(f.value, c->printed, f.q, turn)))
             f.value = f.facts[i].value;
     c->tolerance = flk_unit_from_si(tolerance, u->unit);
     c->computed = f.value;
-    /* a value in the middle between two digits may be printed either way */
+    /* a value half-way between two digits may be rounded either way */
     return fabs(difference(c->computed, c->printed, f.q, turn)) <=
            c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);
 }

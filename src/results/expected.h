@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** expected.h - the values that a source printed against those computed.
+** expected.h - the values that a source printed, compared with the computed ones.
 */
 #ifndef FOURLINK_EXPECTED_H
 #define FOURLINK_EXPECTED_H
 
 #include "analysis.h"
 
-/* Compare a printed value with the computed one.  `facts` is memory for FLK_FACT_LIMIT of them. */
+/* Compare a printed value with the computed one.  `facts` has room for FLK_FACT_LIMIT facts. */
 void flk_expected_compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                           fourlink_check *check);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** fact.c - what can be said of a deck in single numbers: type, limits, masses, extremes, turning moment.
+** fact.c - facts of a deck, which are single values: type, limits, masses, extremes, turning moment.
 */
 #include <math.h>
 
@@ -11,39 +11,40 @@
 #include "list.h"
 #include "turning.h"
 
-/* name, quantity, 1 if it is one of the turning moment, meaning */
+/* name, quantity, 1 for the turning moment, meaning */
 #define FACT_LIST(X)                                                                               \
-    X(TYPE, "type", NUMBER, 0, "by the Grashof condition")                                         \
+    X(TYPE, "type", NUMBER, 0, "type of the linkage, by the Grashof condition")                    \
     X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2 of Freudenstein's equation")        \
-    X(THETA2_FROM, "theta2_from", ANGLE, 0, "the links reach from this crank angle")               \
-    X(THETA2_TO, "theta2_to", ANGLE, 0, "the links reach to this crank angle")                     \
-    X(THETA4_FROM, "theta4_from", ANGLE, 0, "link 4 can be at this angle")                         \
-    X(THETA4_TO, "theta4_to", ANGLE, 0, "to this one")                                             \
-    X(THETA4_SWING, "theta4_swing", ANGLE, 0, "between them")                                      \
+    X(THETA2_FROM, "theta2_from", ANGLE, 0,                                                        \
+      "first crank angle at which the linkage can be assembled")                                   \
+    X(THETA2_TO, "theta2_to", ANGLE, 0, "last crank angle at which the linkage can be assembled")  \
+    X(THETA4_FROM, "theta4_from", ANGLE, 0, "first angle that link 4 can have")                    \
+    X(THETA4_TO, "theta4_to", ANGLE, 0, "last angle that link 4 can have")                         \
+    X(THETA4_SWING, "theta4_swing", ANGLE, 0, "range of theta4: theta4_to - theta4_from")          \
     X(ROD_RATIO, "n", NUMBER, 0, "length of the rod / length of the crank")                        \
     X(ROD_GYRATION, "k", LENGTH, 0, "radius of gyration of the rod")                               \
     X(M_A, "m_a", MASS, 0, "part of the rod's mass at the crank pin")                              \
     X(M_B, "m_b", MASS, 0, "part of the rod's mass at the gudgeon pin")                            \
-    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, equivalent pendulum about the gudgeon pin")        \
+    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, length of the equivalent pendulum")                \
     X(ROD_DISTANCE, "d", LENGTH, 0, "k^2/b, from the centre of mass to m_d")                       \
-    X(M_D, "m_d", MASS, 0, "of the dynamically true pair, at distance d")                          \
-    X(M_G, "m_g", MASS, 0, "of the dynamically true pair, at the gudgeon pin")                     \
-    X(MU_MIN, "mu_min", ANGLE, 0, "least transmission angle")                                      \
-    X(MU_MAX, "mu_max", ANGLE, 0, "greatest transmission angle")                                   \
-    X(THETA4_MIN, "theta4_min", ANGLE, 0, "limit of the rocker or lever")                          \
-    X(THETA4_MAX, "theta4_max", ANGLE, 0, "limit of the rocker or lever")                          \
-    X(SWING, "swing", ANGLE, 0, "between the limits of the rocker or lever")                       \
+    X(M_D, "m_d", MASS, 0, "mass of the equivalent pair at distance d")                            \
+    X(M_G, "m_g", MASS, 0, "mass of the equivalent pair at the gudgeon pin")                       \
+    X(MU_MIN, "mu_min", ANGLE, 0, "smallest transmission angle")                                   \
+    X(MU_MAX, "mu_max", ANGLE, 0, "largest transmission angle")                                    \
+    X(THETA4_MIN, "theta4_min", ANGLE, 0, "smallest angle of the rocker or lever")                 \
+    X(THETA4_MAX, "theta4_max", ANGLE, 0, "largest angle of the rocker or lever")                  \
+    X(SWING, "swing", ANGLE, 0, "angle between the limits of the rocker or lever")                 \
     X(TIME_RATIO, "time_ratio", NUMBER, 0,                                                         \
-      "of the slow to the quick swing; Whitworth: of a tool's strokes")                            \
-    X(STROKE, "stroke", LENGTH, 0, "between the dead centres")                                     \
+      "time of the slow swing / time of the quick swing; Whitworth: of a tool's strokes")          \
+    X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0,                                            \
       "crank angle with the piston farthest from the crankshaft")                                  \
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0,                                            \
       "crank angle with the piston nearest to the crankshaft")                                     \
     X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
-    X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times speed")                               \
+    X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times the speed of the crank")              \
     X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \
-      "greatest less least energy of the flywheel in a cycle")                                     \
+      "largest minus smallest energy of the flywheel in a cycle")                                  \
     X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, 1, "coefficient of fluctuation of energy") \
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, 1, "moment of inertia of the flywheel")       \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, 1,                                     \
@@ -97,7 +98,7 @@ void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
     f->name = name;
 }
 
-/* The facts told so far. */
+/* The facts listed so far. */
 typedef struct teller {
     const deck *d;
     int branch;
@@ -161,8 +162,8 @@ static void tell_reach(teller *t)
     }
 }
 
-/* The angles that link 4 can have: by symmetry those of a crank in the linkage read from D to A, with
-** the angle 180 deg - theta4. */
+/* The angles that link 4 can have.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
+** linkage read from D to A. */
 static void tell_reach_of_rocker(teller *t)
 {
     fourlink_design mirrored = t->d->design;
@@ -231,7 +232,8 @@ int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
 
     if (status != FOURLINK_OK)
         return status;
-    flk_list_describe(a->d, flk_column_quantity(c), sign > 0 ? "greatest value" : "least value", f);
+    flk_list_describe(a->d, flk_column_quantity(c), sign > 0 ? "largest value" : "smallest value",
+                      f);
     f->name = name;
     f->value = e.value;
     f->has_angle = gsl_finite(e.value);

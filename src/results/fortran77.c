@@ -7,7 +7,7 @@
 #include "base/message.h"
 #include "results.h"
 
-/* Without the blanks that fill up a text of FORTRAN. */
+/* The length of a FORTRAN text without its trailing blanks. */
 static unsigned long without_blanks(const char *words, unsigned long length)
 {
     while (length > 0 && words[length - 1] == ' ')

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** list.c - the lists of a deck: columns, inputs, what a sweep varies and gives.
+** list.c - the lists of a deck: columns, inputs, variables of a sweep.
 */
 #include <string.h>
 
@@ -50,7 +50,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
     }
 }
 
-/* The inputs told so far. */
+/* The inputs listed so far. */
 typedef struct teller {
     const deck *d;
     flk_list *to;
@@ -70,14 +70,14 @@ static fourlink_value *tell(teller *t, const char *key, quantity q, double si, c
     return v;
 }
 
-/* One that is left out where it is 0. */
+/* The same, left out if 0. */
 static void tell_if(teller *t, const char *key, quantity q, double si, const char *meaning)
 {
     if (si != 0)
         tell(t, key, q, si, meaning);
 }
 
-/* One whose value is words. */
+/* An input whose value is words. */
 static void tell_words(teller *t, const char *key, const char *words, const char *meaning)
 {
     fourlink_value *v = tell(t, key, QUANTITY_NUMBER, 0, meaning);
@@ -99,7 +99,7 @@ static void tell_link(teller *t, int i)
     tell_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
 }
 
-/* An angle of the motion, which is in the deck's unit already. */
+/* An angle of the motion, already in the deck's unit. */
 static void tell_angle(teller *t, const char *key, double angle, const char *meaning)
 {
     tell(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;

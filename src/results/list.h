@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** list.h - the lists of a deck: columns, inputs, what a sweep varies and gives.
+** list.h - the lists of a deck: columns, inputs, variables of a sweep.
 */
 #ifndef FOURLINK_LIST_H
 #define FOURLINK_LIST_H
 
 #include "column.h"
 
-/* A list, in memory that was taken when the deck was opened. */
+/* A list, in memory allocated when the deck was opened. */
 typedef struct flk_list {
     fourlink_value *list;
     unsigned long n;
@@ -20,11 +20,11 @@ void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 /* All columns that the deck has. */
 void flk_list_columns(const flk_analysis *a, flk_list *columns);
 
-/* The most inputs that a deck can have. */
+/* The largest number of inputs of a deck. */
 size_t flk_list_input_limit(const deck *d);
 
-/* The inputs of a deck as they were understood; what its sweep varies, with the values of this design.  Both
-** in its units, with names written to `names`, of DECK_NAME_SIZE bytes each. */
+/* The inputs of a deck as the reader understood them; the variables of its sweep, with this design's values.
+** Both are in the deck's units; `names` receives names of DECK_NAME_SIZE bytes each. */
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names);
 void flk_list_variables(const deck *d, flk_list *variables, char *names);
 

@@ -13,7 +13,7 @@
 
 /* ------------------------------------------------------------------------------------------ opening */
 
-/* A name of [sweep] output: a fact or an extreme; a column only of a deck of one instant. */
+/* Check a name in the [sweep] output: a fact or an extreme; a column only if the deck has one instant. */
 static void check_output(fourlink_results *r, text name, mistakes *m)
 {
     text of = name;
@@ -30,8 +30,8 @@ static void check_output(fourlink_results *r, text name, mistakes *m)
                       (char *)NULL);
     flk_mistake(m, r->d.sweep.output.place,
                 flk_column_find(&r->a, name, &c)
-                    ? "'%t' has many values: name its extremes, max() or min()%h"
-                    : "'%t' is no fact, and no max() or min() of a column, of this deck%h",
+                    ? "'%t' has a value in each row: use its max() or min()%h"
+                    : "'%t' is neither a fact nor the max() or min() of a column of this deck%h",
                 name,
                 !sign    ? flk_fact_nearest(name)
                 : column ? nearest
@@ -70,10 +70,10 @@ static void list_outputs(fourlink_results *r)
         describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), &outputs->list[outputs->n++]);
     }
     if (r->d.sweep.output.names.start && !outputs->n)
-        flk_mistake(m, r->d.sweep.output.place, "output names nothing");
+        flk_mistake(m, r->d.sweep.output.place, "'output' names nothing");
 }
 
-/* All lists in one piece of memory, the facts before them; 0 when out of memory. */
+/* Allocate all lists in one piece, after the facts; 0 if out of memory. */
 static int take_memory(fourlink_results *r)
 {
     size_t columns = flk_column_limit(&r->d), inputs = flk_list_input_limit(&r->d);
@@ -96,7 +96,7 @@ static int take_memory(fourlink_results *r)
     return r->columns && r->names && r->facts && flk_turning_open(&r->a);
 }
 
-/* Of a deck that is in order.  0 when out of memory. */
+/* Open a deck without mistakes; 0 if out of memory. */
 static int open_deck(fourlink_results *r)
 {
     flk_list *list = &r->lists[FOURLINK_COLUMNS];
@@ -119,8 +119,8 @@ static int open_deck(fourlink_results *r)
 
 #define TRIES 1000
 
-/* Read a deck.  For FOURLINK_ANY_DESIGN it is the first design that is in order, or if none of those that
-** are tried is, the first. */
+/* Read a deck.  FOURLINK_ANY_DESIGN reads the first design without mistakes, or the first design if all those
+** tried have mistakes. */
 static int read_deck(const fourlink_source *source, fourlink_results *r)
 {
     fourlink_source one = *source;
@@ -149,7 +149,7 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
     return status;
 }
 
-/* A cycle in place of one instant, of which speed and acceleration are held. */
+/* Replace one instant by a cycle with its speed and acceleration. */
 static void hold_instant(deck *d)
 {
     fourlink_motion *motion = &d->motion;
@@ -230,7 +230,7 @@ const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
     return r ? &r->d : NULL;
 }
 
-/* Inputs and all columns are listed when they are asked for first. */
+/* Fill the lists of inputs and of all columns when they are first asked for. */
 static void fill(fourlink_results *r, int which)
 {
     flk_list *list = &r->lists[which];
@@ -279,7 +279,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
 
 /* --------------------------------------------------------------------------------------------- rows */
 
-/* What of a row is asked for. */
+/* Return what the caller asks for from a row. */
 static int give_row(const fourlink_results *r, const flk_row *row, double *values,
                     fourlink_instant *instant, fourlink_load *loads)
 {
@@ -299,7 +299,7 @@ static int give_row(const fourlink_results *r, const flk_row *row, double *value
     return row->at.status;
 }
 
-/* Forces are computed for their columns, and for an instant. */
+/* What a row needs: forces only for their columns, or for an instant. */
 static int needs_of(const fourlink_results *r, const double *values,
                     const fourlink_instant *instant)
 {

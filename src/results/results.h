@@ -11,12 +11,12 @@
 struct fourlink_results {
     deck d;
     flk_analysis a;
-    flk_column *columns; /* those that the deck asks for, */
+    flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
-    int needs;                            /* and what they need */
+    int needs;                            /* what these columns need */
     flk_list lists[FOURLINK_OUTPUTS + 1]; /* by FOURLINK_COLUMNS ... */
-    fourlink_value *facts;                /* room for all that flk_fact_list can tell */
-    char *names;                          /* texts of inputs, outputs and variables; of extremes */
+    fourlink_value *facts;                /* room for all facts of flk_fact_list */
+    char *names;                          /* names of inputs, outputs and variables; of extremes */
 };
 
 #endif

@@ -13,8 +13,7 @@
 
 #define DIGITS (DBL_DIG + 2)
 
-/* Fields with a comma, a quote or the end of a line in them stand in quotes, and quotes in them are
-** doubled. */
+/* A field that holds a comma, a quote or an end of line is quoted, and its quotes are doubled. */
 static void put_words(line *l, const char *s)
 {
     if (!strpbrk(s, ",\"\r\n")) {
@@ -58,7 +57,7 @@ static void begin(sheet *s)
     line_put(&s->l, "status\r\n");
 }
 
-/* What rows begin with: the deck, or the design with its quantities. */
+/* The first fields of a row: the deck, or the design with its variables. */
 static void put_labels(sheet *s)
 {
     unsigned long i;
@@ -156,7 +155,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_text(&s->l, "\r\n", 2);
 }
 
-/* A deck that could not be read has a line with no more than that; a design its reason on each branch. */
+/* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
 static void refuse(sheet *s, const char *why)
 {
     fourlink_branch branches[2];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** json.c - the format json, RFC 8259: an object for a deck; of several decks, and of the designs of a sweep, an
-** object a line.  Numbers have 17 digits; what is undefined is null, what is unbounded "inf" or "-inf".
+** json.c - the format json, RFC 8259: an object for a deck; for several decks, and for the designs of a
+** sweep, one object a line.  Numbers have 17 digits; undefined is null, unbounded is "inf" or "-inf".
 */
 #include <float.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 
 #include "sheet.h"
 
-/* The length of the UTF-8 sequence that a text begins with; 0 if it is none. */
+/* The length of the UTF-8 sequence at the beginning of a text; 0 if there is none. */
 static size_t sequence(const unsigned char *c)
 {
     size_t n = c[0] < 0x80                   ? 1
@@ -23,15 +23,15 @@ static size_t sequence(const unsigned char *c)
     for (i = 1; i < n; i++)
         if ((c[i] & 0xc0) != 0x80)
             return 0;
-    /* overlong forms, surrogates, and what is beyond Unicode */
+    /* overlong forms, surrogates, numbers above U+10FFFF */
     if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
         (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
         return 0;
     return n;
 }
 
-/* A string; bytes that are not UTF-8 become the replacement character.  "<" is written by its number, so
-** that a page can have the text in a <script>. */
+/* A string.  Bytes that are not UTF-8 become the replacement character.  "<" is written as \u003c, so that
+** the text can stand in a <script>. */
 static void put_string(line *l, const char *s)
 {
     static const char hex[] = "0123456789abcdef";
@@ -66,7 +66,7 @@ static void put_number(line *l, double x)
         line_number(l, x, DBL_DIG + 2);
 }
 
-/* "name": with a comma before it, unless it is the first of its object. */
+/* Write "name": with a comma before it, unless it is the first in its object. */
 static void put_name(line *l, const char *name, int is_first)
 {
     line_text(l, ",", !is_first);
@@ -88,14 +88,14 @@ static void put_value(line *l, const fourlink_value *v)
         put_number(l, v->value);
 }
 
-/* Lines are for one deck; several, and designs, have a line each. */
+/* One deck has many lines; several decks, and designs, have one each. */
 static void put_newline(sheet *s)
 {
     if (!s->deck_name && !s->design)
         line_text(&s->l, "\n", 1);
 }
 
-/* Close the list that is open. */
+/* Close the open list. */
 static void end_list(sheet *s)
 {
     if (s->list)
@@ -103,7 +103,7 @@ static void end_list(sheet *s)
     s->list = NULL;
 }
 
-/* The next item of a list of the deck's object; it opens the list, if that is another than before. */
+/* Begin the next item of a list.  If the list is not the open one, close that and open this. */
 static void put_item(sheet *s, const char *list)
 {
     int goes_on = s->list && strcmp(s->list, list) == 0;
@@ -120,7 +120,7 @@ static void put_item(sheet *s, const char *list)
     put_newline(s);
 }
 
-/* Name, unit and meaning of something, without the end of its object. */
+/* Begin an object with name, unit and meaning. */
 static void put_described(sheet *s, const fourlink_value *v)
 {
     line_text(&s->l, "{", 1);
@@ -154,7 +154,7 @@ static void put_inputs(sheet *s)
     }
 }
 
-/* What the object of a deck or a design begins with. */
+/* Begin the object of a deck or a design. */
 static void put_labels(sheet *s)
 {
     unsigned long i;
@@ -208,7 +208,7 @@ static void put_fact(sheet *s, const fourlink_value *fact)
     line_text(&s->l, "}", 1);
 }
 
-/* The rows of a branch are a list in the object of the branch, in the list of branches. */
+/* The list of branches holds an object for each branch, which holds a list of rows. */
 static void put_block(sheet *s, fourlink_branch branch)
 {
     if (s->list && strcmp(s->list, "rows") == 0)
@@ -273,7 +273,7 @@ static void put_check(sheet *s, const fourlink_check *c)
     line_text(&s->l, "}", 1);
 }
 
-/* A sheet of designs begins with a line that names what the others hold. */
+/* The first line of a sheet of designs describes its variables and outputs. */
 static void begin(sheet *s)
 {
     unsigned long i;
@@ -310,7 +310,7 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_put(&s->l, "}\n");
 }
 
-/* In place of a deck, or of a design, whose outputs have a line for each branch. */
+/* Written instead of a deck, or instead of a design, on a line for each branch. */
 static void refuse(sheet *s, const char *why)
 {
     fourlink_branch branches[2];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** line.c - lines of text on their way to a stream, through a buffer.
+** line.c - lines of text, written to a stream through a buffer.
 */
 #include <stdarg.h>
 #include <string.h>
@@ -20,7 +20,7 @@ void line_end(line *l)
     l->length = 0;
 }
 
-/* Make room for so much more; 0 if it is more than the buffer holds. */
+/* Make room for so many bytes; 0 if they exceed the buffer. */
 static int room(line *l, size_t length)
 {
     if (length > sizeof l->bytes - l->length)
@@ -52,7 +52,7 @@ void line_right(line *l, const char *s, size_t length, size_t width)
     line_text(l, s, length);
 }
 
-/* Blanks that are written at once, whether they are all needed or not. */
+/* Blanks are copied in one piece, even if fewer are needed. */
 #define BLANKS 16
 
 int line_fixed(line *l, double value, int decimals, size_t width)
@@ -83,7 +83,7 @@ void line_number(line *l, double value, int digits)
     line_text(l, number, (size_t)(format_general_end(value + 0.0, digits, number) - number));
 }
 
-/* A string among blanks. */
+/* Write a string padded with blanks. */
 static void put_padded(line *l, const char *s, int is_left, size_t width)
 {
     size_t n = strlen(s), i;

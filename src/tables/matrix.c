@@ -11,7 +11,7 @@ static void put_number(line *l, double x, int digits, size_t width)
     line_field(l, format_general(x, digits, number), width);
 }
 
-/* theta2 = ANGLE UNIT, branch: BRANCH, and why there are no equations, if there are none. */
+/* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
     line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle, s->angle_unit,
@@ -47,9 +47,9 @@ void matrix_write(sheet *s)
     fourlink_instant at;
     unsigned long k;
 
-    line_put(&s->l, "# A x = b in SI units: the columns of A under their unknowns, the solution x, "
-                    "the right side b.\n# Rows: forces along x, along y, moments about the centre "
-                    "of mass, of links 2, 3, 4.\n");
+    line_put(&s->l, "# A x = b in SI units: the columns of A under their unknowns, then the "
+                    "solution x and the right-hand side b.\n# Rows: for each of the links 2, 3, 4 "
+                    "the forces along x, along y, and the moments about the centre of mass.\n");
     for (i = 0; i < n; i++) {
         for (k = 0; k < s->problem.n_rows; k++) {
             int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);

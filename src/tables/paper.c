@@ -14,7 +14,7 @@ static void open_deck(sheet *s)
     line_put(&s->l, "thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n");
 }
 
-/* A number with two decimals after a tab; -0.00 is printed as 0.00. */
+/* A tab and a number with two decimals, -0.00 as 0.00. */
 static void put_number(line *l, double x)
 {
     char number[FORMAT_SIZE];
@@ -22,7 +22,7 @@ static void put_number(line *l, double x)
     line_put(l, "\t%s", format_fixed(fabs(x) < 0.005 ? 0 : x, 2, number));
 }
 
-/* The crank's angle and speed have no more decimals than they need; the angle two digits at least. */
+/* The crank's angle and speed have only the decimals they need; the angle has at least two digits. */
 static void put_numbers(line *l, const fourlink_instant *at)
 {
     const fourlink_link_state *coupler = &at->state.link[3], *rocker = &at->state.link[4];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sheet.c - what stands on a sheet of results, whatever its format.
+** sheet.c - the contents of a sheet of results, for all formats.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +23,21 @@ const sheet_format *sheet_find_format(const char *name)
     while (*f && strcmp((*f)->name, name) != 0)
         f++;
     return *f;
+}
+
+char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES])
+{
+    const sheet_format *const *f, *last = NULL;
+
+    names[0] = '\0';
+    for (f = sheet_formats; *f; f++) {
+        if (!((*f)->writes & 1 << content))
+            continue;
+        if (last)
+            strcat(strcat(names, names[0] ? ", " : ""), last->name);
+        last = *f;
+    }
+    return strcat(strcat(names, names[0] ? " or " : ""), last->name);
 }
 
 int sheet_branches(const sheet *s, fourlink_branch branches[2])
@@ -111,8 +126,8 @@ void sheet_write_mechanism(sheet *s)
 
 /* ------------------------------------------------------------------------------------------ content */
 
-/* A dead position is told before it is reached: within a degree of it, errors of the data grow more than
-** 57 times. */
+/* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
+** times. */
 static void find_status(sheet_row *row)
 {
     int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
@@ -122,7 +137,7 @@ static void find_status(sheet_row *row)
     row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
 }
 
-/* Row k of a branch. */
+/* Write row k of a branch. */
 static void write_row(sheet *s, fourlink_branch branch, unsigned long k)
 {
     fourlink_instant at;
@@ -214,11 +229,11 @@ static void write_checks(sheet *s)
     }
 }
 
-/* All names, each once. */
+/* List all names, each once. */
 static void write_list(sheet *s)
 {
-    static const char *const extremes[][2] = {{"max(COLUMN)", "greatest value of any column"},
-                                              {"min(COLUMN)", "least value of any column"}};
+    static const char *const extremes[][2] = {{"max(COLUMN)", "largest value of any column"},
+                                              {"min(COLUMN)", "smallest value of any column"}};
     const fourlink_value *list;
     fourlink_value extreme;
     unsigned long n, i, k;
@@ -253,7 +268,7 @@ void sheet_begin(sheet *s, FILE *out, int has_head)
     line_end(&s->l);
 }
 
-/* Take up the results of a deck or design; 0 when out of memory. */
+/* Take the results of a deck or design; 0 if out of memory. */
 static int open_results(sheet *s, fourlink_results *results)
 {
     const fourlink_value *list;
@@ -324,7 +339,8 @@ void sheet_write(sheet *s, fourlink_results *results, const char *deck_name)
     close_results(s);
 }
 
-/* The value of an output; why it has none, or null.  A fact that this design has not is no reason. */
+/* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
+** have needs no reason. */
 static const char *find_output(sheet *s, fourlink_branch branch, const char *name,
                                sheet_output *output)
 {
@@ -333,11 +349,11 @@ static const char *find_output(sheet *s, fourlink_branch branch, const char *nam
 
     output->has_value = status == FOURLINK_OK;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
-           : status == FOURLINK_NO_SUCH_NAME ? "this design has not all columns of the first"
+           : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
                                              : fourlink_status_text(status);
 }
 
-/* A line of a design for each branch. */
+/* Write the lines of a design, one for each branch. */
 static void write_lines(sheet *s)
 {
     sheet_output outputs[SHEET_OUTPUTS];

@@ -2,8 +2,8 @@
 **
 ** sheet.h - a sheet of results, and the formats it can be written in.
 **
-** sheet.c makes what stands on a sheet, once for all formats; a format is a record of functions that write
-** it (table.c, csv.c, json.c, paper.c), and one line in the table of formats.
+** sheet.c decides what a sheet shows, once for all formats.  A format is a record of functions that write it
+** (table.c, csv.c, json.c, paper.c), and one entry in the table of formats.
 */
 #ifndef FOURLINK_SHEET_H
 #define FOURLINK_SHEET_H
@@ -26,12 +26,12 @@ typedef enum sheet_content {
 
 struct sheet_format;
 
-/* Zero it, then use sheet_begin. */
+/* Set it to zero, set the members that sheet_begin needs, and call that. */
 typedef struct sheet {
     line l;
     const struct sheet_format *format;
     sheet_content content;
-    int n_decks; /* several: each tells its name */
+    int n_decks; /* if several, each shows its name */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
@@ -44,7 +44,7 @@ typedef struct sheet {
     const char *angle_unit;
     const fourlink_value *columns, *variables;
     unsigned long n_columns, n_variables;
-    unsigned long design;    /* of a sweep, from 1; 0: no sweep */
+    unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
     const double *varied;    /* the values of its variables */
     double *values;          /* of a row */
     fourlink_load *loads;    /* of a row */
@@ -54,17 +54,17 @@ typedef struct sheet {
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
-    void (*no_value)(const fourlink_check *check, const char *deck_name); /* is told of these */
+    void (*no_value)(const fourlink_check *check, const char *deck_name); /* called for these */
     int out_of_memory;
 } sheet;
 
 /* One row: values by the deck's columns. */
 typedef struct sheet_row {
-    const double *values; /* null: nothing but the words */
+    const double *values; /* null: only the status */
     fourlink_branch branch;
-    const fourlink_instant *at; /* null as well */
+    const fourlink_instant *at; /* may be null */
     const char *status;         /* in words */
-    int is_ordinary;            /* 1: they are "ok" */
+    int is_ordinary;            /* 1: the status is "ok" */
 } sheet_row;
 
 /* One output of a design. */
@@ -73,12 +73,12 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
-/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block` and `close` may be null; of the
-** others it has those of the contents that it writes: `row` of rows, `check` and `refuse` of comparisons, `column`
-** of lists, `design` and `refuse` of sweeps, which it writes if it writes SHEET_DESIGNS. */
+/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block` and `close` may be null.  The
+** others may be null if the format does not write their contents: `row` for rows, `check` and `refuse` for
+** comparisons, `column` for lists, `design` and `refuse` for sweeps. */
 typedef struct sheet_format {
     const char *name;
-    int writes;              /* which contents, 1 << SHEET_ROWS ... */
+    int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
     void (*begin)(sheet *s); /* before all decks */
     void (*open)(sheet *s);  /* a deck or design begins */
     void (*column)(sheet *s, const fourlink_value *column); /* of SHEET_LIST */
@@ -87,62 +87,66 @@ typedef struct sheet_format {
     void (*row)(sheet *s, const sheet_row *row);
     void (*check)(sheet *s, const fourlink_check *check);
     void (*design)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
-    void (*refuse)(sheet *s, const char *why); /* in place of a deck or design */
+    void (*refuse)(sheet *s, const char *why); /* instead of a deck or design */
     void (*close)(sheet *s);                   /* a deck or design ends */
     size_t layout_size;                        /* of s->layout, for each column */
     int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
-                           that closes a revolution */
+                           at the end of a revolution */
 } sheet_format;
 
-/* The formats, each in a file of its own. */
+/* The formats, each in its own file. */
 #define SHEET_FORMATS(X) X(table) X(csv) X(json) X(paper)
 
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* Ended by null; the one of a name, or null. */
+/* All formats, with null at the end; the format of this name, or null. */
 extern const sheet_format *const sheet_formats[];
 const sheet_format *sheet_find_format(const char *name);
 
-/* Begin a sheet: format, content, n_decks and header are set, and of a sweep its problem and variables.
-** `has_head` 0: it goes on behind one that is there already. */
+/* The names of the formats that can show this: "table, csv or json". */
+#define SHEET_FORMAT_NAMES 100
+char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES]);
+
+/* Begin a sheet.  The caller has set format, content, n_decks and header, and for a sweep its problem and
+** variables.  `has_head` is 0 for a part that continues another. */
 void sheet_begin(sheet *s, FILE *out, int has_head);
 
-/* Write a deck; one that could not be read, results being null, as such. */
+/* Write a deck; null results mean a deck with mistakes. */
 void sheet_write(sheet *s, fourlink_results *results, const char *deck_name);
 
-/* Write design i, from 0, of a sweep, `varied` being the values of its variables: its rows or, with
-** SHEET_DESIGNS, a line for each branch.  Results null: why there are none, on the branches of `first`. */
+/* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
+** the values of its variables.  If results are null, write the reason on the branches of `first`. */
 void sheet_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
                         unsigned long i, const double *varied, const char *why);
 
 /* ---------------------------------------------------------------- what the formats share */
 
-/* The branches that the deck asks for; how many. */
+/* The branches that the deck asks for; returns their number. */
 int sheet_branches(const sheet *s, fourlink_branch branches[2]);
 
-/* The column of the deck that stands under column i of the header; -1 if it has none. */
+/* The deck's column that belongs under column i of the header; -1 if there is none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
-/* Blank lines behind the deck or design before, and the deck's name, as comments; title and mechanism. */
+/* Write the blank lines between decks or designs, and the deck's name; the title; the mechanism. */
 void sheet_write_gap(sheet *s);
 void sheet_write_title(sheet *s);
 void sheet_write_mechanism(sheet *s);
 
-/* The end of the rows where the crank comes to rest, if it does. */
+/* Write where the crank comes to rest, if it does. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
-/* The nine equations at each row, as text. */
+/* Write the nine equations for each row. */
 void matrix_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);
 
-/* A value that grows beyond all bounds, in words. */
+/* An unbounded value, in words. */
 #define SHEET_UNBOUNDED "none: it grows beyond all bounds"
 int sheet_is_finite(const fourlink_value *v);
 
-/* The outcomes of a comparison in words. */
+/* The results of a comparison in words. */
 extern const char *const sheet_verdicts[];
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** table.c - the format table: rows under each other, all that is no number in lines that begin with #.
+** table.c - the format table: aligned columns, with everything but numbers on lines that begin with #.
 */
 #include <math.h>
 #include <string.h>
@@ -11,21 +11,21 @@
 #include "base/units.h"
 #include "table.h"
 
-/* How the numbers of a column are written: all alike, so that they stand under each other. */
+/* How the numbers of a column are written, so that they are aligned. */
 typedef struct style {
     int decimals;
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
-    double limit; /* a number below it has room in the width, with a sign and a blank */
+    double limit; /* numbers below it fit the width, with a sign and a blank */
     double size;  /* the largest magnitude of the column */
     int has_extreme;
-    fourlink_value extreme; /* the one last looked for */
+    fourlink_value extreme; /* the last one found */
 } style;
 
 #define SAMPLES 200
 
-/* The largest magnitude of each column, over rows spread evenly over the motion; 0 for what is no
-** more than the rounding of other columns of the same quantity. */
+/* The largest magnitude of each column, in rows spread evenly over the motion; 0 if it is only rounding
+** compared with other columns of the same quantity. */
 static void find_sizes(sheet *s, style *styles)
 {
     unsigned long n_rows = s->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
@@ -56,7 +56,7 @@ static void find_sizes(sheet *s, style *styles)
             styles[j].size = 0;
 }
 
-/* The decimals that write a multiple of the interval exactly, if these are few. */
+/* The number of decimals that writes every crank angle exactly, if it is small. */
 static int decimals_of_angle(const sheet *s, int otherwise)
 {
     const fourlink_motion *motion = &s->problem.motion;
@@ -105,7 +105,7 @@ static void find_style(const sheet *s, const fourlink_value *c, style *x)
     x->limit = x->exponent ? 0 : pow(10, (double)x->width - x->decimals - 3) - 1;
 }
 
-/* A cell's text and its end.  A number that is 0 to the decimals printed carries no sign. */
+/* The text of a cell and its end.  A number that prints as 0 has no sign. */
 static const char *cell_text(double value, const style *x, char out[FORMAT_SIZE], const char **end)
 {
     const char *c = out + 1;
@@ -145,7 +145,7 @@ static void open_deck(sheet *s)
     table_put_head(s);
 }
 
-/* Names or units of the columns, as a comment above them. */
+/* Write the names or units of the columns as a comment. */
 static void put_names(sheet *s, int units)
 {
     const style *styles = s->layout;
@@ -169,7 +169,7 @@ static void find_extreme(sheet *s, fourlink_branch branch, int sign, const fourl
         fourlink_results_value(s->results, name, branch, 0, &x->extreme) == FOURLINK_OK;
 }
 
-/* The extremes of the columns and where they are, as comments above the rows. */
+/* Write the extremes of the columns and their crank angles as comments above the rows. */
 static void put_extremes(sheet *s, fourlink_branch branch)
 {
     static const style angle = {3, 0, 0, 0, 0, 0, {0}};
@@ -204,7 +204,7 @@ static void put_block(sheet *s, fourlink_branch branch)
     s->list = "branches";
     put_names(s, 0);
     put_names(s, 1);
-    if (s->problem.n_rows > 1 && !s->design) /* of a sweep max() and min() on request */
+    if (s->problem.n_rows > 1 && !s->design) /* a sweep prints max() and min() only on request */
         put_extremes(s, branch);
 }
 

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** table.h - the parts of the format table that are lines of text, and no rows.
+** table.h - the parts of the format table that are not rows.
 */
 #ifndef FOURLINK_TABLE_H
 #define FOURLINK_TABLE_H
 
 #include "sheet.h"
 
-/* The head of a sheet of designs. */
+/* Write the head of a sheet of designs. */
 void table_begin(sheet *s);
 
-/* Number and quantities of a design; what a deck begins with. */
+/* Write the number and variables of a design; the head of a deck. */
 void table_put_design_comment(sheet *s);
 void table_put_head(sheet *s);
 

@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "table.h"
 
-/* What stands after a value: a blank and its unit, of a plain number nothing. */
+/* The text after a value: a blank and the unit, or nothing for a plain number. */
 static const char *blank(const char *unit)
 {
     return strcmp(unit, "1") == 0 ? "" : " ";
@@ -95,7 +95,7 @@ void table_put_check(sheet *s, const fourlink_check *c)
     line_put(&s->l, ", %s\n", fourlink_branch_text((int)c->branch));
 }
 
-/* The counts of this deck's comparisons. */
+/* Write the counts of this deck's comparisons. */
 void table_close(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
@@ -165,7 +165,7 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     char number[FORMAT_SIZE];
     unsigned long i;
 
-    (void)why; /* what has no value is nan */
+    (void)why; /* an output without a value is nan */
     line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
     for (i = 0; i < s->n_variables; i++)
         put_number(s, s->varied[i]);

@@ -47,15 +47,15 @@ says 'empty.deck:1: error:'
 printf 'mechanism = four-bar\000\n' >null.deck
 run 2 null.deck
 nothing
-says 'null.deck:1: error: a control character (0x00)'
+says 'null.deck:1: error: control character (0x00)'
 
 # a row that cannot be computed
 run 1 reach.deck
 quiet
-prints '# theta2 = 200 deg: the links do not reach: B and D are too far apart'
+prints '# theta2 = 200 deg: cannot be assembled: B and D are too far apart'
 run 1 -f csv reach.deck
 run 1 -f paper reach.deck
-prints '# 200 deg, open: the links do not reach'
+prints '# 200 deg, open: cannot be assembled'
 run 0 -s 'motion.from=-40 deg' -s 'motion.to=40 deg' reach.deck
 run 1 -s 'motion.at=180 deg' reach.deck
 run 1 -s 'motion.acceleration=-1 rad/s2' "$alvi" -s 'motion.speed=1 rad/s'

@@ -20,7 +20,7 @@ run 0 -f csv card.deck
 mv out pipe.csv
 check 'the file was read once' test "$(grep -c ',ok' pipe.csv)" -eq 8000
 
-reason='the crank, 300 mm, is longer than the other three together, 202 mm: they cannot be assembled'
+reason='the crank, 300 mm, is longer than the other three together, 202 mm: the linkage cannot be assembled'
 for lengths in '20 mm, 300 mm, 22 mm' '300 mm, 20 mm, 22 mm'; do
     sweep "crank.length = $lengths" 'output = swing, type'
     run 1 -f csv t.deck

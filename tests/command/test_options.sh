@@ -128,7 +128,7 @@ refused "did you mean 'crossed'?" --branch=crosed
 refused "fourlink: --columns: error: unknown column 'theta5'" -c theta2,theta5
 refused "did you mean 'omega3'?" -c omgea3
 refused "fourlink: --columns: error: the column 'Ts' needs masses" -c Ts
-refused "fourlink: --columns: error: the column 'x' is one of the other mechanism" -c x
+refused "fourlink: --columns: error: the column 'x' belongs to the slider-crank" -c x
 refused 'fourlink: --columns: error: ' -c ''
 refused 'fourlink: --columns: error: ' -c ,
 refused "fourlink: --set: error: unknown section 'crnak'; did you mean 'crank'?" -s 'crnak.length=1'

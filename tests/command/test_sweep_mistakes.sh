@@ -28,46 +28,46 @@ bad 1 'there is no [point Q] in the deck' 'point Q.at = 1 mm'
 bad 1 "unknown key 'mechanism' in [sweep]" 'mechanism = 1'
 bad 1 "'crank.cg' has parts: vary its .x, .y, .size or .angle" 'crank.cg = 30 mm, 40 mm'
 bad 1 "'crank.length' has no parts that can be varied" 'crank.length.x = 30 mm, 40 mm'
-bad 1 "'load W.force' is not given: only a part of it varies" 'load W.force.size = 1 N, 2 N'
+bad 1 "'load W.force' is not in the deck: give it before you vary a part of it" 'load W.force.size = 1 N, 2 N'
 bad 1 "'1 kg' is a mass; expected an angle" 'crank.cg.angle = 1 kg, 2 kg'
-bad 2 "'crank.cg.y' and another part: vary x and y, or size and angle" 'crank.cg.size = 1 mm, 2 mm' 'crank.cg.y = 3 mm, 4 mm'
+bad 2 "'crank.cg.y' does not go with another part that varies: use x and y, or size and angle" 'crank.cg.size = 1 mm, 2 mm' 'crank.cg.y = 3 mm, 4 mm'
 for key in table.columns sweep.samples expect.x units.length; do
     sweep "$key = 1, 2"
     run 2 t.deck
     nothing
-    says "t.deck:$((first + 1)): error: '$key' is no quantity that can be varied"
+    says "t.deck:$((first + 1)): error: '$key' is not a quantity that can be varied"
 done
 bad 1 "'1 kg' is a mass; expected a length" 'crank.length = 1 kg, 2 kg'
 bad 1 'expected a length' 'crank.length = 18 mm, , 20 mm'
 bad 1 "unknown key 'length' in [sweep]; a quantity is named with its section" 'length = 18 mm, 20 mm'
 bad 1 "expected a tolerance, such as 0.1 mm or 0.5 %, not ''" 'crank.length = 18 mm +-' 'samples = 2'
-bad 1 'a tolerance is of one value, not of a list or a range' 'crank.length = 18 mm, 20 mm +- 1 mm' 'samples = 2'
-bad 1 'a tolerance is of one value, not of a list or a range' 'crank.length = 18 mm to 20 mm step 1 mm +- 1 mm' 'samples = 2'
-bad 1 'a tolerance in per cent is of a value other than 0' 'ground.angle = 0 deg +- 1 %' 'samples = 2'
+bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length = 18 mm, 20 mm +- 1 mm' 'samples = 2'
+bad 1 'a tolerance applies to one value, not to a list or a range' 'crank.length = 18 mm to 20 mm step 1 mm +- 1 mm' 'samples = 2'
+bad 1 'a tolerance in per cent needs a value other than 0' 'ground.angle = 0 deg +- 1 %' 'samples = 2'
 bad 1 'a range needs its step' 'crank.length = 18 mm to 22 mm'
-bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step 0 mm'
-bad 1 'the step of the range does not lead' 'crank.length = 18 mm to 22 mm step -1 mm'
+bad 1 'the step leads away' 'crank.length = 18 mm to 22 mm step 0 mm'
+bad 1 'the step leads away' 'crank.length = 18 mm to 22 mm step -1 mm'
 bad 1 'the number of values of a range' 'crank.length = 18 mm to 22 mm in 1'
 bad 1 'the tolerance, 30 mm, is not smaller than the length, 20 mm' 'crank.length = 20 mm +- 30 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not 0 mm' 'crank.length = 20 mm +- 0 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not -1 mm' 'crank.length = 20 mm +- -1 mm' 'samples = 3'
 bad 0 "a tolerance needs 'samples = NUMBER'" "$toleranced"
-bad 2 'samples are of a tolerance' "$good" 'samples = 3'
+bad 2 "'samples' needs a tolerance" "$good" 'samples = 3'
 bad 2 'the samples must be positive, not 0' "$toleranced" 'samples = 0'
 bad 2 'the samples must be positive, not -4' "$toleranced" 'samples = -4'
 bad 2 "expected a whole number, not '1.5'" "$toleranced" 'samples = 1.5'
 bad 2 "expected a whole number, not '0.5'" "$toleranced" 'samples = 0.5'
-bad 3 'the seed must not be negative, not -1' "$toleranced" 'samples = 3' 'seed = -1'
+bad 3 'the seed must not be negative:  -1' "$toleranced" 'samples = 3' 'seed = -1'
 bad 1 "there is no [sweep .crank] in the deck" 'sweep.crank.length = 20 mm to 30 mm step 2 mm'
-bad 2 'a second [sweep]; the first is at line' "$good" '[sweep]' "$good"
+bad 2 '[sweep] is given twice; first at line' "$good" '[sweep]' "$good"
 bad 0 '[sweep] varies nothing' ''
 bad 0 '[sweep] varies nothing' 'output = swing'
-bad 2 "'crank.length' a second time" "$good" "$good"
+bad 2 "'crank.length' is given twice" "$good" "$good"
 bad 0 'more than 4e9 designs' 'crank.length = 18 mm to 22 mm in 100000' 'rocker.length = 50 mm to 60 mm in 100000'
-bad 2 "'mu_mn' is no fact, and no max() or min() of a column, of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
-bad 2 "'max(Tx)' is no fact, and no max() or min()" "$good" 'output = max(Tx)'
+bad 2 "'mu_mn' is neither a fact nor the max() or min() of a column of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
+bad 2 "'max(Tx)' is neither a fact nor the max() or min()" "$good" 'output = max(Tx)'
 for column in mu Ts theta2 time omega2; do # those of the crank, too, have many values
-    bad 2 "'$column' has many values: name its extremes, max() or min()" "$good" "output = $column"
+    bad 2 "'$column' has a value in each row: use its max() or min()" "$good" "output = $column"
 done
 
 sweep "$good"
@@ -83,7 +83,7 @@ says 'single.deck:1: error: --part needs a [sweep]'
 cp t.deck u.deck
 run 2 t.deck u.deck
 nothing
-says 'a [sweep] is worked on alone'
+says 'a deck with a [sweep] must be the only deck'
 for option in --matrix --summary --format=paper --check; do
     run 2 $option t.deck
     nothing
@@ -92,6 +92,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: a [sweep] is printed in the formats table and csv'
+says 't.deck:1: error: --check, --matrix and --summary work for one design'
 
 finish

@@ -21,6 +21,15 @@
     "[crank]\n"              \
     "length = 20 mm\n"
 
+/* Five lines to the end of [ground]; the lever is open. */
+#define INVERTED                          \
+    "mechanism = inverted-slider-crank\n" \
+    "[crank]\n"                           \
+    "length = 120 mm\n"                   \
+    "[ground]\n"                          \
+    "length = 240 mm\n"                   \
+    "[lever]\n"
+
 #define SLIDER_CRANK             \
     "mechanism = slider-crank\n" \
     "\n"                         \
@@ -116,17 +125,17 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "[grond]\nlength = 1\n", 10, "unknown section 'grond'; did you mean 'ground'?"},
     {FOUR_BAR "[xyzzy]\n", 10, "unknown section 'xyzzy'"},
     {FOUR_BAR "[]\n", 10, "unknown section ''"},
-    {FOUR_BAR "[crank]\n", 10, "a second [crank]; the first is at line 8"},
+    {FOUR_BAR "[crank]\n", 10, "[crank] is given twice; first at line 8"},
     {FOUR_BAR "[motion\n", 10, "expected ']' at the end of the section's name"},
-    {FOUR_BAR "[motion fast]\n", 10, "[motion] takes no name, but has 'fast'"},
+    {FOUR_BAR "[motion fast]\n", 10, "[motion] takes no name: remove 'fast'"},
     {FOUR_BAR "masss = 1 kg\n", 10, "unknown key 'masss' in [crank]; did you mean 'mass'?"},
     {FOUR_BAR "lenght = 1 m\n", 10, "unknown key 'lenght' in [crank]; did you mean 'length'?"},
     {FOUR_BAR "temperature = 1\n", 10, "unknown key 'temperature' in [crank]"},
     {"speed = 3 rpm\n" FOUR_BAR, 1,
-     "unknown key 'speed' before the first section; it belongs to a section such as [motion]"},
+     "unknown key 'speed' before the first section; it belongs in a section such as [motion]"},
     {"titel = x\n" FOUR_BAR, 1,
      "unknown key 'titel' before the first section; did you mean 'title'?"},
-    {FOUR_BAR "LENGTH = 1 m\n", 10, "'LENGTH' a second time; the first is at line 9"},
+    {FOUR_BAR "LENGTH = 1 m\n", 10, "'LENGTH' is given twice; first at line 9"},
     {FOUR_BAR "mass\n", 10, "expected 'key = value' or '[section]', not 'mass'"},
     {FOUR_BAR "mass = # none\n", 10, "expected a value after 'mass ='"},
     {FOUR_BAR "[rod]\nlength = 1 m\n", 10,
@@ -137,29 +146,61 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "[piston]\nmass = 1 kg\n", 10, "a four-bar linkage has no [piston]"},
     {SLIDER_CRANK "[ground]\nlength = 1 m\n", 11, "the ground of a slider-crank has no length"},
 
+    /* the inverted slider-crank */
+    {INVERTED "offset = 1 mm\nangle = 30 deg\n", 7,
+     "give the lever either an offset, or a length and an angle, not both"},
+    {INVERTED "length = 1 m\noffset = 1 mm\n", 8,
+     "give the lever either an offset, or a length and an angle, not both"},
+    {INVERTED "length = 1 m\n", 7,
+     "a lever with a length needs an angle, that of the slide from the line D-C"},
+    {INVERTED "angle = 30 deg\n", 7,
+     "a lever with an angle needs a length, from D to C on the slide"},
+    {INVERTED "offset = -361 mm\n", 7,
+     "the offset, -361 mm, is larger than ground and crank together, 360 mm: the linkage cannot be "
+     "assembled"},
+    {INVERTED "length = 800 mm\nangle = 30 deg\n", 8,
+     "the slide passes D at 400 mm, farther than ground and crank together, 360 mm: the linkage "
+     "cannot be assembled"},
+    {INVERTED "[rocker]\nlength = 1 m\n", 7, "an inverted slider-crank has no [rocker]"},
+    {INVERTED "[rod]\nlength = 1 m\n", 7,
+     "an inverted slider-crank has no [rod]; its link 3 is the [slider]"},
+    {INVERTED "[load]\nlink = piston\ntorque = 1 N m\n", 8,
+     "an inverted slider-crank has no piston: its links are crank, slider and lever"},
+    {INVERTED "[slider]\nlength = 1 m\n", 8,
+     "unknown key 'length' in [slider]; it belongs in a section such as [ground]"},
+    {FOUR_BAR "[slider]\nmass = 1 kg\n", 10,
+     "a four-bar linkage has no [slider]; its link 3 is the [coupler]"},
+    {SLIDER_CRANK "[lever]\nmass = 1 kg\n", 10, "a slider-crank has no [lever]"},
+    {INVERTED "[ground]\n", 7, "[ground] is given twice; first at line 4"},
+    {"series = all\n" INVERTED, 1, "an inverted slider-crank has no series"},
+
     /* the mechanism */
     {"[ground]\nlength = 1 m\n", 1,
-     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
+     "inverted-slider-crank' before the first section"},
     {"", 1,
-     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
+     "inverted-slider-crank' before the first section"},
     {"title = x\nmechanism = fourbar\n", 2,
-     "expected four-bar or slider-crank, not 'fourbar'; did you mean 'four-bar'?"},
-    {"mechanism = scotch yoke\n", 1, "expected four-bar or slider-crank, not 'scotch yoke'"},
+     "expected four-bar, slider-crank or inverted-slider-crank, not 'fourbar'; did you mean "
+     "'four-bar'?"},
+    {"mechanism = scotch yoke\n", 1,
+     "expected four-bar, slider-crank or inverted-slider-crank, not 'scotch yoke'"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 66 mm\n[rocker]\nmass = 1 kg\n",
      8, "[rocker] has no length"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 66 mm\n",
-     7, "there is no [rocker] with a length in it"},
-    {"mechanism = slider-crank\n[crank]\nlength = 20 mm\n", 3,
-     "there is no [rod] with a length in it"},
+     7, "there is no [rocker] with a length"},
+    {"mechanism = slider-crank\n[crank]\nlength = 20 mm\n", 3, "there is no [rod] with a length"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 300 mm\n[rocker]\nlength = 56 mm\n",
      7,
-     "the coupler, 300 mm, is longer than the other three together, 156 mm: they cannot be "
+     "the coupler, 300 mm, is longer than the other three together, 156 mm: the linkage cannot be "
      "assembled"},
     {SLIDER_CRANK "[ground]\noffset = -2 m\n", 11,
-     "the offset, -2 m, is more than crank and rod together, 1.5 m: the rod never reaches"},
+     "the offset, -2 m, is larger than crank and rod together, 1.5 m: the linkage cannot be "
+     "assembled"},
 
     /* numbers and units */
     {FOUR_BAR "mass = heavy\n", 10, "expected a mass, such as 0.3 kg, not 'heavy'"},
@@ -175,9 +216,9 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = inf\n", 10, "'inf' is not a finite number"},
     {FOUR_BAR "mass = nan kg\n", 10, "'nan kg' is not a finite number"},
     {FOUR_BAR "mass = 1e999 kg\n", 10, "'1e999 kg' is not a finite number"},
-    {FOUR_BAR "mass = 0x10 kg\n", 10, "'0x10 kg': numbers are decimal"},
-    {FOUR_BAR "mass = 1e31 kg\n", 10, "'1e31 kg' is beyond what the program computes with"},
-    {FOUR_BAR "mass = 1e300 t\n", 10, "'1e300 t' is beyond what the program computes with"},
+    {FOUR_BAR "mass = 0x10 kg\n", 10, "'0x10 kg' is not a decimal number"},
+    {FOUR_BAR "mass = 1e31 kg\n", 10, "'1e31 kg' is out of range"},
+    {FOUR_BAR "mass = 1e300 t\n", 10, "'1e300 t' is out of range"},
     {FOUR_BAR "[motion]\nspeed = 25 Hz\n", 11, "'25 Hz' is not an angular speed, such as 1000 rpm"},
     {FOUR_BAR "[motion]\nspeed = 25 1/s\n", 11,
      "'25 1/s' is not an angular speed, such as 1000 rpm"},
@@ -197,17 +238,16 @@ static const mistaken all_mistaken[] = {
     {"mechanism = slider-crank\n[rod]\nlength = 0\n[crank]\nlength = 1 m\n", 3,
      "the length must be positive, not 0"},
     {"mechanism = slider-crank\n[rod]\nlength = 1e-16 m\n[crank]\nlength = 1 m\n", 3,
-     "'1e-16 m' is beyond what the program computes with"},
-    {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative, not -1 g"},
-    {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative, not -1 kg m2"},
-    {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11,
-     "the gyration must not be negative, not -1 mm"},
+     "'1e-16 m' is out of range"},
+    {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative:  -1 g"},
+    {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative:  -1 kg m2"},
+    {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11, "the gyration must not be negative:  -1 mm"},
     {FOUR_BAR "[motion]\ninterval = 0\n", 11, "the interval must be positive, not 0"},
     {FOUR_BAR "[motion]\ninterval = -5 deg\n", 11, "the interval must be positive, not -5 deg"},
     {FOUR_BAR "[motion]\ninterval = 1e-30 deg\n", 11, "the range has too many rows"},
     {FOUR_BAR "[motion]\ncycle = 0 deg\n", 11, "the cycle must be positive, not 0 deg"},
     {FOUR_BAR "[gravity]\nacceleration = -9.81 m/s2\n", 11,
-     "the acceleration must not be negative, not -9.81 m/s2"},
+     "the acceleration must not be negative:  -9.81 m/s2"},
     {FOUR_BAR "[table]\ndigits = 0\n", 11, "the digits must be positive, not 0"},
     {FOUR_BAR "[table]\ndigits = 18\n", 11, "digits must be 1 to 17, not 18"},
     {FOUR_BAR "[table]\ndigits = 4.5\n", 11, "expected a whole number, not '4.5'"},
@@ -216,7 +256,7 @@ static const mistaken all_mistaken[] = {
     /* links, loads, motion */
     {FOUR_BAR "gyration = 8 mm\n", 10, "the radius of gyration needs a mass"},
     {FOUR_BAR "mass = 1 kg\ngyration = 8 mm\ninertia = 1 kg m2\n", 11,
-     "give one of gyration, inertia and swing_period, not several"},
+     "give only one of gyration, inertia and swing_period"},
     {FOUR_BAR "mass = 1 kg\ncg = (1 mm, 2 mm)\n", 11,
      "expected two components, such as (10, 5) mm, not '(1 mm, 2 mm)'"},
     {FOUR_BAR "mass = 1 kg\ncg = (1, 2 mm\n", 11,
@@ -236,32 +276,30 @@ static const mistaken all_mistaken[] = {
     {SLIDER_CRANK "[load]\nlink = rocker\ntorque = 1 N m\n", 11,
      "a slider-crank has no rocker: its links are crank, rod and piston"},
     {FOUR_BAR "[load]\nlink = rocker\n", 10, "[load] has neither a force nor a torque"},
-    {FOUR_BAR "[load]\nlink = rocker\ntorque = 1 N m\nat = 3 mm\n", 13, "'at' is for a force"},
+    {FOUR_BAR "[load]\nlink = rocker\ntorque = 1 N m\nat = 3 mm\n", 13, "'at' needs a force"},
     {FOUR_BAR "[motion]\nspeed = 1 rad/s\nacceleration = 1 rad/s2\nto = -90 deg\n", 13,
-     "the range runs against the rotation of the accelerated crank; turn it round, or give 'hold = "
-     "yes'"},
+     "the range runs against the rotation of an accelerated crank: swap 'from' and 'to', or set "
+     "'hold = yes'"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\n", 11, "a run-up from rest needs an acceleration"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nspeed = 1 rpm\n", 13,
-     "a run-up starts from rest: it takes an acceleration and no speed"},
+     "a run-up starts from rest: give an acceleration, not a speed"},
     {FOUR_BAR "[motion]\nrun_up = 90 deg\nacceleration = 1 rad/s2\nto = 1 rev\n", 13,
-     "a run-up ends one revolution after its angle: it takes no 'to'"},
+     "a run-up ends one revolution after its angle: 'to' is not allowed"},
     {FOUR_BAR "mass = 1 kg\nswing_period = 2 s\n", 11,
      "a swing_period needs a swing_pin: origin, end or a point of the link"},
     {FOUR_BAR "mass = 1e20 kg\nswing_pin = end\nswing_period = 1e10 s\n", 12,
-     "the moment of inertia that follows is beyond what the program computes with"},
+     "the resulting moment of inertia is out of range"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\n", 11, "a swing_pin needs a swing_period"},
     {FOUR_BAR "swing_pin = end\nswing_period = 2 s\n", 11, "the swing_period needs a mass"},
     {FOUR_BAR "mass = 1 kg\nswing_pin = end\nswing_period = 0.1 s\n", 12,
-     "a swing_period of 0.1 s is too short: even all mass in one point, 0.02 m from the pin, "
-     "swings "
-     "more slowly"},
+     "a swing_period of 0.1 s is too short: a point mass 0.02 m from the pin swings more slowly"},
     {FOUR_BAR "stroke = 1 m\n", 10, "the crank of a four-bar linkage has no stroke"},
     {"mechanism = slider-crank\n[rod]\nlength = 100 mm\n[crank]\nstroke = 250 mm\n", 5,
-     "this rod has no such stroke: the crank would be longer"},
+     "this stroke is impossible: the crank would be longer than the rod"},
     /* the longest is 2 sqrt(100 (100 - 50)) mm = 141.42 mm */
     {"mechanism = slider-crank\n[ground]\noffset = -50 mm\n[rod]\nlength = 100 mm\n[crank]\n"
      "stroke = 141.43 mm\n",
-     7, "this rod and offset have no such stroke"},
+     7, "this stroke is impossible with this rod and offset"},
     {SLIDER_CRANK "stroke = 1 m\n", 10, "give either the length or the stroke, not both"},
     {FOUR_BAR "[gas]\nbore = 1 m\npressure = 1 bar\n", 10, "a four-bar linkage has no [gas]"},
     {SLIDER_CRANK "[gas]\npressure = 1 bar\n", 10, "[gas] has no bore"},
@@ -275,15 +313,15 @@ static const mistaken all_mistaken[] = {
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 mm 1 bar, 90 2\n", 12,
      "'0 mm 1 bar, 90 2' is a length; expected an angle, such as 40 deg"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 80 3\n", 12,
-     "the angles of a curve must rise"},
+     "the angles of a curve must increase"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 90 3\n", 12,
-     "the angles of a curve must rise"},
+     "the angles of a curve must increase"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1,\n", 12, "a curve needs at least two points"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 400 3\n", 12,
      "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is one of four "
      "strokes"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = 0 1, 90 2, 360 3\n", 12,
-     "the curve does not close: its last point is the first, one cycle on"},
+     "the curve is not periodic: one cycle after its first point it has another value"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file missing.txt\n", 12,
      "cannot read the file 'missing.txt'"},
     {SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file empty.txt\n", 12,
@@ -390,7 +428,7 @@ static void test_all_in_one_run(void **unused)
                                    "length = 1 N\n";
     static const long lines[] = {4, 5, 6, 8, 9, 10, 13, 15, 16, 19, 20};
     static const char *const words[] = {"interval", "parsec", "[ground]", "positive",
-                                        "colour",   "[rod]",  "comma",    "second",
+                                        "colour",   "[rod]",  "comma",    "twice",
                                         "craank",   "key",    "force"};
     deck d;
     size_t i;
@@ -619,7 +657,7 @@ static void test_mistakes_of_files(void **unused)
         long line;
         const char *message;
     } cases[] = {{"wrong.txt", 3, "expected an angle, such as 40 deg, not 'late 3'"},
-                 {"falling.txt", 3, "the angles of a curve must rise"}};
+                 {"falling.txt", 3, "the angles of a curve must increase"}};
     char contents[500];
     size_t i;
 
@@ -1024,7 +1062,7 @@ static void test_many_names(void **unused)
     assert_int_equal(read_deck(contents, &d), 0);
     assert_int_equal(d.mistakes.count, 1);
     assert_int_equal(d.mistakes.list[0].place.line, N + 11);
-    assert_string_equal(d.mistakes.list[0].message, "'a77' a second time");
+    assert_string_equal(d.mistakes.list[0].message, "'a77' is given twice");
     flk_deck_free(&d);
     free(contents);
 }
@@ -1048,7 +1086,7 @@ static void test_mistaken_changes(void **unused)
         {"load.torque=1 N m", "there are several [load] sections: name one of them"},
         {"rod.length=1 m", "a four-bar linkage has no [rod]; its link 3 is the [coupler]"},
         {"crank.length=1 m",
-         "the crank, 1 m, is longer than the other three together, 0.202 m: they cannot be "
+         "the crank, 1 m, is longer than the other three together, 0.202 m: the linkage cannot be "
          "assembled"},
     };
     fourlink_change change = {"--set", NULL};
@@ -1390,10 +1428,10 @@ static void test_no_text(void **unused)
     char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
 
     (void)unused;
-    check_noted(null, sizeof null - 1, 10, "a control character (0x00): decks are plain text");
-    check_noted(bell, sizeof bell - 1, 1, "a control character (0x07): decks are plain text");
-    check_noted(utf16, sizeof utf16 - 1, 1, "a control character (0x00): decks are plain text");
-    check_noted(line, strlen(line), 1, "a line of more than 65536 characters: not a deck");
+    check_noted(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
+    check_noted(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
+    check_noted(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
+    check_noted(line, strlen(line), 1, "line longer than 65536 characters: not a deck");
     free(line);
 }
 

@@ -360,8 +360,8 @@ static void test_tolerances(void **unused)
 /* --------------------------------------------------------------------------------------- mistakes */
 
 #define GOOD "crank.length = 18 mm to 22 mm step 1 mm\n"
-#define NOT_A_STEP "the step of the range does not lead from its first value to its last"
-#define NOT_A_COUNT "the number of values of a range is a whole number from 2 up"
+#define NOT_A_STEP "the step leads away from the last value of the range"
+#define NOT_A_COUNT "the number of values of a range must be a whole number, at least 2"
 #define NO_STEP                                                                                \
     "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its values, '20 mm " \
     "to 30 mm in 6'"
@@ -383,11 +383,11 @@ static const struct {
      "crank.length"},
     {"crank.cg = 1 mm, 2 mm", 16, "'crank.cg' has parts: vary its .x, .y, .size or .angle"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 0.5", 17, "expected a whole number, not '0.5'"},
-    {"table.columns = mu", 16, "'table.columns' is no quantity that can be varied"},
-    {"sweep.samples = 1, 2", 16, "'sweep.samples' is no quantity that can be varied"},
-    {"expect.mu = 1, 2", 16, "'expect.mu' is no quantity that can be varied"},
-    {"units.length = mm, m", 16, "'units.length' is no quantity that can be varied"},
-    {"table.branch = open", 16, "'table.branch' is no quantity that can be varied"},
+    {"table.columns = mu", 16, "'table.columns' is not a quantity that can be varied"},
+    {"sweep.samples = 1, 2", 16, "'sweep.samples' is not a quantity that can be varied"},
+    {"expect.mu = 1, 2", 16, "'expect.mu' is not a quantity that can be varied"},
+    {"units.length = mm, m", 16, "'units.length' is not a quantity that can be varied"},
+    {"table.branch = open", 16, "'table.branch' is not a quantity that can be varied"},
     {"crank.length = 1 kg, 2 kg", 16, "'1 kg' is a mass; expected a length, such as 80 mm"},
     {"crank.length = 1 mm, 2 kg", 16, "'2 kg' is a mass; expected a length, such as 80 mm"},
     {"crank.length = 18 mm, , 20 mm", 16, "expected a length, such as 80 mm, not ''"},
@@ -413,18 +413,18 @@ static const struct {
     {"crank.length = 20 mm +- 0 %\nsamples = 3", 16, "the tolerance must be positive, not 0 %"},
     {"crank.length = 20 mm +- 1 mm", 15, "a tolerance needs 'samples = NUMBER' in [sweep]"},
     {GOOD "samples = 3", 17,
-     "samples are of a tolerance, such as 66 mm +- 0.1 mm, and there is none"},
+     "'samples' needs a tolerance, such as 66 mm +- 0.1 mm"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 0", 17, "the samples must be positive, not 0"},
     {"crank.length = 20 mm +- 1 mm\nsamples = -1", 17, "the samples must be positive, not -1"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 1.5", 17, "expected a whole number, not '1.5'"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = -1", 18,
-     "the seed must not be negative, not -1"},
+     "the seed must not be negative:  -1"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = 1.5", 18,
      "expected a whole number, not '1.5'"},
-    {GOOD "[sweep]\n" GOOD, 17, "a second [sweep]; the first is at line 15"},
+    {GOOD "[sweep]\n" GOOD, 17, "[sweep] is given twice; first at line 15"},
     {"", 15,
-     "[sweep] varies nothing: give it a line such as 'crank.length = 20 mm to 30 mm step 2 mm'"},
-    {GOOD GOOD, 17, "'crank.length' a second time"},
+     "[sweep] varies nothing: add a line such as 'crank.length = 20 mm to 30 mm step 2 mm'"},
+    {GOOD GOOD, 17, "'crank.length' is given twice"},
     {"crank.length = 18 mm to 22 mm in 100000\nrocker.length = 50 mm to 60 mm in 100000", 15,
      "more than 4e9 designs"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 5e9", 15, "more than 4e9 designs"},

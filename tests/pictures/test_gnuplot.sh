@@ -55,7 +55,7 @@ quiet
 same out table
 run 0 --plot-script=x.gp "$fourbar"
 same x.svg x.gp
-check 'the head of the script' grep -q '^# mechanism of a deck, by fourlink [0-9.]*: for gnuplot 5 or later$' x.gp
+check 'the head of the script' grep -q '^# mechanism, made by fourlink [0-9.]* for gnuplot 5 or later$' x.gp
 rm bin/gnuplot
 
 finish

@@ -16,7 +16,7 @@ for deck in "$fourbar" "$engine"; do
         [ $kind = animation ] && picture=$base.gif
         if [ $kind = klein ] && [ $base = coupler-point ]; then
             run 2 --plot=$picture --plot-kind=$kind "$deck"
-            says "Klein's construction is for a slider-crank"
+            says "Klein's construction needs a slider-crank"
             check 'no picture of it' test ! -e $picture
             continue
         fi

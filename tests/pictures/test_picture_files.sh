@@ -11,7 +11,7 @@ cp "$fourbar" input.copy
 ln -s input.svg link.svg
 for option in --plot=input.svg --plot=./input.svg --plot=link.svg --plot-script=input.svg --plot-script=link.svg; do
     run 3 $option input.svg
-    says 'it is an input'
+    says 'it is also read'
     same input.svg input.copy
 done
 "$fourlink" --plot=input.svg <input.svg >out 2>err
@@ -48,13 +48,13 @@ printf '0 1e5\n90 20e5\n180 3e5\n' >card.txt
 cp card.txt before.txt
 for option in --output=card.txt --plot-script=card.txt; do
     run 3 "$option" card.deck
-    says 'it is an input'
+    says 'it is also read'
     same card.txt before.txt
 done
 : >aim.svg
 ln -s aim.svg alias.svg
 run 3 --output=aim.svg --plot=alias.svg card.deck
-says 'two results would be written to it'
+says 'two outputs have this name'
 check 'the file is as it was' test ! -s aim.svg
 
 needs_gnuplot

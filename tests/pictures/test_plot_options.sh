@@ -10,7 +10,7 @@ refused() {
     check "a file was written: fourlink $*" test ! -e x.svg
 }
 for name in x.bmp x.svgz svg x.svg.gz '' x.; do
-    refused 'the name of a picture ends in .svg, .png, .pdf, .txt or .gif' --plot="$name" "$fourbar"
+    refused '--plot needs a file name that ends in .svg, .png, .pdf, .txt or .gif, or -' --plot="$name" "$fourbar"
 done
 refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, klein or animation, not 'foo'" \
     --plot=x.svg --plot-kind=foo "$fourbar"
@@ -63,20 +63,20 @@ cannot() {
     same out table
     check "a script of nothing: $kind" test ! -e x.gp
 }
-cannot "Klein's construction is for a slider-crank" klein "$fourbar"
+cannot "Klein's construction needs a slider-crank" klein "$fourbar"
 for kind in forces turning-moment polar; do
-    cannot 'there are no forces to draw: the deck has no masses and no loads' $kind "$alvi"
+    cannot 'no forces to draw: the deck has no masses and no loads' $kind "$alvi"
 done
 moment='the turning moment needs a crank that turns fully, at constant speed'
 cannot "$moment" turning-moment "$data/me3491-exercise-1.deck"
 cannot "$moment" turning-moment "$fourbar" --set=motion.speed=0
 cannot "$moment" turning-moment "$fourbar" --set='motion.acceleration=1 rad/s2'
 for kind in mechanism vectors animation; do
-    cannot 'the links do not reach: B and D are too far apart' $kind "$data/me3491-exercise-1.deck" \
+    cannot 'cannot be assembled: B and D are too far apart' $kind "$data/me3491-exercise-1.deck" \
         --set='motion.from=150 deg' --set='motion.to=200 deg'
 done
 for kind in motion forces polar; do
-    cannot 'the links reach at no angle of the motion' $kind "$data/me3491-exercise-1.deck" \
+    cannot 'the linkage cannot be assembled at any angle of the motion' $kind "$data/me3491-exercise-1.deck" \
         --set='motion.from=150 deg' --set='motion.to=200 deg'
 done
 

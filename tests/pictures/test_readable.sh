@@ -51,7 +51,7 @@ for angle in 0 45 90 135 225 300; do
     for branch in open crossed; do
         run 0 --plot=x.svg --plot-kind=klein --plot-at="$angle deg" --branch=$branch "$engine"
         readable x.svg
-        shows x.svg O B C M Q N 'v and a count away from' 'the inner dead centre'
+        shows x.svg O B C M Q N 'v and a are positive away' 'from the inner dead centre'
         run 0 --plot=x.svg --plot-kind=vectors --plot-at="$angle deg" --branch=$branch "$engine"
         readable x.svg
         run 0 --plot=x.svg --plot-kind=vectors --plot-at="$angle deg" --branch=$branch "$fourbar"

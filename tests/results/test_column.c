@@ -161,8 +161,8 @@ static void test_columns_that_cannot_be_chosen(void **unused)
     } cases[] = {
         {"thta4", "unknown column 'thta4'; did you mean 'theta4'?"},
         {"xyzzy", "unknown column 'xyzzy'"},
-        {"theta4, x", "the column 'x' is one of the other mechanism"},
-        {"time, F12x", "the column 'F12x' needs masses, loads or gas, which the deck has not"},
+        {"theta4, x", "the column 'x' belongs to the slider-crank"},
+        {"time, F12x", "the column 'F12x' needs masses, loads or gas; the deck has none"},
     };
     size_t i;
 

@@ -461,27 +461,27 @@ static void test_mistakes_of_names(void **unused)
 {
     (void)unused;
     check_mistake(engine(300, "[expect]\nn = 3\nstrok = 200 mm\n"), 11,
-                  "'strok' is no column and no fact of this deck; did you mean 'stroke'?");
+                  "'strok' is neither a column nor a fact of this deck; did you mean 'stroke'?");
 }
 
 static void test_mistakes_of_columns(void **unused)
 {
     (void)unused;
     check_mistake(engine(300, "[expect]\nat = 40 deg\nomga3 = 3 rad/s\n"), 11,
-                  "'omga3' is no column and no fact of this deck; did you mean 'omega3'?");
+                  "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[expect]\nxyzzy = 3 rad/s\n"), 10,
-                  "'xyzzy' is no column and no fact of this deck");
+                  "'xyzzy' is neither a column nor a fact of this deck");
     check_mistake(engine(300, "[expect]\nmax(omga3) = 3 rad/s\n"), 10,
-                  "'omga3' is no column and no fact of this deck; did you mean 'omega3'?");
+                  "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[misprint]\nn = 2\nxyzzy = 3\n"), 11,
-                  "'xyzzy' is no column and no fact of this deck");
+                  "'xyzzy' is neither a column nor a fact of this deck");
     /* of the other mechanism, or of a deck with forces */
     check_mistake(engine(300, "[expect]\nswing = 30 deg\n"), 10,
-                  "'swing' is no column and no fact of this deck");
+                  "'swing' is neither a column nor a fact of this deck");
     check_mistake(engine(300, "[expect]\nmean_torque = 30 N m\n"), 10,
-                  "'mean_torque' is no column and no fact of this deck");
+                  "'mean_torque' is neither a column nor a fact of this deck");
     check_mistake(engine(300, "[expect]\nat = 40 deg\nx = 30 mm\nv = 1\nspeed = 1 rpm\n"), 13,
-                  "'speed' is no column and no fact of this deck");
+                  "'speed' is neither a column nor a fact of this deck");
 }
 
 static void test_mistakes_of_units(void **unused)
@@ -520,23 +520,23 @@ static void test_mistakes_of_places(void **unused)
 {
     (void)unused;
     check_mistake(engine(300, "[expect]\nx = 20 mm\n"), 10,
-                  "a column is expected at a crank angle: give the section 'at = ...'");
+                  "a column needs a crank angle: add 'at = ...' to this section");
     check_mistake(engine(300, "[expect]\nn = 3\nat = 40 mm\n"), 11,
                   "'40 mm' is a length; expected an angle, such as 40 deg");
     check_mistake(four_bar(0.3, 0.4, 0.5, 0.75,
                            "[expect]\nat = 120 deg\nbranch = crossed\ntheta4 = 100 deg\n"),
                   13,
-                  "no value at theta2 = 120 deg, crossed: the links do not reach: B and D are too "
+                  "no value at theta2 = 120 deg, crossed: cannot be assembled: B and D are too "
                   "far apart");
     check_mistake(slider_crank(0.4, 0.2, 0, "[expect]\nat = 90 deg\nx = 0.1 m\n"), 10,
                   "no value at theta2 = 90 deg, open: the rod does not reach the line of stroke");
     check_mistake(four_bar(0.3, 0.4, 0.5, 0.75,
                            "[motion]\nspeed = 1 rad/s\nfrom = 120 deg\nto = 200 deg\n[expect]\n"
                            "max(theta4) = 100 deg\n"),
-                  15, "the links reach at no angle of the motion");
+                  15, "the linkage cannot be assembled at any angle of the motion");
 }
 
-/* The rocker of a drag link goes on and on: theta4 has no greatest value, but the links reach. */
+/* The rocker of a drag link goes on and on: theta4 has no largest value, but the links reach. */
 static void test_mistake_of_an_angle_without_extremes(void **unused)
 {
     taken t = {0};
@@ -548,7 +548,7 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
     (void)unused;
     if (t.list[0].verdict == FOURLINK_NO_VALUE) {
         assert_int_equal(t.list[0].message_line, 13);
-        assert_string_not_equal(t.list[0].message, "the links reach at no angle of the motion");
+        assert_string_not_equal(t.list[0].message, "the linkage cannot be assembled at any angle of the motion");
     }
     fourlink_results_free(r);
 }

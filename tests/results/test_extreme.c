@@ -563,7 +563,7 @@ static void test_extremes_of_one_instant(void **unused)
     fourlink_results_free(r);
 }
 
-/* A linkage whose crank swings between two dead positions: what is infinite there has no greatest value,
+/* A linkage whose crank swings between two dead positions: what is infinite there has no largest value,
 ** angles and transmission angles do. */
 static void test_extremes_beyond_all_bounds(void **unused)
 {

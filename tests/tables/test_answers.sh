@@ -66,7 +66,7 @@ n = three
 EOD
 run 2 --check=bad good.deck
 check 'no value of both' test "$(grep -c '^no value' out)" -eq 2
-says "bad:3: error: 'xyzzy' is no column and no fact of this deck"
+says "bad:3: error: 'xyzzy' is neither a column nor a fact of this deck"
 says "bad:4: error: expected a number, such as 0.02, not 'three'"
 echo 'n = 3' >bad
 run 2 --check=bad good.deck

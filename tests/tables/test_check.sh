@@ -42,7 +42,7 @@ says "$alvi:1: error: nothing to check"
 sed 's/^stroke/strok/' good.deck >unknown.deck
 run 2 -C unknown.deck
 check 'no value, and the others' grep -q '^no value  *unknown.deck:10: strok' out
-says "unknown.deck:10: error: 'strok' is no column and no fact of this deck"
+says "unknown.deck:10: error: 'strok' is neither a column nor a fact of this deck"
 sed 's/^phi = 19.47 deg/phi = 19.47 mm/' good.deck >unit.deck
 run 2 -C unit.deck
 check 'no value, and the others' grep -q '^no value  *unit.deck:14: phi' out
@@ -83,12 +83,12 @@ run 1 -C -s 'coupler.mass=0.31 kg' "$data/me3491-matrix.deck"
 for pair in '-C -S' '-C -m' '-C -l' '-S -m' '-S -l' '--check=answers --summary' '-CS' '-SC'; do
     run 2 $pair good.deck
     nothing
-    says 'exclude each other'
+    says 'use only one of'
 done
 for option in -C -S --check=answers; do
     run 2 -f paper $option "$alvi"
     nothing
-    says 'formats table and csv'
+    says 'can be printed as table, csv or json only'
 done
 run 2 --summary=yes good.deck
 says '--summary takes no value'

@@ -27,7 +27,7 @@ holds '17 significant digits' '
 check 'the row of 40 deg' grep -q '^open,40,38\.98634752[0-9]*,-3\.15487421[0-9]*,20\.956489[0-9]*,103\.8207648[0-9]*,' out
 
 run 1 -f csv reach.deck
-check 'empty cells and the reason' grep -q "^open,200,,,,,,,,the links do not reach: B and D are too far apart$cr\$" out
+check 'empty cells and the reason' grep -q "^open,200,,,,,,,,cannot be assembled: B and D are too far apart$cr\$" out
 check 'numbers beside them' grep -q '^open,40,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,ok' out
 
 # quoting, and one header for several decks

@@ -95,7 +95,7 @@ objects 1
 gives 'the keys of a list' 'keys_unsorted == ["deck", "title", "mechanism", "columns", "facts"]'
 gives 'columns of a list' '.columns | length > 60 and all(keys_unsorted == ["name", "unit", "meaning", "source"])'
 gives 'facts of a list, each once' '.facts | map(.name) | length == (unique | length) and index("max(COLUMN)") > 0'
-usage '--matrix is printed in the format table only' -f json -m "$matrix"
+usage '--matrix can be printed as table only' -f json -m "$matrix"
 
 # ----------------------------------------------------------------------------------- several decks
 
@@ -147,7 +147,7 @@ every 'or the reason' '.[1] | keys == ["crank.length", "design", "status"] and (
 # ---------------------------------------------------------------------------------- rows without values
 
 run 1 -f json -c theta2,theta4 -b open reach.deck
-gives 'what is not reached is null' '.branches[0].rows[3] == {status: "the links do not reach: B and D are too far apart", values: [120, null]}'
+gives 'what is not reached is null' '.branches[0].rows[3] == {status: "cannot be assembled: B and D are too far apart", values: [120, null]}'
 run 0 -f json -S -b open reach.deck
 gives 'the unbounded' '.facts | any(.name == "max(omega4)" and .value == "inf") and any(.name == "min(omega4)" and .value == "-inf")'
 run 1 -f json -c theta2 -b open -s 'motion.acceleration=-10 rad/s2' "$alvi"

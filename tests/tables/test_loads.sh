@@ -86,16 +86,16 @@ mistake() { # DECK-TEXT MESSAGE
     check "message '$2': $(cat err)" grep -qF "$2" err
 }
 mistake '[load]\nlink = rocker\ntorque = 1 N m\nfrom = 200 deg\nto = 100 deg\n' \
-    "<stdin>:16: error: the load's 'from' must be before its 'to', not 200 deg and 100 deg"
+    "<stdin>:16: error: the load's 'from' must be less than its 'to', not  200 deg and 100 deg"
 mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar linkage has no piston'
 mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank"
 mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
 mistake '[point]\nlink = coupler\n' '<stdin>:13: error: a point needs a name'
-mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point is one word'
+mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point must be one word'
 mistake '[point P]\nat = 3 mm\n' '<stdin>:13: error: [point] has no link'
 mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m\n[load\n' "<stdin>:16: error: expected ']'"
 mistake '[load]\nlink = crank\ntorque = 0 deg 1 N m, 50 deg 2 N m, 40 deg 1 N m\n' \
-    '<stdin>:15: error: the angles of a curve must rise'
+    '<stdin>:15: error: the angles of a curve must increase'
 
 # A torque as a curve: at its points that of the curve, as a constant.
 { linkage; printf '[load]\nlink = crank\ntorque = 0 deg 1 N m, 90 deg 3 N m,   # goes on\n  200 deg -1 N m\n'; } >curve.deck
@@ -133,12 +133,12 @@ engine_mistake() { # LINES MESSAGE
     check "message '$2': $(cat err)" grep -qF "$2" err
 }
 engine_mistake 'indicator = 0 1\n' 'engines/bad.deck:17: error: a curve needs at least two points'
-engine_mistake 'indicator = 0 1, 50 2, 50 3\n' 'engines/bad.deck:17: error: the angles of a curve must rise'
+engine_mistake 'indicator = 0 1, 50 2, 50 3\n' 'engines/bad.deck:17: error: the angles of a curve must increase'
 engine_mistake 'indicator = file nothing.txt\n' "engines/bad.deck:17: error: cannot read the file 'nothing.txt'"
 printf '0 1\n90 x\n' >engines/broken.txt
 engine_mistake 'indicator = file broken.txt\n' 'broken.txt:2: error:'
 printf '0 1\n90 2\n80 3\n' >engines/falling.txt
-engine_mistake 'indicator = file falling.txt\n' 'falling.txt:3: error: the angles of a curve must rise'
+engine_mistake 'indicator = file falling.txt\n' 'falling.txt:3: error: the angles of a curve must increase'
 sed 's/bore = 80 mm/bore = 0 mm/' engines/inline.deck >engines/bad.deck
 "$fourlink" engines/bad.deck >out 2>err
 check 'a bore of 0' grep -qF 'engines/bad.deck:16: error: the bore must be positive, not 0 mm' err
@@ -172,6 +172,6 @@ check 'loads and inertia separately make the whole' close whole sum
 "$fourlink" -b open -i 0.1 "$data/me3491-exercise-1.deck" -s 'motion.from=110.48 deg' -s 'motion.to=110.6 deg' \
     -s 'motion.speed=100 rpm' >near
 check 'near a dead position' grep -q '^# theta2 = 110.48 deg: near a dead position' near
-check 'beyond it' grep -q '^# theta2 = 110.58 deg: the links do not reach' near
+check 'beyond it' grep -q '^# theta2 = 110.58 deg: cannot be assembled' near
 
 finish
