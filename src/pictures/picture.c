@@ -236,6 +236,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->design = &p->mechanism->design;
     p->kind = (int)p->design->kind;
     p->slides = fourlink_slides(p->kind, FOURLINK_FOLLOWER);
+    p->slot = fourlink_slides(p->kind, FOURLINK_COUPLER);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
     p->n_branches = 0;
@@ -270,14 +271,17 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
     fourlink_source other = *source;
     char assignment[400] = "table.columns=";
-    text rest = flk_text_of(columns ? columns : ""), name;
+    text rest = flk_text_of(columns ? columns : ""), either, name;
     int opened;
 
     if (!changes)
         return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
-    while (flk_text_split(&rest, ',', &name))
+    while (flk_text_split(&rest, ',', &either)) {
+        while (flk_text_split(&either, '|', &name) && !has_column(p, name))
+            ;
         if (has_column(p, name))
             strcat(strncat(assignment, name.start, name.length), " ");
+    }
     if (source->n_changes)
         memcpy(changes, source->changes, source->n_changes * sizeof *changes);
     changes[source->n_changes].origin = "--plot-kind";
