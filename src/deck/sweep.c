@@ -119,7 +119,7 @@ static int read_range(parser *p, variation *v)
         return 0;
     if (!((end - v->first.number) * v->step > 0))
         return flk_mistake(p->mistakes, v->place,
-                           "the step leads away from the last value of the range");
+                           "the step does not lead to the last value of the range");
     v->count = floor((end - v->first.number) / v->step * (1 + 1e-12) + 1e-9) + 1;
     return 1;
 }

@@ -147,8 +147,8 @@ static void tell_load(teller *t, const fourlink_load *load, const deck_load *var
     else
         tell_if(t, "torque", QUANTITY_TORQUE, load->torque, "torque, counter-clockwise positive");
     if (variation->is_windowed) {
-        tell(t, "from", QUANTITY_ANGLE, variation->from, "it acts from this crank angle");
-        tell(t, "to", QUANTITY_ANGLE, variation->to, "to this one");
+        tell(t, "from", QUANTITY_ANGLE, variation->from, "first crank angle at which it acts");
+        tell(t, "to", QUANTITY_ANGLE, variation->to, "last crank angle at which it acts");
     }
 }
 

@@ -360,7 +360,7 @@ static void test_tolerances(void **unused)
 /* --------------------------------------------------------------------------------------- mistakes */
 
 #define GOOD "crank.length = 18 mm to 22 mm step 1 mm\n"
-#define NOT_A_STEP "the step leads away from the last value of the range"
+#define NOT_A_STEP "the step does not lead to the last value of the range"
 #define NOT_A_COUNT "the number of values of a range must be a whole number, at least 2"
 #define NO_STEP                                                                                \
     "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its values, '20 mm " \
@@ -412,8 +412,7 @@ static const struct {
     {"crank.length = 20 mm +- -1 mm\nsamples = 3", 16, "the tolerance must be positive, not -1 mm"},
     {"crank.length = 20 mm +- 0 %\nsamples = 3", 16, "the tolerance must be positive, not 0 %"},
     {"crank.length = 20 mm +- 1 mm", 15, "a tolerance needs 'samples = NUMBER' in [sweep]"},
-    {GOOD "samples = 3", 17,
-     "'samples' needs a tolerance, such as 66 mm +- 0.1 mm"},
+    {GOOD "samples = 3", 17, "'samples' needs a tolerance, such as 66 mm +- 0.1 mm"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 0", 17, "the samples must be positive, not 0"},
     {"crank.length = 20 mm +- 1 mm\nsamples = -1", 17, "the samples must be positive, not -1"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 1.5", 17, "expected a whole number, not '1.5'"},

@@ -18,9 +18,9 @@ refused "did you mean 'motion'?" --plot=x.svg --plot-kind=motoin "$fourbar"
 refused '--plot-kind must be' --plot=x.svg --plot-kind= "$fourbar"
 refused '--plot-kind needs --plot or --plot-script' --plot-kind=motion "$fourbar"
 refused '--plot-at needs --plot or --plot-script' --plot-at='40 deg' "$fourbar"
-refused 'a picture is of one deck' --plot=x.svg "$fourbar" "$engine"
-refused 'a picture is of one deck' --plot-script=x.gp "$fourbar" "$engine"
-refused "an animation needs a name that ends in .gif, not 'x.svg'" --plot=x.svg --plot-kind=animation "$fourbar"
+refused '--plot takes one deck' --plot=x.svg "$fourbar" "$engine"
+refused '--plot takes one deck' --plot-script=x.gp "$fourbar" "$engine"
+refused "an animation needs a file name that ends in .gif, not 'x.svg'" --plot=x.svg --plot-kind=animation "$fourbar"
 refused '--plot needs a value' "$fourbar" --plot
 refused '-p needs a value' "$fourbar" -p
 refused '--plot-at needs a value' "$fourbar" --plot=x.svg --plot-at

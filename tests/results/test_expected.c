@@ -548,7 +548,8 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
     (void)unused;
     if (t.list[0].verdict == FOURLINK_NO_VALUE) {
         assert_int_equal(t.list[0].message_line, 13);
-        assert_string_not_equal(t.list[0].message, "the linkage cannot be assembled at any angle of the motion");
+        assert_string_not_equal(t.list[0].message,
+                                "the linkage cannot be assembled at any angle of the motion");
     }
     fourlink_results_free(r);
 }

@@ -81,7 +81,8 @@ static void test_mistakes(void **unused)
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = Ts\n", 1, 18,
          "'Ts' has a value in each row: use its max() or min()"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = max(Tz)\n", 1, 18,
-         "'max(Tz)' is neither a fact nor the max() or min() of a column of this deck; did you mean "
+         "'max(Tz)' is neither a fact nor the max() or min() of a column of this deck; did you "
+         "mean "
          "'max(Ts)'?"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = mu_mim, swing\n", 1, 18,
          "'mu_mim' is neither a fact nor the max() or min() of a column of this deck; did you mean "
