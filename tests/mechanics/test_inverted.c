@@ -780,16 +780,65 @@ static void test_extreme_numbers(void **unused)
     assert_true(found > 5000);
 }
 
+/* The call for FORTRAN 77. */
+static void test_fortran(void **unused)
+{
+    static const double gravity[2] = {0, -9.81};
+    double links[20] = {0}, loads[7], state[36], slide[4], forces[10];
+    int i, branch = -1, n_loads = 1, status = -1;
+    double crank[3];
+    sample s;
+
+    (void)unused;
+    make_reference(2, &s);
+    s.crank.theta2 = 110 * DEG;
+    for (i = 1; i <= 4; i++) {
+        const fourlink_link *link = &s.design.link[i];
+        const double numbers[5] = {link->length, link->mass, link->inertia, link->cg.x, link->cg.y};
+
+        memcpy(&links[5 * (i - 1)], numbers, sizeof numbers);
+    }
+    loads[0] = s.load[0].link;
+    loads[1] = s.load[0].frame;
+    loads[2] = s.load[0].force.x;
+    loads[3] = s.load[0].force.y;
+    loads[4] = s.load[0].at.x;
+    loads[5] = s.load[0].at.y;
+    loads[6] = s.load[0].torque;
+    crank[0] = s.crank.theta2;
+    crank[1] = s.crank.omega2;
+    crank[2] = s.crank.alpha2;
+    flinvs_(links, &s.design.offset, &s.design.angle, gravity, &branch, crank, &n_loads, loads,
+            state, slide, forces, &status);
+    assert_int_equal(status, FOURLINK_OK);
+    assert_int_equal(
+        fourlink_analyse(&s.mechanism, FOURLINK_CROSSED, &s.crank, s.load, 1, &s.state, &s.forces),
+        FOURLINK_OK);
+    assert_near(state[18], s.state.link[3].theta, 0);
+    assert_near(state[28], s.state.link[4].omega, 0);
+    assert_near(slide[0], s.state.slide, 0);
+    assert_near(slide[1], s.state.slide_v, 0);
+    assert_near(slide[2], s.state.slide_a, 0);
+    assert_near(slide[3], s.state.coriolis, 0);
+    assert_near(forces[4], s.forces.F34x, 0);
+    assert_near(forces[8], s.forces.M34, 0);
+    assert_near(forces[9], s.forces.Ts, 0);
+    branch = 0;
+    flinvs_(links, &s.design.offset, &s.design.angle, gravity, &branch, crank, &n_loads, loads,
+            state, slide, forces, &status);
+    assert_int_equal(status, FOURLINK_BAD_BRANCH);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference),      cmocka_unit_test(test_closure),
-        cmocka_unit_test(test_differences),    cmocka_unit_test(test_solvers),
-        cmocka_unit_test(test_mirror),         cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_limits),         cmocka_unit_test(test_whitworth),
-        cmocka_unit_test(test_reach),          cmocka_unit_test(test_change_points),
-        cmocka_unit_test(test_near_D),         cmocka_unit_test(test_bad_designs),
-        cmocka_unit_test(test_extreme_numbers)};
+        cmocka_unit_test(test_reference),       cmocka_unit_test(test_closure),
+        cmocka_unit_test(test_differences),     cmocka_unit_test(test_solvers),
+        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_limits),          cmocka_unit_test(test_whitworth),
+        cmocka_unit_test(test_reach),           cmocka_unit_test(test_change_points),
+        cmocka_unit_test(test_near_D),          cmocka_unit_test(test_bad_designs),
+        cmocka_unit_test(test_extreme_numbers), cmocka_unit_test(test_fortran)};
 
     if (argc > 1)
         n_samples = atoi(argv[1]);
