@@ -181,17 +181,18 @@ module fourlink
   end type fourlink_series
 
   type, bind(c) :: fourlink_rod
-    real(c_double) :: n, k, b, m_a, m_b, d, L, m_d, m_g
+    real(c_double) :: n, k, b, m_a, m_b, d, L, m_d, m_g, k1
   end type fourlink_rod
 
   type, bind(c) :: fourlink_engine
     real(c_double) :: gas_force, inertia_force, piston_effort, rod_force, side_thrust
     real(c_double) :: crank_effort, radial_force, correction_couple
     real(c_double) :: T_piston, T_correction, T_weight_a, T_inertia_a, T_engine
+    real(c_double) :: correction_force, T_weight_b
   end type fourlink_engine
 
   type, bind(c) :: fourlink_klein
-    real(c_double) :: OM, BM, BQ, QN, ON
+    real(c_double) :: OM, BM, BQ, QN, ON, IX, IY, FT
   end type fourlink_klein
 
   ! The motion of the crank.

@@ -251,8 +251,8 @@ typedef struct fourlink_forces {
     double Ts;         /* N m, ground on crank: the driving torque */
     double Ts_work;    /* N m, the same from virtual work, without the nine equations */
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
-                          largest term of the balance, the products of components; 0 if every
-                          term is 0 */
+                          largest term of the balance, F23.v_B and F34.v_B among them, the products
+                          of components; 0 if every term is 0 */
     double N34,
         M34; /* N, N m, inverted: force of the slider on the lever, at B and to the left of the
                           slide, and couple; F34 is that force */
@@ -338,6 +338,8 @@ typedef struct fourlink_rod {
     double L;   /* m, b + d, length of the equivalent simple pendulum */
     double m_d; /* kg, at distance d; the other mass of the pair is m_g */
     double m_g; /* kg, at the gudgeon pin */
+    double k1; /* m, radius of gyration of m_a and m_b, k1^2 = b (l - b); 0 if the centre of mass is
+                   not between the pins */
 } fourlink_rod;
 
 /* The engine method, at one crank position.  Forces along the stroke are positive towards the crank,
@@ -357,18 +359,29 @@ typedef struct fourlink_engine {
     double T_weight_a;        /* N m, of the weight of m_a */
     double T_inertia_a;       /* N m, of the inertia of m_a; 0 at constant speed */
     double T_engine;          /* N m, sum of the four; with a massless crank, -Ts */
+    double correction_force;  /* N, of the pair of forces that make the correction couple the one at
+                                 the crank pin, along +y */
+    double T_weight_b;        /* N m, of the weight of m_b; part of T_piston */
 } fourlink_engine;
 
 /* Klein's construction: lengths of the drawing.  O is the crankshaft, B the crank pin.  M is where
 ** the line of the rod cuts the perpendicular to the line of stroke through O; N, on the parallel to
 ** the line of stroke through O, and Q, on the rod, are on the common chord of the circle about B with
-** radius BM and the circle on the rod as diameter. */
+** radius BM and the circle on the rod as diameter.
+**
+** I is the instantaneous centre of the rod, X and Y are the feet of the perpendiculars from it on the
+** lines of the rod's weight and of its inertia force. */
 typedef struct fourlink_klein {
     double OM; /* m, v = omega2 OM; positive as v is for omega2 > 0 */
     double BM; /* m, omega3 = omega2 BM / l; positive as omega3 is for omega2 > 0 */
     double BQ; /* m, centripetal acceleration of the piston about B: omega2^2 BQ, towards B */
     double QN; /* m, alpha3 = omega2^2 QN / l; positive as alpha3 is */
     double ON; /* m, a = omega2^2 ON, alpha2 being 0; positive as a is */
+    double IX; /* m, arm of the rod's weight, positive where it turns the crank counter-clockwise */
+    double IY; /* m, arm of the rod's inertia force, positive where it turns the crank clockwise; IX
+                  and IY are NaN without that force, and with I at infinity */
+    double FT; /* N, what drives the rod alone, at the crank pin and at right angles to the crank,
+                  counter-clockwise positive: IB FT = IY m omega2^2 gO - IX m g, alpha2 being 0 */
 } fourlink_klein;
 
 /* ---------------------------------------------------------------------------------------------
@@ -943,9 +956,9 @@ FOURLINK_API int fourlink_engine_method(const fourlink_mechanism *mechanism,
 **
 ** Given:
 **    mechanism  from fourlink_prepare, a slider-crank
-**    state      from fourlink_position
+**    state      from fourlink_position; for FT from fourlink_velocity
 ** Returned:
-**    klein      the lengths of the drawing
+**    klein      the lengths of the drawing, and FT
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NOT_AN_ENGINE
 ** Reference:

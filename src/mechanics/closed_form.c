@@ -7,16 +7,6 @@
 
 #include "free_body.h"
 
-/* The moment of each link's equation about the link's origin instead of G: with f the right-hand side
-** of its force equations, m that of its moments, and r = G - O,
-**
-**    M_O = m + r x f
-*/
-static double moment(const flk_body *body)
-{
-    return body->moment + FLK_CROSS(body->arm, body->force);
-}
-
 /* F34 is the kind's own.  With e2 the axis of the crank,
 **
 **    F14 = f4 - F34,   F23 = f3 + F34,   F12 = f2 + F23,   Ts = M2 + a e2 x F23
@@ -31,7 +21,8 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
     forces->M14 = forces->N34 = forces->M34 = 0;
-    kind->forces(mechanism, state, body, moment(&body[1]), moment(&body[2]), &F34, forces);
+    kind->forces(mechanism, state, body, flk_moment_about_origin(&body[1]),
+                 flk_moment_about_origin(&body[2]), &F34, forces);
     F23.x = body[1].force.x + F34.x;
     F23.y = body[1].force.y + F34.y;
     forces->F12x = body[0].force.x + F23.x;
@@ -42,8 +33,9 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     forces->F34y = F34.y;
     forces->F14x = body[2].force.x - F34.x;
     forces->F14y = body[2].force.y - F34.y;
-    forces->Ts = moment(&body[0]) + mechanism->design.link[2].length * FLK_CROSS(*e2, F23);
-    flk_virtual_work(body, forces);
+    forces->Ts =
+        flk_moment_about_origin(&body[0]) + mechanism->design.link[2].length * FLK_CROSS(*e2, F23);
+    flk_virtual_work(state, body, forces);
 }
 
 /* A position never gives a singular state, or one with axes that are NaN, but a caller may. */

@@ -5,6 +5,8 @@
 */
 #include <math.h>
 
+#include <gsl/gsl_math.h>
+
 #include "mechanics.h"
 
 /* The series (DFA eqs. 1 to 4, and the rod's), with n = l/r and the crank angle theta counted from the
@@ -55,7 +57,8 @@ int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink
 **
 **    m_a = m b / l at the crank pin,  m_b = m (l - b) / l at the gudgeon pin
 **
-** have the mass and centre of mass of the rod, and more inertia.  The dynamically equivalent pair (ME3491):
+** have the mass and centre of mass of the rod, and the radius of gyration k1, k1^2 = b (l - b) (DFA:
+** l1 l3), which is too large.  The dynamically equivalent pair (ME3491):
 **
 **    m_g = m d / (b + d) at the gudgeon pin,  m_d = m b / (b + d) at d beyond G,  d = k^2 / b
 */
@@ -82,6 +85,7 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
     rod->L = rod->b != 0 ? rod->b + rod->d : 0;
     rod->m_d = rod->L != 0 ? m * rod->b / rod->L : 0;
     rod->m_g = rod->L != 0 ? m * rod->d / rod->L : 0;
+    rod->k1 = rod->b * (l - rod->b) > 0 ? sqrt(rod->b * (l - rod->b)) : 0;
     return FOURLINK_OK;
 }
 
@@ -91,10 +95,11 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    F = p1 A1 - p2 A2 - (m_p + m_b) a  +- weight of m_p + m_b along the stroke
 **    rod force F / cos(phi),  side thrust F tan(phi)
 **    crank effort F sin(theta + phi) / cos(phi),  radial force F cos(theta + phi) / cos(phi)
-**    correction couple dT = m b (l - L) phi'',  L = b + k^2 / b
+**    correction couple dT = m b (l - L) phi'' = F_y l cos(phi),  L = b + k^2 / b
 **    T_piston = crank effort r = F r [sin(theta) + sin(2 theta) / 2 sqrt(n^2 - sin^2(theta))]
-**    T_correction = dT cos(theta) / sqrt(n^2 - sin^2(theta)) = dT dphi/dtheta
+**    T_correction = F_y r cos(theta) = dT cos(theta) / sqrt(n^2 - sin^2(theta)) = dT dphi/dtheta
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
+**    T_weight_b = +- m_b g r [sin(theta) + sin(2 theta) / 2 sqrt(n^2 - sin^2(theta))], in T_piston
 **
 ** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is
 ** theta2 - theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), on the crossed
@@ -160,6 +165,9 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
     engine->T_piston = engine->crank_effort * r;
     engine->T_correction = -engine->correction_couple * link3->k;
     engine->T_weight_a = rod.m_a * FLK_DOT(*gravity, link3->k_origin);
+    engine->correction_force =
+        side * engine->correction_couple / (mechanism->design.link[3].length * cos_phi);
+    engine->T_weight_b = rod.m_b * FLK_DOT(*gravity, state->link[4].k_origin);
     engine->T_inertia_a = -rod.m_a * r * r * crank->alpha;
     engine->T_engine =
         engine->T_piston + engine->T_correction + engine->T_weight_a + engine->T_inertia_a;
@@ -175,27 +183,64 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
 ** The triangle OBM is the velocity polygon, turned by a right angle, with omega2 for its scale; the
 ** quadrangle OBQN is the acceleration polygon, turned by two right angles, with omega2^2.
 */
-int fourlink_klein_construction(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                                fourlink_klein *klein)
+static void draw_klein(fourlink_vector B, fourlink_vector u, double l, double side,
+                       fourlink_klein *klein)
 {
-    fourlink_vector B, u;
-    double l, m, q, t, side;
+    double m = -B.x / u.x, q = m * m / l, t = -(B.y + q * u.y) / u.x;
 
-    if (!mechanism || !state || !klein)
-        return FOURLINK_NULL;
-    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
-        return FOURLINK_NOT_AN_ENGINE;
-    B = state->link[3].origin;
-    u = state->link[3].axis;
-    l = mechanism->design.link[3].length;
-    side = (double)state->branch;
-    m = -B.x / u.x;
-    q = m * m / l;
-    t = -(B.y + q * u.y) / u.x;
     klein->OM = side * (B.y + m * u.y);
     klein->BM = m;
     klein->BQ = q;
     klein->QN = -t;
     klein->ON = side * (B.x + q * u.x - t * u.y);
+}
+
+/* The crank effort of the rod alone (ME3491, example 2, "Graphical method"), from the moments about I, the
+** instantaneous centre of the rod, of which the forces at its pins have none but F_T:
+**
+**    F_T IC = F_C IY - W_C IX,   F_C = m omega2^2 gO,   W_C = m g
+**
+** IC, here IB, is r / |k3|, and k3 IG, turned left, is the velocity of G for a unit crank speed, k_G; a_G is
+** the acceleration for one, gO turned half round:
+**
+**    F_C IY = [m a_G . k_G + I alpha3 k3] / |k3|,   W_C IX = m g . k_G / |k3|
+*/
+static void find_crank_effort(const fourlink_mechanism *mechanism, fourlink_vector B,
+                              fourlink_vector u, double omega2, fourlink_klein *klein)
+{
+    const fourlink_link *rod = &mechanism->design.link[3];
+    const fourlink_vector *g = &mechanism->design.gravity;
+    double k3 = klein->BM / rod->length, kk3 = klein->QN / rod->length;
+    double by_inertia, by_weight, F_C, W_C;
+    fourlink_vector r, k_G, a_G;
+
+    r.x = rod->cg.x * u.x - rod->cg.y * u.y;
+    r.y = rod->cg.x * u.y + rod->cg.y * u.x;
+    k_G.x = -B.y - k3 * r.y;
+    k_G.y = B.x + k3 * r.x;
+    a_G.x = -B.x - kk3 * r.y - k3 * k3 * r.x;
+    a_G.y = -B.y + kk3 * r.x - k3 * k3 * r.y;
+    F_C = rod->mass * gsl_hypot(a_G.x, a_G.y);
+    W_C = rod->mass * gsl_hypot(g->x, g->y);
+    by_inertia = rod->mass * FLK_DOT(a_G, k_G) + rod->inertia * kk3 * k3;
+    by_weight = rod->mass * FLK_DOT(*g, k_G);
+    klein->IX = fabs(k3) < 1e-12 || W_C <= 0 ? FLK_UNDEFINED : by_weight / (W_C * fabs(k3));
+    klein->IY = fabs(k3) < 1e-12 || F_C <= 0 ? FLK_UNDEFINED : by_inertia / (F_C * fabs(k3));
+    klein->FT = (omega2 * omega2 * by_inertia - by_weight) / mechanism->design.link[2].length;
+}
+
+int fourlink_klein_construction(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                fourlink_klein *klein)
+{
+    const fourlink_link_state *rod;
+
+    if (!mechanism || !state || !klein)
+        return FOURLINK_NULL;
+    if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
+        return FOURLINK_NOT_AN_ENGINE;
+    rod = &state->link[3];
+    draw_klein(rod->origin, rod->axis, mechanism->design.link[3].length, (double)state->branch,
+               klein);
+    find_crank_effort(mechanism, rod->origin, rod->axis, state->link[2].omega, klein);
     return FOURLINK_OK;
 }

@@ -95,17 +95,36 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
         flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
 }
 
+/* The moment of a link's equation about the link's origin instead of G: with f the right-hand side of its
+** force equations, m that of its moments, and r = G - O,
+**
+**    M_O = m + r x f
+*/
+static double flk_moment_about_origin(const flk_body *body)
+{
+    return body->moment + FLK_CROSS(body->arm, body->force);
+}
+
 /* Virtual work: with the velocities of a unit crank speed,
 **
 **    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
 **
-** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine.
+** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine: Ts of these is
+** the crank's own part and F23.v_B, which the balance is relative to as well.
 */
-static void flk_virtual_work(const flk_body body[3], fourlink_forces *forces)
+static void flk_virtual_work(const fourlink_state *state, const flk_body body[3],
+                             fourlink_forces *forces)
 {
     double largest = fabs(forces->Ts);
+    const fourlink_vector *k_B = &state->link[3].k_origin;
+    fourlink_vector F23, F34;
     int i;
 
+    F23.x = forces->F23x;
+    F23.y = forces->F23y;
+    F34.x = forces->F34x;
+    F34.y = forces->F34y;
+    largest = flk_larger(largest, flk_larger(flk_dot_size(F23, *k_B), flk_dot_size(F34, *k_B)));
     forces->Ts_work = -(body[0].work + body[1].work + body[2].work);
     for (i = 0; i < 3; i++)
         largest = flk_larger(body[i].largest, largest);

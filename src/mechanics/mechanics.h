@@ -32,6 +32,9 @@
     case name:                      \
         return text;
 
+/* What has no value; it has no sign, which printf would show. */
+#define FLK_UNDEFINED fabs(GSL_NAN)
+
 /* z component of u x v, and u . v */
 #define FLK_CROSS(u, v) ((u).x * (v).y - (u).y * (v).x)
 #define FLK_DOT(u, v) ((u).x * (v).x + (u).y * (v).y)

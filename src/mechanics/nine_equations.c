@@ -39,30 +39,25 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     return FOURLINK_OK;
 }
 
-/* The arm from a link's centre of mass to a joint: that of `body` is G - O. */
-static fourlink_vector arm_of(const fourlink_vector *joint, const fourlink_link_state *link,
+/* The arm of a joint from the point about which a link's moments are: that of `body` from the link's
+** origin, where it is G.  A pin of a link that has a length is at its origin or at its tip, which needs no
+** difference of places, of which a short link behind a long crank has few digits. */
+static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                              const fourlink_state *state, const flk_joint *joint, int i,
                               const flk_body *body)
 {
-    fourlink_vector G = link->origin, rho;
+    const fourlink_link_state *link = &state->link[i], *other = &state->link[joint->at];
+    int is_tip = joint->at == i ? joint->place == FLK_TIP : !joint->slider && kind->has_length[i];
+    double length = is_tip ? mechanism->design.link[i].length : 0;
+    fourlink_vector rho;
 
-    G.x += body->arm.x;
-    G.y += body->arm.y;
-    rho.x = joint->x - G.x;
-    rho.y = joint->y - G.y;
-    return rho;
-}
-
-static fourlink_vector place_of(const flk_joint *joint, const fourlink_mechanism *mechanism,
-                                const fourlink_state *state)
-{
-    const fourlink_link_state *link = &state->link[joint->at];
-    fourlink_vector P = link->origin;
-
-    if (joint->place == FLK_TIP) {
-        P.x += mechanism->design.link[joint->at].length * link->axis.x;
-        P.y += mechanism->design.link[joint->at].length * link->axis.y;
+    rho.x = length * link->axis.x - body->arm.x;
+    rho.y = length * link->axis.y - body->arm.y;
+    if (joint->at != i && !is_tip) {
+        rho.x += other->origin.x - link->origin.x;
+        rho.y += other->origin.y - link->origin.y;
     }
-    return P;
+    return rho;
 }
 
 /* The direction of a slide, turned left by 90 deg; along the line of stroke x is 0, not -0. */
@@ -81,6 +76,11 @@ typedef struct layout {
     int row[9], column[9];
 } layout;
 
+/* What the equations of the links are multiplied by, by number. */
+typedef struct scaling {
+    double force[5], moment[5];
+} scaling;
+
 /* The nine equations, A x = b, x the two unknowns of each joint, and Ts.  With rho_P = P - G and
 ** rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 where all joints are pins (ME3491 eqs. 3 to 15;
 ** there with cosines for sines in the moments, and r_g3 for r_g4):
@@ -91,11 +91,11 @@ typedef struct layout {
 **
 ** A slider has F_ij = N n, and its couple M_ij in the moments besides, which takes the column before N.
 **
-** `per_length` multiplies the moment equations of the links, by number, and couples, as unknowns, with
-** that of the link on which they act: Ts with the crank's. */
+** The equations are multiplied by `scale`, and couples, as unknowns, with that of the moments of the link on
+** which they act: Ts with the crank's. */
 static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                     const fourlink_state *state, const flk_body body[3],
-                     const double per_length[5], const layout *at, double *A, double b[9])
+                     const fourlink_state *state, const flk_body body[3], const scaling *scale,
+                     const layout *at, double *A, double b[9])
 {
     int i, k, side;
 
@@ -103,24 +103,24 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
     for (k = 0; k < 4; k++) {
         const flk_joint *joint = &kind->joint[k];
         int first = at->column[2 * k], second = at->column[2 * k + 1];
-        fourlink_vector P = place_of(joint, mechanism, state);
 
         for (side = joint->from == FOURLINK_GROUND ? 1 : -1; side <= 1; side += 2) {
             int link = side > 0 ? joint->on : joint->from, row = 3 * (link - FOURLINK_CRANK);
             double *x = A + at->row[row], *y = A + at->row[row + 1], *m = A + at->row[row + 2];
-            double s = side * per_length[link];
-            fourlink_vector rho = arm_of(&P, &state->link[link], &body[link - FOURLINK_CRANK]);
+            double f = side * scale->force[link], s = side * scale->moment[link];
+            fourlink_vector rho =
+                arm_of(kind, mechanism, state, joint, link, &body[link - FOURLINK_CRANK]);
 
             if (joint->slider) {
                 fourlink_vector n = normal_of(&state->link[joint->slider]);
 
-                m[first] = s / per_length[joint->on];
-                x[second] = side * n.x;
-                y[second] = side * n.y;
+                m[first] = s / scale->moment[joint->on];
+                x[second] = f * n.x;
+                y[second] = f * n.y;
                 m[second] = s * FLK_CROSS(rho, n);
             } else {
-                x[first] = side;
-                y[second] = side;
+                x[first] = f;
+                y[second] = f;
                 m[first] = -s * rho.y;
                 m[second] = s * rho.x;
             }
@@ -128,59 +128,85 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
     }
     A[at->row[2] + at->column[8]] = 1;
     for (i = 0; i < 3; i++) {
-        b[3 * i] = body[i].force.x;
-        b[3 * i + 1] = body[i].force.y;
-        b[3 * i + 2] = per_length[i + 2] * body[i].moment;
+        b[3 * i] = scale->force[i + 2] * body[i].force.x;
+        b[3 * i + 1] = scale->force[i + 2] * body[i].force.y;
+        b[3 * i + 2] = scale->moment[i + 2] * body[i].moment;
     }
 }
 
-/* Solve A x = b.  With the unknowns in the order Ts, F12 ... F14 and the equations in the order
+/* Solve A x = b.  With the unknowns in the order F14, F34, F23, Ts, F12 and the equations in the order
 **
-**    moment 2, x 2, y 2, x 3, y 3, moment 3, moment 4, x 4, y 4
+**    x 4, y 4, moment 4, moment 3, x 3, y 3, moment 2, x 2, y 2
 **
-** the matrix is banded, 2 below and 4 above the diagonal, and GSL's decomposition of banded matrices works in
+** the matrix is banded, 3 below and 2 above the diagonal, and GSL's decomposition of banded matrices works in
 ** the caller's arrays: nothing is allocated.  Row j of GSL's storage is column j of the matrix, with BELOW
-** places before it for fill-in.  Moments are divided by half their link's length, or, of a link without one,
-** that of the link before: so all coefficients are near 1, pivots can be compared with a limit, and most are
-** already on the diagonal.
+** places before it for fill-in.
+**
+** The order is that of the closed form.  So a large force that does no work, such as that of the guide under
+** a heavy piston, leaves no rounding in the others.  For this, moments are about the links' origins, where one
+** pin of each has no arm, and the equations of later forces are scaled down, so that they are not chosen as
+** pivots too early.  Moments are divided by their link's length, or, of a link without one, that of the link
+** before: so coefficients are at most 1, and pivots can be compared with a limit.
 */
-#define BELOW 2
-#define ABOVE 4
+#define BELOW 3
+#define ABOVE 2
+#define LATER (1.0 / 32)
 #define WIDTH (2 * BELOW + ABOVE + 1)
 #define COLUMN(j) ((WIDTH - 1) * (j) + BELOW + ABOVE)
 #define DIAGONAL(j) (COLUMN(j) + (j))
 
-static const layout banded = {{1, 2, 0, 3, 4, 5, 7, 8, 6},
-                              {COLUMN(1), COLUMN(2), COLUMN(3), COLUMN(4), COLUMN(5), COLUMN(6),
-                               COLUMN(7), COLUMN(8), COLUMN(0)}};
+#define PLACES(X, x34, y34)                                      \
+    {                                                            \
+        X(7), X(8), X(4), X(5), X(x34), X(y34), X(0), X(1), X(6) \
+    }
+#define PLACE(j) (j)
+#define ROWS                      \
+    {                             \
+        7, 8, 6, 4, 5, 3, 0, 1, 2 \
+    }
+
+/* A slider between links 3 and 4 has its normal force, which is in the first equations, before its couple. */
+static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
+static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
 static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
                  const fourlink_state *state, const flk_body body[3], double x[9])
 {
     const fourlink_link *link = mechanism->design.link;
-    double A[9 * WIDTH], b[9], ordered[9], per_length[5];
+    double A[9 * WIDTH], b[9], ordered[9], length = 0;
     unsigned int pivot[9];
+    flk_body about[3];
+    const layout *at = &banded[kind->joint[2].slider != 0];
+    const int *place = places[kind->joint[2].slider != 0];
+    scaling scale = {{0, 0, LATER * LATER, LATER, 1}, {0, 0, LATER * LATER, 1, 1}};
     gsl_matrix_view A_view = gsl_matrix_view_array(A, 9, WIDTH);
     gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
     gsl_vector_uint_view pivot_view = gsl_vector_uint_view_array(pivot, 9);
     int i;
 
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
-        per_length[i] = kind->has_length[i] == FLK_LENGTH ? 2 / link[i].length : per_length[i - 1];
-    assemble(kind, mechanism, state, body, per_length, &banded, A, b);
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
+        length = kind->has_length[i] == FLK_LENGTH ? link[i].length : length;
+        scale.moment[i] /= length;
+    }
+    for (i = 0; i < 3; i++) {
+        about[i].arm.x = about[i].arm.y = 0;
+        about[i].force = body[i].force;
+        about[i].moment = flk_moment_about_origin(&body[i]);
+    }
+    assemble(kind, mechanism, state, about, &scale, at, A, b);
     for (i = 0; i < 9; i++)
-        ordered[banded.row[i]] = b[i];
+        ordered[at->row[i]] = b[i];
     gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
     for (i = 0; i < 9; i++)
         if (!(fabs(A[DIAGONAL(i)]) > FLK_SINGULAR))
             return FOURLINK_SINGULAR;
     gsl_linalg_LU_band_svx(BELOW, ABOVE, &A_view.matrix, &pivot_view.vector, &x_view.vector);
-    for (i = 0; i < 8; i++)
-        x[i] = ordered[i + 1];
+    for (i = 0; i < 9; i++)
+        x[i] = ordered[place[i]];
     for (i = 0; i < 4; i++)
         if (kind->joint[i].slider)
-            x[2 * i] /= per_length[kind->joint[i].on];
-    x[8] = ordered[0] / per_length[FOURLINK_CRANK];
+            x[2 * i] /= scale.moment[kind->joint[i].on];
+    x[8] /= scale.moment[FOURLINK_CRANK];
     return FOURLINK_OK;
 }
 
@@ -188,7 +214,7 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
                     const fourlink_load *loads, unsigned long n_loads, double A[9][9], double b[9])
 {
     static const layout dense = {{0, 9, 18, 27, 36, 45, 54, 63, 72}, {0, 1, 2, 3, 4, 5, 6, 7, 8}};
-    static const double metres[5] = {1, 1, 1, 1, 1};
+    static const scaling none = {{1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}};
     const flk_kind *kind;
     flk_body body[3];
     int status;
@@ -199,7 +225,7 @@ int fourlink_system(const fourlink_mechanism *mechanism, const fourlink_state *s
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    assemble(kind, mechanism, state, body, metres, &dense, A[0], b);
+    assemble(kind, mechanism, state, body, &none, &dense, A[0], b);
     return FOURLINK_OK;
 }
 
@@ -239,7 +265,7 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
     if (status != FOURLINK_OK)
         return status;
     list_forces(kind, state, x, &result);
-    flk_virtual_work(body, &result);
+    flk_virtual_work(state, body, &result);
     if (!flk_is_finite(&result))
         return FOURLINK_BAD_NUMBER;
     *forces = result;

@@ -7,6 +7,12 @@
 ** rod in Q, and the parallel to the line of stroke through O in N.  Then, at constant speed,
 **
 **    v = omega2 OM,   v_CB = omega2 BM,   a = omega2^2 ON,   alpha3 = omega2^2 QN / l
+**
+** N is the image of C, and g, which divides BN as G does the rod, that of G: gO is its acceleration.  The
+** moments about I, the instantaneous centre of the rod, give its crank effort FT; X and Y are the feet of the
+** perpendiculars on the lines of its weight W_C and of its inertia force F_C, which is parallel to gO:
+**
+**    FT IB = F_C IY - W_C IX,   F_C = m omega2^2 gO,   W_C = m g
 */
 #include <math.h>
 
@@ -16,8 +22,10 @@
 
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
-    fourlink_vector K, L; /* the intersections of the circles */
-    int meet;             /* 0: there are none; the rod is shorter than BM */
+    fourlink_vector K, L;             /* the intersections of the circles */
+    int meet;                         /* 0: there are none; the rod is shorter than BM */
+    fourlink_vector I, G, g, X, Y, Z; /* Z beside G, on the line of F_C */
+    int has_mass, is_near;            /* of the rod; and I is not far beyond the drawing */
 } construction;
 
 /* Find the points from the lengths of fourlink_klein_construction.  K and L end the chord, at BQ from B, of
@@ -40,6 +48,39 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
     k->K = sketch_beside(k->Q, -half * u.y, half * u.x);
     k->L = sketch_beside(k->Q, half * u.y, -half * u.x);
+}
+
+/* The foot of the perpendicular from a point on the line through another in this direction. */
+static fourlink_vector foot(fourlink_vector from, fourlink_vector on, fourlink_vector direction)
+{
+    double square = direction.x * direction.x + direction.y * direction.y;
+    double t = ((from.x - on.x) * direction.x + (from.y - on.y) * direction.y) / square;
+
+    return sketch_beside(on, t * direction.x, t * direction.y);
+}
+
+/* I, on the line of the crank and above C; IX and IY are not numbers where it is at infinity. */
+static void construct_moments(const picture *p, const fourlink_state *state,
+                              const fourlink_klein *lengths, construction *k)
+{
+    const fourlink_link *rod = &p->design->link[FOURLINK_COUPLER];
+    double along = rod->cg.x / rod->length, across = rod->cg.y / rod->length, size, IY;
+    fourlink_vector BN = sketch_at(k->N.x - k->B.x, k->N.y - k->B.y), gO;
+
+    k->has_mass = rod->mass > 0;
+    k->is_near = 0;
+    if (!gsl_finite(lengths->IX) || !gsl_finite(lengths->IY))
+        return;
+    k->I = sketch_at(k->C.x, k->C.x * k->B.y / k->B.x);
+    k->is_near = gsl_hypot(k->I.x, k->I.y) < 3 * gsl_hypot(k->C.x, k->C.y);
+    k->G = figure_of_link(p, state, FOURLINK_COUPLER, &rod->cg);
+    k->X = foot(k->I, k->G, p->design->gravity);
+    k->g = sketch_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
+    gO = sketch_at(k->O.x - k->g.x, k->O.y - k->g.y);
+    size = gsl_hypot(gO.x, gO.y);
+    IY = figure_length(p, lengths->IY) * (lengths->BM < 0 ? -1 : 1);
+    k->Y = sketch_beside(k->I, IY * gO.y / size, -IY * gO.x / size);
+    k->Z = foot(k->G, k->Y, gO);
 }
 
 /* Note a length of the drawing; rounding, compared with the rod's length, is 0. */
@@ -82,17 +123,43 @@ static void draw_lines(sketch *s, const construction *k, double rod)
     }
 }
 
-static void put_values(sketch *s, const picture *p, const fourlink_klein *lengths)
+static void draw_moments(sketch *s, const construction *k)
+{
+    sketch_line(s, PEN_CONSTRUCTION, k->B, k->N);
+    sketch_line(s, PEN_CONSTRUCTION, k->B, k->I);
+    sketch_line(s, PEN_CONSTRUCTION, k->C, k->I);
+    sketch_line(s, PEN_CONSTRUCTION, k->G, k->X);
+    sketch_line(s, PEN_CONSTRUCTION, k->Z, k->Y);
+    sketch_line(s, PEN_FORCE, k->g, k->O);
+    sketch_line(s, PEN_FORCE, k->I, k->Y);
+    sketch_line(s, PEN_LOAD, k->I, k->X);
+    sketch_centre(s, k->G);
+    figure_letter(s, k->I, k->X, k->C, "I");
+    figure_letter(s, k->X, k->I, k->G, "X");
+    figure_letter(s, k->Y, k->I, k->Z, "Y");
+    figure_letter(s, k->g, k->O, k->B, "g");
+    figure_letter(s, k->G, k->X, k->B, "G");
+}
+
+static void put_values(sketch *s, const picture *p, const fourlink_klein *lengths, int has_mass)
 {
     put_length(s, p, "OM =", lengths->OM);
     put_length(s, p, "BM =", lengths->BM);
     put_length(s, p, "BQ =", lengths->BQ);
     put_length(s, p, "QN =", lengths->QN);
     put_length(s, p, "ON =", lengths->ON);
+    if (gsl_finite(lengths->IX))
+        put_length(s, p, "IX =", lengths->IX);
+    if (gsl_finite(lengths->IY))
+        put_length(s, p, "IY =", lengths->IY);
+    if (has_mass)
+        figure_note(s, p, "FT =", lengths->FT, QUANTITY_FORCE);
     sketch_note(s, "v = omega2 OM");
     sketch_note(s, "omega3 = omega2 BM / BC");
     sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
     sketch_note(s, "alpha3 = omega2^2 QN / BC");
+    if (has_mass)
+        sketch_note(s, "FT IB = F_C IY - W_C IX");
     sketch_note(s, "v and a are positive away");
     sketch_note(s, "from the inner dead centre");
     figure_slope(s, p);
@@ -111,9 +178,12 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     construct(p, &now.state, &lengths, &k);
+    construct_moments(p, &now.state, &lengths, &k);
     figure_open(&s, p, branch, 0);
     draw_lines(&s, &k, figure_length(p, p->design->link[FOURLINK_COUPLER].length));
-    put_values(&s, p, &lengths);
+    if (k.is_near)
+        draw_moments(&s, &k);
+    put_values(&s, p, &lengths, k.has_mass);
     figure_close(&s, p, &now, "Klein's construction, ");
     return NULL;
 }

@@ -68,7 +68,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     if (at->status == FOURLINK_OK && (needs & NEED_DERIVED))
         flk_derive_from_motion(mechanism, &at->state, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
-        flk_derive_from_forces(mechanism, &at->state, &at->forces, &row->derived);
+        flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
         at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
                                               &at->forces, &row->derived);

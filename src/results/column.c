@@ -51,6 +51,7 @@ struct flk_column_info {
 #define DIRECTION_OF(F) NEED_FORCES, DIRECTION, FORCE(F##x), FORCE(F##y)
 #define POWER_OF_CRANK NEED_FORCES, PRODUCT, FORCE(Ts), ROW(crank.omega2)
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
+#define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
@@ -74,13 +75,15 @@ struct flk_column_info {
     X(F##_across, FORCE, kinds, OF_DERIVED(F.across),                                      \
       #F " normal to the line of the " link ", to its left", "")
 
-/* Fi2, Fi2_dir, h2 */
+/* Fi2, Fi2_dir, h2, Ci2 */
 #define INERTIA_FORCE(X, i)                                                                \
     X(Fi##i, FORCE, ALL, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
       "F_g" #i " (ME3491)")                                                                \
     X(Fi##i##_dir, ANGLE, ALL, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
     X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from the centre of mass, to its left", "h (ME3491 fig. 2)")
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")   \
+    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                   \
+      "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                \
@@ -88,8 +91,8 @@ struct flk_column_info {
     X(I##y, LENGTH, ALL, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
-#define OF_TWO_TERMS(X, x, q, exact, words, source)                                         \
-    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words ", two terms of the series", source) \
+#define TERMS(X, x, q, exact, words, source)                                     \
+    X(x##_series, q, SLIDER_CRANK, OF_SERIES(x), words " of the series", source) \
     X(x##_diff, q, SLIDER_CRANK, DIFFERENCE_OF(x, exact), #x "_series - " #x, "")
 #define HARMONIC(X, x, q)                                     \
     X(x##_harmonic, q, SLIDER_CRANK, OF_SERIES(x##_harmonic), \
@@ -140,13 +143,13 @@ struct flk_column_info {
     X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                              \
     COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
     COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
-    COMPONENTS(X, F34, ALL, "force of coupler on rocker, rod on piston, or slider on lever", 5, 6) \
+    COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
     X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                                \
       "force of slider on lever at B, to the left of the slide", "")                               \
     X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                      \
     COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                         \
     X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
-      "force of the guide on the piston, along +y", "")                                            \
+      "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
     X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
       "X(9), Ts (ME3491)")                                                                         \
@@ -155,9 +158,13 @@ struct flk_column_info {
     RESULTANT(X, F34, ALL)                                                                         \
     RESULTANT(X, F14, PINNED)                                                                      \
     X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                           \
-    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx), "shaking force on the frame, x", "")                       \
-    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy), "shaking force on the frame, y", "")                       \
+    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx),                                                            \
+      "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
+    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy),                                                            \
+      "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
     X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
+    X(Fs, FORCE, ALL, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                            \
+    X(Fs_dir, ANGLE, ALL, OF_SHAKING(DIRECTION), "direction of Fs", "")                            \
     AXIAL(X, F12, ALL, "crank")                                                                    \
     AXIAL(X, F32, ALL, "crank")                                                                    \
     AXIAL(X, F23, ALL, "coupler, rod or slide")                                                    \
@@ -169,6 +176,11 @@ struct flk_column_info {
     INERTIA_FORCE(X, 4)                                                                            \
     X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                          \
       "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
+    X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
+      "A (Alvi), P (ME3491)")                                                                      \
+    X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
+    X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
+      "C (Alvi), R (ME3491)")                                                                      \
     X(condition, NUMBER, ALL, OF_MOTION(condition),                                                \
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     CENTRE(X, I13, "1 and 3")                                                                      \
@@ -182,13 +194,13 @@ struct flk_column_info {
       "error of the superposition, relative to the largest force", "")                             \
     X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
       "power balance, relative to its largest term", "")                                           \
-    OF_TWO_TERMS(X, x, LENGTH, x, "displacement of the piston", "x (DFA eq. 2)")                   \
-    OF_TWO_TERMS(X, v, SPEED, v, "velocity of the piston", "V_p (DFA eq. 3)")                      \
-    OF_TWO_TERMS(X, a, ACCELERATION, a, "acceleration of the piston", "a_p (DFA eq. 4)")           \
-    OF_TWO_TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod",              \
-                 "-omega_c (DFA)")                                                                 \
-    OF_TWO_TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                   \
-                 "angular acceleration of the rod", "-alpha_c (DFA)")                              \
+    TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
+    TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
+    TERMS(X, a, ACCELERATION, a, "acceleration of the piston, two terms", "a_p (DFA eq. 4)")       \
+    TERMS(X, omega3, ANGULAR_SPEED, link[3].omega, "angular speed of the rod, one term",           \
+          "-omega_c (DFA)")                                                                        \
+    TERMS(X, alpha3, ANGULAR_ACCELERATION, link[3].alpha,                                          \
+          "angular acceleration of the rod, one term", "-alpha_c (DFA)")                           \
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
@@ -198,15 +210,19 @@ struct flk_column_info {
     ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
            "F (ME3491), F_p (DFA)")                                                                \
     ENGINE(X, rod_force, FORCE, "thrust in the rod", "F_c (ME3491, DFA)")                          \
-    ENGINE(X, side_thrust, FORCE, "force of the guide on the piston, along +y", "")                \
+    ENGINE(X, side_thrust, FORCE, "guide on piston, along +y, the rod as two masses; exact: N",    \
+           "")                                                                                     \
     ENGINE(X, crank_effort, FORCE, "force at the crank pin, normal to the crank",                  \
            "F_t (ME3491), F_T (DFA)")                                                              \
     ENGINE(X, radial_force, FORCE, "force along the crank, towards the main bearing",              \
            "force on crank shaft bearing (DFA)")                                                   \
     ENGINE(X, T_piston, TORQUE, "torque of the piston effort", "T (ME3491), T_1 (DFA)")            \
     ENGINE(X, correction_couple, TORQUE, "m b (l - L) phi_dotdot", "dT (ME3491), T_c (DFA)")       \
+    ENGINE(X, correction_force, FORCE,                                                             \
+           "force of the correction couple at the crank pin, along +y", "F_y (ME3491)")            \
     ENGINE(X, T_correction, TORQUE, "torque of the correction couple", "T_c (ME3491), T_2 (DFA)")  \
     ENGINE(X, T_weight_a, TORQUE, "torque of the weight of m_a", "T_a (ME3491), T_3 (DFA)")        \
+    ENGINE(X, T_weight_b, TORQUE, "torque of the weight of m_b, part of T_piston", "T_b (ME3491)") \
     ENGINE(X, T_inertia_a, TORQUE, "torque of the inertia of m_a", "")                             \
     ENGINE(X, T_engine, TORQUE, "torque delivered to the crankshaft, sum of the four torques",     \
            "net torque (ME3491)")                                                                  \
@@ -214,7 +230,13 @@ struct flk_column_info {
     KLEIN(X, BM, "omega3 = omega2 BM / l")                                                         \
     KLEIN(X, BQ, "a_CB^n = omega2^2 BQ, towards B")                                                \
     KLEIN(X, QN, "alpha3 = omega2^2 QN / l")                                                       \
-    KLEIN(X, ON, "a = omega2^2 ON")
+    KLEIN(X, ON, "a = omega2^2 ON")                                                                \
+    X(klein_IX, LENGTH, SLIDER_CRANK, OF_KLEIN(IX),                                                \
+      "arm of the rod's weight W_C about its centre I13", "IX (ME3491)")                           \
+    X(klein_IY, LENGTH, SLIDER_CRANK, OF_KLEIN(IY),                                                \
+      "arm of the rod's inertia force F_C about its centre I13", "IY (ME3491)")                    \
+    X(klein_FT, FORCE, SLIDER_CRANK, OF_KLEIN(FT),                                                 \
+      "of the rod, normal to the crank: FT IB = F_C IY - W_C IX", "F_T (ME3491)")
 
 #define COLUMN_INFO(name, q, kinds, from, meaning, source) \
     {#name, QUANTITY_##q, kinds, from, meaning, source},

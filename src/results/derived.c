@@ -20,12 +20,44 @@ static double ratio(double x, double y)
     return (x < 0) == (y < 0) ? bound : -bound;
 }
 
+/* x / y, with y of the order of 1, or undefined where y is 0 but for rounding. */
+static double quotient(double x, double y)
+{
+    return fabs(y) < 1e-12 ? FLK_UNDEFINED : x / y;
+}
+
+double flk_derive_freudenstein(const fourlink_design *design)
+{
+    const fourlink_link *link = design->link;
+    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
+
+    return (a * a - b * b + c * c + d * d) / 2;
+}
+
+/* Freudenstein's equation A t^2 + B t + C = 0 for t = tan(theta4 / 2) (Alvi eq. 2, section 4.1):
+**
+**    A = K - a (d - c) cos(theta2) - c d,   B = -2 a c sin(theta2)
+**    C = K - a (d + c) cos(theta2) + c d
+*/
+static void derive_freudenstein(const fourlink_design *design, const fourlink_vector *crank_axis,
+                                flk_derived *e)
+{
+    const fourlink_link *link = design->link;
+    double a = link[2].length, c = link[4].length, d = link[1].length;
+    double K = flk_derive_freudenstein(design);
+
+    e->A = K - a * (d - c) * crank_axis->x - c * d;
+    e->B = -2 * a * c * crank_axis->y;
+    e->C = K - a * (d + c) * crank_axis->x + c * d;
+}
+
 /* Instantaneous centres, by definition and by Kennedy's theorem.  I13, of link 3 against the ground: its
 ** velocity there is 0,
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have the same velocity,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have
+** the same velocity,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
@@ -40,12 +72,14 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     const fourlink_link_state *coupler = &state->link[3], *follower = &state->link[4];
 
     e->condition = 1 / fabs(state->sine);
-    e->I13.x = coupler->origin.x - ratio(coupler->k_origin.y, coupler->k);
-    e->I13.y = coupler->origin.y + ratio(coupler->k_origin.x, coupler->k);
+    e->I13.x = coupler->origin.x - quotient(coupler->k_origin.y, coupler->k);
+    e->I13.y = coupler->origin.y + quotient(coupler->k_origin.x, coupler->k);
     if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {
         e->mechanical_advantage = ratio(1, follower->k);
-        e->I24.x = ratio(-link[1].length * follower->k, 1 - follower->k);
+        e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
         e->I24.y = 0;
+        if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+            derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
     } else {
         e->mechanical_advantage =
             ratio(-(double)state->branch * link[2].length, follower->k_origin.x);
@@ -63,36 +97,50 @@ static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
     return F;
 }
 
-/* Equivalent offset inertia force (ME3491, fig. 2): F = -m a_G at the distance h = I alpha / (m a_G) from
-** G has the moment -I alpha about it if it passes on the left, looking along F. */
+/* Inertia force and couple (ME3491 eqs. 1 and 2), and the offset force equivalent to both (fig. 2):
+**
+**    F = -m a_G,   C = -I alpha,   h = I alpha / (m a_G)
+**
+** F at the distance h from G has the moment C about it if it passes on the left, looking along F.  There
+** is no h where nothing is left of a_G = a_O + alpha x r - omega^2 r but rounding. */
 static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                    int i)
 {
     const fourlink_link *link = &mechanism->design.link[i];
+    const fourlink_link_state *at = &state->link[i];
+    double r = gsl_hypot(link->cg.x, link->cg.y), a_G, terms;
     fourlink_vector a;
     flk_offset_force F;
 
     fourlink_point(state, i, &link->cg, NULL, NULL, &a);
-    F.size = link->mass * gsl_hypot(a.x, a.y);
+    a_G = gsl_hypot(a.x, a.y);
+    terms = gsl_hypot(at->acceleration.x, at->acceleration.y) +
+            (fabs(at->alpha) + at->omega * at->omega) * r;
+    F.size = link->mass * a_G;
     F.direction = atan2(-a.y + 0.0, -a.x + 0.0);
-    F.h = F.size > 0 ? ratio(link->inertia * state->link[i].alpha, F.size) : 0;
+    F.couple = 0 - link->inertia * at->alpha;
+    F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
     return F;
 }
 
-/* Shaking force and moment: what the machine exerts on the ground, by Newton's third law,
+/* Shaking force and moment: all that the machine exerts on the frame, at the pins and at the guide by
+** Newton's third law, and by the gas on the cylinder head,
 **
-**    Fs = F21 + F41 = -(F12 + F14),   Ms = -(AD x F14) - Ts - M14
+**    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 - e P
 **
-** the moment about A. */
+** the moment about A; P, along the line of stroke y = e, is opposite to the force of the gas on the
+** piston.  In an oscillating cylinder the gas is between moving links. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *f, flk_derived *e)
+                            const fourlink_forces *f, double gas_force, flk_derived *e)
 {
     const fourlink_vector *D = &state->link[4].origin;
+    int on_head = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER);
+    double P = on_head ? (double)state->branch * gas_force : 0;
     int i;
 
-    e->Fsx = -f->F12x - f->F14x;
+    e->Fsx = -f->F12x - f->F14x + P;
     e->Fsy = -f->F12y - f->F14y;
-    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x);
+    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) - mechanism->design.offset * P;
     e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
     e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
     e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);

@@ -15,30 +15,35 @@ typedef struct flk_axial {
 /* Offset inertia force of a link (ME3491, fig. 2). */
 typedef struct flk_offset_force {
     double size, direction; /* N, rad: -m a_G */
-    double h;               /* m, offset from G to the left of the force */
+    double couple;          /* N m, -I alpha */
+    double h;               /* m, offset from G to the left of the force; NaN if there is none */
 } flk_offset_force;
 
 typedef struct flk_derived {
-    double Fsx, Fsy, Ms;          /* N, N m about A: of the mechanism on its frame */
+    double Fsx, Fsy, Ms;          /* N, N m about A: of the machine on its frame */
     flk_axial F12, F32;           /* N, on the crank */
     flk_axial F23, F43;           /* N, on coupler or rod */
     flk_axial F34, F14;           /* N, on link 4 */
     flk_offset_force inertia[5];  /* by link number */
     double mechanical_advantage;  /* 1 */
     double condition;             /* 1 */
-    fourlink_vector I13, I24;     /* m, instantaneous centres */
+    fourlink_vector I13, I24;     /* m, instantaneous centres; NaN at infinity */
+    double A, B, C;               /* m2, coefficients of Freudenstein's equation; four-bar */
     double Ts_static, Ts_inertia; /* N m, of loads and weights alone, and of inertia alone */
     double superposition; /* 1, largest difference, of all nine unknowns, between the sum of both
                              and the whole, relative to the largest force */
 } flk_derived;
 
+/* K = (a^2 - b^2 + c^2 + d^2) / 2 of a four-bar, m2 (Alvi section 3.1) */
+double flk_derive_freudenstein(const fourlink_design *design);
+
 /* The part that follows from the motion alone. */
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             flk_derived *e);
 
-/* The part that follows from the forces. */
+/* The part that follows from the forces; `gas_force` is that on the piston, towards the crank. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *forces, flk_derived *e);
+                            const fourlink_forces *forces, double gas_force, flk_derived *e);
 
 /* Solve for loads and inertia separately; returns a status. */
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,

@@ -23,6 +23,7 @@
     X(THETA4_SWING, "theta4_swing", ANGLE, 0, "range of theta4: theta4_to - theta4_from")          \
     X(ROD_RATIO, "n", NUMBER, 0, "length of the rod / length of the crank")                        \
     X(ROD_GYRATION, "k", LENGTH, 0, "radius of gyration of the rod")                               \
+    X(PAIR_GYRATION, "k1", LENGTH, 0, "radius of gyration of m_a and m_b: k1^2 = b (l - b)")       \
     X(M_A, "m_a", MASS, 0, "part of the rod's mass at the crank pin")                              \
     X(M_B, "m_b", MASS, 0, "part of the rod's mass at the gudgeon pin")                            \
     X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, length of the equivalent pendulum")                \
@@ -141,15 +142,6 @@ static void tell_type(teller *t)
     f->unit = "";
 }
 
-/* K = (a^2 - b^2 + c^2 + d^2) / 2 (Alvi section 3.1) */
-static void tell_freudenstein(teller *t)
-{
-    const fourlink_link *link = t->d->design.link;
-    double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
-
-    tell(t, FACT_FREUDENSTEIN, (a * a - b * b + c * c + d * d) / 2);
-}
-
 static void tell_reach(teller *t)
 {
     fourlink_reach reach;
@@ -193,6 +185,8 @@ static void tell_rod(teller *t)
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
         return;
     tell(t, FACT_ROD_GYRATION, rod.k);
+    if (rod.k1 > 0)
+        tell(t, FACT_PAIR_GYRATION, rod.k1);
     tell(t, FACT_M_A, rod.m_a);
     tell(t, FACT_M_B, rod.m_b);
     if (rod.L == 0)
@@ -287,7 +281,7 @@ unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_c
     if (groups & FOURLINK_FACTS_LIMITS) {
         tell_type(&t);
         if (t.d->design.kind == FOURLINK_FOUR_BAR)
-            tell_freudenstein(&t);
+            tell(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
         tell_reach(&t);
         if (t.d->design.kind == FOURLINK_FOUR_BAR)
             tell_reach_of_rocker(&t);

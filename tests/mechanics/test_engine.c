@@ -301,6 +301,11 @@ static void test_rod_masses(void **unused)
 
         assert_near(rod.m_a + rod.m_b, m, tolerance);
         assert_near(rod.m_b * b, rod.m_a * (l - b), tolerance * l);
+        if (rod.k1 > 0)
+            assert_near(rod.m_a * (l - b) * (l - b) + rod.m_b * b * b, m * rod.k1 * rod.k1,
+                        2 * tolerance * l * l);
+        else
+            assert_true(b * (l - b) <= 0);
         assert_near(rod.m_a * (l - b) * (l - b) + rod.m_b * b * b, I + m * b * (l - rod.L),
                     4 * tolerance * l * l + 1e-15 * I);
 
@@ -386,6 +391,14 @@ static fourlink_engine engine_of(sample *s, double gas, fourlink_approximation a
         fourlink_engine_method(&s->mechanism, &s->state, gas, NULL, 0, approximation, &engine),
         FOURLINK_OK);
     return engine;
+}
+
+static fourlink_klein klein_of(const sample *s)
+{
+    fourlink_klein klein;
+
+    assert_int_equal(fourlink_klein_construction(&s->mechanism, &s->state, &klein), FOURLINK_OK);
+    return klein;
 }
 
 static double phi_of(const sample *s)
@@ -531,6 +544,8 @@ static void test_ME3491_example_2(void **unused)
     s.design.gravity.x = 0;
     level = engine_of(&s, 0, FOURLINK_SERIES_PISTON);
     assert_printed(engine.T_piston - level.T_piston, 392, 1);
+    assert_printed(engine.T_weight_b, 392.42, 0.01);
+    assert_true(level.T_weight_b == 0);
     assert_printed(level.T_piston, -4963.0, 0.1);
 
     s.crank.omega2 = 20.94;
@@ -542,10 +557,17 @@ static void test_ME3491_example_2(void **unused)
 
     /* The drawing: the acceleration of the centre of mass is omega^2 gO, g between B and N as G is
     ** between B and the gudgeon pin. */
-    assert_int_equal(fourlink_klein_construction(&s.mechanism, &s.state, &klein), FOURLINK_OK);
+    klein = klein_of(&s);
     gx = (0.4 * cos(45 * DEG) * 1.175 + klein.ON * 0.825) / 2;
     gy = 0.4 * sin(45 * DEG) * 1.175 / 2;
     assert_near(hypot(gx, gy), 0.3282, 0.0005);
+    /* and lengths read from it to 0.2 % */
+    s.design.gravity.x = -9.81;
+    assert_int_equal(solve(&s), FOURLINK_OK);
+    klein = klein_of(&s);
+    assert_close(klein.IX, 2.0952, 2e-3);
+    assert_close(klein.IY, 1.0318, 2e-3);
+    assert_close(klein.FT, 13714.0, 2e-3);
 }
 
 /* ---------------------------------------------------------------------------------------------
@@ -643,6 +665,36 @@ static void test_nine_equations(void **unused)
                     e.engine.T_piston + e.engine.T_correction + e.engine.T_weight_a +
                         e.engine.T_inertia_a,
                     1e-15 * e.s.design.link[2].length * largest_force(&e));
+    }
+}
+
+/* The parts of the piston effort's torque, and the correction couple as a pair of forces. */
+static void test_parts(void **unused)
+{
+    uint64_t seed = 25;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 10000; n++) {
+        double r, along, F, towards_crank, scale;
+        engine_sample e;
+        unsigned long i;
+
+        draw_engine(&seed, n, n % 11 == 0, 0.05, &e);
+        r = e.s.design.link[2].length;
+        towards_crank = e.s.branch == FOURLINK_OPEN ? -1 : 1;
+        along = towards_crank * e.s.state.link[4].k_origin.x;
+        F = e.engine.gas_force + e.engine.inertia_force +
+            towards_crank * e.s.design.link[4].mass * e.s.design.gravity.x;
+        for (i = 0; i < e.n_loads; i++)
+            F += towards_crank * e.load[i].force.x;
+        scale = (r + fabs(along)) * largest_force(&e);
+        assert_near(F * along + e.engine.T_weight_b, e.engine.T_piston, 1e-13 * scale);
+        assert_near(e.engine.correction_force * r * cos(e.s.crank.theta2), e.engine.T_correction,
+                    1e-13 * scale);
+        assert_near(e.engine.correction_force * e.s.design.link[3].length *
+                        e.s.state.link[3].axis.x,
+                    e.engine.correction_couple, 1e-13 * scale);
     }
 }
 
@@ -1007,14 +1059,6 @@ static void test_bad_loads(void **unused)
 ** Klein's construction
 ** ------------------------------------------------------------------------------------------- */
 
-static fourlink_klein klein_of(const sample *s)
-{
-    fourlink_klein klein;
-
-    assert_int_equal(fourlink_klein_construction(&s->mechanism, &s->state, &klein), FOURLINK_OK);
-    return klein;
-}
-
 /* What is read from the drawing is the motion at constant speed. */
 static void test_klein_motion(void **unused)
 {
@@ -1044,6 +1088,69 @@ static void test_klein_motion(void **unused)
         assert_near(w * w * klein.ON, s.state.a, 1e-14 * size * w * w / (sine * sine * sine));
         assert_near(w * w * klein.QN / l, s.state.link[3].alpha,
                     1e-14 * size / l * w * w / (sine * sine * sine));
+    }
+}
+
+/* The crank effort of the rod alone, by moments about I: at constant speed it is what the nine equations
+** say of an engine with nothing else.  The arms are those of the drawing. */
+static void test_klein_crank_effort(void **unused)
+{
+    uint64_t seed = 26;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 10000; n++) {
+        double r, l, scale, k3, sine, FC, WC;
+        const fourlink_vector *g;
+        fourlink_vector B, C, I, G, a;
+        fourlink_forces forces;
+        fourlink_klein klein;
+        sample s;
+
+        draw(&seed, n, n % 3, 0.05, &s);
+        r = s.design.link[2].length;
+        l = s.design.link[3].length;
+        s.crank.alpha2 = 0;
+        set_rod(&s, uniform(&seed, 0.1, 10), uniform(&seed, 0, 1), l * uniform(&seed, -0.2, 1.2));
+        s.design.link[3].cg.y = l * uniform(&seed, -0.5, 0.5);
+        s.design.gravity.x = uniform(&seed, -30, 30);
+        s.design.gravity.y = uniform(&seed, -30, 30);
+        g = &s.design.gravity;
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        assert_int_equal(fourlink_solve(&s.mechanism, &s.state, NULL, 0, &forces), FOURLINK_OK);
+        klein = klein_of(&s);
+        fourlink_point(&s.state, 3, &s.design.link[3].cg, &G, NULL, &a);
+        sine = fabs(s.state.sine);
+        FC = s.design.link[3].mass * hypot(a.x, a.y);
+        WC = s.design.link[3].mass * hypot(g->x, g->y);
+        scale =
+            (1 + 1 / l) * (FC + WC + s.design.link[3].inertia * fabs(s.state.link[3].alpha)) / sine;
+        assert_near(klein.FT * r, forces.Ts, 1e-12 * (r + l) * scale);
+
+        k3 = s.state.link[3].k;
+        if (fabs(k3) < 1e-3)
+            continue;
+        B = s.state.link[3].origin;
+        C = s.state.link[4].origin;
+        I.x = C.x;
+        I.y = C.x * B.y / B.x;
+        assert_near(fabs(klein.IX),
+                    fabs((G.x - I.x) * g->y - (G.y - I.y) * g->x) / hypot(g->x, g->y),
+                    1e-9 * (r + l) / fabs(k3) / sine);
+        assert_close(klein.FT * hypot(I.x - B.x, I.y - B.y) + 1e6,
+                     FC * klein.IY - WC * klein.IX + 1e6, 1e-9 * (1 + scale));
+    }
+    {
+        sample s;
+
+        slider_crank(1, 3, 90 * DEG, 2, 0, &s); /* I is at infinity */
+        set_rod(&s, 1, 1, 1);
+        s.design.gravity.y = -9.81;
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        assert_true(isnan(klein_of(&s).IX) && isnan(klein_of(&s).IY) && isfinite(klein_of(&s).FT));
+        slider_crank(1, 3, 1, 2, 0, &s); /* a rod without mass */
+        assert_int_equal(solve(&s), FOURLINK_OK);
+        assert_true(isnan(klein_of(&s).IX) && isnan(klein_of(&s).IY) && klein_of(&s).FT == 0);
     }
 }
 
@@ -1163,6 +1270,7 @@ int main(void)
         cmocka_unit_test(test_ME3491_example_1),
         cmocka_unit_test(test_ME3491_example_2),
         cmocka_unit_test(test_nine_equations),
+        cmocka_unit_test(test_parts),
         cmocka_unit_test(test_nine_equations_behind_a_change_point),
         cmocka_unit_test(test_strut),
         cmocka_unit_test(test_classical_formulas),
@@ -1172,6 +1280,7 @@ int main(void)
         cmocka_unit_test(test_engine_statuses),
         cmocka_unit_test(test_bad_loads),
         cmocka_unit_test(test_klein_motion),
+        cmocka_unit_test(test_klein_crank_effort),
         cmocka_unit_test(test_klein_drawing),
         cmocka_unit_test(test_klein_statuses),
     };

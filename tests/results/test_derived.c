@@ -11,7 +11,8 @@ typedef struct sample {
     fourlink_mechanism m;
     fourlink_branch branch;
     fourlink_crank crank;
-    fourlink_load loads[2];
+    fourlink_load loads[3]; /* the last is the gas on the piston */
+    double gas;
     fourlink_state state;
     fourlink_forces forces;
     flk_derived e;
@@ -51,13 +52,16 @@ static void draw(sample *x)
             x->loads[i].at.x = uniform(&seed, -1, 1);
             x->loads[i].torque = uniform(&seed, -20, 20);
         }
+        x->gas = d.kind == FOURLINK_SLIDER_CRANK ? uniform(&seed, -100, 100) : 0;
+        x->loads[2].link = FOURLINK_FOLLOWER;
+        x->loads[2].force.x = -x->branch * x->gas;
         fourlink_prepare(&d, &x->m);
-    } while (fourlink_analyse(&x->m, x->branch, &x->crank, x->loads, 2, &x->state, &x->forces) !=
+    } while (fourlink_analyse(&x->m, x->branch, &x->crank, x->loads, 3, &x->state, &x->forces) !=
                  FOURLINK_OK ||
              fabs(x->state.sine) < 0.3);
     flk_derive_from_motion(&x->m, &x->state, &x->e);
-    flk_derive_from_forces(&x->m, &x->state, &x->forces, &x->e);
-    assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 2, &x->forces, &x->e),
+    flk_derive_from_forces(&x->m, &x->state, &x->forces, x->gas, &x->e);
+    assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 3, &x->forces, &x->e),
                      FOURLINK_OK);
 }
 
@@ -83,6 +87,97 @@ static void momentum(const sample *x, double t, double p[3])
     }
 }
 
+/* What weights and loads give, in F, x, y and about A; the gas is within the machine. */
+static void add_given(const sample *x, double F[3])
+{
+    int i;
+
+    for (i = 2; i <= 4; i++) {
+        const fourlink_link *link = &x->m.design.link[i];
+        const fourlink_vector *g = &x->m.design.gravity;
+        fourlink_vector G;
+
+        fourlink_point(&x->state, i, &link->cg, &G, NULL, NULL);
+        F[0] += link->mass * g->x;
+        F[1] += link->mass * g->y;
+        F[2] += link->mass * (G.x * g->y - G.y * g->x);
+    }
+    for (i = 0; i < 2; i++) {
+        const fourlink_load *l = &x->loads[i];
+        const fourlink_link_state *s = &x->state.link[l->link];
+        fourlink_vector P, f = l->force;
+
+        if (l->frame == FOURLINK_FRAME_LINK) {
+            f.x = cos(s->theta) * l->force.x - sin(s->theta) * l->force.y;
+            f.y = sin(s->theta) * l->force.x + cos(s->theta) * l->force.y;
+        }
+        fourlink_point(&x->state, l->link, &l->at, &P, NULL, NULL);
+        F[0] += f.x;
+        F[1] += f.y;
+        F[2] += P.x * f.y - P.y * f.x + l->torque;
+    }
+}
+
+/* d'Alembert: the frame gets weights and loads less m a_G and I alpha of the links. */
+static void test_d_Alembert(void **unused)
+{
+    int n, i;
+
+    (void)unused;
+    for (n = 0; n < 5000; n++) {
+        double F[3] = {0, 0, 0}, scale = 1000;
+        sample x;
+
+        draw(&x);
+        add_given(&x, F);
+        for (i = 2; i <= 4; i++) {
+            const fourlink_link *link = &x.m.design.link[i];
+            double couple = link->inertia * x.state.link[i].alpha;
+            fourlink_vector G, a;
+
+            fourlink_point(&x.state, i, &link->cg, &G, NULL, &a);
+            F[0] -= link->mass * a.x;
+            F[1] -= link->mass * a.y;
+            F[2] -= link->mass * (G.x * a.y - G.y * a.x) + couple;
+            scale += link->mass * hypot(a.x, a.y) + fabs(couple);
+            assert_near(x.e.inertia[i].couple, -couple, 0);
+        }
+        assert_near(x.e.Fsx, F[0], 1e-13 * scale);
+        assert_near(x.e.Fsy, F[1], 1e-13 * scale);
+        assert_near(x.e.Ms, F[2], 1e-13 * scale);
+    }
+}
+
+/* Gas alone, in an engine at rest or without masses: the frame holds itself, whatever the pressure. */
+static void test_gas_alone(void **unused)
+{
+    int n, i;
+
+    (void)unused;
+    for (n = 0; n < 2000; n++) {
+        sample x;
+
+        do
+            draw(&x);
+        while (x.m.design.kind != FOURLINK_SLIDER_CRANK);
+        x.m.design.gravity.x = x.m.design.gravity.y = 0;
+        if (n % 2)
+            x.crank.omega2 = x.crank.alpha2 = 0;
+        else
+            for (i = 2; i <= 4; i++)
+                x.m.design.link[i].mass = x.m.design.link[i].inertia = 0;
+        x.gas *= 1e4;
+        x.loads[2].force.x *= 1e4;
+        assert_int_equal(
+            fourlink_analyse(&x.m, x.branch, &x.crank, &x.loads[2], 1, &x.state, &x.forces),
+            FOURLINK_OK);
+        flk_derive_from_forces(&x.m, &x.state, &x.forces, x.gas, &x.e);
+        assert_near(x.e.Fsx, 0, 1e-14 * fabs(x.gas));
+        assert_near(x.e.Fsy, 0, 1e-14 * fabs(x.gas));
+        assert_near(x.e.Ms, 0, 2e-14 * fabs(x.gas));
+    }
+}
+
 /* The frame gets what weights and loads give, less what the momentum takes up. */
 static void test_shaking(void **unused)
 {
@@ -97,30 +192,7 @@ static void test_shaking(void **unused)
         draw(&x);
         for (k = 0; k < 4; k++)
             momentum(&x, (k < 2 ? k - 2 : k - 1) * h, p[k]);
-        for (i = 2; i <= 4; i++) {
-            const fourlink_link *link = &x.m.design.link[i];
-            const fourlink_vector *g = &x.m.design.gravity;
-            fourlink_vector G;
-
-            fourlink_point(&x.state, i, &link->cg, &G, NULL, NULL);
-            F[0] += link->mass * g->x;
-            F[1] += link->mass * g->y;
-            F[2] += link->mass * (G.x * g->y - G.y * g->x);
-        }
-        for (i = 0; i < 2; i++) {
-            const fourlink_load *l = &x.loads[i];
-            const fourlink_link_state *s = &x.state.link[l->link];
-            fourlink_vector P, f = l->force;
-
-            if (l->frame == FOURLINK_FRAME_LINK) {
-                f.x = cos(s->theta) * l->force.x - sin(s->theta) * l->force.y;
-                f.y = sin(s->theta) * l->force.x + cos(s->theta) * l->force.y;
-            }
-            fourlink_point(&x.state, l->link, &l->at, &P, NULL, NULL);
-            F[0] += f.x;
-            F[1] += f.y;
-            F[2] += P.x * f.y - P.y * f.x + l->torque;
-        }
+        add_given(&x, F);
         for (i = 0; i < 3; i++) {
             double rate = (p[0][i] - 8 * p[1][i] + 8 * p[2][i] - p[3][i]) / (12 * h);
 
@@ -260,6 +332,89 @@ static void test_mechanical_advantage(void **unused)
     }
 }
 
+/* tan(theta4 / 2) is a root of Freudenstein's equation. */
+static void test_freudenstein(void **unused)
+{
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        double s, c;
+        sample x;
+
+        do
+            draw(&x);
+        while (x.m.design.kind != FOURLINK_FOUR_BAR);
+        s = sin(x.state.link[4].theta / 2);
+        c = cos(x.state.link[4].theta / 2);
+        assert_near(x.e.A * s * s + x.e.B * s * c + x.e.C * c * c, 0, 1e-14);
+        assert_near(flk_derive_freudenstein(&x.m.design),
+                    (x.e.A + x.e.C) / 2 +
+                        x.m.design.link[2].length * x.m.design.link[1].length * cos(x.crank.theta2),
+                    1e-14);
+    }
+}
+
+/* What has no value is NaN: centres at infinity, the offset of no force. */
+static void test_undefined(void **unused)
+{
+    const double right = 90 * DEG;
+    int n, i;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        sample x;
+
+        draw(&x);
+        if (x.m.design.kind ==
+            FOURLINK_SLIDER_CRANK) { /* the rod at mid-stroke moves without turning */
+            x.crank.theta2 = x.crank.theta2 > 0 ? right : -right;
+            if (fourlink_analyse(&x.m, x.branch, &x.crank, NULL, 0, &x.state, &x.forces))
+                continue;
+            flk_derive_from_motion(&x.m, &x.state, &x.e);
+            assert_true(isnan(x.e.I13.x) && isnan(x.e.I13.y) && !isnan(x.e.I24.y));
+        }
+        /* a balanced crank, and then all at rest */
+        x.m.design.link[2].cg.x = x.m.design.link[2].cg.y = 0;
+        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        assert_true(isnan(x.e.inertia[2].h) && !isnan(x.e.inertia[3].h));
+        x.crank.omega2 = x.crank.alpha2 = 0;
+        assert_int_equal(fourlink_analyse(&x.m, x.branch, &x.crank, NULL, 0, &x.state, &x.forces),
+                         FOURLINK_OK);
+        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        for (i = 2; i <= 4; i++)
+            assert_true(isnan(x.e.inertia[i].h));
+    }
+}
+
+/* A link whose centre of mass is not accelerated, but for rounding: it is at the pole. */
+static void test_rounding_is_no_force(void **unused)
+{
+    fourlink_link_state *rod;
+    sample x;
+    int n;
+
+    (void)unused;
+    for (n = 0; n < 1000; n++) {
+        fourlink_vector at, a, e;
+        double square;
+
+        draw(&x);
+        rod = &x.state.link[3];
+        /* the pole of the accelerations of link 3 */
+        square = pow(rod->omega, 4) + rod->alpha * rod->alpha;
+        a = rod->acceleration;
+        at.x = (rod->omega * rod->omega * a.x - rod->alpha * a.y) / square;
+        at.y = (rod->omega * rod->omega * a.y + rod->alpha * a.x) / square;
+        e = rod->axis;
+        x.m.design.link[3].cg.x = at.x * e.x + at.y * e.y;
+        x.m.design.link[3].cg.y = at.y * e.x - at.x * e.y;
+        x.m.design.link[3].mass = 1;
+        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        assert_true(isnan(x.e.inertia[3].h));
+    }
+}
+
 static void test_superposition(void **unused)
 {
     int n;
@@ -279,11 +434,16 @@ static void test_superposition(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_d_Alembert),
+        cmocka_unit_test(test_gas_alone),
         cmocka_unit_test(test_shaking),
         cmocka_unit_test(test_axes),
         cmocka_unit_test(test_offset_inertia_force),
         cmocka_unit_test(test_instantaneous_centres),
         cmocka_unit_test(test_mechanical_advantage),
+        cmocka_unit_test(test_freudenstein),
+        cmocka_unit_test(test_undefined),
+        cmocka_unit_test(test_rounding_is_no_force),
         cmocka_unit_test(test_superposition),
     };
 

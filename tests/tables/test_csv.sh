@@ -30,6 +30,18 @@ run 1 -f csv reach.deck
 check 'empty cells and the reason' grep -q "^open,200,,,,,,,,cannot be assembled: B and D are too far apart$cr\$" out
 check 'numbers beside them' grep -q '^open,40,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,[-0-9.e]*,ok' out
 
+# what is not defined: the offset of no inertia force, a centre at infinity
+undefined='--set=motion.interval=90deg --columns=theta2,h2,I13x,omega3 --branch=open engine.deck'
+run 0 $undefined
+check 'nan in a table' test "$(grep -v '^#' out | awk '{printf "%s%s ", $2, $3 == "nan" ? "-" : "+"}')" = 'nan+ nan- nan+ nan- nan+ '
+run 0 -f csv $undefined
+check 'empty in csv' test "$(tr -d '\r' <out | awk -F , 'NR > 1 {printf "%s%s ", $3, $4 == "" ? "-" : "+"}')" = '+ - + - + '
+run 0 -f json $undefined
+check 'null in json' test "$(grep -c '"values":\[[0-9]*,null,null,' out)" -eq 2
+run 0 --summary $undefined
+check 'extremes pass over it' grep -q '^max(I13x) *1.5 m' out
+check 'and there is none of what is nowhere defined' test "$(grep -c 'h2' out)" -eq 0
+
 # quoting, and one header for several decks
 cp "$alvi" 'a "b", c.deck'
 run 0 -f csv 'a "b", c.deck' engine.deck
