@@ -25,12 +25,13 @@ static double ratio(double x, double y)
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have the same velocity,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have
+** the same velocity,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
-** Mechanical advantage, from the power of a machine without losses: torque on the load over
-** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
+** Mechanical advantage, from the power of a machine without losses: torque on the load over torque on the
+** crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
 ** r omega2 / v.
 */
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
