@@ -125,10 +125,10 @@ typedef enum fourlink_kind {
 **               the slide; crossed, on the negative side.
 **
 ** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for
-** a slider-crank at +90 or -90 deg, for its inversion at 0) passes smoothly from one side to the other.  There the label
-** stays with the smooth motion that has the named side just after crank angle 0 (four-bar, inverted
-** slider-crank), or at crank angle 0 (slider-crank): it depends only on the lengths and on the angle, which is not
-** reduced by 360 deg here.
+** a slider-crank at +90 or -90 deg, for an inverted one at 0) passes smoothly from one side to the
+** other.  There the label stays with the smooth motion that has the named side just after crank
+** angle 0 (four-bar, inverted), or at crank angle 0 (slider-crank): it depends only on the lengths and
+** on the angle, which is not reduced by 360 deg here.
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
@@ -164,9 +164,9 @@ typedef struct fourlink_design {
 ** fourlink_prepare; the members may be read, not written. */
 typedef struct fourlink_mechanism {
     fourlink_design design;
-    double stretched; /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
-    double folded;    /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m; inverted:
-                             (a - d)^2 - h^2, m2 */
+    double stretched;      /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
+    double folded;         /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m;
+                              inverted: (a - d)^2 - h^2, m2 */
     int change_stretched;  /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
     int change_folded;     /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
     double dead_centre;    /* m, slider-crank: distance of the inner dead centre from A, along x */
@@ -253,9 +253,9 @@ typedef struct fourlink_forces {
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
                           largest term of the balance, F23.v_B and F34.v_B among them, the products
                           of components; 0 if every term is 0 */
-    double N34,
-        M34; /* N, N m, inverted: force of the slider on the lever, at B and to the left of the
-                          slide, and couple; F34 is that force */
+    double N34; /* N, inverted: force of the slider on the lever, at B, to the left of the slide;
+                          F34 is that force */
+    double M34; /* N m, inverted: couple of the slider on the lever */
 } fourlink_forces;
 
 /* ---------------------------------------------------------------------------------------------
@@ -300,9 +300,9 @@ typedef struct fourlink_limits {
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
-    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; of a lever that
-                                      turns fully, of the strokes of a tool whose line of stroke passes D
-                                      at right angles to AD; 0: there is none */
+    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; for a lever
+                                      that turns fully, of the strokes of a tool whose line of stroke
+                                      passes D at right angles to AD; 0: there is none */
     int has_stroke;      /* 1: the piston moves between two dead centres */
     double stroke;       /* m */
     double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
@@ -626,7 +626,8 @@ FOURLINK_API const char *fourlink_kind_text(int kind);
 FOURLINK_API const char *fourlink_link_text(int kind, int link);
 
 /* The link on which a link slides: FOURLINK_GROUND (1) for the piston, FOURLINK_FOLLOWER (4) for the
-** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at its origin. */
+** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at
+** its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
 
 /* Check a design and prepare it for the functions below.
@@ -821,6 +822,7 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
 **    FOURLINK_BAD_FRAME
 ** Note:
 **    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts),
+**    for an inverted one (... F23y M34 N34 F14x F14y Ts),
 **    where N is the force of the guide on the piston along +y.
 ** Reference:
 **    ME3491, eq. 15 and the matrix below it, corrected.
@@ -829,7 +831,8 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
                                  const fourlink_load *loads, unsigned long n_loads, double A[9][9],
                                  double b[9]);
 
-/* The names of the nine unknowns, i = 0 to 8: "F12x" to "F34y", "F14x" and "F14y", or "M14" and "N",
+/* The names of the nine unknowns, i = 0 to 8: "F12x" to "F34y", "F14x" and "F14y", or "M14" and "N"
+** (an inverted slider-crank has "M34" and "N34" for "F34x" and "F34y"),
 ** and "Ts".  A constant string, never null. */
 FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 

@@ -61,8 +61,8 @@ static void derive_freudenstein(const fourlink_design *design, const fourlink_ve
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
-** Mechanical advantage, from the power of a machine without losses: torque on the load over
-** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
+** Mechanical advantage, from the power of a machine without losses: torque on the load over torque on the
+** crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
 ** r omega2 / v.
 */
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
