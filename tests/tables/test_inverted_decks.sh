@@ -7,7 +7,7 @@
 
 cp "$data/oscillating-cylinder.deck" cylinder.deck
 cp "$data/khurmi-5.2.deck" lever.deck
-cp "$data/khurmi-5.4.deck" whitworth.deck
+cp "$data/whitworth-150-100.deck" whitworth.deck
 
 run 0 --list cylinder.deck
 quiet
