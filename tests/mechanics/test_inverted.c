@@ -553,7 +553,7 @@ static void test_limits(void **unused)
     for (n = 0; n < 300; n++) {
         double a = uniform(&seed, 0.1, 1), d = uniform(&seed, 0.1, 1);
         double h = uniform(&seed, -0.95, 0.95) * fabs(a - d), turned = 0, gamma = n % 3 ? 0 : 0.7;
-        double c = gamma ? -h / sin(gamma) : 0, low = 9, high = -9;
+        double c = gamma != 0 ? -h / sin(gamma) : 0, low = 9, high = -9;
         fourlink_mechanism m;
         fourlink_branch branch = n % 2 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         fourlink_limits limits;
@@ -564,7 +564,7 @@ static void test_limits(void **unused)
             gamma -= PI;
             c = -c;
         }
-        m = prepared(a, d, gamma ? 0 : h, c, gamma);
+        m = prepared(a, d, gamma != 0 ? 0 : h, c, gamma);
         assert_int_equal(fourlink_limits_of(&m, branch, &limits), FOURLINK_OK);
         assert_int_equal(fourlink_type_of(&m, &type), FOURLINK_OK);
         assert_int_equal(fourlink_reach_of(&m, &reach), FOURLINK_OK);
