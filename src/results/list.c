@@ -180,6 +180,7 @@ size_t flk_list_input_limit(const deck *d)
 
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
 {
+    int kind = (int)d->design.kind, slides_on_lever = fourlink_slides(kind, FOURLINK_COUPLER) != 0;
     unsigned long i;
     teller t;
     int link;
@@ -189,14 +190,10 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     t.names = names;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         tell_link(&t, link);
-    t.section = fourlink_link_text((int)d->design.kind,
-                                   fourlink_slides((int)d->design.kind, FOURLINK_COUPLER)
-                                       ? FOURLINK_FOLLOWER
-                                       : FOURLINK_GROUND);
+    t.section = fourlink_link_text(kind, slides_on_lever ? FOURLINK_FOLLOWER : FOURLINK_GROUND);
     tell_if(&t, "offset", QUANTITY_LENGTH, d->design.offset,
-            fourlink_slides((int)d->design.kind, FOURLINK_COUPLER)
-                ? "distance at which the slide passes D"
-                : "offset of the line of stroke");
+            slides_on_lever ? "distance at which the slide passes D"
+                            : "offset of the line of stroke");
     tell_if(&t, "angle", QUANTITY_ANGLE, d->design.angle, "angle of the slide from the line D-C");
     t.section = "gravity";
     tell(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
