@@ -226,9 +226,7 @@ module fourlink
     type(fourlink_motion) :: motion
     real(c_double) :: cycle
     integer(c_int) :: open, crossed, has_forces, approximation
-    integer(c_long) :: n_loads
-    integer(c_int) :: has_gas
-    integer(c_long) :: n_points
+    integer(c_long) :: n_loads, n_gas_loads, n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits

@@ -486,9 +486,8 @@ typedef struct fourlink_problem {
     int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
-    int has_gas; /* 1: the last load is the gas on the piston; 2: the last two are the gas on rod
-                    and cylinder */
-    unsigned long n_points;      /* for fourlink_deck_point */
+    unsigned long n_gas_loads; /* the last of these: 1, on the piston; 2, on rod and cylinder; 0 */
+    unsigned long n_points;    /* for fourlink_deck_point */
     double flywheel_fluctuation; /* 1; 0 if not given */
     double flywheel_inertia;     /* kg m2; 0 if not given */
     unsigned long n_rows;        /* of the motion */

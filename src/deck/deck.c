@@ -122,8 +122,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->crossed = d->crossed;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
-    problem->has_gas = (int)flk_deck_gas_loads(d);
-    problem->n_loads = d->n_loads + flk_deck_gas_loads(d);
+    problem->n_gas_loads = flk_deck_gas_loads(d);
+    problem->n_loads = d->n_loads + problem->n_gas_loads;
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;

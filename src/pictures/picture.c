@@ -108,7 +108,7 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
 static int lines_beside(const picture *p, int each_link)
 {
     int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n = p->problem.n_loads - (unsigned long)p->problem.has_gas;
+    unsigned long i, n = p->problem.n_loads - p->problem.n_gas_loads;
     const char *name;
 
     fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
@@ -335,9 +335,8 @@ static const char *missing(const picture *p)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction needs a slider-crank";
-    if ((needs & PLOT_DRAWING) &&
-        (p->problem.n_loads - (unsigned long)p->problem.has_gas > PICTURE_LOADS ||
-         p->problem.n_points > PICTURE_POINTS))
+    if ((needs & PLOT_DRAWING) && (p->problem.n_loads - p->problem.n_gas_loads > PICTURE_LOADS ||
+                                   p->problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }
