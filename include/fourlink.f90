@@ -74,10 +74,12 @@ module fourlink
     fourlink_change_point_linkage = 9, &
     fourlink_engine_type = 10, &
     fourlink_slider_rocker = 11, &
-    fourlink_change_point_slider = 12
+    fourlink_change_point_slider = 12, fourlink_slotted_lever = 13, fourlink_whitworth = 14, &
+    fourlink_inverted_rocker = 15, fourlink_change_point_inverted = 16
 
   ! Kinds of mechanisms, branches, links, frames of loads, approximations.
-  integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2
+  integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2, &
+    fourlink_inverted_slider_crank = 4
   integer(c_int), parameter :: fourlink_open = 1, fourlink_crossed = -1
   integer(c_int), parameter :: fourlink_ground = 1, fourlink_crank_link = 2, &
     fourlink_coupler = 3, fourlink_follower = 4
@@ -119,13 +121,15 @@ module fourlink
     type(fourlink_link) :: link(0:4) ! (0) is unused
     real(c_double) :: offset = 0
     type(fourlink_vector) :: gravity
+    real(c_double) :: angle = 0
   end type fourlink_design
 
   type, bind(c) :: fourlink_mechanism
     type(fourlink_design) :: design
     real(c_double) :: stretched, folded
     integer(c_int) :: change_stretched, change_folded
-    real(c_double) :: dead_centre
+    real(c_double) :: dead_centre, h
+    type(fourlink_vector) :: lever
   end type fourlink_mechanism
 
   ! One crank position.
@@ -141,7 +145,7 @@ module fourlink
   type, bind(c) :: fourlink_state
     type(fourlink_link_state) :: link(0:4) ! (0) and (1) are unused
     integer(c_int) :: branch
-    real(c_double) :: sine, mu, phi, x, v, a
+    real(c_double) :: sine, mu, phi, x, v, a, slide, slide_v, slide_a, coriolis, s
   end type fourlink_state
 
   ! Loads and forces.
@@ -154,7 +158,7 @@ module fourlink
 
   type, bind(c) :: fourlink_forces
     real(c_double) :: F12x, F12y, F23x, F23y, F34x, F34y, F14x, F14y
-    real(c_double) :: M14, Ts, Ts_work, residual
+    real(c_double) :: M14, Ts, Ts_work, residual, N34, M34
   end type fourlink_forces
 
   ! The mechanism as a whole.
@@ -222,9 +226,7 @@ module fourlink
     type(fourlink_motion) :: motion
     real(c_double) :: cycle
     integer(c_int) :: open, crossed, has_forces, approximation
-    integer(c_long) :: n_loads
-    integer(c_int) :: has_gas
-    integer(c_long) :: n_points
+    integer(c_long) :: n_loads, n_gas_loads, n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits

@@ -10,9 +10,12 @@
 ** Conventions
 **
 **   Links    1 ground (A-D), 2 crank (A-B), 3 coupler or connecting rod (B-C), 4 rocker (D-C) or
-**            piston (at C).  Arrays over links are indexed by the link's number.
-**   Frame    Right-handed, fixed to link 1: origin A, x along A->D (four-bar) or along the line of
-**            stroke from the crankshaft to the piston (slider-crank), z out of the paper.
+**            piston (at C).  In an inverted slider-crank link 3 is the slider, pinned to the crank at
+**            B, and link 4 the lever, which turns about D; the slider slides along the lever.  Arrays
+**            over links are indexed by the link's number.
+**   Frame    Right-handed, fixed to link 1: origin A, x along A->D (four-bar, inverted slider-crank)
+**            or along the line of stroke from the crankshaft to the piston (slider-crank), z out of
+**            the paper.
 **   Units    SI and radians throughout.  Angles, angular speeds and torques are positive
 **            counter-clockwise.
 **   Forces   F_ij is the force that link i exerts ON link j.  Ts is the torque that the ground (the
@@ -63,7 +66,7 @@ extern "C" {
     X(FOURLINK_NOT_REACHED, 8, "the linkage cannot be assembled at any angle of the motion")      \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
-    X(FOURLINK_BAD_KIND, 22, "the kind of mechanism is neither four-bar nor slider-crank")        \
+    X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
     X(FOURLINK_BAD_LENGTH, 23, "a length is not positive")                                        \
     X(FOURLINK_BAD_MASS, 24, "a mass or a moment of inertia is negative")                         \
     X(FOURLINK_BAD_BRANCH, 25, "the branch is neither open nor crossed")                          \
@@ -99,7 +102,11 @@ typedef enum fourlink_status {
 ** The mechanism
 ** ------------------------------------------------------------------------------------------- */
 
-typedef enum fourlink_kind { FOURLINK_FOUR_BAR = 1, FOURLINK_SLIDER_CRANK = 2 } fourlink_kind;
+typedef enum fourlink_kind {
+    FOURLINK_FOUR_BAR = 1,
+    FOURLINK_SLIDER_CRANK = 2,
+    FOURLINK_INVERTED_SLIDER_CRANK = 4
+} fourlink_kind;
 
 /* The range of numbers that the library accepts.  It is far wider than any machine needs, and no
 ** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
@@ -114,12 +121,14 @@ typedef enum fourlink_kind { FOURLINK_FOUR_BAR = 1, FOURLINK_SLIDER_CRANK = 2 } 
 **
 ** Four-bar:     open, C lies to the left of the directed line B->D; crossed, to the right.
 ** Slider-crank: open, the piston is on the +x side of the crank pin; crossed, on the -x side.
+** Inverted:     open, B lies on the positive side of the foot of the perpendicular from D, looking along
+**               the slide; crossed, on the negative side.
 **
 ** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for
-** a slider-crank at +90 or -90 deg) passes smoothly from one side to the other.  There the label
-** stays with the smooth motion that has the named side just after crank angle 0 (four-bar), or at
-** crank angle 0 (slider-crank): it depends only on the lengths and on the angle, which is not
-** reduced by 360 deg here.
+** a slider-crank at +90 or -90 deg, for an inverted one at 0) passes smoothly from one side to the
+** other.  There the label stays with the smooth motion that has the named side just after crank
+** angle 0 (four-bar, inverted), or at crank angle 0 (slider-crank): it depends only on the lengths and
+** on the angle, which is not reduced by 360 deg here.
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
@@ -129,11 +138,12 @@ typedef struct fourlink_vector {
     double x, y;
 } fourlink_vector;
 
-/* One link.  Its own axes: origin at A (crank), B (coupler, rod), D (rocker) or C (piston); x along
-** its line towards its other pin (piston: parallel to the line of stroke), y to the left of that.
+/* One link.  Its own axes: origin at A (crank), B (coupler, rod, slider), D (rocker, lever) or C
+** (piston); x along its line towards its other pin (piston: parallel to the line of stroke; slider:
+** along the slide; lever: towards C, or along the slide if its length is 0), y to the left of that.
 */
 typedef struct fourlink_link {
-    double length;      /* m; unused for the piston */
+    double length;      /* m; unused for piston and slider; lever: DC, or 0 */
     double mass;        /* kg; 0 for a link without weight */
     double inertia;     /* kg m2, moment of inertia about the centre of mass */
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
@@ -142,20 +152,26 @@ typedef struct fourlink_link {
 /* What the caller knows about a mechanism.  Set it to zero first: what stays 0 is absent. */
 typedef struct fourlink_design {
     fourlink_kind kind;
-    fourlink_link link[5];   /* by link number; [0] is unused, [1] has only a length (four-bar) */
-    double offset;           /* m, slider-crank: the line of stroke is y = offset; either sign */
+    fourlink_link
+        link[5];   /* by link number; [0] is unused, [1] has only a length (not slider-crank) */
+    double offset; /* m, either sign; slider-crank: the line of stroke is y = offset;
+                                inverted: the slide passes D, or C, at this distance on the left */
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
+    double angle; /* rad, inverted, lever with a length: of the slide, from the line DC */
 } fourlink_design;
 
 /* A design, checked, with the constants that every crank position needs.  Fill it with
 ** fourlink_prepare; the members may be read, not written. */
 typedef struct fourlink_mechanism {
     fourlink_design design;
-    double stretched;     /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
-    double folded;        /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m */
-    int change_stretched; /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
-    int change_folded;    /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
-    double dead_centre;   /* m, slider-crank: distance of the inner dead centre from A, along x */
+    double stretched;      /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
+    double folded;         /* four-bar: (a - d)^2 - (b - c)^2, m2; slider-crank: l - e - r, m;
+                              inverted: (a - d)^2 - h^2, m2 */
+    int change_stretched;  /* 1: a change point at 180 deg (slider-crank: at +90 deg) */
+    int change_folded;     /* 1: a change point at 0 deg (slider-crank: at -90 deg) */
+    double dead_centre;    /* m, slider-crank: distance of the inner dead centre from A, along x */
+    double h;              /* m, inverted: distance at which the slide passes D on its left */
+    fourlink_vector lever; /* 1, inverted: axis of the lever in the slider's own axes */
 } fourlink_mechanism;
 
 /* ---------------------------------------------------------------------------------------------
@@ -188,7 +204,8 @@ typedef struct fourlink_link_state {
 typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
-    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3).
+    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3);
+                       inverted: s / BD.
                        Positive on the open branch, negative on the crossed one; past a
                        change point the signs are exchanged (see fourlink_branch).  0 in a dead
                        position; 1/|sine| is the condition of the position: the factor by
@@ -197,6 +214,12 @@ typedef struct fourlink_state {
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
     double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
                        inner dead centre, positive away from it, and its derivatives */
+    double slide, slide_v,
+        slide_a;     /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
+                                       if the lever has no length, from the foot of the perpendicular
+                                       from D; its derivatives, the motion of B relative to the lever */
+    double coriolis; /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
+    double s;        /* m, inverted: coordinate of B from the foot of that perpendicular */
 } fourlink_state;
 
 /* ---------------------------------------------------------------------------------------------
@@ -230,6 +253,9 @@ typedef struct fourlink_forces {
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
                           largest term of the balance, F23.v_B and F34.v_B among them, the products
                           of components; 0 if every term is 0 */
+    double N34; /* N, inverted: force of the slider on the lever, at B, to the left of the slide;
+                          F34 is that force */
+    double M34; /* N m, inverted: couple of the slider on the lever */
 } fourlink_forces;
 
 /* ---------------------------------------------------------------------------------------------
@@ -237,19 +263,23 @@ typedef struct fourlink_forces {
 ** ------------------------------------------------------------------------------------------- */
 
 /* The types of linkages, by the Grashof condition and the place of the shortest link. */
-#define FOURLINK_TYPE_LIST(X)                                                    \
-    X(FOURLINK_CRANK_ROCKER, 1, "crank-rocker")                                  \
-    X(FOURLINK_ROCKER_CRANK, 2, "rocker-crank")                                  \
-    X(FOURLINK_DOUBLE_CRANK, 3, "double crank (drag link)")                      \
-    X(FOURLINK_DOUBLE_ROCKER, 4, "double rocker")                                \
-    X(FOURLINK_TRIPLE_ROCKER, 5, "triple rocker (not Grashof)")                  \
-    X(FOURLINK_PARALLELOGRAM, 6, "change point: parallelogram")                  \
-    X(FOURLINK_DELTOID, 7, "change point: deltoid")                              \
-    X(FOURLINK_RHOMBUS, 8, "change point: rhombus")                              \
-    X(FOURLINK_CHANGE_POINT_LINKAGE, 9, "change point")                          \
-    X(FOURLINK_ENGINE, 10, "slider-crank, the crank turns fully")                \
-    X(FOURLINK_SLIDER_ROCKER, 11, "slider-crank, the crank does not turn fully") \
-    X(FOURLINK_CHANGE_POINT_SLIDER, 12, "slider-crank with change point")
+#define FOURLINK_TYPE_LIST(X)                                                               \
+    X(FOURLINK_CRANK_ROCKER, 1, "crank-rocker")                                             \
+    X(FOURLINK_ROCKER_CRANK, 2, "rocker-crank")                                             \
+    X(FOURLINK_DOUBLE_CRANK, 3, "double crank (drag link)")                                 \
+    X(FOURLINK_DOUBLE_ROCKER, 4, "double rocker")                                           \
+    X(FOURLINK_TRIPLE_ROCKER, 5, "triple rocker (not Grashof)")                             \
+    X(FOURLINK_PARALLELOGRAM, 6, "change point: parallelogram")                             \
+    X(FOURLINK_DELTOID, 7, "change point: deltoid")                                         \
+    X(FOURLINK_RHOMBUS, 8, "change point: rhombus")                                         \
+    X(FOURLINK_CHANGE_POINT_LINKAGE, 9, "change point")                                     \
+    X(FOURLINK_ENGINE, 10, "slider-crank, the crank turns fully")                           \
+    X(FOURLINK_SLIDER_ROCKER, 11, "slider-crank, the crank does not turn fully")            \
+    X(FOURLINK_CHANGE_POINT_SLIDER, 12, "slider-crank with change point")                   \
+    X(FOURLINK_SLOTTED_LEVER, 13, "crank and slotted lever")                                \
+    X(FOURLINK_WHITWORTH, 14, "Whitworth, the lever turns fully")                           \
+    X(FOURLINK_INVERTED_ROCKER, 15, "inverted slider-crank, the crank does not turn fully") \
+    X(FOURLINK_CHANGE_POINT_INVERTED, 16, "inverted slider-crank with change point")
 
 #define FOURLINK_TYPE_CODE_(name, value, text) name = value,
 typedef enum fourlink_type {
@@ -266,15 +296,16 @@ typedef struct fourlink_reach {
 
 /* The limits of a mechanism on one branch. */
 typedef struct fourlink_limits {
-    double mu_min, mu_max; /* rad, transmission angle over all possible crank angles */
-    int has_swing;         /* 1: link 4 swings between two limits, with the crank turning */
-    double theta4_min,
-        theta4_max; /* rad, four-bar: the limits of the rocker, max - min its swing */
+    double mu_min, mu_max;         /* rad, transmission angle over all possible crank angles */
+    int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
+    double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
-    double time_ratio;             /* 1, >= 1, of the two swings at constant crank speed */
-    int has_stroke;                /* 1: the piston moves between two dead centres */
-    double stroke;                 /* m */
-    double inner, outer;           /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
+    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; for a lever
+                                      that turns fully, of the strokes of a tool whose line of stroke
+                                      passes D at right angles to AD; 0: there is none */
+    int has_stroke;      /* 1: the piston moves between two dead centres */
+    double stroke;       /* m */
+    double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
                                       farthest from the crankshaft, and nearest to it */
 } fourlink_limits;
 
@@ -455,18 +486,18 @@ typedef struct fourlink_problem {
     int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
-    int has_gas;                          /* 1: the last load is the gas */
-    unsigned long n_points;               /* for fourlink_deck_point */
-    double flywheel_fluctuation;          /* 1; 0 if not given */
-    double flywheel_inertia;              /* kg m2; 0 if not given */
-    unsigned long n_rows;                 /* of the motion */
-    int one_instant;                      /* 1: the deck asks for one crank angle */
-    int one_revolution;       /* 1: the crank turns once from the first row to the last */
-    int digits;               /* significant digits of the deck's tables */
-    unsigned long n_expected; /* values of [expect] and [misprint] */
-    unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
-    unsigned long design;     /* number of this one, from 0 */
-    int has_outputs;          /* 1: the [sweep] names outputs, which give a line for each design */
+    unsigned long n_gas_loads; /* the last of these: 1, on the piston; 2, on rod and cylinder; 0 */
+    unsigned long n_points;    /* for fourlink_deck_point */
+    double flywheel_fluctuation; /* 1; 0 if not given */
+    double flywheel_inertia;     /* kg m2; 0 if not given */
+    unsigned long n_rows;        /* of the motion */
+    int one_instant;             /* 1: the deck asks for one crank angle */
+    int one_revolution;          /* 1: the crank turns once from the first row to the last */
+    int digits;                  /* significant digits of the deck's tables */
+    unsigned long n_expected;    /* values of [expect] and [misprint] */
+    unsigned long n_designs;     /* of its [sweep]; 0: the deck has none */
+    unsigned long design;        /* number of this one, from 0 */
+    int has_outputs; /* 1: the [sweep] names outputs, which give a line for each design */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
@@ -586,14 +617,16 @@ FOURLINK_API const char *fourlink_branch_text(int branch);
 /* The version of the library, such as "0.1.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 
-/* The words for a kind of mechanism, and for its links, by number: "four-bar linkage", "slider-crank";
-** "ground", "crank", "coupler" or "rod", "rocker" or "piston".  Constant strings in English, never
+/* The words for a kind of mechanism, and for its links, by number: "four-bar linkage", "slider-crank",
+** "inverted slider-crank"; "ground", "crank", "coupler", "rod" or "slider", "rocker", "piston" or
+** "lever".  Constant strings in English, never
 ** null. */
 FOURLINK_API const char *fourlink_kind_text(int kind);
 FOURLINK_API const char *fourlink_link_text(int kind, int link);
 
-/* The link on which a link slides: FOURLINK_GROUND (1) for the piston; 0 for a link that has only
-** pins.  A link slides along its own x axis, with the slider at its origin. */
+/* The link on which a link slides: FOURLINK_GROUND (1) for the piston, FOURLINK_FOLLOWER (4) for the
+** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at
+** its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
 
 /* Check a design and prepare it for the functions below.
@@ -788,6 +821,7 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
 **    FOURLINK_BAD_FRAME
 ** Note:
 **    x = (F12x F12y F23x F23y F34x F34y F14x F14y Ts); for a slider-crank (... F34y M14 N Ts),
+**    for an inverted one (... F23y M34 N34 F14x F14y Ts),
 **    where N is the force of the guide on the piston along +y.
 ** Reference:
 **    ME3491, eq. 15 and the matrix below it, corrected.
@@ -796,7 +830,8 @@ FOURLINK_API int fourlink_system(const fourlink_mechanism *mechanism, const four
                                  const fourlink_load *loads, unsigned long n_loads, double A[9][9],
                                  double b[9]);
 
-/* The names of the nine unknowns, i = 0 to 8: "F12x" to "F34y", "F14x" and "F14y", or "M14" and "N",
+/* The names of the nine unknowns, i = 0 to 8: "F12x" to "F34y", "F14x" and "F14y", or "M14" and "N"
+** (an inverted slider-crank has "M34" and "N34" for "F34x" and "F34y"),
 ** and "Ts".  A constant string, never null. */
 FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 
@@ -1261,20 +1296,24 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 ** arguments.  For Fortran 2003 there is a module, fourlink.f90.
 **
 **       DOUBLE PRECISION LINKS(5,4), OFFSET, GRAV(2), CRANK(3), LOADS(7,*)
-**       DOUBLE PRECISION STATE(9,4), FORCES(10)
+**       DOUBLE PRECISION ANGLE, STATE(9,4), SLIDE(4), FORCES(10)
 **       INTEGER IBRNCH, NLOADS, ISTAT
 **       CHARACTER*80 TEXT
 **       CALL FLFBAR(LINKS, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
 **       CALL FLSLCR(LINKS, OFFSET, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, FORCES, ISTAT)
+**       CALL FLINVS(LINKS, OFFSET, ANGLE, GRAV, IBRNCH, CRANK, NLOADS, LOADS, STATE, SLIDE, FORCES,
+**                   ISTAT)
 **       CALL FLTEXT(ISTAT, TEXT)
 **
-** A whole crank position of a four-bar linkage, or of a slider-crank.
+** A whole crank position of a four-bar linkage, of a slider-crank, or of its inversion.
 **
 ** Given:
-**    LINKS      by link number: length (m; unused for a piston), mass (kg), moment of inertia about
+**    LINKS      by link number: length (m; unused for a piston or
+**               slider; of a lever DC, or 0), mass (kg), moment of inertia about
 **               the centre of mass (kg m2), x and y of the centre of mass in the link's own axes
 **               (m)
-**    OFFSET     m, slider-crank: the line of stroke is y = OFFSET
+**    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; inverted: as in fourlink_design
+**    ANGLE      rad, angle of the slide from the line DC of a lever with a length
 **    GRAV       m/s2, in the frame of link 1
 **    IBRNCH     1 open, -1 crossed
 **    CRANK      theta2 (rad), omega2 (rad/s), alpha2 (rad/s2)
@@ -1284,7 +1323,9 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 ** Returned:
 **    STATE      by link number: theta (rad), omega (rad/s), alpha (rad/s2) and of the link's origin x, y
 **               (m), vx, vy (m/s), ax, ay (m/s2); link 1 is 0
-**    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces
+**    SLIDE      slide (m), slide_v (m/s), slide_a and coriolis (m/s2), as in fourlink_state
+**    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces; of an
+**               inversion M34 in place of M14
 **    ISTAT      0, or a status; then STATE and FORCES are untouched
 **
 ** FLTEXT gives the text of a status, padded with blanks.  The type of the length is that of
@@ -1300,6 +1341,10 @@ FOURLINK_API void flfbar_(const double links[20], const double grav[2], const in
 FOURLINK_API void flslcr_(const double links[20], const double *offset, const double grav[2],
                           const int *ibrnch, const double crank[3], const int *nloads,
                           const double *loads, double state[36], double forces[10], int *istat);
+FOURLINK_API void flinvs_(const double links[20], const double *offset, const double *angle,
+                          const double grav[2], const int *ibrnch, const double crank[3],
+                          const int *nloads, const double *loads, double state[36], double slide[4],
+                          double forces[10], int *istat);
 FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 
 /* Results by name, in the deck's units.

@@ -100,6 +100,27 @@ static void make_slider_crank(fourlink_mechanism *m, fourlink_load *load)
         exit(EXIT_FAILURE);
 }
 
+/* A crank and slotted lever. */
+static void make_inverted(fourlink_mechanism *m, fourlink_load *load)
+{
+    fourlink_design d;
+
+    memset(&d, 0, sizeof d);
+    d.kind = FOURLINK_INVERTED_SLIDER_CRANK;
+    d.link[1].length = 0.240;
+    d.offset = 0.010;
+    set_link(&d.link[2], 0.120, 0.8, 0.040, 0.050, 0);
+    set_link(&d.link[3], 0, 0.3, 0.020, 0, 0);
+    set_link(&d.link[4], 0, 2.5, 0.120, 0.210, 0);
+    d.gravity.y = -9.81;
+    memset(load, 0, sizeof *load);
+    load->link = FOURLINK_FOLLOWER;
+    load->at.x = 0.450;
+    load->force.x = -150;
+    if (fourlink_prepare(&d, m) != FOURLINK_OK)
+        exit(EXIT_FAILURE);
+}
+
 typedef int analyser(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
                      const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *);
 
@@ -421,11 +442,11 @@ static int report_extremes(const char *command, const char *deck_name, const fou
 
 int main(int argc, char **argv)
 {
-    fourlink_mechanism four_bar, slider_crank;
-    fourlink_load torque, gas;
+    fourlink_mechanism four_bar, slider_crank, inverted;
+    fourlink_load torque, gas, cut;
     gsl_permutation *p = gsl_permutation_alloc(9);
-    double lu[ROUNDS], a[ROUNDS], b[ROUNDS], c[ROUNDS], d[ROUNDS], numbers[2][ROUNDS],
-        rows[2][ROUNDS];
+    double lu[ROUNDS], a[ROUNDS], b[ROUNDS], c[ROUNDS], d[ROUNDS], e[ROUNDS], f[ROUNDS],
+        numbers[2][ROUNDS], rows[2][ROUNDS];
     FILE *nowhere = fopen("/dev/null", "w");
     int i, how, missed = 0;
 
@@ -434,6 +455,7 @@ int main(int argc, char **argv)
     make_table();
     make_four_bar(&four_bar, &torque);
     make_slider_crank(&slider_crank, &gas);
+    make_inverted(&inverted, &cut);
     for (i = 0; i < ANGLES; i++) {
         fourlink_crank crank = {i * (M_PI / 180), 10.5, 0};
         fourlink_state state;
@@ -448,6 +470,8 @@ int main(int argc, char **argv)
         b[i] = time_rows(fourlink_analyse, &slider_crank, &gas);
         c[i] = time_rows(fourlink_analyse_dyad, &four_bar, &torque);
         d[i] = time_rows(fourlink_analyse_dyad, &slider_crank, &gas);
+        e[i] = time_rows(fourlink_analyse, &inverted, &cut);
+        f[i] = time_rows(fourlink_analyse_dyad, &inverted, &cut);
         for (how = 0; how < 2; how++) {
             numbers[how][i] = time_numbers(how);
             rows[how][i] = time_printing(nowhere, how);
@@ -458,6 +482,10 @@ int main(int argc, char **argv)
                      median(a, ROUNDS) / median(lu, ROUNDS), 1.0);
     missed +=
         report("slider-crank row / four-bar row", median(b, ROUNDS) / median(a, ROUNDS), 1.15);
+    missed += report("inverted slider-crank row / four-bar row",
+                     median(e, ROUNDS) / median(a, ROUNDS), 1.15);
+    missed += report("inverted slider-crank row / four-bar row, both by dyads",
+                     median(f, ROUNDS) / median(c, ROUNDS), 1.15);
     missed += report("four-bar row by dyads / bare LU loop", median(c, ROUNDS) / median(lu, ROUNDS),
                      0.12);
     missed += report("slider-crank row by dyads / bare LU loop",

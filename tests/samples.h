@@ -116,4 +116,40 @@ static inline void assert_finite(const fourlink_forces *f)
     assert_true(isfinite(f->Ts_work) && isfinite(f->residual));
 }
 
+/* Hand each kind of bad load to a function, with the status that must refuse it.  `loads` are two good ones
+** afterwards. */
+static inline void try_bad_loads(const sample *s, fourlink_load loads[2],
+                                 void assert_refused(const sample *s, const fourlink_load *loads,
+                                                     unsigned long n_loads, int status))
+{
+    static const double no_numbers[] = {NAN, INFINITY, -INFINITY, 1.1e30, -1e31};
+    static const int no_links[] = {-1, 0, 1, 5};
+    double *numbers[5];
+    size_t i;
+    int field;
+
+    memset(loads, 0, 2 * sizeof loads[0]);
+    loads[0].link = loads[1].link = FOURLINK_FOLLOWER;
+    assert_refused(s, NULL, 1, FOURLINK_NULL);
+    for (i = 0; i < sizeof no_links / sizeof no_links[0]; i++) {
+        loads[1].link = no_links[i];
+        assert_refused(s, loads, 2, FOURLINK_BAD_LINK);
+    }
+    loads[1].link = FOURLINK_CRANK;
+    loads[1].frame = (fourlink_frame)2;
+    assert_refused(s, loads, 2, FOURLINK_BAD_FRAME);
+    loads[1].frame = FOURLINK_FRAME_LINK;
+    numbers[0] = &loads[1].force.x;
+    numbers[1] = &loads[1].force.y;
+    numbers[2] = &loads[1].at.x;
+    numbers[3] = &loads[1].at.y;
+    numbers[4] = &loads[1].torque;
+    for (field = 0; field < 5; field++)
+        for (i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; i++) {
+            *numbers[field] = no_numbers[i];
+            assert_refused(s, loads, 2, FOURLINK_BAD_NUMBER);
+            *numbers[field] = 0;
+        }
+}
+
 #endif

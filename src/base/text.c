@@ -201,3 +201,8 @@ char *flk_text_join(char *out, size_t size, ...)
     va_end(pieces);
     return out;
 }
+
+const char *flk_text_article(const char *words)
+{
+    return strchr("aeiou", words[0]) ? "an" : "a";
+}

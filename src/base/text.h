@@ -50,4 +50,7 @@ char *flk_text_copy(text t, char *out, size_t size);
 ** away.  Null if there is none. */
 const char *flk_text_nearest(text t, const char *const *words);
 
+/* "a" or "an", whichever stands before these words. */
+const char *flk_text_article(const char *words);
+
 #endif

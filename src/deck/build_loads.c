@@ -95,8 +95,9 @@ static void check_link(parser *p, const section_use *use, const setting *link)
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
-        flk_mistake(p->mistakes, link->place, "a %s has no %t: its links are %s, %s and %s",
-                    kind->words, link->value, own[2], own[3], own[4]);
+        flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
+                    flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
+                    own[4]);
 }
 
 /* Build the range of crank angles in which a load acts. */
@@ -183,7 +184,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     if (!IS_SET(force) && !IS_SET(torque))
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     if ((force->si[0] != 0 || force->si[1] != 0) && !IS_SET(at) && link->word &&
-        flk_kind_of(p->d->design.kind)->has_length[link->word])
+        flk_kind_of(p->d->design.kind)->has_length[link->word] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force))

@@ -107,7 +107,7 @@ static void build_link(parser *p, const flk_kind *kind, int number)
         build_stroke(p);
     else if (IS_SET(length))
         link->length = length->si[0];
-    else if (kind->has_length[number])
+    else if (kind->has_length[number] == FLK_LENGTH)
         require_length(p, kind->link[number]);
     link->mass = mass->si[0];
     link->inertia = inertia->si[0];
@@ -135,6 +135,7 @@ int flk_build_kind(parser *p)
     const setting *s = flk_setting_find(p, KEY_TOP_MECHANISM);
     size_t i;
     fourlink_kind kind;
+    const char *words;
     key_code k;
 
     if (!IS_SET(s)) {
@@ -143,33 +144,35 @@ int flk_build_kind(parser *p)
         place.line = 1;
         return flk_mistake(
             p->mistakes, place,
-            "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the "
-            "first section");
+            "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
+            "inverted-slider-crank' before the first section");
     }
     if (!s->word)
         return 0;
     kind = (fourlink_kind)s->word;
     p->d->design.kind = kind;
+    words = fourlink_kind_text((int)kind);
     for (i = 0; i < p->n_uses; i++) {
         const section_use *use = &p->uses[i];
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
-                        use->section == SECTION_COUPLER || use->section == SECTION_ROD
-                            ? "a %s has no [%s]; its link 3 is the [%s]"
-                            : "a %s has no [%s]",
-                        fourlink_kind_text((int)kind), flk_section_table[use->section].name,
+                        use->section == SECTION_COUPLER || use->section == SECTION_ROD ||
+                                use->section == SECTION_SLIDER
+                            ? "%s %s has no [%s]; its link 3 is the [%s]"
+                            : "%s %s has no [%s]",
+                        flk_text_article(words), words, flk_section_table[use->section].name,
                         fourlink_link_text((int)kind, FOURLINK_COUPLER));
             continue;
         }
         for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
             s = flk_setting_of(use, k);
             if (IS_SET(s) && !(flk_key_table[k].kinds & (int)kind))
-                flk_mistake(p->mistakes, s->place, "%s%s%s%s has no %s",
+                flk_mistake(p->mistakes, s->place, "%s%s%s%s %s has no %s",
                             use->section == SECTION_TOP ? "" : "the ",
                             flk_section_table[use->section].name,
-                            use->section == SECTION_TOP ? "a " : " of a ",
-                            fourlink_kind_text((int)kind), flk_key_table[k].name);
+                            use->section == SECTION_TOP ? "" : " of ", flk_text_article(words),
+                            words, flk_key_table[k].name);
         }
     }
     return 1;
@@ -188,31 +191,82 @@ static double in_unit_of(parser *p, const setting *s, double length, text *writt
     return flk_unit_from_si(length, s->unit);
 }
 
-/* A four-bar can be assembled at some angle if no link is longer than the other three together; a
-** slider-crank, whose ground has no length, if crank and rod together reach the line of stroke. */
+/* The slide of a lever: its offset, or the angle at which it passes the lever's end. */
+static void build_slide(parser *p)
+{
+    const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET),
+                  *length = flk_setting_find(p, KEY_LEVER_LENGTH),
+                  *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
+
+    p->d->design.offset = IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
+    p->d->design.angle = angle->si[0];
+    if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
+        flk_mistake(p->mistakes, offset->place,
+                    "give the lever either an offset, or a length and an angle, not both");
+    else if (IS_SET(length) && !IS_SET(angle))
+        flk_mistake(p->mistakes, length->place,
+                    "a lever with a length needs an angle, that of the slide from the line D-C");
+    else if (IS_SET(angle) && !IS_SET(length))
+        flk_mistake(p->mistakes, angle->place,
+                    "a lever with an angle needs a length, from D to C on the slide");
+}
+
+/* A slide can be reached at some angle if it is no farther than the two links with a length together. */
+static void check_slide(parser *p, const flk_kind *kind, double sum)
+{
+    const fourlink_design *design = &p->d->design;
+    const setting *s = flk_setting_find(p, KEY_LEVER_ANGLE);
+    double distance = fabs(design->link[FOURLINK_FOLLOWER].length * sin(design->angle));
+    double in_unit;
+    const char *first =
+        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_GROUND : FOURLINK_CRANK];
+    const char *second =
+        kind->link[kind->has_length[FOURLINK_GROUND] ? FOURLINK_CRANK : FOURLINK_COUPLER];
+    text written;
+
+    if (IS_SET(s) && distance > sum) {
+        const setting *length = flk_setting_find(p, KEY_LEVER_LENGTH);
+
+        in_unit = in_unit_of(p, length, sum, &written);
+        flk_mistake(p->mistakes, s->place,
+                    "the slide passes D at %.6g %t, farther than %s and %s together, %.6g %t: the "
+                    "linkage cannot be assembled",
+                    in_unit * distance / sum, written, first, second, in_unit, written);
+    }
+    if (IS_SET(s) || fabs(design->offset) <= sum)
+        return;
+    s = flk_setting_find(p, KEY_LEVER_OFFSET);
+    if (!IS_SET(s))
+        s = flk_setting_find(p, KEY_GROUND_OFFSET);
+    in_unit = in_unit_of(p, s, sum, &written);
+    flk_mistake(p->mistakes, s->place,
+                "the offset, %t, is larger than %s and %s together, %.6g %t: the linkage cannot be "
+                "assembled",
+                s->value, first, second, in_unit, written);
+}
+
+/* A linkage can be assembled at some angle if no link is longer than the other three together; one with a
+** slide, if the others reach it. */
 static void check_reach(parser *p, const flk_kind *kind)
 {
     const fourlink_link *link = p->d->design.link;
-    const setting *s = flk_setting_find(p, KEY_GROUND_OFFSET);
+    const setting *s;
     int i, longest = FOURLINK_GROUND;
     double sum = 0, in_unit;
     text written;
 
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        if (kind->has_length[i] && !(link[i].length > 0))
+        if (kind->has_length[i] != FLK_LENGTH)
+            continue;
+        if (!(link[i].length > 0))
             return; /* already reported */
-        sum += kind->has_length[i] ? link[i].length : 0;
+        sum += link[i].length;
         if (link[i].length > link[longest].length)
             longest = i;
     }
-    if (!kind->has_length[FOURLINK_GROUND]) {
-        if (fabs(p->d->design.offset) > sum) {
-            in_unit = in_unit_of(p, s, sum, &written);
-            flk_mistake(p->mistakes, s->place,
-                        "the offset, %t, is larger than crank and rod together, %.6g %t: the "
-                        "linkage cannot be assembled",
-                        s->value, in_unit, written);
-        }
+    if (fourlink_slides((int)kind->kind, FOURLINK_COUPLER) ||
+        fourlink_slides((int)kind->kind, FOURLINK_FOLLOWER)) {
+        check_slide(p, kind, sum);
         return;
     }
     sum -= link[longest].length;
@@ -234,7 +288,7 @@ void flk_build_mechanism(parser *p)
     double direction, g;
     int i;
 
-    design->offset = flk_setting_or(p, KEY_GROUND_OFFSET, 0);
+    build_slide(p);
     build_link(p, kind, FOURLINK_GROUND);
     build_link(p, kind, has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
     build_link(p, kind,

@@ -122,8 +122,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->crossed = d->crossed;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
-    problem->has_gas = d->gas.area > 0;
-    problem->n_loads = d->n_loads + (problem->has_gas ? 1 : 0);
+    problem->n_gas_loads = flk_deck_gas_loads(d);
+    problem->n_loads = d->n_loads + problem->n_gas_loads;
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
@@ -178,6 +178,38 @@ static void set_load(const fourlink_load *load, const deck_load *variation, doub
     }
 }
 
+unsigned long flk_deck_gas_loads(const deck *d)
+{
+    if (d->gas.area <= 0)
+        return 0;
+    return fourlink_slides((int)d->design.kind, FOURLINK_FOLLOWER) == FOURLINK_GROUND ? 1 : 2;
+}
+
+static void set_gas_on_piston(double force, fourlink_load *load)
+{
+    memset(load, 0, sizeof *load);
+    load->link = FOURLINK_FOLLOWER;
+    load->force.x = force;
+}
+
+/* p A u on the rod, -p A u on the cylinder, both along the slide: on the rod at B, on the cylinder at the
+** point of the slide beside D, or at C. */
+static void set_gas_in_cylinder(const fourlink_design *design, double force, fourlink_load loads[2])
+{
+    double length = design->link[FOURLINK_FOLLOWER].length;
+
+    memset(loads, 0, 2 * sizeof loads[0]);
+    loads[0].link = FOURLINK_COUPLER;
+    loads[0].frame = FOURLINK_FRAME_LINK;
+    loads[0].force.x = force;
+    loads[1].link = FOURLINK_FOLLOWER;
+    loads[1].frame = FOURLINK_FRAME_LINK;
+    loads[1].force.x = -force * cos(design->angle);
+    loads[1].force.y = -force * sin(design->angle);
+    loads[1].at.x = length;
+    loads[1].at.y = design->offset;
+}
+
 int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
                         fourlink_load *loads, double *gas)
 {
@@ -192,12 +224,12 @@ int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double t
         return FOURLINK_BAD_NUMBER;
     for (i = 0; i < d->n_loads; i++)
         set_load(&d->loads[i], &d->variations[i], d->cycle, theta2, &loads[i]);
-    if (d->gas.area > 0) {
+    if (d->gas.area > 0)
         force = gas_force(&d->gas, theta2);
-        memset(&loads[i], 0, sizeof loads[i]);
-        loads[i].link = FOURLINK_FOLLOWER;
-        loads[i].force.x = -(double)branch * force;
-    }
+    if (flk_deck_gas_loads(d) == 1)
+        set_gas_on_piston(-(double)branch * force, &loads[i]);
+    if (flk_deck_gas_loads(d) == 2)
+        set_gas_in_cylinder(&d->design, force, &loads[i]);
     if (gas)
         *gas = force;
     return FOURLINK_OK;
@@ -224,7 +256,7 @@ int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **nam
     if (!d || !name)
         return FOURLINK_NULL;
     is_load = i < d->n_loads;
-    if (!is_load && !(i == d->n_loads && d->gas.area > 0))
+    if (!is_load && i >= d->n_loads + flk_deck_gas_loads(d))
         return FOURLINK_BAD_LINK;
     *name = !is_load ? "gas" : d->variations[i].name[0] ? d->variations[i].name : "load";
     if (has_torque)

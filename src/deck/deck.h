@@ -134,6 +134,9 @@ void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
+/* How many of its loads are the gas: one on the piston; two on the rod and on the cylinder. */
+unsigned long flk_deck_gas_loads(const deck *d);
+
 /* Memory set to 0 that lasts as long as the deck; null if there is none. */
 void *flk_deck_keep(deck *d, size_t size);
 

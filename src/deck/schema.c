@@ -16,30 +16,33 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(key, "crank", FOURLINK_CRANK)     \
     X(key, "coupler", FOURLINK_COUPLER) \
     X(key, "rod", FOURLINK_COUPLER)     \
+    X(key, "slider", FOURLINK_COUPLER)  \
     X(key, "rocker", FOURLINK_FOLLOWER) \
-    X(key, "piston", FOURLINK_FOLLOWER)
+    X(key, "piston", FOURLINK_FOLLOWER) \
+    X(key, "lever", FOURLINK_FOLLOWER)
 
 #define BRANCH_WORDS(X, key)    \
     X(key, "open", BRANCH_OPEN) \
     X(key, "crossed", BRANCH_CROSSED)
 
-#define WORD_LIST(X)                                        \
-    X(TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR)         \
-    X(TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK) \
-    X(TOP_SERIES, "none", FOURLINK_EXACT)                   \
-    X(TOP_SERIES, "piston", FOURLINK_SERIES_PISTON)         \
-    X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)               \
-    X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                  \
-    X(TOP_SOLVER, "dyad", SOLVER_DYAD)                      \
-    X(MOTION_HOLD, "no", 0)                                 \
-    X(MOTION_HOLD, "yes", 1)                                \
-    LINK_WORDS(X, LOAD_LINK)                                \
-    LINK_WORDS(X, POINT_LINK)                               \
-    BRANCH_WORDS(X, TABLE_BRANCH)                           \
-    X(TABLE_BRANCH, "both", BRANCH_BOTH)                    \
-    BRANCH_WORDS(X, EXPECT_BRANCH)                          \
-    BRANCH_WORDS(X, MISPRINT_BRANCH)                        \
-    X(LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND)          \
+#define WORD_LIST(X)                                                          \
+    X(TOP_MECHANISM, "four-bar", FOURLINK_FOUR_BAR)                           \
+    X(TOP_MECHANISM, "slider-crank", FOURLINK_SLIDER_CRANK)                   \
+    X(TOP_MECHANISM, "inverted-slider-crank", FOURLINK_INVERTED_SLIDER_CRANK) \
+    X(TOP_SERIES, "none", FOURLINK_EXACT)                                     \
+    X(TOP_SERIES, "piston", FOURLINK_SERIES_PISTON)                           \
+    X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)                                 \
+    X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                                    \
+    X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
+    X(MOTION_HOLD, "no", 0)                                                   \
+    X(MOTION_HOLD, "yes", 1)                                                  \
+    LINK_WORDS(X, LOAD_LINK)                                                  \
+    LINK_WORDS(X, POINT_LINK)                                                 \
+    BRANCH_WORDS(X, TABLE_BRANCH)                                             \
+    X(TABLE_BRANCH, "both", BRANCH_BOTH)                                      \
+    BRANCH_WORDS(X, EXPECT_BRANCH)                                            \
+    BRANCH_WORDS(X, MISPRINT_BRANCH)                                          \
+    X(LOAD_FRAME, "ground", FOURLINK_FRAME_GROUND)                            \
     X(LOAD_FRAME, "link", FOURLINK_FRAME_LINK)
 
 #define WORD_INFO(key, word, value) {KEY_##key, word, value},

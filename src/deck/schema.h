@@ -9,25 +9,28 @@
 #include "base/units.h"
 
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
-#define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
-#define SECTION_LIST(X)                                             \
-    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                          \
-    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                \
-    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)             \
-    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                \
-    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH) \
-    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)    \
-    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)         \
-    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)  \
-    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK, KEY_GAS_BORE)           \
-    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)              \
-    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)    \
-    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                     \
-    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                  \
-    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                \
-    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)  \
-    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)               \
-    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                 \
+#define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
+#define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK | INVERTED)
+#define SECTION_LIST(X)                                              \
+    X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                           \
+    X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                 \
+    X(GROUND, "ground", 0, ANY_KIND, KEY_GROUND_LENGTH)              \
+    X(CRANK, "crank", 0, ANY_KIND, KEY_CRANK_LENGTH)                 \
+    X(COUPLER, "coupler", 0, FOURLINK_FOUR_BAR, KEY_COUPLER_LENGTH)  \
+    X(ROCKER, "rocker", 0, FOURLINK_FOUR_BAR, KEY_ROCKER_LENGTH)     \
+    X(ROD, "rod", 0, FOURLINK_SLIDER_CRANK, KEY_ROD_LENGTH)          \
+    X(PISTON, "piston", 0, FOURLINK_SLIDER_CRANK, KEY_PISTON_MASS)   \
+    X(SLIDER, "slider", 0, INVERTED, KEY_SLIDER_MASS)                \
+    X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                 \
+    X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK | INVERTED, KEY_GAS_BORE) \
+    X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)               \
+    X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
+    X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
+    X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
+    X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
+    X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
+    X(SWEEP, "sweep", 0, ANY_KIND, KEY_SWEEP_SAMPLES)                \
+    X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
 /* What a value is. */
@@ -46,8 +49,11 @@ typedef enum value_form {
 
 typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sign;
 
-#define LINK_KEYS(X, S)                                                    \
-    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND)           \
+#define LINK_KEYS(X, S)                                          \
+    X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND) \
+    MASS_KEYS(X, S)
+
+#define MASS_KEYS(X, S)                                                    \
     X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)             \
     X(S, GYRATION, "gyration", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)   \
     X(S, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)    \
@@ -86,7 +92,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND)                            \
     X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND)                                     \
     X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND)                                  \
-    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR)               \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)    \
     X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                \
     X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                \
     LINK_KEYS(X, CRANK)                                                                      \
@@ -95,6 +101,10 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     LINK_KEYS(X, ROCKER)                                                                     \
     LINK_KEYS(X, ROD)                                                                        \
     X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                          \
+    MASS_KEYS(X, SLIDER)                                                                     \
+    X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND)                              \
+    X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                 \
+    LINK_KEYS(X, LEVER)                                                                      \
     X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                               \
     X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                          \
     X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                           \

@@ -20,7 +20,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_body body[3];
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    forces->M14 = 0;
+    forces->M14 = forces->N34 = forces->M34 = 0;
     kind->forces(mechanism, state, body, flk_moment_about_origin(&body[1]),
                  flk_moment_about_origin(&body[2]), &F34, forces);
     F23.x = body[1].force.x + F34.x;

@@ -70,11 +70,10 @@ static void put_state(const fourlink_state *state, double *numbers)
 /* `design` lacks links and gravity, which are still in the caller's arrays. */
 static int analyse(fourlink_design *design, const double *links, const double *grav, int branch,
                    const double *crank_numbers, int n_loads, const double *load_numbers,
-                   double *state_numbers, double *force_numbers)
+                   fourlink_state *state, double *state_numbers, double *force_numbers)
 {
     fourlink_load loads[FOURLINK_F77_LOADS];
     fourlink_crank crank;
-    fourlink_state state;
     fourlink_forces forces;
     int status;
 
@@ -86,9 +85,9 @@ static int analyse(fourlink_design *design, const double *links, const double *g
     crank.omega2 = crank_numbers[1];
     crank.alpha2 = crank_numbers[2];
     status = fourlink_analyse_design(design, (fourlink_branch)branch, &crank, loads,
-                                     (unsigned long)n_loads, &state, &forces);
+                                     (unsigned long)n_loads, state, &forces);
     if (status == FOURLINK_OK) {
-        put_state(&state, state_numbers);
+        put_state(state, state_numbers);
         flk_list_forces(&forces, force_numbers);
     }
     return status;
@@ -99,10 +98,11 @@ void flfbar_(const double links[20], const double grav[2], const int *ibrnch, co
              int *istat)
 {
     fourlink_design design;
+    fourlink_state at;
 
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_FOUR_BAR;
-    *istat = analyse(&design, links, grav, *ibrnch, crank, *nloads, loads, state, forces);
+    *istat = analyse(&design, links, grav, *ibrnch, crank, *nloads, loads, &at, state, forces);
 }
 
 void flslcr_(const double links[20], const double *offset, const double grav[2], const int *ibrnch,
@@ -110,11 +110,32 @@ void flslcr_(const double links[20], const double *offset, const double grav[2],
              double forces[10], int *istat)
 {
     fourlink_design design;
+    fourlink_state at;
 
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_SLIDER_CRANK;
     design.offset = *offset;
-    *istat = analyse(&design, links, grav, *ibrnch, crank, *nloads, loads, state, forces);
+    *istat = analyse(&design, links, grav, *ibrnch, crank, *nloads, loads, &at, state, forces);
+}
+
+void flinvs_(const double links[20], const double *offset, const double *angle,
+             const double grav[2], const int *ibrnch, const double crank[3], const int *nloads,
+             const double *loads, double state[36], double slide[4], double forces[10], int *istat)
+{
+    fourlink_design design;
+    fourlink_state at;
+
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_INVERTED_SLIDER_CRANK;
+    design.offset = *offset;
+    design.angle = *angle;
+    *istat = analyse(&design, links, grav, *ibrnch, crank, *nloads, loads, &at, state, forces);
+    if (*istat != FOURLINK_OK)
+        return;
+    slide[0] = at.slide;
+    slide[1] = at.slide_v;
+    slide[2] = at.slide_a;
+    slide[3] = at.coriolis;
 }
 
 void fltext_(const int *istat, char *text, unsigned long length)

@@ -99,12 +99,11 @@ static void four_bar_position(const fourlink_mechanism *mechanism, fourlink_stat
     rocker->axis.y = along * BD.y + across * BD.x * state->sine;
     rocker->origin.x = d;
     rocker->origin.y = 0;
-    state->phi = 0;
-    state->x = 0;
 }
 
-static void four_bar_angles(fourlink_state *state)
+static void four_bar_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
+    (void)mechanism;
     state->mu = fabs(state->link[4].theta - state->link[3].theta);
     if (state->mu > M_PI)
         state->mu = 2 * M_PI - state->mu;
@@ -132,7 +131,6 @@ static void four_bar_velocity(const fourlink_mechanism *mechanism, fourlink_stat
     rocker->omega = rocker->k * crank->omega;
     rocker->k_origin = zero;
     rocker->velocity = zero;
-    state->v = 0;
 }
 
 /* Acceleration (Alvi section 3.3, the second formula's label corrected):
@@ -159,7 +157,6 @@ static void four_bar_acceleration(const fourlink_mechanism *mechanism, fourlink_
     coupler->alpha = c * p * (a_t * s42 - a_n * c42 + (c_n - b_n * c43));
     rocker->alpha = b * p * (a_t * s32 - a_n * c32 + (c_n * c43 - b_n));
     rocker->acceleration = zero;
-    state->a = 0;
 }
 
 /* Forces in closed form.  Moments about B and D leave out the force at that pin; the rest has one arm, the
@@ -309,7 +306,7 @@ const flk_kind flk_four_bar = {
     "four-bar",
     "four-bar linkage",
     {NULL, "ground", "crank", "coupler", "rocker"},
-    {0, 1, 1, 1, 1},
+    {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH},
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */

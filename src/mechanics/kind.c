@@ -8,7 +8,7 @@
 
 #include "kind.h"
 
-static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank};
+static const flk_kind *const kinds[] = {&flk_four_bar, &flk_slider_crank, &flk_inverted};
 
 /* clang-format off */
 #define UNKNOWN(member) {#member, offsetof(fourlink_forces, member)}
@@ -19,8 +19,8 @@ const flk_unknown flk_unknowns[9][2] = {
     {UNKNOWN(F12y)},
     {UNKNOWN(F23x)},
     {UNKNOWN(F23y)},
-    {UNKNOWN(F34x)},
-    {UNKNOWN(F34y)},
+    {UNKNOWN(F34x), UNKNOWN(M34)},
+    {UNKNOWN(F34y), UNKNOWN(N34)},
     {UNKNOWN(F14x), UNKNOWN(M14)},
     {UNKNOWN(F14y), {"N", offsetof(fourlink_forces, F14y)}},
     {UNKNOWN(Ts)},
@@ -98,7 +98,7 @@ void flk_list_forces(const fourlink_forces *forces, double list[10])
 
     for (i = 0; i < 8; i++)
         list[i] = *FLK_MEMBER(forces, flk_unknowns[i][FLK_PIN]);
-    list[8] = forces->M14;
+    list[8] = forces->M14 + forces->M34; /* no mechanism has both */
     list[9] = forces->Ts;
 }
 

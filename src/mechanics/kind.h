@@ -53,18 +53,23 @@ extern const flk_unknown flk_unknowns[9][2];
 
 #define FLK_MEMBER(forces, unknown) ((double *)((char *)(forces) + (unknown).member))
 
+/* Whether a link has a length: one that must be positive, or one that may be 0. */
+enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
+
 /* The functions are called in this order.  The crank and its pin B are placed before `position`,
 ** moved before `velocity`, accelerated before `acceleration`.
 **
 ** prepare       the constants of the mechanism, from its lengths
-** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that of
-** the open branch, smooth through change points position, velocity, acceleration
+** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that
+**               of the open branch, smooth through change points
+** position, velocity, acceleration
 **               axis and origin; k, omega and the origin's k and velocity; alpha and the origin's
-**               acceleration, of link 3 (except its origin) and of link 4
+**               acceleration, of link 3 (except its origin) and of link 4; a kind's own members of
+**               fourlink_state are set to 0 before
 ** angles        the rest of the position, from theta of links 3 and 4: mu, phi.  They come last because
 **               nothing else depends on them
-** forces        closed form: F34, and the couples of sliders, from the links cut free, and the moments
-**               of links 3 and 4 about their origins
+** forces        closed form: F34, and the unknowns of sliders, which are 0 before, from the links cut
+**               free, and the moments of links 3 and 4 about their origins
 ** type, ranges, limits
 **               of the mechanism as a whole; ranges and limits are set to 0 before
 */
@@ -73,7 +78,7 @@ typedef struct flk_kind {
     const char *name;    /* as in a deck */
     const char *words;   /* in a sentence */
     const char *link[5]; /* names of the links, by number */
-    int has_length[5];   /* 1: this link has a length */
+    int has_length[5];   /* FLK_NO_LENGTH ... */
     flk_joint joint[4];  /* in the order of the unknowns */
     void (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
@@ -81,7 +86,7 @@ typedef struct flk_kind {
     void (*position)(const fourlink_mechanism *mechanism, fourlink_state *state);
     void (*velocity)(const fourlink_mechanism *mechanism, fourlink_state *state);
     void (*acceleration)(const fourlink_mechanism *mechanism, fourlink_state *state);
-    void (*angles)(fourlink_state *state);
+    void (*angles)(const fourlink_mechanism *mechanism, fourlink_state *state);
     void (*forces)(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const flk_body body[3], double M3, double M4, fourlink_vector *F34,
                    fourlink_forces *forces);
@@ -91,7 +96,7 @@ typedef struct flk_kind {
                    fourlink_limits *limits);
 } flk_kind;
 
-extern const flk_kind flk_four_bar, flk_slider_crank;
+extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted;
 
 /* The record of a kind; null if there is no such kind. */
 const flk_kind *flk_kind_of(fourlink_kind kind);

@@ -42,7 +42,7 @@
 /* Check loads: FOURLINK_OK, or what is wrong with one of them (nine_equations.c). */
 int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 
-/* F12x, F12y, F23x ... F14y, M14, Ts (kind.c). */
+/* F12x, F12y, F23x ... F14y, the couple of the slider, Ts (kind.c). */
 void flk_list_forces(const fourlink_forces *forces, double list[10]);
 
 /* A vector from a link's own axes into the frame of link 1: v = the arm from the link's origin to the

@@ -41,17 +41,24 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
     if (!kind)
         return FOURLINK_BAD_KIND;
     for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
-        if (kind->has_length[i] && (status = check_length(design->link[i].length)) != FOURLINK_OK)
+        double length = design->link[i].length;
+        int has_length = kind->has_length[i] == FLK_LENGTH ||
+                         (kind->has_length[i] == FLK_LENGTH_OR_NONE && length != 0);
+
+        if (has_length && (status = check_length(length)) != FOURLINK_OK)
             return status;
         if (i != FOURLINK_GROUND && (status = check_link(&design->link[i])) != FOURLINK_OK)
             return status;
     }
     if (!FLK_WITHIN(design->offset, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(design->angle, FOURLINK_NUMBER_MAX) ||
         !FLK_BOTH_WITHIN(design->gravity, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
 
     mechanism->design = *design;
     mechanism->dead_centre = 0;
+    mechanism->h = 0;
+    mechanism->lever.x = mechanism->lever.y = 0;
     kind->prepare(mechanism);
     return FOURLINK_OK;
 }
@@ -100,6 +107,7 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     coupler->origin.y = a * crank->axis.y;
     state->branch = branch;
     state->sine = at->sine;
+    state->phi = state->x = state->slide = state->s = 0;
     kind->position(mechanism, state);
 }
 
@@ -117,11 +125,12 @@ static double angle_of(const fourlink_vector *axis)
     return axis->y < 0 ? -angle : angle;
 }
 
-static void measure_angles(const flk_kind *kind, fourlink_state *state)
+static void measure_angles(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                           fourlink_state *state)
 {
     state->link[3].theta = angle_of(&state->link[3].axis);
     state->link[4].theta = angle_of(&state->link[4].axis);
-    kind->angles(state);
+    kind->angles(mechanism, state);
 }
 
 /* omega x r for the pin B of the crank */
@@ -137,6 +146,7 @@ static void move(const flk_kind *kind, const fourlink_mechanism *mechanism, doub
     coupler->k_origin.y = a * crank->axis.x;
     coupler->velocity.x = coupler->k_origin.x * omega2;
     coupler->velocity.y = coupler->k_origin.y * omega2;
+    state->v = state->slide_v = state->coriolis = 0;
     kind->velocity(mechanism, state);
 }
 
@@ -152,6 +162,7 @@ static void accelerate(const flk_kind *kind, const fourlink_mechanism *mechanism
     crank->alpha = alpha2;
     coupler->acceleration.x = -t * crank->axis.y - n * crank->axis.x;
     coupler->acceleration.y = t * crank->axis.x - n * crank->axis.y;
+    state->a = state->slide_a = 0;
     kind->acceleration(mechanism, state);
 }
 
@@ -167,7 +178,7 @@ int fourlink_position(const fourlink_mechanism *mechanism, fourlink_branch branc
     if (status != FOURLINK_OK)
         return status;
     place(kind, mechanism, branch, theta2, &at, state);
-    measure_angles(kind, state);
+    measure_angles(kind, mechanism, state);
     return FOURLINK_OK;
 }
 
@@ -277,7 +288,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
         status = fourlink_solve(mechanism, &result, loads, n_loads, forces);
     if (status != FOURLINK_OK)
         return status;
-    measure_angles(kind, &result);
+    measure_angles(kind, mechanism, &result);
     *state = result;
     return FOURLINK_OK;
 }
@@ -296,7 +307,7 @@ int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch b
         return status;
     if (forces)
         flk_dyad(kind, mechanism, state, loads, n_loads, forces);
-    measure_angles(kind, state);
+    measure_angles(kind, mechanism, state);
     return FOURLINK_OK;
 }
 

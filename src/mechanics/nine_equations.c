@@ -155,14 +155,19 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 #define COLUMN(j) ((WIDTH - 1) * (j) + BELOW + ABOVE)
 #define DIAGONAL(j) (COLUMN(j) + (j))
 
-#define PLACES(X)                                            \
-    {                                                        \
-        X(7), X(8), X(4), X(5), X(2), X(3), X(0), X(1), X(6) \
+#define PLACES(X, x34, y34)                                      \
+    {                                                            \
+        X(7), X(8), X(4), X(5), X(x34), X(y34), X(0), X(1), X(6) \
     }
 #define PLACE(j) (j)
+#define ROWS                      \
+    {                             \
+        7, 8, 6, 4, 5, 3, 0, 1, 2 \
+    }
 
-static const layout banded = {{7, 8, 6, 4, 5, 3, 0, 1, 2}, PLACES(COLUMN)};
-static const int place[9] = PLACES(PLACE);
+/* A slider between links 3 and 4 has its normal force, which is in the first equations, before its couple. */
+static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
+static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 
 static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
                  const fourlink_state *state, const flk_body body[3], double x[9])
@@ -171,6 +176,8 @@ static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
     double A[9 * WIDTH], b[9], ordered[9], length = 0;
     unsigned int pivot[9];
     flk_body about[3];
+    const layout *at = &banded[kind->joint[2].slider != 0];
+    const int *place = places[kind->joint[2].slider != 0];
     scaling scale = {{0, 0, LATER * LATER, LATER, 1}, {0, 0, LATER * LATER, 1, 1}};
     gsl_matrix_view A_view = gsl_matrix_view_array(A, 9, WIDTH);
     gsl_vector_view x_view = gsl_vector_view_array(ordered, 9);
@@ -178,7 +185,7 @@ static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
     int i;
 
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++) {
-        length = kind->has_length[i] ? link[i].length : length;
+        length = kind->has_length[i] == FLK_LENGTH ? link[i].length : length;
         scale.moment[i] /= length;
     }
     for (i = 0; i < 3; i++) {
@@ -186,9 +193,9 @@ static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
         about[i].force = body[i].force;
         about[i].moment = flk_moment_about_origin(&body[i]);
     }
-    assemble(kind, mechanism, state, about, &scale, &banded, A, b);
+    assemble(kind, mechanism, state, about, &scale, at, A, b);
     for (i = 0; i < 9; i++)
-        ordered[banded.row[i]] = b[i];
+        ordered[at->row[i]] = b[i];
     gsl_linalg_LU_band_decomp(9, BELOW, ABOVE, &A_view.matrix, &pivot_view.vector);
     for (i = 0; i < 9; i++)
         if (!(fabs(A[DIAGONAL(i)]) > FLK_SINGULAR))

@@ -84,10 +84,11 @@ static void slider_crank_position(const fourlink_mechanism *mechanism, fourlink_
     state->x = mechanism->dead_centre - (double)state->branch * piston->origin.x;
 }
 
-static void slider_crank_angles(fourlink_state *state)
+static void slider_crank_angles(const fourlink_mechanism *mechanism, fourlink_state *state)
 {
     const fourlink_link_state *rod = &state->link[3];
 
+    (void)mechanism;
     state->phi = -rod->theta;
     if (rod->axis.x < 0)
         state->phi = rod->theta > 0 ? rod->theta - M_PI : rod->theta + M_PI;
@@ -227,7 +228,7 @@ const flk_kind flk_slider_crank = {
     "slider-crank",
     "slider-crank",
     {NULL, "ground", "crank", "rod", "piston"},
-    {0, 0, 1, 1, 0},
+    {FLK_NO_LENGTH, FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH},
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */

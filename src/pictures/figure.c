@@ -54,6 +54,44 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     return pins;
 }
 
+/* A point of the slide: so far along it from the foot of the perpendicular from D, and so far to its left. */
+static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along,
+                                double across)
+{
+    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
+    fourlink_vector B = figure_point(p, state->link[FOURLINK_COUPLER].origin);
+
+    along -= figure_length(p, state->s);
+    return sketch_beside(B, along * u->x - across * u->y, along * u->y + across * u->x);
+}
+
+/* C, or the foot itself: where the lever meets its slide. */
+static double root_of_slide(const picture *p)
+{
+    return figure_length(p, p->design->link[FOURLINK_FOLLOWER].length * p->mechanism->lever.x);
+}
+
+/* The ends of the slot, which the slider needs with the crank at 0 and at 180 deg. */
+static void find_slot(const picture *p, const fourlink_state *state, double margin, double *from,
+                      double *to)
+{
+    const fourlink_link *link = p->design->link;
+    double sum = link[2].length + link[1].length, h = p->mechanism->h;
+    double near = p->mechanism->folded > 0 ? sqrt(p->mechanism->folded) : 0;
+    double far = sqrt(fabs((sum - h) * (sum + h)));
+
+    if (p->mechanism->change_folded)
+        near = -far;
+    *from = figure_length(p, near) - margin;
+    *to = figure_length(p, far) + margin;
+    if (state->branch == FOURLINK_CROSSED) {
+        double swap = -*from;
+
+        *from = -*to;
+        *to = swap;
+    }
+}
+
 /* The place of tracer point i, its name and its link. */
 static fourlink_vector tracer(const picture *p, const fourlink_state *state, unsigned long i,
                               const char **name, int *link)
@@ -78,6 +116,13 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     sketch_include(s, sketch_beside(pins.C, -margin, 0));
     sketch_include(s, sketch_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
+    if (p->slot) {
+        double from, to;
+
+        find_slot(p, state, margin, &from, &to);
+        sketch_include(s, on_slide(p, state, from, 0));
+        sketch_include(s, on_slide(p, state, to, 0));
+    }
     for (i = 0; i < p->problem.n_points; i++)
         sketch_include(s, tracer(p, state, i, &name, &link));
 }
@@ -104,7 +149,7 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (all_of_it) {
-        if (p->slides)
+        if (p->slides || p->slot)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
@@ -132,16 +177,38 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     }
 }
 
-void figure_piston(sketch *s, pen kind, fourlink_vector at)
+void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
 {
     double x = PISTON_X * s->size, y = PISTON_Y * s->size;
     fourlink_vector corner[5];
     int i;
 
-    for (i = 0; i < 5; i++)
-        corner[i] = sketch_beside(at, i == 1 || i == 2 ? x : -x, i == 2 || i == 3 ? y : -y);
+    for (i = 0; i < 5; i++) {
+        double along = i == 1 || i == 2 ? x : -x, across = i == 2 || i == 3 ? y : -y;
+
+        corner[i] = sketch_beside(at, along * axis->x - across * axis->y,
+                                  along * axis->y + across * axis->x);
+    }
     for (i = 0; i < 4; i++)
         sketch_line(s, kind, corner[i], corner[i + 1]);
+}
+
+void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
+{
+    double half = PISTON_Y * s->size, root = root_of_slide(p), from, to;
+    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin), corner[5];
+    int i;
+
+    find_slot(p, state, 1.5 * PISTON_X * s->size, &from, &to);
+    for (i = 0; i < 5; i++)
+        corner[i] =
+            on_slide(p, state, i == 1 || i == 2 ? to : from, i == 2 || i == 3 ? half : -half);
+    for (i = 0; i < 4; i++)
+        sketch_line(s, kind, corner[i], corner[i + 1]);
+    sketch_line(s, kind, D, on_slide(p, state, root, 0));
+    if (root < from || root > to)
+        sketch_line(s, kind, on_slide(p, state, root, 0),
+                    on_slide(p, state, root < from ? from : to, 0));
 }
 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
@@ -149,9 +216,14 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     figure_pins pins = figure_place(p, state);
 
     sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
+    if (p->slot) {
+        figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
+        figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
+        return;
+    }
     sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
     if (p->slides)
-        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C);
+        figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
     else
         sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
 }
@@ -205,7 +277,13 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
-    if (p->slides) {
+    if (p->slot) {
+        fourlink_vector C = on_slide(p, state, root_of_slide(p), 0);
+
+        if (p->design->link[FOURLINK_FOLLOWER].length > 0)
+            figure_letter(s, C, pins.D, pins.B, "C");
+        figure_letter(s, pins.D, pins.B, pins.B, "D");
+    } else if (p->slides) {
         figure_letter(s, pins.C, pins.B, pins.B, "C");
     } else {
         figure_letter(s, pins.C, pins.B, pins.D, "C");
@@ -237,7 +315,8 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA "\342\202\202");
-    put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA "\342\202\203");
+    if (!p->slot || p->design->angle != 0)
+        put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA "\342\202\203");
     if (!p->slides)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
 }
@@ -301,7 +380,8 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const dou
 
     if (p->range.n_rows < 2)
         return;
-    put_path(s, p, branch, p->problem.n_points, until);
+    if (!p->slot)
+        put_path(s, p, branch, p->problem.n_points, until);
     for (i = 0; i < p->problem.n_points; i++)
         put_path(s, p, branch, i, until);
 }

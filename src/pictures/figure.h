@@ -8,7 +8,8 @@
 #include "picture.h"
 #include "sketch.h"
 
-/* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank. */
+/* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
+** an inverted slider-crank C, where links 3 and 4 meet, is B. */
 typedef struct figure_pins {
     fourlink_vector A, B, C, D;
 } figure_pins;
@@ -30,8 +31,11 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it);
 /* Draw the frame: supports at A and D, or the guide. */
 void figure_frame(sketch *s, const picture *p, const fourlink_state *state);
 
-/* Draw a piston around a place. */
-void figure_piston(sketch *s, pen kind, fourlink_vector at);
+/* Draw a piston or a block around a place, along an axis. */
+void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis);
+
+/* Draw a lever with its slot. */
+void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind);
 
 /* Draw the links at one position as lines, with one pen or PEN_OF_LINK; or in full, with letters at the pins,
 ** the slope and, if wanted, the angles of the links. */

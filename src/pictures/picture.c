@@ -108,7 +108,7 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
 static int lines_beside(const picture *p, int each_link)
 {
     int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n = p->problem.n_loads - (p->problem.has_gas ? 1 : 0);
+    unsigned long i, n = p->problem.n_loads - p->problem.n_gas_loads;
     const char *name;
 
     fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
@@ -236,6 +236,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->design = &p->mechanism->design;
     p->kind = (int)p->design->kind;
     p->slides = fourlink_slides(p->kind, FOURLINK_FOLLOWER);
+    p->slot = fourlink_slides(p->kind, FOURLINK_COUPLER);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
     p->n_branches = 0;
@@ -270,14 +271,17 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
     fourlink_source other = *source;
     char assignment[400] = "table.columns=";
-    text rest = flk_text_of(columns ? columns : ""), name;
+    text rest = flk_text_of(columns ? columns : ""), either, name;
     int opened;
 
     if (!changes)
         return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
-    while (flk_text_split(&rest, ',', &name))
+    while (flk_text_split(&rest, ',', &either)) {
+        while (flk_text_split(&either, '|', &name) && !has_column(p, name))
+            ;
         if (has_column(p, name))
             strcat(strncat(assignment, name.start, name.length), " ");
+    }
     if (source->n_changes)
         memcpy(changes, source->changes, source->n_changes * sizeof *changes);
     changes[source->n_changes].origin = "--plot-kind";
@@ -331,9 +335,8 @@ static const char *missing(const picture *p)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction needs a slider-crank";
-    if ((needs & PLOT_DRAWING) &&
-        (p->problem.n_loads - (p->problem.has_gas ? 1 : 0) > PICTURE_LOADS ||
-         p->problem.n_points > PICTURE_POINTS))
+    if ((needs & PLOT_DRAWING) && (p->problem.n_loads - p->problem.n_gas_loads > PICTURE_LOADS ||
+                                   p->problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }

@@ -11,11 +11,12 @@
 #include "fourlink.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
-** needs from the deck; the function that draws it; the columns it uses, if the deck has them */
+** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
+** A|B the first */
 #define PLOT_LIST(X)                                                                        \
     X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
     X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
-      "theta2,theta3,theta4,x,omega3,omega4,v,alpha3,alpha4,a")                             \
+      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")       \
     X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS, \
       picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                        \
     X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,    \
@@ -84,6 +85,7 @@ typedef struct picture {
     const fourlink_design *design;
     int kind;   /* of the design */
     int slides; /* 1: link 4 slides on the ground */
+    int slot;   /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
     fourlink_range range;
@@ -99,7 +101,7 @@ typedef struct picture {
 /* One crank angle, with its loads. */
 typedef struct picture_row {
     fourlink_instant now;
-    fourlink_load loads[PICTURE_LOADS + 1];
+    fourlink_load loads[PICTURE_LOADS + 2];
 } picture_row;
 
 /* The functions of the kinds.  Those with a panel for each branch are called for each, the others for the

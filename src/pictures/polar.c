@@ -145,11 +145,13 @@ static int component(const picture *p, const bearing *b, const char *end)
 ** slides. */
 static int put_bearing(picture *p, int by, int on)
 {
-    int slides = fourlink_slides(p->kind, on);
+    int slides = fourlink_slides(p->kind, on) == FOURLINK_GROUND;
     const char *link = fourlink_link_text(p->kind, on);
     char title[120];
     bearing b;
 
+    if (fourlink_slides(p->kind, on) == by || fourlink_slides(p->kind, by) == on)
+        return 0; /* always across the slide */
     sprintf(b.name, "F%d%d", by, on);
     b.x = component(p, &b, slides ? "x" : "_along");
     b.y = component(p, &b, slides ? "y" : "_across");

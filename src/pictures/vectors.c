@@ -3,8 +3,9 @@
 ** vectors.c - the graphical method at one position: velocity and acceleration polygons, free
 ** bodies and their polygons of forces, which close.
 **
-**    v_C = v_B + v_CB
+**    v_C = v_B + v_CB,   of a slider on a lever  v_B = v_B4 + slide_v u
 **    a_C = a_B + a_CB^n + a_CB^t,  a^n = -omega^2 r, a^t = alpha x r
+**    a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u,   B4 the point of the lever at B
 **    sum F - m a_G = 0
 */
 #include <math.h>
@@ -113,6 +114,34 @@ static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
 
+/* The arm from D to the point of the lever at B. */
+static fourlink_vector arm_of_lever(const fourlink_state *state)
+{
+    const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
+                          *D = &state->link[FOURLINK_FOLLOWER].origin;
+
+    return sketch_at(B->x - D->x, B->y - D->y);
+}
+
+/* Of a slider: the velocity of the lever's point at B, and along the slide. */
+static void put_sliding(picture *p, const fourlink_state *state)
+{
+    const fourlink_link_state *slider = &state->link[FOURLINK_COUPLER];
+    fourlink_vector u = slider->axis, r = arm_of_lever(state), b, b4;
+    double w = state->link[FOURLINK_FOLLOWER].omega;
+    polygon g;
+
+    open_polygon(&g, p, QUANTITY_SPEED);
+    b = put_side(&g, PEN_CRANK, "vB", zero, slider->velocity);
+    b4 = put_side(&g, PEN_FOLLOWER, "vB4", zero, sketch_at(-w * r.y, w * r.x));
+    put_side(&g, PEN_COUPLER, "slide_v", b4, sketch_at(state->slide_v * u.x, state->slide_v * u.y));
+    draw_sides(&g);
+    put_letter(&g, zero, "o");
+    put_letter(&g, b, "b");
+    put_letter(&g, b4, "b4");
+    sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
+}
+
 static void put_velocities(picture *p, const fourlink_state *state)
 {
     fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, v_C, b, c;
@@ -140,6 +169,30 @@ static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int li
 
     from = put_side(g, (pen)link, normal, from, sketch_at(n * l->axis.x, n * l->axis.y));
     return put_side(g, (pen)link, tangential, from, sketch_at(-t * l->axis.y, t * l->axis.x));
+}
+
+/* Of a slider: the accelerations of the lever's point at B, that of Coriolis, and along the slide. */
+static void put_coriolis(picture *p, const fourlink_state *state)
+{
+    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
+    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, r = arm_of_lever(state), b, b4;
+    double n = -lever->omega * lever->omega, c = state->coriolis, a = state->slide_a;
+    polygon g;
+
+    open_polygon(&g, p, QUANTITY_ACCELERATION);
+    b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
+    b4 = put_side(&g, PEN_FOLLOWER, "aB4n", zero, sketch_at(n * r.x, n * r.y));
+    b4 = put_side(&g, PEN_FOLLOWER, "aB4t", b4, sketch_at(-lever->alpha * r.y, lever->alpha * r.x));
+    put_side(&g, PEN_COUPLER, "slide_a",
+             put_side(&g, PEN_RESULT, "coriolis", b4, sketch_at(-c * u.y, c * u.x)),
+             sketch_at(a * u.x, a * u.y));
+    draw_sides(&g);
+    sketch_line(&g.s, PEN_CONSTRUCTION, zero, b);
+    sketch_line(&g.s, PEN_CONSTRUCTION, zero, b4);
+    put_letter(&g, zero, "o'");
+    put_letter(&g, b, "b'");
+    put_letter(&g, b4, "b4'");
+    sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
 }
 
 static void put_accelerations(picture *p, const fourlink_state *state)
@@ -209,11 +262,14 @@ static void draw_off(sketch *s, const free_body *b, fourlink_vector at)
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
 static void draw_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    static const char *const letters[] = {"A", "B", "C", "D"};
+    static const char *const all[2][4] = {{"A", "B", "C", "D"}, {"A", "B", "B", "D"}};
+    const char *const *letters = all[p->slot != 0];
     unsigned long i;
 
     if (b->slides)
-        figure_piston(s, PEN_FOLLOWER, b->first);
+        figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
+    else if (p->slot && b->link == FOURLINK_FOLLOWER)
+        figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
     for (i = 0; i < p->problem.n_loads; i++)
@@ -250,6 +306,9 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     arrow_draw_load_torques(&s, p, r, b->link);
     if (b->link == FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
+    if (p->slot && b->link != FOURLINK_CRANK)
+        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M43" : "M34", b->first,
+                          b->slides ? -r->now.forces.M34 : r->now.forces.M34);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I alpha", b->G, -inertia * alpha);
     flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, b->link),
@@ -294,8 +353,8 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     put_mechanism(p, &r.now);
-    put_velocities(p, &r.now.state);
-    put_accelerations(p, &r.now.state);
+    (p->slot ? put_sliding : put_velocities)(p, &r.now.state);
+    (p->slot ? put_coriolis : put_accelerations)(p, &r.now.state);
     if (!p->problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {

@@ -29,7 +29,7 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->d = d;
     a->possible = possible(d);
     fourlink_motion_range(&d->motion, &a->range); /* the deck's reader has checked it */
-    a->n_loads = d->n_loads + (d->gas.area > 0 ? 1 : 0);
+    a->n_loads = d->n_loads + flk_deck_gas_loads(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
     return a->loads != NULL;
 }

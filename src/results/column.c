@@ -32,7 +32,9 @@ struct flk_column_info {
 
 #define FOUR_BAR FOURLINK_FOUR_BAR
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
-#define BOTH (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)
+#define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
+#define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
+#define ALL (FOUR_BAR | SLIDER_CRANK | INVERTED)
 #define USUAL 0x100
 
 #define ROW(member) offsetof(flk_row, at.row.member)
@@ -74,19 +76,19 @@ struct flk_column_info {
       #F " normal to the line of the " link ", to its left", "")
 
 /* Fi2, Fi2_dir, h2, Ci2 */
-#define INERTIA_FORCE(X, i)                                                                 \
-    X(Fi##i, FORCE, BOTH, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
-      "F_g" #i " (ME3491)")                                                                 \
-    X(Fi##i##_dir, ANGLE, BOTH, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
-    X(h##i, LENGTH, BOTH, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")    \
-    X(Ci##i, TORQUE, BOTH, OF_DERIVED(inertia[i].couple),                                   \
+#define INERTIA_FORCE(X, i)                                                                \
+    X(Fi##i, FORCE, ALL, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
+      "F_g" #i " (ME3491)")                                                                \
+    X(Fi##i##_dir, ANGLE, ALL, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
+    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                         \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")   \
+    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                   \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* I13x, I13y */
-#define CENTRE(X, I, links)                                                                 \
-    X(I##x, LENGTH, BOTH, OF_MOTION(I.x), "instantaneous centre of links " links ", x", "") \
-    X(I##y, LENGTH, BOTH, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
+#define CENTRE(X, I, links)                                                                \
+    X(I##x, LENGTH, ALL, OF_MOTION(I.x), "instantaneous centre of links " links ", x", "") \
+    X(I##y, LENGTH, ALL, OF_MOTION(I.y), "instantaneous centre of links " links ", y", "")
 
 /* x_series, x_diff; x_harmonic */
 #define TERMS(X, x, q, exact, words, source)                                     \
@@ -103,25 +105,25 @@ struct flk_column_info {
 
 /* name, quantity, mechanisms, where its value is from, meaning, name in the sources */
 #define COLUMN_LIST(X)                                                                             \
-    X(theta2, ANGLE, BOTH | USUAL, OF_ROW(angle), "angle of the crank",                            \
+    X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                             \
       "thet (Alvi), thetaa (ME3491)")                                                              \
-    X(time, TIME, BOTH, OF_ROW(time), "time since the first row", "")                              \
-    X(omega2, ANGULAR_SPEED, BOTH, OF_ROW(crank.omega2), "angular speed of the crank",             \
+    X(time, TIME, ALL, OF_ROW(time), "time since the first row", "")                               \
+    X(omega2, ANGULAR_SPEED, ALL, OF_ROW(crank.omega2), "angular speed of the crank",              \
       "vela (Alvi), omegaa (ME3491)")                                                              \
-    X(alpha2, ANGULAR_ACCELERATION, BOTH, OF_ROW(crank.alpha2),                                    \
+    X(alpha2, ANGULAR_ACCELERATION, ALL, OF_ROW(crank.alpha2),                                     \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
-    X(theta3, ANGLE, BOTH | USUAL, OF_STATE(link[3].theta), "angle of the coupler or rod",         \
+    X(theta3, ANGLE, ALL | USUAL, OF_STATE(link[3].theta), "angle of the coupler, rod or slide",   \
       "beta (Alvi), thetab (ME3491)")                                                              \
-    X(omega3, ANGULAR_SPEED, BOTH | USUAL, OF_STATE(link[3].omega),                                \
-      "angular speed of the coupler or rod", "velb (Alvi), omegab (ME3491)")                       \
-    X(alpha3, ANGULAR_ACCELERATION, BOTH | USUAL, OF_STATE(link[3].alpha),                         \
-      "angular acceleration of the coupler or rod", "accb (Alvi), alphab (ME3491)")                \
-    X(theta4, ANGLE, FOUR_BAR | USUAL, OF_STATE(link[4].theta), "angle of the rocker",             \
+    X(omega3, ANGULAR_SPEED, ALL | USUAL, OF_STATE(link[3].omega),                                 \
+      "angular speed of the coupler, rod or slide", "velb (Alvi), omegab (ME3491)")                \
+    X(alpha3, ANGULAR_ACCELERATION, ALL | USUAL, OF_STATE(link[3].alpha),                          \
+      "angular acceleration of the coupler, rod or slide", "accb (Alvi), alphab (ME3491)")         \
+    X(theta4, ANGLE, PINNED | USUAL, OF_STATE(link[4].theta), "angle of the rocker or lever",      \
       "phi (Alvi), thetac (ME3491)")                                                               \
-    X(omega4, ANGULAR_SPEED, FOUR_BAR | USUAL, OF_STATE(link[4].omega),                            \
-      "angular speed of the rocker", "velc (Alvi), omegac (ME3491)")                               \
-    X(alpha4, ANGULAR_ACCELERATION, FOUR_BAR | USUAL, OF_STATE(link[4].alpha),                     \
-      "angular acceleration of the rocker", "accc (Alvi), alphac (ME3491)")                        \
+    X(omega4, ANGULAR_SPEED, PINNED | USUAL, OF_STATE(link[4].omega),                              \
+      "angular speed of the rocker or lever", "velc (Alvi), omegac (ME3491)")                      \
+    X(alpha4, ANGULAR_ACCELERATION, PINNED | USUAL, OF_STATE(link[4].alpha),                       \
+      "angular acceleration of the rocker or lever", "accc (Alvi), alphac (ME3491)")               \
     X(phi, ANGLE, SLIDER_CRANK, OF_STATE(phi), "obliquity of the rod to the line of stroke",       \
       "beta (ME3491), phi (DFA)")                                                                  \
     X(x, LENGTH, SLIDER_CRANK | USUAL, OF_STATE(x),                                                \
@@ -130,56 +132,67 @@ struct flk_column_info {
       "velocity of the piston, away from the inner dead centre", "v (ME3491), V_p (DFA)")          \
     X(a, ACCELERATION, SLIDER_CRANK | USUAL, OF_STATE(a),                                          \
       "acceleration of the piston, away from the inner dead centre", "a (ME3491), a_p (DFA)")      \
-    X(mu, ANGLE, BOTH | USUAL, OF_STATE(mu), "transmission angle", "")                             \
-    COMPONENTS(X, F12, BOTH, "force of ground on crank", 1, 2)                                     \
-    COMPONENTS(X, F23, BOTH, "force of crank on coupler or rod", 3, 4)                             \
-    COMPONENTS(X, F34, BOTH, "force of coupler on rocker, or rod on piston", 5, 6)                 \
-    COMPONENTS(X, F14, FOUR_BAR, "force of ground on rocker", 7, 8)                                \
+    X(slide, LENGTH, INVERTED | USUAL, OF_STATE(slide),                                            \
+      "coordinate of the crank pin B along the slide", "")                                         \
+    X(slide_v, SPEED, INVERTED | USUAL, OF_STATE(slide_v),                                         \
+      "velocity of B relative to the lever, along the slide", "")                                  \
+    X(slide_a, ACCELERATION, INVERTED | USUAL, OF_STATE(slide_a),                                  \
+      "acceleration of B relative to the lever, along the slide", "")                              \
+    X(coriolis, ACCELERATION, INVERTED, OF_STATE(coriolis),                                        \
+      "Coriolis acceleration 2 omega4 slide_v, to the left of the slide", "")                      \
+    X(mu, ANGLE, ALL | USUAL, OF_STATE(mu), "transmission angle", "")                              \
+    COMPONENTS(X, F12, ALL, "force of ground on crank", 1, 2)                                      \
+    COMPONENTS(X, F23, ALL, "force of crank on coupler, rod or slider", 3, 4)                      \
+    COMPONENTS(X, F34, ALL, "force of coupler, rod or slider on link 4", 5, 6)                     \
+    X(N34, FORCE, INVERTED | USUAL, OF_FORCES(N34),                                                \
+      "force of slider on lever at B, to the left of the slide", "")                               \
+    X(M34, TORQUE, INVERTED, OF_FORCES(M34), "couple of slider on lever", "")                      \
+    COMPONENTS(X, F14, PINNED, "force of ground on rocker or lever", 7, 8)                         \
     X(N, FORCE, SLIDER_CRANK | USUAL, OF_FORCES(F14y),                                             \
       "guide on piston, along +y; exact, unlike side_thrust", "")                                  \
     X(M14, TORQUE, SLIDER_CRANK, OF_FORCES(M14), "couple of the guide on the piston", "")          \
-    X(Ts, TORQUE, BOTH | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                  \
+    X(Ts, TORQUE, ALL | USUAL, OF_FORCES(Ts), "driving torque, ground on crank",                   \
       "X(9), Ts (ME3491)")                                                                         \
-    RESULTANT(X, F12, BOTH)                                                                        \
-    RESULTANT(X, F23, BOTH)                                                                        \
-    RESULTANT(X, F34, BOTH)                                                                        \
-    RESULTANT(X, F14, FOUR_BAR)                                                                    \
-    X(power, POWER, BOTH, POWER_OF_CRANK, "power put into the crank", "")                          \
-    X(Fsx, FORCE, BOTH, OF_DERIVED(Fsx),                                                           \
+    RESULTANT(X, F12, ALL)                                                                         \
+    RESULTANT(X, F23, ALL)                                                                         \
+    RESULTANT(X, F34, ALL)                                                                         \
+    RESULTANT(X, F14, PINNED)                                                                      \
+    X(power, POWER, ALL, POWER_OF_CRANK, "power put into the crank", "")                           \
+    X(Fsx, FORCE, ALL, OF_DERIVED(Fsx),                                                            \
       "shaking force on the frame (pins, guide, gas on the head), x", "")                          \
-    X(Fsy, FORCE, BOTH, OF_DERIVED(Fsy),                                                           \
+    X(Fsy, FORCE, ALL, OF_DERIVED(Fsy),                                                            \
       "shaking force on the frame (pins, guide, gas on the head), y", "")                          \
-    X(Ms, TORQUE, BOTH, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                 \
-    X(Fs, FORCE, BOTH, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                           \
-    X(Fs_dir, ANGLE, BOTH, OF_SHAKING(DIRECTION), "direction of Fs", "")                           \
-    AXIAL(X, F12, BOTH, "crank")                                                                   \
-    AXIAL(X, F32, BOTH, "crank")                                                                   \
-    AXIAL(X, F23, BOTH, "coupler or rod")                                                          \
-    AXIAL(X, F43, BOTH, "coupler or rod")                                                          \
-    AXIAL(X, F34, FOUR_BAR, "rocker")                                                              \
-    AXIAL(X, F14, FOUR_BAR, "rocker")                                                              \
+    X(Ms, TORQUE, ALL, OF_DERIVED(Ms), "shaking moment on the frame about A", "")                  \
+    X(Fs, FORCE, ALL, OF_SHAKING(SIZE), "resultant of Fsx and Fsy", "")                            \
+    X(Fs_dir, ANGLE, ALL, OF_SHAKING(DIRECTION), "direction of Fs", "")                            \
+    AXIAL(X, F12, ALL, "crank")                                                                    \
+    AXIAL(X, F32, ALL, "crank")                                                                    \
+    AXIAL(X, F23, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F43, ALL, "coupler, rod or slide")                                                    \
+    AXIAL(X, F34, PINNED, "rocker or lever")                                                       \
+    AXIAL(X, F14, PINNED, "rocker or lever")                                                       \
     INERTIA_FORCE(X, 2)                                                                            \
     INERTIA_FORCE(X, 3)                                                                            \
     INERTIA_FORCE(X, 4)                                                                            \
-    X(mechanical_advantage, NUMBER, BOTH, OF_MOTION(mechanical_advantage),                         \
+    X(mechanical_advantage, NUMBER, ALL, OF_MOTION(mechanical_advantage),                          \
       "omega2 / omega4; slider-crank: r omega2 / v", "")                                           \
     X(freudenstein_A, AREA, FOUR_BAR, OF_MOTION(A), "K - a (d - c) cos(theta2) - c d",             \
       "A (Alvi), P (ME3491)")                                                                      \
     X(freudenstein_B, AREA, FOUR_BAR, OF_MOTION(B), "-2 a c sin(theta2)", "B (Alvi), Q (ME3491)")  \
     X(freudenstein_C, AREA, FOUR_BAR, OF_MOTION(C), "K - a (d + c) cos(theta2) + c d",             \
       "C (Alvi), R (ME3491)")                                                                      \
-    X(condition, NUMBER, BOTH, OF_MOTION(condition),                                               \
+    X(condition, NUMBER, ALL, OF_MOTION(condition),                                                \
       "1 / sin(mu): the factor by which errors of the data grow", "")                              \
     CENTRE(X, I13, "1 and 3")                                                                      \
     CENTRE(X, I24, "2 and 4")                                                                      \
-    X(Ts_work, TORQUE, BOTH, OF_FORCES(Ts_work),                                                   \
+    X(Ts_work, TORQUE, ALL, OF_FORCES(Ts_work),                                                    \
       "driving torque by virtual work, without the nine equations", "")                            \
-    X(Ts_static, TORQUE, BOTH, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",   \
+    X(Ts_static, TORQUE, ALL, OF_SPLIT(Ts_static), "driving torque of loads and weights alone",    \
       "")                                                                                          \
-    X(Ts_inertia, TORQUE, BOTH, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")       \
-    X(superposition, NUMBER, BOTH, OF_SPLIT(superposition),                                        \
+    X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")        \
+    X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                         \
       "error of the superposition, relative to the largest force", "")                             \
-    X(residual, NUMBER, BOTH | USUAL, OF_FORCES(residual),                                         \
+    X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
       "power balance, relative to its largest term", "")                                           \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
     TERMS(X, v, SPEED, v, "velocity of the piston, two terms", "V_p (DFA eq. 3)")                  \
@@ -255,7 +268,7 @@ static int has(const flk_analysis *a, const flk_column_info *info)
     X(SPEED, "speed of the point")                  \
     X(ACCELERATION, "magnitude of the acceleration of the point")
 
-#define POINT_INFO(q, meaning) {"", QUANTITY_##q, BOTH, 0, VALUE, 0, 0, meaning, ""},
+#define POINT_INFO(q, meaning) {"", QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, ""},
 static const flk_column_info point_table[DECK_POINT_COLUMNS] = {POINT_LIST(POINT_INFO)};
 
 static void make(const deck *d, const flk_column_info *info, flk_column *c)
@@ -381,11 +394,12 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            int kinds = table[i].kinds & BOTH, is_other = !(kinds & (int)d->design.kind);
+            int kinds = table[i].kinds & ALL, is_other = !(kinds & (int)d->design.kind);
 
+            /* of several kinds, the first */
             flk_mistake(m, d->columns.place, "the column '%t' %s%s", name,
                         is_other ? "belongs to the " : why_missing(d, &table[i]),
-                        is_other ? fourlink_kind_text(kinds) : "");
+                        is_other ? fourlink_kind_text(kinds & -kinds) : "");
             return;
         }
     flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));
@@ -477,6 +491,15 @@ static double point_value(const flk_column *c, const flk_row *row)
 static int is_of_crank(const flk_column *c)
 {
     return !c->point && c->info->form == VALUE && c->info->x < offsetof(flk_row, at.branch);
+}
+
+int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    if (c->point || c->info->form != DIRECTION)
+        return 0;
+    *x = number_at(row, c->info->x);
+    *y = number_at(row, c->info->y);
+    return 1;
 }
 
 double flk_column_value(const flk_column *c, const flk_row *row)

@@ -10,14 +10,12 @@
 #include "derived.h"
 #include "mechanics/mechanics.h"
 
-/* x / y, limited where it is unbounded, at single positions. */
+/* x / y, or infinite where y is 0 but for rounding. */
 static double ratio(double x, double y)
 {
-    double bound = 1e15;
-
-    if (fabs(x) < bound * fabs(y))
+    if (fabs(x) < 1e15 * fabs(y))
         return x / y;
-    return (x < 0) == (y < 0) ? bound : -bound;
+    return (x < 0) == (y < 0) ? GSL_POSINF : GSL_NEGINF;
 }
 
 /* x / y, with y of the order of 1, or undefined where y is 0 but for rounding. */
@@ -56,12 +54,13 @@ static void derive_freudenstein(const fourlink_design *design, const fourlink_ve
 **
 **    I13 = B + (-v_By, v_Bx) / omega3
 **
-** I24, of link 4 against the crank: on the x axis through A (four-bar), where both have the same velocity,
+** I24, of link 4 against the crank: on the x axis through A where link 4 is pinned to the ground, and both have
+** the same velocity,
 **
 **    omega2 x = omega4 (x - d),   or, for a piston, on the y axis:  -omega2 y = dX/dt
 **
-** Mechanical advantage, from the power of a machine without losses: four-bar, torque on the load over
-** torque on the crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
+** Mechanical advantage, from the power of a machine without losses: torque on the load over torque on the
+** crank, omega2 / omega4; slider-crank, force on the piston over force at the crank pin,
 ** r omega2 / v.
 */
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -73,11 +72,12 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     e->condition = 1 / fabs(state->sine);
     e->I13.x = coupler->origin.x - quotient(coupler->k_origin.y, coupler->k);
     e->I13.y = coupler->origin.y + quotient(coupler->k_origin.x, coupler->k);
-    if (mechanism->design.kind == FOURLINK_FOUR_BAR) {
+    if (!fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER)) {
         e->mechanical_advantage = ratio(1, follower->k);
         e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
         e->I24.y = 0;
-        derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
+        if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+            derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
     } else {
         e->mechanical_advantage =
             ratio(-(double)state->branch * link[2].length, follower->k_origin.x);
@@ -127,12 +127,13 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 **    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 - e P
 **
 ** the moment about A; P, along the line of stroke y = e, is opposite to the force of the gas on the
-** piston. */
+** piston.  In an oscillating cylinder the gas is between moving links. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *f, double gas_force, flk_derived *e)
 {
     const fourlink_vector *D = &state->link[4].origin;
-    double P = (double)state->branch * gas_force;
+    int on_head = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER);
+    double P = on_head ? (double)state->branch * gas_force : 0;
     int i;
 
     e->Fsx = -f->F12x - f->F14x + P;

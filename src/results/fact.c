@@ -31,10 +31,11 @@
     X(M_G, "m_g", MASS, 0, "mass of the equivalent pair at the gudgeon pin")                       \
     X(MU_MIN, "mu_min", ANGLE, 0, "smallest transmission angle")                                   \
     X(MU_MAX, "mu_max", ANGLE, 0, "largest transmission angle")                                    \
-    X(THETA4_MIN, "theta4_min", ANGLE, 0, "smallest angle of the rocker")                          \
-    X(THETA4_MAX, "theta4_max", ANGLE, 0, "largest angle of the rocker")                           \
-    X(SWING, "swing", ANGLE, 0, "angle between the limits of the rocker")                          \
-    X(TIME_RATIO, "time_ratio", NUMBER, 0, "time of the slow swing / time of the quick swing")     \
+    X(THETA4_MIN, "theta4_min", ANGLE, 0, "smallest angle of the rocker or lever")                 \
+    X(THETA4_MAX, "theta4_max", ANGLE, 0, "largest angle of the rocker or lever")                  \
+    X(SWING, "swing", ANGLE, 0, "angle between the limits of the rocker or lever")                 \
+    X(TIME_RATIO, "time_ratio", NUMBER, 0,                                                         \
+      "time of the slow swing / time of the quick swing; Whitworth: of a tool's strokes")          \
     X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0,                                            \
       "crank angle with the piston farthest from the crankshaft")                                  \
@@ -206,8 +207,9 @@ static void tell_limits(teller *t)
         tell_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
         tell_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
         tell(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
-        tell(t, FACT_TIME_RATIO, limits.time_ratio);
     }
+    if (limits.time_ratio > 0)
+        tell(t, FACT_TIME_RATIO, limits.time_ratio);
     if (limits.has_stroke) {
         tell(t, FACT_STROKE, limits.stroke);
         tell(t, FACT_INNER_DEAD_CENTRE, limits.inner);

@@ -170,7 +170,7 @@ static void tell_gas(teller *t)
             "pressure on the crank side");
 }
 
-#define MOST_OF_DECK 50 /* links 20, offset, gravity 2, motion 8, gas 5, flywheel 2 */
+#define MOST_OF_DECK 50 /* links 20, slide 2, gravity 2, motion 8, gas 5, flywheel 2 */
 #define MOST_OF_LOAD 9
 
 size_t flk_list_input_limit(const deck *d)
@@ -180,6 +180,7 @@ size_t flk_list_input_limit(const deck *d)
 
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
 {
+    int kind = (int)d->design.kind, slides_on_lever = fourlink_slides(kind, FOURLINK_COUPLER) != 0;
     unsigned long i;
     teller t;
     int link;
@@ -189,8 +190,11 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     t.names = names;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
         tell_link(&t, link);
-    t.section = "ground";
-    tell_if(&t, "offset", QUANTITY_LENGTH, d->design.offset, "offset of the line of stroke");
+    t.section = fourlink_link_text(kind, slides_on_lever ? FOURLINK_FOLLOWER : FOURLINK_GROUND);
+    tell_if(&t, "offset", QUANTITY_LENGTH, d->design.offset,
+            slides_on_lever ? "distance at which the slide passes D"
+                            : "offset of the line of stroke");
+    tell_if(&t, "angle", QUANTITY_ANGLE, d->design.angle, "angle of the slide from the line D-C");
     t.section = "gravity";
     tell(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
     tell(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");

@@ -70,11 +70,17 @@ fourlink_unit sheet_unit(const sheet *s, const char *quantity)
     return u;
 }
 
+static void write_quantity(sheet *s, const char *before, const char *name, double si,
+                           const char *quantity)
+{
+    fourlink_unit u = sheet_unit(s, quantity);
+
+    line_put(&s->l, "%s%s %12g %s", before, name, si * u.down / u.up, u.name);
+}
+
 static void write_length(sheet *s, const char *before, const char *name, double length)
 {
-    fourlink_unit u = sheet_unit(s, "length");
-
-    line_put(&s->l, "%s%s %12g %s", before, name, length * u.down / u.up, u.name);
+    write_quantity(s, before, name, length, "length");
 }
 
 void sheet_write_gap(sheet *s)
@@ -108,6 +114,8 @@ void sheet_write_mechanism(sheet *s)
                          design->link[order[i]].length);
     if (design->offset != 0)
         write_length(s, ", ", "offset", design->offset);
+    if (design->angle != 0)
+        write_quantity(s, ", ", "angle", design->angle, "angle");
     line_put(&s->l, "\n");
 }
 

@@ -21,6 +21,15 @@
     "[crank]\n"              \
     "length = 20 mm\n"
 
+/* Five lines to the end of [ground]; the lever is open. */
+#define INVERTED                          \
+    "mechanism = inverted-slider-crank\n" \
+    "[crank]\n"                           \
+    "length = 120 mm\n"                   \
+    "[ground]\n"                          \
+    "length = 240 mm\n"                   \
+    "[lever]\n"
+
 #define SLIDER_CRANK             \
     "mechanism = slider-crank\n" \
     "\n"                         \
@@ -137,14 +146,46 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "[piston]\nmass = 1 kg\n", 10, "a four-bar linkage has no [piston]"},
     {SLIDER_CRANK "[ground]\nlength = 1 m\n", 11, "the ground of a slider-crank has no length"},
 
+    /* the inverted slider-crank */
+    {INVERTED "offset = 1 mm\nangle = 30 deg\n", 7,
+     "give the lever either an offset, or a length and an angle, not both"},
+    {INVERTED "length = 1 m\noffset = 1 mm\n", 8,
+     "give the lever either an offset, or a length and an angle, not both"},
+    {INVERTED "length = 1 m\n", 7,
+     "a lever with a length needs an angle, that of the slide from the line D-C"},
+    {INVERTED "angle = 30 deg\n", 7,
+     "a lever with an angle needs a length, from D to C on the slide"},
+    {INVERTED "offset = -361 mm\n", 7,
+     "the offset, -361 mm, is larger than ground and crank together, 360 mm: the linkage cannot be "
+     "assembled"},
+    {INVERTED "length = 800 mm\nangle = 30 deg\n", 8,
+     "the slide passes D at 400 mm, farther than ground and crank together, 360 mm: the linkage "
+     "cannot be assembled"},
+    {INVERTED "[rocker]\nlength = 1 m\n", 7, "an inverted slider-crank has no [rocker]"},
+    {INVERTED "[rod]\nlength = 1 m\n", 7,
+     "an inverted slider-crank has no [rod]; its link 3 is the [slider]"},
+    {INVERTED "[load]\nlink = piston\ntorque = 1 N m\n", 8,
+     "an inverted slider-crank has no piston: its links are crank, slider and lever"},
+    {INVERTED "[slider]\nlength = 1 m\n", 8,
+     "unknown key 'length' in [slider]; it belongs in a section such as [ground]"},
+    {FOUR_BAR "[slider]\nmass = 1 kg\n", 10,
+     "a four-bar linkage has no [slider]; its link 3 is the [coupler]"},
+    {SLIDER_CRANK "[lever]\nmass = 1 kg\n", 10, "a slider-crank has no [lever]"},
+    {INVERTED "[ground]\n", 7, "[ground] is given twice; first at line 4"},
+    {"series = all\n" INVERTED, 1, "an inverted slider-crank has no series"},
+
     /* the mechanism */
     {"[ground]\nlength = 1 m\n", 1,
-     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
+     "inverted-slider-crank' before the first section"},
     {"", 1,
-     "expected 'mechanism = four-bar' or 'mechanism = slider-crank' before the first section"},
+     "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
+     "inverted-slider-crank' before the first section"},
     {"title = x\nmechanism = fourbar\n", 2,
-     "expected four-bar or slider-crank, not 'fourbar'; did you mean 'four-bar'?"},
-    {"mechanism = scotch yoke\n", 1, "expected four-bar or slider-crank, not 'scotch yoke'"},
+     "expected four-bar, slider-crank or inverted-slider-crank, not 'fourbar'; did you mean "
+     "'four-bar'?"},
+    {"mechanism = scotch yoke\n", 1,
+     "expected four-bar, slider-crank or inverted-slider-crank, not 'scotch yoke'"},
     {"mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
      "length = 66 mm\n[rocker]\nmass = 1 kg\n",
      8, "[rocker] has no length"},

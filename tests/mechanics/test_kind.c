@@ -7,22 +7,29 @@
 
 static void test_names(void **unused)
 {
-    static const char *const links[2][5] = {{"", "ground", "crank", "coupler", "rocker"},
-                                            {"", "ground", "crank", "rod", "piston"}};
-    static const char *const forces[2][9] = {
+    static const int kinds[3] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                                 FOURLINK_INVERTED_SLIDER_CRANK};
+    static const char *const links[3][5] = {{"", "ground", "crank", "coupler", "rocker"},
+                                            {"", "ground", "crank", "rod", "piston"},
+                                            {"", "ground", "crank", "slider", "lever"}};
+    static const char *const forces[3][9] = {
         {"F12x", "F12y", "F23x", "F23y", "F34x", "F34y", "F14x", "F14y", "Ts"},
-        {"F12x", "F12y", "F23x", "F23y", "F34x", "F34y", "M14", "N", "Ts"}};
+        {"F12x", "F12y", "F23x", "F23y", "F34x", "F34y", "M14", "N", "Ts"},
+        {"F12x", "F12y", "F23x", "F23y", "M34", "N34", "F14x", "F14y", "Ts"}};
     static const int none[] = {-1, 0, 3};
-    int kind, i;
+    int kind, i, k;
 
     (void)unused;
+    assert_string_equal(fourlink_kind_text(FOURLINK_INVERTED_SLIDER_CRANK),
+                        "inverted slider-crank");
     assert_string_equal(fourlink_kind_text(FOURLINK_FOUR_BAR), "four-bar linkage");
     assert_string_equal(fourlink_kind_text(FOURLINK_SLIDER_CRANK), "slider-crank");
-    for (kind = FOURLINK_FOUR_BAR; kind <= FOURLINK_SLIDER_CRANK; kind++) {
+    for (k = 0; k < 3; k++) {
+        kind = kinds[k];
         for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++)
-            assert_string_equal(fourlink_link_text(kind, i), links[kind - 1][i]);
+            assert_string_equal(fourlink_link_text(kind, i), links[k][i]);
         for (i = 0; i < 9; i++)
-            assert_string_equal(fourlink_unknown_text(kind, i), forces[kind - 1][i]);
+            assert_string_equal(fourlink_unknown_text(kind, i), forces[k][i]);
         assert_string_equal(fourlink_link_text(kind, 0), "unknown link");
         assert_string_equal(fourlink_link_text(kind, 5), "unknown link");
         assert_string_equal(fourlink_unknown_text(kind, -1), "unknown");
@@ -37,7 +44,7 @@ static void test_names(void **unused)
     }
 }
 
-/* Of all links only the piston slides, along the ground. */
+/* The piston slides along the ground, the slider along the lever, and no other link. */
 static void test_sliders(void **unused)
 {
     int link;
@@ -47,6 +54,8 @@ static void test_sliders(void **unused)
         assert_int_equal(fourlink_slides(FOURLINK_FOUR_BAR, link), 0);
         assert_int_equal(fourlink_slides(FOURLINK_SLIDER_CRANK, link),
                          link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : 0);
+        assert_int_equal(fourlink_slides(FOURLINK_INVERTED_SLIDER_CRANK, link),
+                         link == FOURLINK_COUPLER ? FOURLINK_FOLLOWER : 0);
     }
 }
 

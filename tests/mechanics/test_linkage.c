@@ -289,7 +289,7 @@ static void test_type_names(void **unused)
 
         assert_non_null(name);
         assert_true(*name);
-        if (i < FOURLINK_CRANK_ROCKER || i > FOURLINK_CHANGE_POINT_SLIDER)
+        if (i < FOURLINK_CRANK_ROCKER || i > FOURLINK_CHANGE_POINT_INVERTED)
             assert_string_equal(name, "unknown type");
     }
 }

@@ -10,6 +10,7 @@
 ** edges of reach and at change points, where there is no row, limits are found by halving the distance.
 ** What the rows cannot decide is counted as undecided.  Decks that fail are left as brute-SEED-NUMBER.deck.
 */
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -22,6 +23,7 @@
 #define EVEN 720 /* rows of a revolution, evenly spaced */
 #define MOST 40000
 #define TOLERANCE 1e-9
+#define DOUBT 100 /* times the error that a limit says it has */
 
 /* ------------------------------------------------------------------------------------------- chance */
 
@@ -290,6 +292,8 @@ typedef struct row {
     double passed; /* the angle, rad */
     int status;
     double v[COLUMNS];
+    double *
+        noise; /* by how much rounding changes each column here; null: unknown, far from all edges */
 } row;
 
 static fourlink_results *results;
@@ -297,7 +301,11 @@ static const fourlink_value *columns;
 static unsigned long n_columns;
 static fourlink_branch branch;
 static double from, end, sense, total, unit; /* of the motion: deck's unit, +-1, rad in all, rad */
-static int is_revolution;
+static int is_revolution, has_first;         /* 1: the linkage can be assembled in the first row */
+static double singular[8]; /* rad passed, of dead positions and change points in one turn */
+static int n_singular;
+static double changes[2]; /* rad passed, of change points */
+static int n_changes;
 static row *rows[MOST];
 static size_t n;
 
@@ -327,17 +335,111 @@ static int compute(double p, double *v)
     return status;
 }
 
+static double leap(double x, double y, double turn)
+{
+    double d = (y - x) / turn;
+
+    return fabs(d - floor(d + 0.5));
+}
+
+static double edge_distance(double p)
+{
+    double away = PI;
+    int k;
+
+    for (k = 0; k < n_singular; k++)
+        away = fmin(away, fabs(remainder(p - singular[k], 2 * PI)));
+    return away;
+}
+
+/* 1 where rows may be rounding: near dead positions and change points. */
+static int is_near_edge(double p)
+{
+    return edge_distance(p) < 0.05;
+}
+
+/* By how much the columns of a row change with its angle's last digits, and the rounding of the largest of
+** their kind, of which they may be a sum: what rows cannot tell. */
+static void measure_noise(double p, const double *v, double *noise)
+{
+    double beside[COLUMNS], ulp = DBL_EPSILON * (fabs(from) * unit + total);
+    unsigned long c, d;
+    double before[COLUMNS], h = 1e-6 * edge_distance(p);
+    int k;
+
+    for (c = 0; c < n_columns; c++) {
+        noise[c] = 0;
+        for (d = 0; d < n_columns; d++)
+            if (!is_angle(c) && !strcmp(columns[d].quantity, columns[c].quantity) &&
+                fabs(v[d]) * DBL_EPSILON > noise[c] && isfinite(v[d]))
+                noise[c] = fabs(v[d]) * DBL_EPSILON;
+    }
+    for (k = 4; k < n_singular; k++)
+        for (c = 0; c < n_columns && fabs(remainder(p - singular[k], 2 * PI)) < 1e-12; c++)
+            noise[c] = INFINITY;
+    for (k = -3; k <= 3; k++) {
+        if (compute(p + k * ulp, beside)) {
+            for (c = 0; c < n_columns; c++) /* the very edge */
+                noise[c] = INFINITY;
+            continue;
+        }
+        for (c = 0; c < n_columns; c++) {
+            double by = is_angle(c) ? turn_of(c) * leap(v[c], beside[c], turn_of(c))
+                                    : fabs(beside[c] - v[c]);
+
+            noise[c] = by > noise[c] ? by : noise[c];
+        }
+    }
+    for (k = 1; k <= 3; k++) {
+        if (compute(p - k * h, before) || compute(p + k * h, beside))
+            continue;
+        for (c = 0; c < n_columns; c++) {
+            double turn = turn_of(c);
+            double by = fabs(before[c] - 2 * v[c] + beside[c]);
+
+            if (is_angle(c))
+                by = fabs(remainder(before[c] - v[c], turn) + remainder(beside[c] - v[c], turn));
+            noise[c] = by > noise[c] ? by : noise[c];
+        }
+    }
+}
+
 static void add(double p)
 {
+    row *r;
+
     if (n >= MOST || p < 0 || p > total)
         return;
     if (!rows[n])
-        rows[n] = malloc(sizeof *rows[n]);
+        rows[n] = calloc(1, sizeof *rows[n]);
     if (!rows[n])
         exit(2);
-    rows[n]->passed = p;
-    rows[n]->status = compute(p, rows[n]->v);
-    n++;
+    r = rows[n++];
+    r->passed = p;
+    r->status = compute(p, r->v);
+    free(r->noise);
+    r->noise = NULL;
+    if (r->status || !is_near_edge(p))
+        return;
+    r->noise = malloc(COLUMNS * sizeof *r->noise);
+    if (!r->noise)
+        exit(2);
+    measure_noise(p, r->v, r->noise);
+}
+
+static double noise_of(const row *r, unsigned long c)
+{
+    return r->noise ? 10 * r->noise[c] : 0;
+}
+
+static double noise_at(unsigned long c, double p)
+{
+    double v[COLUMNS], noise[COLUMNS];
+
+    if (!is_near_edge(p) || compute(p, v))
+        return 0;
+    measure_noise(p, v, noise);
+    return 10 * noise[c];
 }
 
 static void add_about(double p, double nearest, int side)
@@ -368,13 +470,6 @@ static void sort_rows(void)
     qsort(rows, n, sizeof rows[0], by_angle);
 }
 
-static double leap(double x, double y, double turn)
-{
-    double d = (y - x) / turn;
-
-    return fabs(d - floor(d + 0.5));
-}
-
 static int leaps(const row *x, const row *y)
 {
     unsigned long c;
@@ -395,7 +490,7 @@ typedef struct edge {
     int side;        /* +1: the rows are behind it */
     int is_isolated; /* a change point, which the motion passes */
     int is_noise;    /* one where the crank is at rest: the rows are too few */
-    double v[HALVINGS][COLUMNS];
+    double v[HALVINGS][COLUMNS], noise[HALVINGS][COLUMNS];
 } edge;
 
 static edge edges[100];
@@ -438,7 +533,7 @@ static void add_edge(const row *with, const row *without)
         return;
     e->side = in > out ? 1 : -1;
     e->is_isolated = is_change;
-    for (i = 0; i < 70; i++) {
+    for (i = 0; i < 70 && !is_change; i++) {
         middle = 0.5 * (in + out);
         if (compute(middle, v))
             out = middle;
@@ -454,8 +549,34 @@ static void add_edge(const row *with, const row *without)
         if (p < 0 || p > total || compute(p, e->v[i]))
             for (unsigned long c = 0; c < n_columns; c++)
                 e->v[i][c] = NAN;
+        else
+            measure_noise(p, e->v[i], e->noise[i]);
     }
     n_edges++;
+}
+
+/* The motion passes a change point, whatever a row says that is there but for rounding. */
+static void add_change_point(double theta)
+{
+    double p = fmod(theta, 2 * PI);
+    row in, out;
+    int k, known;
+
+    memset(&in, 0, sizeof in);
+    memset(&out, 0, sizeof out);
+    out.status = FOURLINK_CHANGE_POINT;
+    for (p = p < 0 ? p + 2 * PI : p; p <= total + 1e-9; p += 2 * PI) {
+        for (k = known = 0; k < n_edges; k++)
+            known |= fabs(edges[k].p - p) < 1e-5;
+        if (known)
+            continue;
+        out.passed = p;
+        for (k = -1; k <= 1; k += 2) {
+            in.passed = p + k * 1e-3;
+            if (in.passed > 0 && in.passed < total)
+                add_edge(&in, &out);
+        }
+    }
 }
 
 typedef enum verdict { BOUNDED, UNBOUNDED, UNDECIDED } verdict;
@@ -474,6 +595,12 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
         if (is_angle(c))
             y[i] += turn * floor((near - y[i]) / turn + 0.5);
     }
+    for (i = 0; i < HALVINGS && fabs(y[i]) <= 20 * e->noise[i][c]; i++)
+        ;
+    if (i == HALVINGS) {
+        *limit = *error = 0;
+        return BOUNDED;
+    }
     for (i = 0; i < 3; i++) {
         growth[i] = log2(fabs(y[HALVINGS - 3 + i] / y[HALVINGS - 4 + i]));
         if (y[HALVINGS - 3 + i] * y[HALVINGS - 4 + i] < 0)
@@ -485,20 +612,25 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
     }
     *error = INFINITY;
     for (k = 0; k + 7 <= HALVINGS; k++) {
-        double t[7], before = 0;
+        double t[7], before = 0, rounding = 0;
 
-        for (i = 0; i < 7; i++)
+        for (i = 0; i < 7; i++) {
             t[i] = y[k + i];
+            rounding = fmax(rounding, e->noise[k + i][c]);
+        }
         for (j = 1; j < 7; j++) {
             before = t[6];
             for (i = 6; i >= j; i--)
                 t[i] += (t[i] - t[i - 1]) / (pow(2, j) - 1);
         }
-        if (fabs(t[6] - before) < *error) {
-            *error = fabs(t[6] - before);
+        rounding = 10 * rounding + fabs(t[6] - before);
+        if (rounding < *error) {
+            *error = rounding;
             *limit = t[6];
         }
     }
+    if (is_angle(c) && fabs(y[HALVINGS - 1] - *limit) > 1e-3 * turn)
+        return UNDECIDED;
     return isfinite(*error) && !(growth[2] > 0.15 && fabs(y[HALVINGS - 1]) > 2 * fabs(*limit))
                ? BOUNDED
                : UNDECIDED;
@@ -526,11 +658,15 @@ static void take_rows(void)
     size_t i, m;
     int k, pass;
 
+    double v[COLUMNS];
+
     n = 0;
     n_edges = 0;
+    has_first = !compute(0, v);
     m = (size_t)(EVEN * total / (2 * PI)) + 50;
     for (i = 0; i <= (m < 3000 ? m : 3000); i++)
         add(total * (double)i / (double)(m < 3000 ? m : 3000));
+    add(total);
     add_about(0, 1e-8, 1);
     add_about(total, 1e-8, -1);
     for (k = 0; k < n_corners; k++) {
@@ -549,6 +685,8 @@ static void take_rows(void)
             if (n_edges < 100 && !edges[n_edges - 1].is_isolated)
                 add_about(edges[n_edges - 1].p, 1e-6, edges[n_edges - 1].side);
         }
+    for (k = 0; k < n_changes; k++)
+        add_change_point(changes[k]);
     leave_out_change_points();
     sort_rows();
     for (pass = 0; pass < 60; pass++) {
@@ -644,7 +782,11 @@ static int is_noise(unsigned long c)
 static double value_near(unsigned long c, double p, double near)
 {
     double v[COLUMNS];
+    int k;
 
+    for (k = 0; k < n_edges; k++)
+        if (edges[k].is_isolated && fabs(p - edges[k].p) < 2e-3)
+            return NAN;
     if (compute(p, v) || isnan(v[c]))
         return NAN;
     return is_angle(c) ? v[c] + turn_of(c) * floor((near - v[c]) / turn_of(c) + 0.5) : v[c];
@@ -678,6 +820,7 @@ static void refine(unsigned long c, int sign, size_t i, best *b)
         left = value_near(c, low, y);
         right = value_near(c, high, y);
     }
+    y -= sign * noise_at(c, x);
     if (sign * y > sign * b->value) {
         b->value = y;
         b->at = x;
@@ -690,11 +833,14 @@ static best find(unsigned long c, int sign)
     size_t i;
     int k, peaks = 0;
 
-    for (i = 0; i < n; i++)
-        if (!isnan(curve[i]) && !(sign * curve[i] <= sign * b.value)) {
-            b.value = curve[i];
+    for (i = 0; i < n; i++) {
+        double surely = curve[i] - sign * noise_of(rows[i], c);
+
+        if (!isnan(curve[i]) && !(sign * surely <= sign * b.value)) {
+            b.value = surely;
             b.at = rows[i]->passed;
         }
+    }
     for (i = 1; i + 1 < n && peaks < 20; i++)
         if (fabs(curve[i - 1] - 2 * curve[i] + curve[i + 1]) > 1e-12 * fabs(curve[i]) &&
             sign * curve[i] >= sign * curve[i - 1] && sign * curve[i] >= sign * curve[i + 1] &&
@@ -740,20 +886,28 @@ static int has_bound(unsigned long c)
 static int has_pole(unsigned long c)
 {
     double v[COLUMNS];
-    size_t i;
+    size_t i, next;
     int k;
 
-    for (i = 0; i + 1 < n; i++) {
-        double low = rows[i]->passed, high = rows[i + 1]->passed, at_low = curve[i], middle,
-               most = 0;
+    for (i = 0; i + 1 < n; i = next) {
+        double low = rows[i]->passed, high, at_low = curve[i], middle, most = 0;
 
-        if (!(curve[i] * curve[i + 1] < 0))
+        for (next = i + 1; next + 1 < n && isnan(curve[next]) && !rows[next]->status; next++)
+            ;
+        high = rows[next]->passed;
+        if (!(curve[i] * curve[next] < 0))
             continue;
         for (k = 0; k < 60; k++) {
             middle = 0.5 * (low + high);
             if (compute(middle, v))
                 break;
             most = fabs(v[c]) > most ? fabs(v[c]) : most;
+            if (isnan(v[c])) {
+                compute(0.75 * low + 0.25 * high, v);
+                most =
+                    most > 1e3 * fabs(at_low) || fabs(v[c]) > 1.5 * fabs(at_low) ? INFINITY : most;
+                break;
+            }
             if ((v[c] > 0) == (at_low > 0))
                 low = middle;
             else
@@ -813,11 +967,10 @@ static double size_of(unsigned long c, int is_unbounded)
     size_t i, m = 0;
 
     for (i = 0; i < n; i++)
-        if (!isnan(curve[i]))
+        if (!isnan(curve[i]) && !(noise_of(rows[i], c) > 1e-10 * fabs(curve[i])))
             sorted[m++] = fabs(curve[i]);
     if (!m)
         return 0;
-    (void)c;
     qsort(sorted, m, sizeof sorted[0], by_value);
     return sorted[is_unbounded ? m / 2 : m - 1];
 }
@@ -828,19 +981,24 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
     double p = sense * (f->angle - from) * unit, v[COLUMNS], d = INFINITY;
     int k;
 
-    if (!fourlink_results_at(results, branch, f->angle, v, NULL, NULL) ||
-        (columns[c].flags & FOURLINK_OF_CRANK))
-        return fabs(is_angle(c) ? turn_of(c) * leap(v[c], f->value, turn_of(c)) : v[c] - f->value);
     for (k = 0; k < n_edges; k++) {
         double limit, error, far;
 
-        if (fabs(edges[k].p - p) > 1e-7)
+        if (fabs(edges[k].p - p) > 1e-9 || (columns[c].flags & FOURLINK_OF_CRANK))
             continue;
         if (limit_of(&edges[k], c, f->value, &limit, &error) != BOUNDED)
             return 0; /* the comparison of the values says more */
         far = fabs(is_angle(c) ? turn_of(c) * leap(limit, f->value, turn_of(c)) : limit - f->value);
-        far = far > 10 * error + 1e-12 * size ? far : 0;
+        far = far > DOUBT * error + 1e-12 * size ? far : 0;
         d = far < d ? far : d;
+    }
+    if (d < INFINITY)
+        return d;
+    if (!fourlink_results_at(results, branch, f->angle, v, NULL, NULL) ||
+        (columns[c].flags & FOURLINK_OF_CRANK)) {
+        d = fabs(is_angle(c) ? turn_of(c) * leap(v[c], f->value, turn_of(c)) : v[c] - f->value);
+        d -= noise_at(c, p);
+        return d > 0 ? d : 0;
     }
     return d;
 }
@@ -866,10 +1024,12 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
     }
     if (size == 0 && f->value == 0)
         return;
+    if (is_angle(c) && !has_first)
+        by -= turn_of(c) / size * floor(by * size / turn_of(c) + 0.5);
     far = distance(c, f, size) / size;
     if (b->error > 1e-10 * size) { /* the limit is not exact enough */
-        by = fabs(by) <= 10 * b->error / size ? 0 : by;
-        far = far <= 10 * b->error / size ? 0 : far;
+        by = fabs(by) <= DOUBT * b->error / size ? 0 : by;
+        far = far <= DOUBT * b->error / size ? 0 : far;
     }
     if (b->error > 0)
         limits++;
@@ -885,6 +1045,24 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
         better++;
 }
 
+/* 1 for a column that is 0 but for rounding. */
+static int is_rounding(unsigned long c)
+{
+    double v[COLUMNS], noise[COLUMNS];
+    size_t i;
+    int rounding = 0, used = 0;
+
+    for (i = n / 20; i < n; i += n / 10 + 1) {
+        memcpy(v, rows[i]->v, sizeof v);
+        if (rows[i]->status || !(fabs(v[c]) > 0))
+            continue;
+        measure_noise(rows[i]->passed, v, noise);
+        rounding += fabs(v[c]) <= 100 * noise[c];
+        used++;
+    }
+    return used > 0 && 2 * rounding > used;
+}
+
 static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
 {
     double scale[COLUMNS], size[COLUMNS];
@@ -895,8 +1073,8 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
         scale[c] = size[c] = 0;
     for (c = 0; c < n_columns; c++)
         for (r = 0; r < n; r++)
-            if (fabs(rows[r]->v[c]) > size[c])
-                size[c] = fabs(rows[r]->v[c]);
+            if (fabs(rows[r]->v[c]) - noise_of(rows[r], c) > size[c])
+                size[c] = fabs(rows[r]->v[c]) - noise_of(rows[r], c);
     for (c = 0; c < n_columns; c++)
         for (i = 0; i < n_columns; i++)
             if (!strcmp(columns[i].quantity, columns[c].quantity) && size[i] > scale[c])
@@ -916,9 +1094,11 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
             ok = follow(c) && !is_noise(c);
         else
             for (r = 0; r < n; r++)
-                curve[r] = rows[r]->v[c];
+                curve[r] = isinf(rows[r]->v[c]) ? NAN : rows[r]->v[c]; /* has_pole sees it */
         if (size[c] < 1e-11 * scale[c])
             ok = size[c] == 0;
+        if (is_rounding(c))
+            ok = 0;
         for (which = 0; which < 2; which++)
             found[which] = find(c, which == 0 ? 1 : -1);
         if (isnan(found[0].value) != !told[0] || isnan(found[1].value) != !told[1]) {
@@ -950,6 +1130,30 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
 }
 
 /* ------------------------------------------------------------------------------------------ a deck */
+
+static void list_singular(void)
+{
+    fourlink_problem problem;
+    fourlink_reach reach;
+    int i;
+
+    double line;
+
+    n_singular = n_changes = 0;
+    fourlink_deck_problem(fourlink_results_deck(results), &problem);
+    line = problem.mechanism.design.kind == FOURLINK_SLIDER_CRANK ? -PI / 2 : 0;
+    if (problem.mechanism.change_folded)
+        changes[n_changes++] = sense * (line - from * unit);
+    if (problem.mechanism.change_stretched)
+        changes[n_changes++] = sense * (line + PI - from * unit);
+    fourlink_reach_of(&problem.mechanism, &reach);
+    for (i = 0; i < 4; i++)
+        singular[n_singular++] = sense * (i * PI / 2 - from * unit);
+    for (i = 0; i < reach.n_ranges; i++) {
+        singular[n_singular++] = sense * (reach.from[i] - from * unit);
+        singular[n_singular++] = sense * (reach.to[i] - from * unit);
+    }
+}
 
 static int open_deck(void)
 {
@@ -1005,6 +1209,7 @@ static void try_deck(void)
     unsigned long n_facts;
     int k;
 
+    list_singular();
     for (k = 0; k < 2; k++) {
         branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         fourlink_results_facts(results, (int)branch, FOURLINK_FACTS_EXTREMES, &facts, &n_facts);

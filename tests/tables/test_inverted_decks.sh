@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_inverted_decks.sh FOURLINK DATA - decks of inverted slider-cranks: columns, facts, the nine equations,
+# gas on rod and cylinder, both solvers, a sweep, pictures.
+. "$(dirname "$0")/../harness.sh"
+
+cp "$data/oscillating-cylinder.deck" cylinder.deck
+cp "$data/khurmi-5.2.deck" lever.deck
+cp "$data/whitworth-150-100.deck" whitworth.deck
+
+run 0 --list cylinder.deck
+quiet
+for column in theta4 slide slide_v slide_a coriolis N34 M34 F14x F34_dir Fsx I24x Ts_static; do
+    check "column $column" grep -q "^$column " out
+done
+check 'no column of a piston' sh -c '! grep -Eq "^(x|N|M14|phi|piston_effort|klein_OM) " out'
+
+run 0 --matrix -s motion.at=90 cylinder.deck
+prints 'M34          N34'
+check 'the couple, and the force' grep -Eq ' 3\.05219825 ' out
+
+run 0 --summary lever.deck
+prints 'inverted slider-crank: crank'
+prints 'crank and slotted lever'
+check 'swing' grep -Eq '^swing +60 deg' out
+run 0 --summary whitworth.deck
+check 'time ratio of the tool' grep -Eq '^time_ratio +2\.735' out
+check 'no swing' sh -c '! grep -q "^swing" out'
+
+# gas: with the pressures of both sides equal only the rod's area is left; the torque is that of loads
+run 0 -b open -c Ts,F14x,residual -s motion.at=90 -s 'crank.mass=0 kg' cylinder.deck
+run 0 -b open -c Ts -s motion.at=90 -s gas.back_pressure=7.5bar cylinder.deck
+cp out both
+run 0 -b open -c Ts -s motion.at=90 -s gas.pressure=0bar cylinder.deck
+check 'equal pressures on equal areas are none' cmp -s out both
+run 0 -b open -c Ts -s motion.at=90 -s 'gas.piston_rod=10 mm' -s gas.back_pressure=7.5bar cylinder.deck
+check 'a rod leaves its area' sh -c '! cmp -s out both'
+cat >loads.deck <<'END'
+[load rod]
+link = slider
+force = (900, 0) N
+frame = link
+[load cylinder]
+link = lever
+force = (-900, 0) N
+at = (0, 0) mm
+frame = link
+END
+sed '/^\[gas\]/,/^pressure/d' cylinder.deck >loaded.deck
+cat loads.deck >>loaded.deck
+run 0 -b both -c theta2,F12x,F23y,N34,M34,F14x,Ts cylinder.deck
+sed '/^#/d' out >by_gas
+run 0 -b both -c theta2,F12x,F23y,N34,M34,F14x,Ts loaded.deck
+sed '/^#/d' out >by_loads
+check 'gas is the two forces' [ "$(head -c 400 by_gas)" = "$(head -c 400 by_loads)" ]
+
+run 0 -b both -c theta2,N34,M34,Ts cylinder.deck
+sed '/^#/d' out >by_matrix
+run 0 -b both -c theta2,N34,M34,Ts -s solver=dyad cylinder.deck
+sed '/^#/d' out >by_dyad
+check 'both solvers print the same' cmp -s by_matrix by_dyad
+
+cat lever.deck - >sweep.deck <<'END'
+[sweep]
+lever.offset = 0 mm to 20 mm step 10 mm
+output = swing, time_ratio, max(coriolis)
+END
+run 0 -b open --format=csv sweep.deck
+check 'a line for each offset' [ "$(wc -l <out)" -ge 4 ]
+run 2 -c N lever.deck
+prints_error() { check "message '$1'" grep -qF -e "$1" err; }
+prints_error "belongs to the slider-crank"
+
+for kind in mechanism motion vectors; do
+    run 0 -b open --plot-kind=$kind --plot=picture.svg cylinder.deck
+    check "a picture, $kind" [ -s picture.svg ]
+done
+run 0 -b open --plot-kind=vectors --plot-at='35 deg' --plot=vectors.svg cylinder.deck
+check 'the term of Coriolis is drawn' grep -q coriolis vectors.svg
+run 2 -b open --plot-kind=klein --plot=klein.svg lever.deck
+
+finish
