@@ -438,7 +438,7 @@ int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branc
         refine_peak(&s, step, &peaks[k], &found_here);
         keep_first(&s, &best, &found_here);
     }
-    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE)))
+    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE | NEED_GAS)))
         look_at_corners(&s, &best);
     found->value = -sign * best.value;
     found->angle = best.angle;
