@@ -10,6 +10,7 @@
 #include <gsl/gsl_math.h>
 
 #include "column.h"
+#include "mechanics/mechanics.h"
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
@@ -34,7 +35,7 @@ struct flk_column_info {
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
-#define ALL (FOUR_BAR | SLIDER_CRANK | INVERTED)
+#define ALL FLK_EVERY_KIND
 #define USUAL 0x100
 
 #define ROW(member) offsetof(flk_row, at.row.member)

@@ -24,6 +24,7 @@ run 0 --summary lever.deck
 prints 'inverted slider-crank: crank'
 prints 'crank and slotted lever'
 check 'swing' grep -Eq '^swing +60 deg' out
+check 'nothing of linkages whose joints are pins' sh -c '! grep -Eq "^(K|theta4_from|theta4_swing) " out'
 run 0 --summary whitworth.deck
 check 'time ratio of the tool' grep -Eq '^time_ratio +2\.735' out
 check 'no swing' sh -c '! grep -q "^swing" out'
