@@ -554,7 +554,7 @@ typedef struct fourlink_instant {
     int status; /* not FOURLINK_OK: why there is no position; the members below are not filled */
     fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
-    double gas_force;       /* N, of the gas on the piston, towards the crank positive */
+    double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
 } fourlink_instant;
 
 /* An area between the turning moment and its mean. */
@@ -1068,16 +1068,18 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_problem *problem);
 
 /* The loads of a deck at one crank angle: values of curves (Steffen's interpolation), loads within
-** their crank angles, and the gas force on the piston.
+** their crank angles, and the force of the gas.
 **
 ** Given:
 **    deck       from fourlink_deck_read
-**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: it sets the side from which the gas pushes
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: it sets the side from which the gas pushes a piston
 **    theta2     rad, crank angle
 ** Returned:
-**    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last
+**    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last, or, on rod and
+**               cylinder of an inverted slider-crank, the last two
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
-**               (which takes the loads without the gas); 0 without gas; may be null
+**               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
+**               may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH
 ** Reference:

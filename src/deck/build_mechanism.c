@@ -140,12 +140,11 @@ int flk_build_kind(parser *p)
 
     if (!IS_SET(s)) {
         text_place place = flk_reader_end(p);
+        char list[WORDS_SIZE];
 
         place.line = 1;
-        return flk_mistake(
-            p->mistakes, place,
-            "expected 'mechanism = four-bar', 'mechanism = slider-crank' or 'mechanism = "
-            "inverted-slider-crank' before the first section");
+        return flk_mistake(p->mistakes, place, "expected %s before the first section",
+                           flk_list_words(KEY_TOP_MECHANISM, "'mechanism = ", "'", list));
     }
     if (!s->word)
         return 0;
@@ -157,8 +156,7 @@ int flk_build_kind(parser *p)
 
         if (!(flk_section_table[use->section].kinds & (int)kind)) {
             flk_mistake(p->mistakes, use->place,
-                        use->section == SECTION_COUPLER || use->section == SECTION_ROD ||
-                                use->section == SECTION_SLIDER
+                        flk_link_of_section(use->section) == FOURLINK_COUPLER
                             ? "%s %s has no [%s]; its link 3 is the [%s]"
                             : "%s %s has no [%s]",
                         flk_text_article(words), words, flk_section_table[use->section].name,
@@ -264,8 +262,7 @@ static void check_reach(parser *p, const flk_kind *kind)
         if (link[i].length > link[longest].length)
             longest = i;
     }
-    if (fourlink_slides((int)kind->kind, FOURLINK_COUPLER) ||
-        fourlink_slides((int)kind->kind, FOURLINK_FOLLOWER)) {
+    if (flk_kind_has_slide(kind->kind)) {
         check_slide(p, kind, sum);
         return;
     }

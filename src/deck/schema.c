@@ -2,6 +2,8 @@
 **
 ** schema.c - the sections and keys that a deck can have, and the values they take.
 */
+#include <string.h>
+
 #include "deck.h"
 #include "schema.h"
 
@@ -51,6 +53,35 @@ const word_info flk_word_table[] = {WORD_LIST(WORD_INFO){KEY_COUNT, NULL, 0}};
 key_code flk_first_key(section_code section)
 {
     return flk_section_table[section].first;
+}
+
+int flk_link_of_section(section_code section)
+{
+    const word_info *w;
+
+    for (w = flk_word_table; w->word; w++)
+        if (w->key == KEY_LOAD_LINK && strcmp(w->word, flk_section_table[section].name) == 0)
+            return w->value;
+    return 0;
+}
+
+const char *flk_list_words(key_code key, const char *before, const char *after,
+                           char list[WORDS_SIZE])
+{
+    const word_info *w, *last = NULL;
+
+    for (w = flk_word_table; w->word; w++)
+        if (w->key == key)
+            last = w;
+    list[0] = '\0';
+    for (w = flk_word_table; w->word; w++)
+        if (w->key == key) {
+            strcat(list, !list[0] ? "" : w == last ? " or " : ", ");
+            strcat(list, before);
+            strcat(list, w->word);
+            strcat(list, after);
+        }
+    return list;
 }
 
 section_code flk_find_section(text name)

@@ -7,10 +7,11 @@
 
 #include "fourlink.h"
 #include "base/units.h"
+#include "mechanics/mechanics.h"
 
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
-#define ANY_KIND (FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK | INVERTED)
+#define ANY_KIND FLK_EVERY_KIND
 #define SECTION_LIST(X)                                              \
     X(TOP, "", 0, ANY_KIND, KEY_TOP_TITLE)                           \
     X(UNITS, "units", 0, ANY_KIND, KEY_UNITS_LENGTH)                 \
@@ -184,6 +185,14 @@ extern const word_info flk_word_table[];
 
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
+
+/* The link, by number, that a section has in some mechanism; 0: the section is no link. */
+int flk_link_of_section(section_code section);
+
+/* The words that a key takes, in a list such as "a, b or c", each between two strings. */
+#define WORDS_SIZE 200
+const char *flk_list_words(key_code key, const char *before, const char *after,
+                           char list[WORDS_SIZE]);
 
 /* The section with this name; SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);

@@ -290,7 +290,7 @@ static int read_vector(parser *p, setting *s, quantity q, int needs_angle)
 static void read_word(parser *p, key_code key, setting *s)
 {
     const char *known[16];
-    char list[200] = "";
+    char list[WORDS_SIZE];
     size_t i, n = 0;
 
     for (i = 0; flk_word_table[i].word; i++)
@@ -302,12 +302,8 @@ static void read_word(parser *p, key_code key, setting *s)
             known[n++] = flk_word_table[i].word;
         }
     known[n] = NULL;
-    for (i = 0; i < n; i++) {
-        strcat(list, i == 0 ? "" : i + 1 < n ? ", " : " or ");
-        strcat(list, known[i]);
-    }
-    flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h", list, s->value,
-                flk_text_nearest(s->value, known));
+    flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h", flk_list_words(key, "", "", list),
+                s->value, flk_text_nearest(s->value, known));
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)

@@ -59,6 +59,12 @@ const char *fourlink_link_text(int kind, int link)
                                                                          : "unknown link";
 }
 
+int flk_kind_has_slide(fourlink_kind kind)
+{
+    return fourlink_slides((int)kind, FOURLINK_COUPLER) ||
+           fourlink_slides((int)kind, FOURLINK_FOLLOWER);
+}
+
 int fourlink_slides(int kind, int link)
 {
     const flk_kind *found = flk_kind_of((fourlink_kind)kind);

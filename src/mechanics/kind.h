@@ -101,6 +101,9 @@ extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted;
 /* The record of a kind; null if there is no such kind. */
 const flk_kind *flk_kind_of(fourlink_kind kind);
 
+/* 1 if two links of this kind slide on each other; 0: all joints are pins. */
+int flk_kind_has_slide(fourlink_kind kind);
+
 /* The record of a prepared mechanism, for a function with this output: FOURLINK_OK, FOURLINK_NULL,
 ** FOURLINK_BAD_KIND. */
 int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind);

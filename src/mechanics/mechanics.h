@@ -32,6 +32,9 @@
     case name:                      \
         return text;
 
+/* Sets of kinds are sums of fourlink_kind: this is the set of all, with those to come. */
+#define FLK_EVERY_KIND 0xff
+
 /* What has no value; it has no sign, which printf would show. */
 #define FLK_UNDEFINED fabs(GSL_NAN)
 

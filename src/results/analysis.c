@@ -13,14 +13,15 @@
 /* What can be computed for a deck. */
 static int possible(const deck *d)
 {
-    int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0);
+    int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
+                (flk_deck_gas_loads(d) ? NEED_GAS : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->mechanism, &rod);
 
     if (status == FOURLINK_NOT_AN_ENGINE)
         return needs;
     return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
-           (d->has_forces && status == FOURLINK_OK ? NEED_ENGINE : 0);
+           (d->has_forces && status == FOURLINK_OK ? NEED_ENGINE | NEED_GAS : 0);
 }
 
 int flk_analysis_open(flk_analysis *a, const deck *d)
@@ -53,7 +54,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
 
     at->branch = branch;
     at->status = FOURLINK_OK;
-    if (forces || (needs & NEED_ENGINE))
+    if (forces || (needs & (NEED_ENGINE | NEED_GAS)))
         at->status = fourlink_deck_loads(a->d, branch, crank->theta2, a->loads, &at->gas_force);
     if (at->status == FOURLINK_OK)
         at->status = analyse(mechanism, branch, crank, a->loads, a->n_loads, &at->state,

@@ -15,7 +15,8 @@ enum {
     NEED_SERIES = 4,
     NEED_KLEIN = 8,
     NEED_DERIVED = 16,
-    NEED_SUPERPOSITION = 32
+    NEED_SUPERPOSITION = 32,
+    NEED_GAS = 64
 };
 
 /* One row. */

@@ -10,6 +10,7 @@
 #include <gsl/gsl_math.h>
 
 #include "column.h"
+#include "mechanics/mechanics.h"
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
@@ -34,7 +35,7 @@ struct flk_column_info {
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
 #define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
-#define ALL (FOUR_BAR | SLIDER_CRANK | INVERTED)
+#define ALL FLK_EVERY_KIND
 #define USUAL 0x100
 
 #define ROW(member) offsetof(flk_row, at.row.member)
@@ -56,6 +57,7 @@ struct flk_column_info {
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
 #define DIFFERENCE_OF(member, exact) NEED_SERIES, DIFFERENCE, SERIES(member), STATE(exact)
+#define OF_GAS NEED_GAS, VALUE, offsetof(flk_row, at.gas_force), 0
 #define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
 #define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
 
@@ -204,8 +206,9 @@ struct flk_column_info {
     HARMONIC(X, x, LENGTH)                                                                         \
     HARMONIC(X, v, SPEED)                                                                          \
     HARMONIC(X, a, ACCELERATION)                                                                   \
-    ENGINE(X, gas_force, FORCE, "force of the gas on the piston, towards the crank",               \
-           "F_p (ME3491), (P1 - P2) A (DFA)")                                                      \
+    X(gas_force, FORCE, SLIDER_CRANK | INVERTED, OF_GAS,                                           \
+      "gas on piston, towards the crank; on a rod, along the slide",                               \
+      "F_p (ME3491), (P1 - P2) A (DFA)")                                                           \
     ENGINE(X, inertia_force, FORCE, "-(m_p + m_b) a", "-F_b (ME3491)")                             \
     ENGINE(X, piston_effort, FORCE, "sum of gas, inertia, weight and loads along the stroke",      \
            "F (ME3491), F_p (DFA)")                                                                \
@@ -385,6 +388,8 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
     if (!d->has_forces)
         return "needs masses, loads or gas; the deck has none";
+    if (info->need == NEED_GAS)
+        return "needs gas; the deck has none";
     return "needs a rod whose centre of mass is on its line";
 }
 

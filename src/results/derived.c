@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "derived.h"
-#include "mechanics/mechanics.h"
+#include "mechanics/kind.h"
 
 /* x / y, or infinite where y is 0 but for rounding. */
 static double ratio(double x, double y)
@@ -76,7 +76,7 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
         e->mechanical_advantage = ratio(1, follower->k);
         e->I24.x = quotient(-link[1].length * follower->k, 1 - follower->k);
         e->I24.y = 0;
-        if (mechanism->design.kind == FOURLINK_FOUR_BAR)
+        if (!flk_kind_has_slide(mechanism->design.kind))
             derive_freudenstein(&mechanism->design, &state->link[2].axis, e);
     } else {
         e->mechanical_advantage =

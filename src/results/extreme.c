@@ -250,5 +250,195 @@ const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const 
         find(a, branch, pairs, x->n, x->memory);
         x->is_known[k] = 1;
     }
+<<<<<<< HEAD
     return &pairs[i];
+=======
+}
+
+/* A step for each degree; not fewer than 360, and where there are very many revolutions no more than can be
+** waited for. */
+static long steps_of(double degrees)
+{
+    if (degrees <= 0)
+        return 0;
+    if (degrees > MOST_STEPS)
+        return MOST_STEPS;
+    return degrees > 360 ? (long)ceil(degrees - 1e-6) : 360;
+}
+
+static void set_range(search *s)
+{
+    const deck *d = s->a->d;
+    double end = flk_analysis_end(s->a);
+
+    s->periodic = flk_analysis_is_periodic(s->a);
+    s->first = d->motion.from < end ? d->motion.from : end;
+    s->last = d->motion.from < end ? end : d->motion.from;
+    s->degree = M_PI / 180 / d->motion.angle_unit;
+    s->turn = 0;
+    s->last_value = 0;
+    s->size = 0;
+}
+
+/* Start to follow an angle past 180 deg. */
+static void follow(search *s, double value)
+{
+    const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
+
+    if (flk_column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
+        s->turn = flk_unit_from_si(2 * M_PI, *u);
+        s->last_value = value;
+    }
+}
+
+/* One revolution has its extremes between its first angle and its last, which are one position. */
+static double in_revolution(const search *s, double angle)
+{
+    double turn = s->last - s->first, close = 1e-6 * s->degree;
+
+    if (!s->periodic)
+        return angle;
+    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
+    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
+                                                                           : angle;
+}
+
+/* Where a scan begins: at the first row, and in a revolution with a gap behind the last gap before it, so
+** that an angle is the same at both ends of the revolution.  An angle is followed from the first row. */
+static double scan_from(search *s, double step, long steps)
+{
+    double from = s->a->d->motion.from, value = value_at(from, s);
+    long i;
+
+    follow(s, value);
+    if (!s->periodic || gsl_isnan(value))
+        return from;
+    for (i = 1; i < steps; i++) {
+        value = value_at(from - (double)i * step, s);
+        if (gsl_isnan(value))
+            return from - (double)(i - 1) * step;
+        s->last_value = value;
+    }
+    follow(s, value_at(from, s));
+    return from;
+}
+
+/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
+** reach.  `unbounded` is set if the column has no limit at one of these. */
+static int scan(search *s, double step, long steps, flk_extreme peaks[PEAKS], flk_extreme *best,
+                int *unbounded)
+{
+    double before, now, after;
+    double from = scan_from(s, step, steps);
+    flk_extreme limit;
+    int n = 0;
+    long i;
+
+    now = value_at(from, s);
+    before = s->periodic ? value_at(from - step, s) : GSL_NAN;
+    for (i = 0; i <= steps - s->periodic; i++) {
+        double x = from + (double)i * step;
+        int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
+
+        if (gsl_isnan(now))
+            s->turn = 0; /* a gap: the angle starts anew */
+        if (fabs(now) > s->size)
+            s->size = fabs(now);
+        after = goes_on ? value_at(x + step, s) : GSL_NAN;
+        /* a NaN on one side is an end */
+        if (!gsl_isnan(now) && !(before < now) && !(after < now))
+            keep_lowest(peaks, &n, now, x);
+        if (!gsl_isnan(now) && gsl_isnan(after) && goes_on) {
+            *unbounded |= !limit_at_edge(s, x, x + step, &limit) && limit.value < now;
+            keep_best(best, limit.value, in_revolution(s, limit.angle));
+        }
+        if (!gsl_isnan(now) && gsl_isnan(before) && came) {
+            *unbounded |= !limit_at_edge(s, x, x - step, &limit) && limit.value < now;
+            keep_best(best, limit.value, in_revolution(s, limit.angle));
+        }
+        before = now;
+        now = after;
+        if (s->turn == 0)
+            follow(s, now);
+        else if (!gsl_isnan(now))
+            s->last_value = now;
+    }
+    return n;
+}
+
+static void refine_peak(search *s, double step, const flk_extreme *peak, flk_extreme *best)
+{
+    double x = peak->angle, low = x - step, high = x + step;
+
+    follow(s, peak->value); /* the scan may have ended in a gap */
+    keep_best(best, peak->value, x);
+    if (low < s->first && !s->periodic) { /* at an end: is there a minimum just inside it? */
+        low = s->first;
+        x = s->first + 1e-3 * step;
+    }
+    if (high > s->last && !s->periodic) {
+        high = s->last;
+        x = s->last - 1e-3 * step;
+    }
+    if (gsl_isnan(value_at(low, s)))
+        low = edge(s, x, low);
+    if (gsl_isnan(value_at(high, s)))
+        high = edge(s, x, high);
+    if (!(flk_column_flags(s->c) & FOURLINK_OF_ROUNDING))
+        refine(s, sample(s, low), sample(s, x), sample(s, high), best);
+}
+
+/* Of values that are equal but for rounding the one that the motion comes by first. */
+static void keep_first(const search *s, flk_extreme *best, const flk_extreme *found)
+{
+    double from = s->a->d->motion.from, close = 1e-12 * s->size;
+    double angle = in_revolution(s, found->angle);
+
+    if (found->value < best->value - close ||
+        (found->value <= best->value + close && fabs(angle - from) < fabs(best->angle - from)))
+        best->angle = angle;
+    if (found->value < best->value)
+        best->value = found->value;
+}
+
+int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
+                     flk_extreme *found)
+{
+    flk_extreme peaks[PEAKS], best, found_here;
+    int n, k, unbounded = 0;
+    double step;
+    long steps;
+    search s;
+
+    s.a = a;
+    s.c = c;
+    s.branch = branch;
+    s.sign = sign;
+    set_range(&s);
+    steps = steps_of((s.last - s.first) / s.degree);
+    step = steps ? (s.last - s.first) / (double)steps : 0;
+    best.value = GSL_POSINF;
+    best.angle = s.first;
+    n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
+    if (!n && s.periodic && s.turn > 0) { /* an angle that goes on: its ends do not meet */
+        set_range(&s);
+        s.periodic = 0;
+        n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
+    }
+    if (!n)
+        return FOURLINK_NOT_REACHED;
+    for (k = 0; k < n; k++) {
+        found_here.value = GSL_POSINF;
+        found_here.angle = peaks[k].angle;
+        refine_peak(&s, step, &peaks[k], &found_here);
+        keep_first(&s, &best, &found_here);
+    }
+    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE | NEED_GAS)))
+        look_at_corners(&s, &best);
+    found->value = -sign * best.value;
+    found->angle = best.angle;
+    if (unbounded || fabs(found->value) >= flk_column_bound(c))
+        found->value = sign > 0 ? GSL_POSINF : GSL_NEGINF;
+    return FOURLINK_OK;
+>>>>>>> f609f2d9c8574f960bc06d95c7414af5eb3f2308
 }

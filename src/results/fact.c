@@ -8,6 +8,7 @@
 
 #include "fact.h"
 #include "list.h"
+#include "mechanics/kind.h"
 #include "turning.h"
 
 /* name, quantity, 1 for the turning moment, meaning */
@@ -153,7 +154,7 @@ static void tell_reach(teller *t)
     }
 }
 
-/* The angles that link 4 can have.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
+/* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
 ** linkage read from D to A. */
 static void tell_reach_of_rocker(teller *t)
 {
@@ -280,11 +281,13 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
     t.n = 0;
     t.branch = 0;
     if (groups & FOURLINK_FACTS_LIMITS) {
+        int has_slide = flk_kind_has_slide(t.d->design.kind);
+
         tell_type(&t);
-        if (t.d->design.kind == FOURLINK_FOUR_BAR)
+        if (!has_slide)
             tell(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
         tell_reach(&t);
-        if (t.d->design.kind == FOURLINK_FOUR_BAR)
+        if (!has_slide)
             tell_reach_of_rocker(&t);
         tell_rod(&t);
     }

@@ -2,11 +2,12 @@ C     SPDX-License-Identifier: GPL-3.0-or-later
 C
 C     fortran77.f - a whole crank position in one call, from FORTRAN 77:
 C     the linkage of data/me3491-matrix.deck at 40 deg, the engine of
-C     data/me3491-example-1.deck, and a mistake.
+C     data/me3491-example-1.deck, a lever with its slide at an angle,
+C     and mistakes.
 C
       PROGRAM CONSUM
       DOUBLE PRECISION LINKS(5,4), GRAV(2), CRANK(3), LOADS(7,1)
-      DOUBLE PRECISION STATE(9,4), FORCES(10), PI, RADIAN
+      DOUBLE PRECISION STATE(9,4), SLIDE(4), FORCES(10), PI, RADIAN
       INTEGER NLOADS, ISTAT, I, J
       CHARACTER*80 TEXT
 
@@ -56,6 +57,42 @@ C     The engine, with the force of the gas on the piston.
       CALL CHECK(ISTAT, 0)
       IF (ABS(FORCES(10) + 1979.2760424146D0) .GT. 1D-8) STOP 3
       WRITE (*, '(A, F12.6, A)') 'a4 = ', STATE(8,4), ' m/s2'
+
+C     An inverted slider-crank, its slide at 60 deg to the lever, with
+C     values of an independent solver.
+      LINKS(1,1) = 0.2D0
+      CALL SETLNK(LINKS(1,2), 0.08D0, 0.1D0, 0.0D0, 0.04D0, 0.0D0)
+      CALL SETLNK(LINKS(1,3), 0.0D0, 0.3D0, 0.0D0, -0.15D0, 0.0D0)
+      CALL SETLNK(LINKS(1,4), 0.13D0, 0.15D0, 0.0D0, 0.065D0, 0.0D0)
+      LINKS(5,3) = 0.01D0
+      LINKS(3,2) = 0.0004D0
+      LINKS(3,3) = 0.001D0
+      LINKS(3,4) = 0.0007D0
+      CRANK(1) = 110 * RADIAN
+      CRANK(2) = 10
+      CRANK(3) = -40
+      LOADS(1,1) = 3
+      LOADS(3,1) = 0
+      LOADS(4,1) = -100
+      LOADS(5,1) = -0.35D0
+      CALL FLINVS(LINKS, 0.0D0, 60 * RADIAN, GRAV, 1, CRANK, NLOADS,
+     &            LOADS, STATE, SLIDE, FORCES, ISTAT)
+      CALL CHECK(ISTAT, 0)
+      IF (ABS(STATE(1,3) - 3.311715631002D0 + 2 * PI) .GT. 1D-9) STOP 4
+      IF (ABS(STATE(1,4) - 2.264518079806D0) .GT. 1D-9) STOP 4
+      IF (ABS(STATE(3,4) - 29.77525504049D0) .GT. 1D-8) STOP 4
+      IF (ABS(SLIDE(1) - 0.1463519448371D0) .GT. 1D-9) STOP 5
+      IF (ABS(SLIDE(2) - 0.7113765593292D0) .GT. 1D-9) STOP 5
+      IF (ABS(SLIDE(3) + 7.829083934205D0) .GT. 1D-8) STOP 5
+      IF (ABS(SLIDE(4) - 0.9585339217869D0) .GT. 1D-9) STOP 5
+      IF (ABS(FORCES(9) + 34.85154695049D0) .GT. 1D-8) STOP 6
+      IF (ABS(FORCES(10) + 0.6072639458676D0) .GT. 1D-8) STOP 6
+      WRITE (*, '(A, F9.6, A)') 'slide = ', SLIDE(1), ' m'
+      SLIDE(1) = 7
+      CALL FLINVS(LINKS, 0.0D0, 60 * RADIAN, GRAV, 2, CRANK, NLOADS,
+     &            LOADS, STATE, SLIDE, FORCES, ISTAT)
+      IF (ISTAT .EQ. 0) STOP 7
+      IF (NINT(SLIDE(1)) .NE. 7) STOP 7
 
 C     A length that is none: the outputs are as they were.
       LINKS(1,2) = -1

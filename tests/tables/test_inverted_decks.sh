@@ -11,7 +11,7 @@ cp "$data/whitworth-150-100.deck" whitworth.deck
 
 run 0 --list cylinder.deck
 quiet
-for column in theta4 slide slide_v slide_a coriolis N34 M34 F14x F34_dir Fsx I24x Ts_static; do
+for column in theta4 slide slide_v slide_a coriolis N34 M34 F14x F34_dir Fsx I24x Ts_static gas_force; do
     check "column $column" grep -q "^$column " out
 done
 check 'no column of a piston' sh -c '! grep -Eq "^(x|N|M14|phi|piston_effort|klein_OM) " out'
@@ -24,9 +24,14 @@ run 0 --summary lever.deck
 prints 'inverted slider-crank: crank'
 prints 'crank and slotted lever'
 check 'swing' grep -Eq '^swing +60 deg' out
+check 'nothing of linkages whose joints are pins' sh -c '! grep -Eq "^(K|theta4_from|theta4_swing) " out'
 run 0 --summary whitworth.deck
 check 'time ratio of the tool' grep -Eq '^time_ratio +2\.735' out
 check 'no swing' sh -c '! grep -q "^swing" out'
+
+run 0 -b both -f csv -c gas_force -s motion.at=90 -s gas.bore=40mm cylinder.deck
+check 'pressure times area' awk -F, '$2 > 942.4777 && $2 < 942.4779 {n++} END {exit n != 2}' out
+check 'no gas_force without gas' sh -c '"$0" --list "$1" | grep -c ^gas_force | grep -qx 0' "$fourlink" lever.deck
 
 # gas: with the pressures of both sides equal only the rod's area is left; the torque is that of loads
 run 0 -b open -c Ts,F14x,residual -s motion.at=90 -s 'crank.mass=0 kg' cylinder.deck
