@@ -76,6 +76,11 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     *u = bare;
     if (!t.length)
         return 1;
+    if (flk_text_same(t, "%") && q != QUANTITY_NUMBER) {
+        flk_message(message, MESSAGE_SIZE, "'%t': per cent of what? expected %s, such as %s", whole,
+                    info->words, info->example);
+        return 0;
+    }
     if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
         refuse_unit(t, flk_text_same(t, "1") ? t : bad, whole, q, message);
         return 0;

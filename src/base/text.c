@@ -84,6 +84,24 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+size_t flk_text_count(text t, int c)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < t.length; i++)
+        n += t.start[i] == c;
+    return n;
+}
+
+text flk_text_unquoted(text t)
+{
+    if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+        t = flk_text_from(t, 1);
+        t.length--;
+    }
+    return t;
+}
+
 /* A tab counts as a blank. */
 static int is_at(text t, size_t i, const char *separator)
 {

@@ -22,6 +22,12 @@ text flk_text_from(text t, size_t n);
 /* Without the byte order mark of UTF-8 at its start. */
 text flk_text_without_mark(text t);
 
+/* Without the double quotes around it. */
+text flk_text_unquoted(text t);
+
+/* How often a character is in it. */
+size_t flk_text_count(text t, int c);
+
 /* Join strings, up to a null pointer; cut off at `size`. */
 char *flk_text_join(char *out, size_t size, ...);
 

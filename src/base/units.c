@@ -79,6 +79,7 @@ static const named_unit units[] = {
     {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
     {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
     {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, to be refused: it is not an angular speed */
+    {"%", 1, 1e2, {0, 0, 0, 0}},
     {"1", 1, 1, {0, 0, 0, 0}},
 };
 
@@ -171,6 +172,11 @@ static text take_name(text *t)
 {
     text name = *t;
 
+    if (t->length && t->start[0] == '%') {
+        *t = flk_text_from(*t, 1);
+        name.length = 1;
+        return name;
+    }
     while (t->length && flk_text_is_word(t->start[0]) &&
            (t->start == name.start || t->start[0] < '0' || t->start[0] > '9'))
         *t = flk_text_from(*t, 1);
@@ -195,6 +201,10 @@ int flk_unit_read(text t, unit *result, text *bad)
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
             return 0; /* 1/s, but not 1 mm */
+        if (flk_text_same(name, "%") && (factors > 1 || t.length)) {
+            bad->length += t.length;
+            return 0; /* a unit of its own */
+        }
         exponent = read_exponent(&t);
         if (!exponent)
             return 0;

@@ -67,10 +67,12 @@ void flk_build_gas(parser *p)
         return;
     p->d->has_forces = 1;
     if (!IS_SET(bore)) {
-        flk_mistake(p->mistakes, use->place, "[gas] has no bore");
+        if (!use->has_unknown)
+            flk_mistake(p->mistakes, use->place, "[gas] has no bore");
         return;
     }
-    if (!IS_SET(pressure) && !IS_SET(card) && !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
+    if (!use->has_unknown && !IS_SET(pressure) && !IS_SET(card) &&
+        !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
         flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
     if (IS_SET(pressure) && IS_SET(card))
         flk_mistake(p->mistakes, pressure->place,
@@ -91,7 +93,7 @@ static void check_link(parser *p, const section_use *use, const setting *link)
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
-    if (!IS_SET(link))
+    if (!IS_SET(link) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
@@ -145,8 +147,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
             break;
         }
     new->link = link->word;
-    new->at.x = at->si[0];
-    new->at.y = at->si[1];
+    flk_build_place(p, at, link->word, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
@@ -181,20 +182,20 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     const setting *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
     check_link(p, use, link);
-    if (!IS_SET(force) && !IS_SET(torque))
+    if (!IS_SET(force) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     if ((force->si[0] != 0 || force->si[1] != 0) && !IS_SET(at) && link->word &&
+        !use->has_unknown &&
         flk_kind_of(p->d->design.kind)->has_length[link->word] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
-    if (IS_SET(at) && !IS_SET(force))
+    if (IS_SET(at) && !IS_SET(force) && !use->has_unknown)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    load->at.x = at->si[0];
-    load->at.y = at->si[1];
+    flk_build_place(p, at, link->word, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
     build_curve(p, torque, &variation->torque);

@@ -24,6 +24,8 @@ static int is_mistaken(parser *p, section_code section)
     key_code k;
     size_t i;
 
+    if (use && use->has_unknown)
+        return 1;
     for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
         text_place place = flk_setting_of(use, k)->place;
 

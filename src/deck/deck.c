@@ -44,6 +44,7 @@ void flk_deck_free(deck *d)
     unsigned long i;
 
     flk_mistakes_free(&d->mistakes);
+    flk_mistakes_free(&d->notes);
     for (i = 0; d->variations && i < d->n_loads; i++)
         flk_curve_free(&d->variations[i].torque);
     flk_curve_free(&d->gas.indicator);
@@ -55,20 +56,20 @@ void flk_deck_free(deck *d)
     memset(d, 0, sizeof *d);
 }
 
-void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+void flk_deck_give_mistakes(const mistakes *from, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes)
 {
     unsigned long i;
 
-    for (i = 0; i < max && i < d->mistakes.count; i++) {
-        const struct mistake *m = &d->mistakes.list[i];
+    for (i = 0; i < max && i < from->count; i++) {
+        const struct mistake *m = &from->list[i];
 
         flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
         list[i].line = m->place.line;
         memcpy(list[i].message, m->message, sizeof list[i].message);
     }
     if (n_mistakes)
-        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
+        *n_mistakes = (unsigned long)(from->count + from->left_out);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
@@ -95,7 +96,7 @@ int fourlink_deck_read(const char *contents, unsigned long length, fourlink_load
         return FOURLINK_OK;
     }
     if (status == 0)
-        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
+        flk_deck_give_mistakes(&d->mistakes, max_mistakes, list, n_mistakes);
     fourlink_deck_free(d);
     return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }

@@ -110,6 +110,7 @@ struct fourlink_deck {
     deck_unit units[QUANTITY_COUNT];
 
     mistakes mistakes;    /* none: the deck is valid */
+    mistakes notes;       /* what is allowed, but probably not meant */
     struct kept *storage; /* texts that names and places point to */
 };
 
@@ -126,8 +127,8 @@ struct fourlink_deck {
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Copy the first `max` mistakes of a deck for a host, and their number. */
-void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+/* Copy the first `max` mistakes or notes of a deck for a host, and their number. */
+void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
 /* Set up a deck with nothing but the default units; free its memory. */

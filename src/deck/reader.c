@@ -137,6 +137,7 @@ static int run(deck *d, const fourlink_source *source, const char *name,
     if (!p.out_of_memory)
         read(&p, source);
     flk_mistakes_sort(p.mistakes);
+    flk_mistakes_sort(&d->notes);
     free(p.uses);
     free(p.named);
     free(p.named_slots);

@@ -39,6 +39,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use->section = section;
     use->name = name;
     use->place = place;
+    use->has_unknown = 0;
     use->settings = settings;
     return use;
 }
@@ -130,6 +131,7 @@ int flk_section_unknown(parser *p, text_place place, text name)
     for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
+    p->has_unknown_section = 1;
     return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
                        nearest_word(name, known));
 }
@@ -247,9 +249,11 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
 
     while (i < end && !flk_text_equal(key, flk_key_table[i].name))
         i++;
-    if (i == end && !TAKES_NAMES(use->section))
-        return refuse_key(p, place, use->section, key);
     t->use = (size_t)(use - p->uses);
+    if (i == end && !TAKES_NAMES(use->section)) {
+        p->uses[t->use].has_unknown = 1;
+        return refuse_key(p, place, use->section, key);
+    }
     t->key = i < end ? i : KEY_COUNT;
     t->part = PART_NONE;
     t->name = key;

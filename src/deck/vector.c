@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** vector.c - forces and points of links from the text of a deck.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+void flk_vector_direction(double angle, double *x, double *y)
+{
+    double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
+
+    *x = cos(angle);
+    *y = sin(angle);
+    if (fabs(quarters - whole) < 1e-14 && fabs(whole) < 1e6) {
+        static const double exact[4] = {1, 0, -1, 0};
+        int i = (int)whole % 4;
+
+        i = i < 0 ? i + 4 : i;
+        *x = exact[i];
+        *y = exact[(i + 3) % 4];
+    }
+}
+
+static int refuse_components(parser *p, const setting *s, quantity q)
+{
+    return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
+                       q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
+}
+
+/* (10, 5) mm */
+static int read_components(parser *p, setting *s, quantity q)
+{
+    text rest = flk_text_from(s->value, 1), inside, x;
+    unit u;
+    int i;
+
+    flk_text_split(&rest, ')', &inside);
+    if (!rest.start || flk_text_count(inside, ',') != 1)
+        return refuse_components(p, s, q);
+    if (!flk_values_unit(p, s, rest, q, &u))
+        return 0;
+    for (i = 0; i < 2; i++) {
+        double number;
+
+        flk_text_split(&inside, ',', &x);
+        if (!flk_values_number(p, s, &x, q, &number))
+            return 0;
+        if (flk_text_trim(x).length)
+            return refuse_components(p, s, q);
+        s->si[i] = flk_unit_to_si(number, u);
+        if (!flk_values_size(p, s, q, s->si[i]))
+            return 0;
+    }
+    return 1;
+}
+
+static int refuse_vector(parser *p, const setting *s, int needs_angle)
+{
+    return flk_mistake(p->mistakes, s->place,
+                       needs_angle
+                           ? "expected a force with its direction, such as 50 N at 30 deg or "
+                             "(43, 25) N, not '%t'"
+                           : "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
+                       s->value);
+}
+
+/* A part of the length of the link: 50 %; 0 if there is no per cent sign. */
+static int read_share(parser *p, setting *s, text t, double *share)
+{
+    t = flk_text_trim(t);
+    if (!t.length || t.start[t.length - 1] != '%')
+        return 0;
+    s->of_length = 1;
+    flk_values_piece(p, s, t, QUANTITY_NUMBER, share);
+    return 1;
+}
+
+/* 10 mm at 30 deg, or (10, 5) mm; also 10 mm if the angle is not needed; for a point also mid, 50 %. */
+int flk_vector_read(parser *p, setting *s, quantity q, int needs_angle)
+{
+    text size_text = s->value, angle_text, before;
+    double size = 0, angle = 0, x, y;
+
+    if (s->value.start[0] == '(')
+        return read_components(p, s, q);
+    if (!needs_angle && flk_text_equal(s->value, "mid")) {
+        s->of_length = 1;
+        s->si[0] = 0.5;
+        return 1;
+    }
+    if (memchr(s->value.start, ',', s->value.length))
+        return refuse_vector(p, s, needs_angle);
+    if (flk_text_cut_last(s->value, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
+        return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
+                           s->value);
+    if (flk_text_cut(s->value, " at ", &size_text, &angle_text)) {
+        if (!flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
+            return 0;
+    } else if (needs_angle) {
+        return refuse_vector(p, s, needs_angle);
+    }
+    if ((needs_angle || !read_share(p, s, size_text, &size)) &&
+        !flk_values_piece(p, s, size_text, q, &size))
+        return 0;
+    flk_vector_direction(angle, &x, &y);
+    s->si[0] = size * x;
+    s->si[1] = size * y;
+    return 1;
+}
+
+void flk_vector_read_pin(parser *p, setting *s, quantity q)
+{
+    s->word = flk_text_equal(s->value, "origin") ? PIN_ORIGIN
+              : flk_text_equal(s->value, "end")  ? PIN_END
+                                                 : PIN_POINT;
+    if (s->word == PIN_POINT)
+        flk_vector_read(p, s, q, 0);
+}
+
+/* The parts that are not set separately come from the whole vector. */
+void flk_vector_read_parts(parser *p, setting *s, quantity q)
+{
+    double part[PART_NONE], x, y;
+    int i, is_polar = 0;
+
+    part[PART_X] = s->si[0];
+    part[PART_Y] = s->si[1];
+    part[PART_SIZE] = gsl_hypot(s->si[0], s->si[1]);
+    part[PART_ANGLE] = atan2(s->si[1], s->si[0]);
+    for (i = 0; i < PART_NONE; i++) {
+        setting *own = &s->parts[i];
+
+        if (!IS_SET(own))
+            continue;
+        if (s->of_length)
+            flk_mistake(p->mistakes, own->place,
+                        "'%t' is a part of the length of the link: give the point in a unit of "
+                        "length before you vary a part of it",
+                        s->value);
+        flk_values_piece(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
+        part[i] = own->si[0];
+        is_polar = i >= PART_SIZE;
+    }
+    flk_vector_direction(part[PART_ANGLE], &x, &y);
+    s->si[0] = is_polar ? part[PART_SIZE] * x : part[PART_X];
+    s->si[1] = is_polar ? part[PART_SIZE] * y : part[PART_Y];
+}
