@@ -16,6 +16,11 @@ typedef struct text {
 text flk_text_of(const char *string);
 text flk_text_trim(text t);
 
+/* The length of the blank at the start of a text, or at its end; 0 if there is none.  Those of typography,
+** such as the no-break space, are blanks too. */
+size_t flk_text_blank(text t);
+size_t flk_text_blank_before(text t);
+
 /* Without its first n characters. */
 text flk_text_from(text t, size_t n);
 

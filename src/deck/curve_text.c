@@ -24,17 +24,29 @@ static size_t second_number(text t)
     return t.length ? i : 0;
 }
 
+/* 1 if an item follows a digit and a comma, without a blank, as 5 does in 1,5. */
+static int follows_comma(text item, text whole)
+{
+    return item.start - whole.start > 1 && item.start[-1] == ',' &&
+           strchr("0123456789", item.start[-2]) != NULL;
+}
+
 /* Read the next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
 static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
 {
     double x, y;
     unit ux, uy;
-    text angle;
+    text item = t, angle;
     size_t i;
 
     if (!flk_values_number(p, s, &t, QUANTITY_ANGLE, &x))
         return 0;
     i = second_number(t);
+    if (i >= t.length && follows_comma(item, s->value))
+        return flk_mistake(p->mistakes, s->place,
+                           "'%t': a comma as decimal mark? write a point, and a blank after the "
+                           "comma between two points of a curve",
+                           s->value);
     if (i >= t.length)
         return flk_mistake(p->mistakes, s->place,
                            "expected an angle and a value, such as %s, not '%t'",
@@ -85,6 +97,17 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
     return n;
 }
 
+int flk_curve_text_file(text value, text *name)
+{
+    text after = flk_text_from(value, value.length < 4 ? value.length : 4);
+
+    if (memcmp(value.start, "file", value.length - after.length) != 0 || !flk_text_blank(after))
+        return 0;
+    if (name)
+        *name = flk_text_trim(after);
+    return 1;
+}
+
 /* file NAME */
 static int load_curve(parser *p, setting *s, quantity q, text name)
 {
@@ -113,8 +136,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     double number;
     point *c;
 
-    if (rest.length > 5 && memcmp(rest.start, "file", 4) == 0 && is_blank(rest.start[4]))
-        return load_curve(p, s, q, flk_text_trim(flk_text_from(rest, 5)));
+    if (flk_curve_text_file(rest, &item))
+        return load_curve(p, s, q, item);
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
     if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&

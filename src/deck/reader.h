@@ -91,6 +91,10 @@ void *flk_reader_keep(parser *p, size_t size);
 /* A null-terminated copy of a text with an ending, which lasts as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
+/* A value in plain characters (see base/spelling.h), which lasts as long; its blanks alone. */
+text flk_reader_plain(parser *p, text t);
+text flk_reader_blanks(parser *p, text t);
+
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
 
@@ -163,6 +167,9 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q);
 
 /* Sine and cosine, exact for whole quarters of a turn. */
 void flk_vector_direction(double angle, double *x, double *y);
+
+/* 1 if a curve is `file NAME`; `name` may be null. */
+int flk_curve_text_file(text value, text *name);
 
 /* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 int flk_curve_text_read(parser *p, setting *s, quantity q);

@@ -173,7 +173,7 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
-    while (name->length && flk_text_is_word(name->start[0]))
+    while (name->length && flk_text_is_word(name->start[0]) && !flk_text_blank(*name))
         *name = flk_text_from(*name, 1);
     section->length -= name->length;
     *name = flk_text_trim(*name);

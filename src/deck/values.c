@@ -129,10 +129,21 @@ static int read_count(parser *p, setting *s, quantity q)
     return 1;
 }
 
+/* A value in plain characters; the title stays as it is, and names keep theirs. */
+static text spelled(parser *p, key_code code, text value)
+{
+    if (code == KEY_TOP_TITLE)
+        return value;
+    if (flk_key_table[code].form == FORM_NAMES || flk_curve_text_file(value, NULL))
+        return flk_reader_blanks(p, value);
+    return flk_reader_plain(p, value);
+}
+
 static void read_value(parser *p, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
 
+    s->value = spelled(p, code, s->value);
     switch (key->form) {
     case FORM_TEXT:
         s->value = flk_text_unquoted(s->value);

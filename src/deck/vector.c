@@ -83,7 +83,7 @@ static int read_share(parser *p, setting *s, text t, double *share)
 /* 10 mm at 30 deg, or (10, 5) mm; also 10 mm if the angle is not needed; for a point also mid, 50 %. */
 int flk_vector_read(parser *p, setting *s, quantity q, int needs_angle)
 {
-    text size_text = s->value, angle_text, before;
+    text size_text = s->value, angle_text, before = s->value;
     double size = 0, angle = 0, x, y;
 
     if (s->value.start[0] == '(')
@@ -93,6 +93,8 @@ int flk_vector_read(parser *p, setting *s, quantity q, int needs_angle)
         s->si[0] = 0.5;
         return 1;
     }
+    if (flk_number_read(&before, &size) == NUMBER_COMMA) /* 0,5 N at 30 deg */
+        return flk_values_piece(p, s, s->value, q, &size);
     if (memchr(s->value.start, ',', s->value.length))
         return refuse_vector(p, s, needs_angle);
     if (flk_text_cut_last(s->value, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
@@ -137,6 +139,7 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
 
         if (!IS_SET(own))
             continue;
+        own->value = flk_reader_plain(p, own->value);
         if (s->of_length)
             flk_mistake(p->mistakes, own->place,
                         "'%t' is a part of the length of the link: give the point in a unit of "

@@ -174,7 +174,7 @@ static void test_no_quantities(void **unused)
         {"wide", QUANTITY_LENGTH, "expected a length, such as 80 mm, not 'wide'"},
         {"inf mm", QUANTITY_LENGTH, "'inf mm' is not a finite number"},
         {"0x10 mm", QUANTITY_LENGTH, "'0x10 mm' is not a decimal number"},
-        {"1,5 mm", QUANTITY_LENGTH, "'1,5 mm': the decimal mark is a point, not a comma"},
+        {"1,5 mm", QUANTITY_LENGTH, "'1,5 mm': a comma as decimal mark: write 1.5"},
         {"5 kg", QUANTITY_LENGTH, "'5 kg' is a mass; expected a length, such as 80 mm"},
         {"5 s/m", QUANTITY_LENGTH, "'5 s/m' is not a length, such as 80 mm"},
         {"5 mmm", QUANTITY_LENGTH, "unknown unit 'mmm' in '5 mmm'; did you mean 'mm'?"},
