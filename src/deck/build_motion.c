@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/number.h"
 #include "reader.h"
 
 static double angle_or(parser *p, key_code key, double otherwise)
@@ -79,6 +80,21 @@ static void build_run_up(parser *p, const setting *run_up)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
+/* Note a speed without a unit, unless the deck says which it is: most speeds are in rpm. */
+static void check_speed(parser *p)
+{
+    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
+    text after = speed->value;
+    double number;
+
+    if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
+        return;
+    flk_number_read(&after, &number);
+    if (!flk_text_trim(after).length)
+        flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
+                    speed->value, speed->value, speed->value);
+}
+
 void flk_build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -89,6 +105,7 @@ void flk_build_motion(parser *p)
     fourlink_range range;
     int status;
 
+    check_speed(p);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
@@ -133,6 +150,8 @@ void flk_build_table(parser *p)
                   *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
+    if (!branches && p->d->gas.area > 0)
+        branches = BRANCH_OPEN; /* engines stand on it */
     p->d->open = branches != BRANCH_CROSSED;
     p->d->crossed = branches != BRANCH_OPEN;
     p->d->columns.names = columns->value;
