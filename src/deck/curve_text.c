@@ -19,7 +19,7 @@ static size_t second_number(text t)
     size_t i;
 
     for (i = 1; i < t.length; i++)
-        if (is_blank(t.start[i - 1]) && strchr("+-.0123456789", t.start[i]))
+        if (is_blank(t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]))
             break;
     return t.length ? i : 0;
 }
@@ -31,11 +31,32 @@ static int follows_comma(text item, text whole)
            strchr("0123456789", item.start[-2]) != NULL;
 }
 
-/* Read the next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
-static int read_point(parser *p, const setting *s, text t, quantity q, point *result)
+/* The value of a point. */
+static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
 {
-    double x, y;
-    unit ux, uy;
+    unit u;
+    double y;
+
+    if (!flk_values_number(p, s, &t, q, &y) || !flk_values_unit(p, s, t, q, &u))
+        return 0;
+    result->y[0] = flk_unit_to_si(y, u);
+    result->has_unit = flk_text_trim(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, u);
+    return flk_values_size(p, s, q, result->y[0]);
+}
+
+static const char *example_of(quantity q)
+{
+    return q == QUANTITY_PRESSURE ? "20 deg 32 bar"
+           : q == QUANTITY_FORCE  ? "20 deg (43, 25) N"
+                                  : "20 deg 3 N m";
+}
+
+/* Read the next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
+static int read_point(parser *p, setting *s, text t, quantity q, point *result)
+{
+    double x;
+    unit u;
     text item = t, angle;
     size_t i;
 
@@ -49,20 +70,19 @@ static int read_point(parser *p, const setting *s, text t, quantity q, point *re
                            s->value);
     if (i >= t.length)
         return flk_mistake(p->mistakes, s->place,
-                           "expected an angle and a value, such as %s, not '%t'",
-                           q == QUANTITY_PRESSURE ? "20 deg 32 bar" : "20 deg 3 N m", s->value);
+                           "expected an angle and a value, such as %s, not '%t'", example_of(q),
+                           s->value);
     angle = t;
     angle.length = i;
     t = flk_text_from(t, i);
-    if (!flk_values_unit(p, s, angle, QUANTITY_ANGLE, &ux) || !flk_values_number(p, s, &t, q, &y) ||
-        !flk_values_unit(p, s, t, q, &uy))
+    if (!flk_values_unit(p, s, angle, QUANTITY_ANGLE, &u))
         return 0;
-    result->x = flk_unit_to_si(x, ux);
-    result->y = flk_unit_to_si(y, uy);
+    result->x = flk_unit_to_si(x, u);
     result->place = s->place;
-    result->has_unit = flk_text_trim(t).length > 0;
-    result->unit_to_si = flk_unit_to_si(1, uy);
-    return flk_values_size(p, s, QUANTITY_ANGLE, result->x) && flk_values_size(p, s, q, result->y);
+    if (!flk_values_size(p, s, QUANTITY_ANGLE, result->x))
+        return 0;
+    return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
+                               : read_value(p, s, t, q, result);
 }
 
 /* Read two columns of bare numbers in the deck's units, separated by blanks or a comma. */
@@ -94,6 +114,7 @@ static size_t read_curve_file(parser *p, setting *s, quantity q, text name, poin
         }
         n += read_point(p, &row, row.value, q, &points[n]) != 0;
     }
+    s->is_bare = row.is_bare;
     return n;
 }
 
@@ -130,6 +151,52 @@ static int load_curve(parser *p, setting *s, quantity q, text name)
     return 1;
 }
 
+/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
+static int next_item(text *rest, text *item)
+{
+    size_t i;
+    int depth = 0, is_last;
+
+    if (!rest->start)
+        return 0;
+    for (i = 0; i < rest->length && (depth || rest->start[i] != ','); i++)
+        depth = rest->start[i] == '(' ? 1 : rest->start[i] == ')' ? 0 : depth;
+    is_last = i == rest->length;
+    *item = *rest;
+    item->length = i;
+    *item = flk_text_trim(*item);
+    *rest = flk_text_from(*rest, i + !is_last);
+    if (is_last)
+        rest->start = NULL;
+    return 1;
+}
+
+/* 1 if a value is one for all angles: it has no second number before " at ", and no comma. */
+static int is_constant(text value, quantity q)
+{
+    text rest = value, item, size, angle;
+
+    if (q == QUANTITY_PRESSURE)
+        return 0;
+    next_item(&rest, &item);
+    if (!flk_text_cut(item, " at ", &size, &angle))
+        size = item;
+    return !rest.start && (size.start[0] == '(' || second_number(size) >= size.length);
+}
+
+static int read_constant(parser *p, setting *s, quantity q)
+{
+    point vector;
+
+    if (q != QUANTITY_FORCE)
+        return flk_values_piece(p, s, s->value, q, &s->si[0]);
+    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
+        return 0;
+    s->si[0] = vector.y[0];
+    s->si[1] = vector.y[1];
+    return 1;
+}
+
 int flk_curve_text_read(parser *p, setting *s, quantity q)
 {
     text rest = s->value, item = rest;
@@ -140,14 +207,12 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
         return load_curve(p, s, q, item);
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
-    if (!memchr(rest.start, ',', rest.length) && second_number(rest) >= rest.length &&
-        q != QUANTITY_PRESSURE)
-        return flk_values_piece(p, s, rest, q, &s->si[0]);
+    if (is_constant(rest, q))
+        return read_constant(p, s, q);
     c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
-    while (c && flk_text_split(&rest, ',', &item)) {
+    while (c && next_item(&rest, &item)) {
         const point *new = &c[s->n_points];
 
-        item = flk_text_trim(item);
         if (!item.length && !rest.start)
             break; /* a comma at the very end */
         if (!read_point(p, s, item, q, &c[s->n_points++]))

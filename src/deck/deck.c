@@ -38,6 +38,13 @@ void *flk_deck_keep(deck *d, size_t size)
     return k->contents;
 }
 
+static void free_curves(deck_load *variation)
+{
+    flk_curve_free(&variation->torque);
+    flk_curve_free(&variation->force[0]);
+    flk_curve_free(&variation->force[1]);
+}
+
 void flk_deck_free(deck *d)
 {
     kept *k, *next;
@@ -46,7 +53,7 @@ void flk_deck_free(deck *d)
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->notes);
     for (i = 0; d->variations && i < d->n_loads; i++)
-        flk_curve_free(&d->variations[i].torque);
+        free_curves(&d->variations[i]);
     flk_curve_free(&d->gas.indicator);
     free(d->expectations);
     for (k = d->storage; k; k = next) {
@@ -163,13 +170,17 @@ static double gas_force(const deck_gas *gas, double theta2)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
-/* A load at a crank angle: the value of its curve, and 0 outside its range of crank angles. */
+/* A load at a crank angle: the values of its curves, and 0 outside its range of crank angles. */
 static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
                      double theta2, fourlink_load *now)
 {
     *now = *load;
     if (variation->torque.n)
         now->torque = flk_curve_value(&variation->torque, theta2);
+    if (variation->force[0].n) {
+        now->force.x = flk_curve_value(&variation->force[0], theta2);
+        now->force.y = flk_curve_value(&variation->force[1], theta2);
+    }
     if (variation->is_windowed) {
         double after = theta2 - variation->from;
 

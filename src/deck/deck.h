@@ -36,6 +36,7 @@ typedef struct deck_gas {
 typedef struct deck_load {
     const char *name; /* of [load NAME]; "": it has none */
     curve torque;     /* over the crank angle, if given as a curve */
+    curve force[2];   /* likewise, its components: at the same angles */
     int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double from, to;  /* rad */
 } deck_load;

@@ -23,6 +23,7 @@ typedef struct setting {
     unit unit;        /* its unit */
     double si[2];     /* the value in SI units and radians, or the two components */
     int of_length;    /* 1: a point, as a part of the length of its link */
+    int is_bare;      /* 1: a force without a direction */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -33,7 +34,7 @@ typedef struct setting {
 
 /* A point of a curve. */
 typedef struct point {
-    double x, y;      /* rad, SI units */
+    double x, y[2];   /* rad, SI units; a value, or two components */
     text_place place; /* its place in the text */
     int has_unit;     /* 1: its value has one */
     double unit_to_si;
@@ -159,9 +160,12 @@ int flk_values_unit(parser *p, const setting *s, text t, quantity q, unit *u);
 int flk_values_size(parser *p, const setting *s, quantity q, double si);
 int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si);
 
-/* A force (10 N at 30 deg, or (10, 5) N), or a point of a link; origin, end or a point; the parts that are
-** set separately. */
-int flk_vector_read(parser *p, setting *s, quantity q, int needs_angle);
+/* A force (10 N at 30 deg, (10, 5) N, or 10 N along +x), or a point of a link (also mid, 50 %); a piece of the
+** setting's value. */
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
+
+/* A point of a link; origin, end or a point; the parts that are set separately. */
+int flk_vector_read(parser *p, setting *s, quantity q);
 void flk_vector_read_pin(parser *p, setting *s, quantity q);
 void flk_vector_read_parts(parser *p, setting *s, quantity q);
 
@@ -171,7 +175,7 @@ void flk_vector_direction(double angle, double *x, double *y);
 /* 1 if a curve is `file NAME`; `name` may be null. */
 int flk_curve_text_file(text value, text *name);
 
-/* A value; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
+/* A value, or a force; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 int flk_curve_text_read(parser *p, setting *s, quantity q);
 
 /* Third pass. */

@@ -165,7 +165,10 @@ static void read_value(parser *p, key_code code, setting *s)
         break;
     case FORM_VECTOR:
     case FORM_POINT:
-        flk_vector_read(p, s, key->q, key->form == FORM_VECTOR);
+        if (key->form == FORM_POINT)
+            flk_vector_read(p, s, key->q);
+        else
+            flk_curve_text_read(p, s, key->q);
         if (s->parts)
             flk_vector_read_parts(p, s, key->q);
         break;

@@ -33,9 +33,9 @@ static int refuse_components(parser *p, const setting *s, quantity q)
 }
 
 /* (10, 5) mm */
-static int read_components(parser *p, setting *s, quantity q)
+static int read_components(parser *p, setting *s, text t, quantity q, point *result)
 {
-    text rest = flk_text_from(s->value, 1), inside, x;
+    text rest = flk_text_from(t, 1), inside, x;
     unit u;
     int i;
 
@@ -44,6 +44,8 @@ static int read_components(parser *p, setting *s, quantity q)
         return refuse_components(p, s, q);
     if (!flk_values_unit(p, s, rest, q, &u))
         return 0;
+    result->has_unit = flk_text_trim(rest).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, u);
     for (i = 0; i < 2; i++) {
         double number;
 
@@ -52,21 +54,11 @@ static int read_components(parser *p, setting *s, quantity q)
             return 0;
         if (flk_text_trim(x).length)
             return refuse_components(p, s, q);
-        s->si[i] = flk_unit_to_si(number, u);
-        if (!flk_values_size(p, s, q, s->si[i]))
+        result->y[i] = flk_unit_to_si(number, u);
+        if (!flk_values_size(p, s, q, result->y[i]))
             return 0;
     }
     return 1;
-}
-
-static int refuse_vector(parser *p, const setting *s, int needs_angle)
-{
-    return flk_mistake(p->mistakes, s->place,
-                       needs_angle
-                           ? "expected a force with its direction, such as 50 N at 30 deg or "
-                             "(43, 25) N, not '%t'"
-                           : "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
-                       s->value);
 }
 
 /* A part of the length of the link: 50 %; 0 if there is no per cent sign. */
@@ -80,38 +72,70 @@ static int read_share(parser *p, setting *s, text t, double *share)
     return 1;
 }
 
-/* 10 mm at 30 deg, or (10, 5) mm; also 10 mm if the angle is not needed; for a point also mid, 50 %. */
-int flk_vector_read(parser *p, setting *s, quantity q, int needs_angle)
+/* 10 mm */
+static int read_size(parser *p, setting *s, text t, quantity q, point *result, double *size)
 {
-    text size_text = s->value, angle_text, before = s->value;
+    text after = t;
+    double number;
+
+    if (q == QUANTITY_LENGTH && read_share(p, s, t, size))
+        return 1;
+    if (!flk_values_piece(p, s, t, q, size))
+        return 0;
+    flk_number_read(&after, &number);
+    result->has_unit = flk_text_trim(after).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, s->unit);
+    return 1;
+}
+
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result)
+{
+    text size_text = t, angle_text, before;
     double size = 0, angle = 0, x, y;
 
-    if (s->value.start[0] == '(')
-        return read_components(p, s, q);
-    if (!needs_angle && flk_text_equal(s->value, "mid")) {
+    if (t.length && t.start[0] == '(')
+        return read_components(p, s, t, q, result);
+    if (q == QUANTITY_LENGTH && flk_text_equal(t, "mid")) {
         s->of_length = 1;
-        s->si[0] = 0.5;
+        result->y[0] = 0.5;
+        result->y[1] = 0;
         return 1;
     }
-    if (flk_number_read(&before, &size) == NUMBER_COMMA) /* 0,5 N at 30 deg */
-        return flk_values_piece(p, s, s->value, q, &size);
-    if (memchr(s->value.start, ',', s->value.length))
-        return refuse_vector(p, s, needs_angle);
-    if (flk_text_cut_last(s->value, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
+    if (flk_text_cut_last(t, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
         return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
                            s->value);
-    if (flk_text_cut(s->value, " at ", &size_text, &angle_text)) {
-        if (!flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
-            return 0;
-    } else if (needs_angle) {
-        return refuse_vector(p, s, needs_angle);
-    }
-    if ((needs_angle || !read_share(p, s, size_text, &size)) &&
-        !flk_values_piece(p, s, size_text, q, &size))
+    if (!flk_text_cut(t, " at ", &size_text, &angle_text))
+        s->is_bare = 1;
+    else if (!flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
+        return 0;
+    if (!read_size(p, s, size_text, q, result, &size))
         return 0;
     flk_vector_direction(angle, &x, &y);
-    s->si[0] = size * x;
-    s->si[1] = size * y;
+    result->y[0] = size * x;
+    result->y[1] = size * y;
+    return 1;
+}
+
+/* 1 if there is a comma outside parentheses, in place of (10, 5) mm. */
+static int has_outer_comma(text t)
+{
+    return t.start[0] != '(' && memchr(t.start, ',', t.length) != NULL;
+}
+
+int flk_vector_read(parser *p, setting *s, quantity q)
+{
+    text t = s->value;
+    point vector;
+    double size;
+
+    if (has_outer_comma(t) && flk_number_read(&t, &size) != NUMBER_COMMA) /* 0,5 mm */
+        return flk_mistake(p->mistakes, s->place,
+                           "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
+                           s->value);
+    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
+        return 0;
+    s->si[0] = vector.y[0];
+    s->si[1] = vector.y[1];
     return 1;
 }
 
@@ -121,7 +145,7 @@ void flk_vector_read_pin(parser *p, setting *s, quantity q)
               : flk_text_equal(s->value, "end")  ? PIN_END
                                                  : PIN_POINT;
     if (s->word == PIN_POINT)
-        flk_vector_read(p, s, q, 0);
+        flk_vector_read(p, s, q);
 }
 
 /* The parts that are not set separately come from the whole vector. */
@@ -140,6 +164,9 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q)
         if (!IS_SET(own))
             continue;
         own->value = flk_reader_plain(p, own->value);
+        s->is_bare = 0;
+        if (s->curve)
+            flk_mistake(p->mistakes, own->place, "a curve has no parts that can be varied");
         if (s->of_length)
             flk_mistake(p->mistakes, own->place,
                         "'%t' is a part of the length of the link: give the point in a unit of "

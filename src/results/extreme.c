@@ -253,6 +253,7 @@ static void look_at_corners(search *s, flk_extreme *best)
     look_at_curve(s, &d->gas.indicator, best);
     for (i = 0; i < d->n_loads; i++) {
         look_at_curve(s, &d->variations[i].torque, best);
+        look_at_curve(s, &d->variations[i].force[0], best);
         if (d->variations[i].is_windowed) {
             look_at(s, d->variations[i].from, best);
             look_at(s, d->variations[i].to, best);
