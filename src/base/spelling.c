@@ -6,15 +6,14 @@
 
 #include "spelling.h"
 
-/* In UTF-8. */
+/* In UTF-8: minus, hyphens and the dash that word processors make of one; degree, and the ordinal beside it
+** on keyboards; dots, cross.  Instruments write the degree in Latin-1 too. */
 static const struct {
     const char *typed, *plain;
-} signs[] = {{"\342\210\222", "-"}, /* minus */
-             {"\342\200\220", "-"}, /* hyphens, and the dash that word processors make of one */
-             {"\342\200\221", "-"}, {"\342\200\223", "-"},
-             {"\302\260", "deg"}, /* degree, and the ordinal beside it on keyboards */
-             {"\302\272", "deg"},   {"\302\267", "*"}, /* dots, cross */
-             {"\342\213\205", "*"}, {"\303\227", "*"}};
+} signs[] = {{"\342\210\222", "-"}, {"\342\200\220", "-"}, {"\342\200\221", "-"},
+             {"\342\200\223", "-"}, {"\302\260", "deg"},   {"\302\272", "deg"},
+             {"\260", "deg"},       {"\302\267", "*"},     {"\342\213\205", "*"},
+             {"\303\227", "*"}};
 
 static const struct {
     const char *typed;
@@ -82,10 +81,11 @@ static char *write_next(text *t, const char *start, char *end)
         return end;
     }
     after = write_sign(t, start, end);
-    if (after == end) {
-        *after++ = *t->start;
-        *t = flk_text_from(*t, 1);
-    }
+    if (after == end)
+        do { /* a whole character of UTF-8 */
+            *after++ = *t->start;
+            *t = flk_text_from(*t, 1);
+        } while ((after[-1] & 0x80) && t->length && (*t->start & 0xc0) == 0x80);
     return after;
 }
 

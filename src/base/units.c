@@ -101,19 +101,20 @@ static const struct {
     const char *written, *meant;
 } words[] = {
     {"rpm", "rpm"},         {"rev", "rev"},       {"revs", "rev"},       {"revolution", "rev"},
-    {"revolutions", "rev"}, {"deg", "deg"},       {"degs", "deg"},       {"degree", "deg"},
-    {"degrees", "deg"},     {"rad", "rad"},       {"rads", "rad"},       {"radian", "rad"},
-    {"radians", "rad"},     {"inch", "in"},       {"inches", "in"},      {"foot", "ft"},
-    {"feet", "ft"},         {"meter", "m"},       {"meters", "m"},       {"metre", "m"},
-    {"metres", "m"},        {"millimeter", "mm"}, {"millimeters", "mm"}, {"millimetre", "mm"},
-    {"millimetres", "mm"},  {"centimeter", "cm"}, {"centimeters", "cm"}, {"centimetre", "cm"},
-    {"centimetres", "cm"},  {"sec", "s"},         {"secs", "s"},         {"second", "s"},
-    {"seconds", "s"},       {"mins", "min"},      {"minute", "min"},     {"minutes", "min"},
-    {"hour", "h"},          {"hours", "h"},       {"kilogram", "kg"},    {"kilograms", "kg"},
-    {"kgs", "kg"},          {"gram", "g"},        {"grams", "g"},        {"lbs", "lb"},
-    {"newton", "N"},        {"newtons", "N"},     {"pascal", "Pa"},      {"joule", "J"},
-    {"joules", "J"},        {"watt", "W"},        {"watts", "W"},        {"bar", "bar"},
-    {"bars", "bar"},        {"psi", "psi"},       {"slugs", "slug"}};
+    {"revolutions", "rev"}, {"deg", "deg"},       {"degs", "deg"},       {"degca", "deg"},
+    {"cad", "deg"},         {"degree", "deg"},    {"degrees", "deg"},    {"rad", "rad"},
+    {"rads", "rad"},        {"radian", "rad"},    {"radians", "rad"},    {"inch", "in"},
+    {"inches", "in"},       {"foot", "ft"},       {"feet", "ft"},        {"meter", "m"},
+    {"meters", "m"},        {"metre", "m"},       {"metres", "m"},       {"millimeter", "mm"},
+    {"millimeters", "mm"},  {"millimetre", "mm"}, {"millimetres", "mm"}, {"centimeter", "cm"},
+    {"centimeters", "cm"},  {"centimetre", "cm"}, {"centimetres", "cm"}, {"sec", "s"},
+    {"secs", "s"},          {"second", "s"},      {"seconds", "s"},      {"mins", "min"},
+    {"minute", "min"},      {"minutes", "min"},   {"hour", "h"},         {"hours", "h"},
+    {"kilogram", "kg"},     {"kilograms", "kg"},  {"kgs", "kg"},         {"gram", "g"},
+    {"grams", "g"},         {"lbs", "lb"},        {"newton", "N"},       {"newtons", "N"},
+    {"pascal", "Pa"},       {"joule", "J"},       {"joules", "J"},       {"watt", "W"},
+    {"watts", "W"},         {"bar", "bar"},       {"bars", "bar"},       {"psi", "psi"},
+    {"slugs", "slug"}};
 
 /* Two units in one word; an exponent belongs to the second. */
 static const struct {

@@ -4,118 +4,16 @@
 */
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/number.h"
 #include "reader.h"
-
-static int is_blank(int c)
-{
-    return c == ' ' || c == '\t';
-}
-
-/* Where a number starts after a blank, as the value in "20 deg 32 bar"; the text's length if there is
-** none. */
-static size_t second_number(text t)
-{
-    size_t i;
-
-    for (i = 1; i < t.length; i++)
-        if (is_blank(t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]))
-            break;
-    return t.length ? i : 0;
-}
 
 /* 1 if an item follows a digit and a comma, without a blank, as 5 does in 1,5. */
 static int follows_comma(text item, text whole)
 {
     return item.start - whole.start > 1 && item.start[-1] == ',' &&
            strchr("0123456789", item.start[-2]) != NULL;
-}
-
-/* The value of a point. */
-static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
-{
-    unit u;
-    double y;
-
-    if (!flk_values_number(p, s, &t, q, &y) || !flk_values_unit(p, s, t, q, &u))
-        return 0;
-    result->y[0] = flk_unit_to_si(y, u);
-    result->has_unit = flk_text_trim(t).length > 0;
-    result->unit_to_si = flk_unit_to_si(1, u);
-    return flk_values_size(p, s, q, result->y[0]);
-}
-
-static const char *example_of(quantity q)
-{
-    return q == QUANTITY_PRESSURE ? "20 deg 32 bar"
-           : q == QUANTITY_FORCE  ? "20 deg (43, 25) N"
-                                  : "20 deg 3 N m";
-}
-
-/* Read the next item of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units. */
-static int read_point(parser *p, setting *s, text t, quantity q, point *result)
-{
-    double x;
-    unit u;
-    text item = t, angle;
-    size_t i;
-
-    if (!flk_values_number(p, s, &t, QUANTITY_ANGLE, &x))
-        return 0;
-    i = second_number(t);
-    if (i >= t.length && follows_comma(item, s->value))
-        return flk_mistake(p->mistakes, s->place,
-                           "'%t': a comma as decimal mark? write a point, and a blank after the "
-                           "comma between two points of a curve",
-                           s->value);
-    if (i >= t.length)
-        return flk_mistake(p->mistakes, s->place,
-                           "expected an angle and a value, such as %s, not '%t'", example_of(q),
-                           s->value);
-    angle = t;
-    angle.length = i;
-    t = flk_text_from(t, i);
-    if (!flk_values_unit(p, s, angle, QUANTITY_ANGLE, &u))
-        return 0;
-    result->x = flk_unit_to_si(x, u);
-    result->place = s->place;
-    if (!flk_values_size(p, s, QUANTITY_ANGLE, result->x))
-        return 0;
-    return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
-                               : read_value(p, s, t, q, result);
-}
-
-/* Read two columns of bare numbers in the deck's units, separated by blanks or a comma. */
-static size_t read_curve_file(parser *p, setting *s, quantity q, text name, point *points,
-                              text contents)
-{
-    setting row = *s;
-    text line;
-    size_t n = 0;
-
-    row.place.source = flk_reader_copy(p, name, "");
-    row.place.line = 0;
-    contents = flk_text_without_mark(contents);
-    while (!p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
-        const char *comma;
-
-        row.place.line++;
-        row.value = flk_line_without_comment(line);
-        if (!row.value.length)
-            continue;
-        comma = memchr(row.value.start, ',', row.value.length);
-        if (comma) {
-            char *copy = flk_reader_copy(p, row.value, "");
-
-            if (!copy)
-                break;
-            copy[comma - row.value.start] = ' ';
-            row.value.start = copy;
-        }
-        n += read_point(p, &row, row.value, q, &points[n]) != 0;
-    }
-    s->is_bare = row.is_bare;
-    return n;
 }
 
 int flk_curve_text_file(text value, text *name)
@@ -126,28 +24,6 @@ int flk_curve_text_file(text value, text *name)
         return 0;
     if (name)
         *name = flk_text_trim(after);
-    return 1;
-}
-
-/* file NAME */
-static int load_curve(parser *p, setting *s, quantity q, text name)
-{
-    char file[1024];
-    size_t before = p->mistakes->count;
-    unsigned long length;
-    text contents = {NULL, 0};
-
-    name = flk_text_unquoted(name);
-    if (p->load && name.length && name.length < sizeof file)
-        contents.start = p->load(p->host, flk_text_copy(name, file, sizeof file), &length);
-    if (!contents.start)
-        return flk_mistake(p->mistakes, s->place, "cannot read the file '%t'", name);
-    contents.length = length;
-    s->curve = flk_reader_keep(p, (flk_text_count(contents, '\n') + 1) * sizeof *s->curve);
-    if (s->curve)
-        s->n_points = read_curve_file(p, s, q, name, s->curve, contents);
-    if (p->mistakes->count > before)
-        s->curve = NULL;
     return 1;
 }
 
@@ -181,7 +57,7 @@ static int is_constant(text value, quantity q)
     next_item(&rest, &item);
     if (!flk_text_cut(item, " at ", &size, &angle))
         size = item;
-    return !rest.start && (size.start[0] == '(' || second_number(size) >= size.length);
+    return !rest.start && (size.start[0] == '(' || flk_curve_point_value(size) >= size.length);
 }
 
 static int read_constant(parser *p, setting *s, quantity q)
@@ -197,6 +73,32 @@ static int read_constant(parser *p, setting *s, quantity q)
     return 1;
 }
 
+/* Note values in bare numbers, unless the deck says in which unit these are.  Returns 1. */
+static int note_unit(parser *p, const setting *s, quantity q)
+{
+    const char *name = p->d->units[q].name;
+    double largest = 0;
+    size_t i;
+
+    if (IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name)))
+        return 1;
+    for (i = 0; s->curve && i < s->n_points; i++) {
+        if (s->curve[i].has_unit)
+            return 1;
+        largest = GSL_MAX(largest, gsl_hypot(s->curve[i].y[0], s->curve[i].y[1]));
+    }
+    if (largest > 0)
+        flk_mistake(NOTES(p), s->place,
+                    "the values of this curve are read as %s, the largest as %g %s: give their "
+                    "unit, such as '%s'",
+                    name, flk_unit_from_si(largest, p->d->units[q].unit), name,
+                    !flk_curve_text_file(s->value, NULL) ? flk_curve_point_example(q)
+                    : q == QUANTITY_PRESSURE             ? "file card.csv deg bar"
+                    : q == QUANTITY_FORCE                ? "file card.csv deg N"
+                                                         : "file card.csv deg N m");
+    return 1;
+}
+
 int flk_curve_text_read(parser *p, setting *s, quantity q)
 {
     text rest = s->value, item = rest;
@@ -204,7 +106,7 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     point *c;
 
     if (flk_curve_text_file(rest, &item))
-        return load_curve(p, s, q, item);
+        return flk_card_read(p, s, q, item) && note_unit(p, s, q);
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
         return flk_values_piece(p, s, rest, q, &number);
     if (is_constant(rest, q))
@@ -215,12 +117,12 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
 
         if (!item.length && !rest.start)
             break; /* a comma at the very end */
-        if (!read_point(p, s, item, q, &c[s->n_points++]))
+        if (!flk_curve_point_read(p, s, item, q, follows_comma(item, s->value), &c[s->n_points++]))
             return 0;
         if (new->unit_to_si != c->unit_to_si &&new->has_unit != c->has_unit)
             return flk_mistake(p->mistakes, s->place,
                                "either all values of a curve have a unit or none has");
     }
     s->curve = c;
-    return 1;
+    return note_unit(p, s, q);
 }

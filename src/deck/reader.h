@@ -172,6 +172,17 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q);
 /* Sine and cosine, exact for whole quarters of a turn. */
 void flk_vector_direction(double angle, double *x, double *y);
 
+/* Where a number starts after a blank, as the value in "20 deg 32 bar"; the text's length if there is none. */
+size_t flk_curve_point_value(text t);
+
+/* Read a point of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units.  `is_cut`: it may be
+** what follows a decimal comma. */
+int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result);
+const char *flk_curve_point_example(quantity q);
+
+/* Read a curve from a file: NAME, or NAME with the units of its columns; see card.c. */
+int flk_card_read(parser *p, setting *s, quantity q, text name);
+
 /* 1 if a curve is `file NAME`; `name` may be null. */
 int flk_curve_text_file(text value, text *name);
 

@@ -138,6 +138,25 @@ forces engines/inline.deck >from_deck
 check 'a card in a file, relative to the deck' close from_file from_deck
 "$fourlink" -f csv -c theta2,gas_force -b open -i 20 engines/file.deck | tr -d '\r' >gas
 check 'the gas force at 20 deg is that of 32 bar' awk -F, '$2 == 20 {x = $3 - 32e5 * 3.14159265358979 / 4 * 0.0064; exit !(x < 1e-6 && x > -1e-6)}' gas
+# Cards as instruments write them: the same curve from each of these files, in bar.
+engine | sed '/^\[units\]/d;/^pressure = bar/d' >engines/head
+card() { # NAME KEY: the file from standard input, with the value of the key
+    cat >"engines/$1.csv"
+    { cat engines/head; echo "indicator = $2"; } >"engines/$1.deck"
+    forces "engines/$1.deck" >from_card
+    check "$1: $(cat err)" test ! -s err
+    check "the card $1" close from_card from_deck
+}
+printf 'Angle [deg],Pressure [bar]\r\n0,1\r\n20,32\r\n60,8\r\n180,1.5\r\n' | card commas 'file commas.csv'
+printf '\357\273\277"Winkel [\302\260]";"p (bar)"\n0,0;1,0\n"20,0";"32,0"\n60;8\n180,0;1,5;\n' | card semicolons 'file semicolons.csv'
+printf 'Winkel\tDruck\n\260\tbar\n0\t1\n20\t32\n60\t8\n180\t1.5\n' | card tabs 'file tabs.csv'
+printf '0;1\n20;32\n60;8\n180;1,5\n' | card told 'file told.csv deg bar'
+printf '0 1\n20 32\n60 8\n180 1.5\n' | card one_unit 'file one_unit.csv bar'
+# 45 without a unit are pascals, which is said
+sed 's/ bar$//' engines/one_unit.deck >engines/bare.deck
+run 0 engines/bare.deck
+says "engines/bare.deck:15: note: the values of this curve are read as Pa, the largest as 32 Pa: give their unit, such as 'file card.csv deg bar'"
+
 # The gas as a force on the piston: area times pressure, towards the crank.
 area=$(awk 'BEGIN {printf "%.17g", 3.14159265358979323846 / 4 * 0.0064 * 1e5}')
 { engine | sed '/^\[gas\]/,$d'; printf '[load]\nlink = piston\nforce = '
