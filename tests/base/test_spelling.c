@@ -93,7 +93,7 @@ static void test_room(void **unused)
 
     (void)unused;
     for (i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
-        char typed[700] = "", out[SPELLING_SIZE(700)];
+        char typed[800] = "", out[SPELLING_SIZE(800)];
 
         for (k = 0; k < 100; k++)
             strcat(typed, pieces[i]);

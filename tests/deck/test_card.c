@@ -195,13 +195,54 @@ static void test_bare_numbers(void **unused)
     check_note(ENGINE "indicator = 0 0, 90 0\n", NULL, 0, NULL);
 }
 
+/* Files of any contents: a curve, or mistakes with lines of the file. */
+static void test_random_files(void **unused)
+{
+    static const char likely[] =
+        "0123456789012345..,,;;\t\t  \"#[]()/-\n\n\n\n\rdegbar\260\302\267^*e";
+    static const char *const keys[] = {"file card.csv", "file card.csv deg bar"};
+    uint64_t seed = 14;
+    int i, good = 0;
+
+    (void)unused;
+    for (i = 0; i < 20000; i++) {
+        char contents[400], file[120];
+        size_t n = (size_t)uniform(&seed, 0, sizeof file), k, lines = 1;
+        deck d;
+
+        for (k = 0; k + 1 < n; k++) {
+            file[k] = i % 4 ? likely[(size_t)uniform(&seed, 0, sizeof likely - 1)]
+                            : (char)(1 + (unsigned char)uniform(&seed, 0, 255));
+            lines += file[k] == '\n';
+        }
+        file[k] = '\0';
+        if (i % 8 == 1) /* often a curve */
+            sprintf(file, "%d%s%d\n%d;%d\n", i % 90, i % 3 ? ";" : ",", i, 91 + i % 100, i % 7);
+        sprintf(contents, ENGINE "indicator = %s\n", keys[i % 2]);
+        {
+            fourlink_source source = deck_source(contents);
+
+            source.load = load_text;
+            source.host = file;
+            good += flk_deck_read(&source, &d) == 1;
+        }
+        for (k = 0; k < d.mistakes.count; k++)
+            if (strcmp(d.mistakes.list[k].place.source, "card.csv") == 0)
+                assert_in_range(d.mistakes.list[k].place.line, 1, lines + 2);
+        for (k = 0; k < 20 && d.gas.indicator.n; k++)
+            assert_true(fabs(flk_curve_value(&d.gas.indicator, (double)k)) <= FOURLINK_NUMBER_MAX);
+        flk_deck_free(&d);
+    }
+    print_message("%d in order\n", good);
+    assert_in_range(good, 500, 19000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_bare_numbers),
+        cmocka_unit_test(test_forms),        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_missing),      cmocka_unit_test(test_bare_numbers),
+        cmocka_unit_test(test_random_files),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1269,6 +1269,15 @@ static void mutate(const char *original, size_t size, uint64_t seed)
         "cycle = 1e-9\n",
         "[motion]\n",
         "99999999999999999999",
+        "\342\210\222",
+        "\302\240",
+        "\302\260",
+        "\303\22710\302\263",
+        "*10^-3",
+        " %",
+        "mid",
+        "uniform = yes\n",
+        "0 (1, 2), 90 (3, 4)",
     };
     char contents[MUTANT_SIZE], piece[64];
     int i, good = 0, bad = 0;
