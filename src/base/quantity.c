@@ -7,6 +7,7 @@
 #include "fourlink.h"
 #include "number.h"
 #include "quantity.h"
+#include "spelling.h"
 
 /* The name of a quantity of this dimension, or null. */
 static const char *words_of(dimension dim)
@@ -203,11 +204,21 @@ static double last_digit(text t)
     return digit;
 }
 
+/* Longer texts are no quantities. */
+#define LONGEST 200
+
 int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value *value,
                       char message[MESSAGE_SIZE])
 {
-    text rest = t;
+    char plain[SPELLING_SIZE(LONGEST)];
+    int is_whole = t.start == whole.start;
+    text rest;
 
+    if (t.length <= LONGEST && !flk_spelling_is_plain(t)) {
+        t = flk_spelling_plain(t, plain);
+        whole = is_whole ? t : whole;
+    }
+    rest = t;
     if (!flk_quantity_number(&rest, whole, q, &value->number, message) ||
         !flk_quantity_unit(rest, whole, q, bare, &value->unit, message))
         return 0;

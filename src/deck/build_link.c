@@ -94,6 +94,16 @@ static void build_stroke(parser *p)
         link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
 
+/* 1 if a link that need not have a length is given none. */
+static int is_without_length(parser *p, const flk_kind *kind, int number)
+{
+    section_code section = flk_find_section(flk_text_of(kind->link[number]));
+    const section_use *use = flk_section_find(p, section, NULL);
+
+    return kind->has_length[number] != FLK_LENGTH && !(use && use->has_unknown) &&
+           !IS_SET(flk_setting_by_name(p, section, "length"));
+}
+
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
 {
     double length = p->d->design.link[link].length;
@@ -105,7 +115,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
         return;
     at->x *= length;
     at->y *= length;
-    if (!(length > 0) && kind->has_length[link] != FLK_LENGTH)
+    if (is_without_length(p, kind, link))
         flk_mistake(p->mistakes, s->place,
                     "'%t' is a part of the length, and the %s has none: give the point in a unit "
                     "of length",
@@ -133,6 +143,12 @@ static body find_body(parser *p, section_code section)
     return b;
 }
 
+static void check_inertia(parser *p, const setting *s, const fourlink_link *link)
+{
+    if (link->inertia > FOURLINK_NUMBER_MAX)
+        flk_mistake(p->mistakes, s->place, "the resulting moment of inertia is out of range");
+}
+
 /* A uniform slender bar between the ends of the link:
 **
 **    x_G = L / 2,  I_G = m L^2 / 12
@@ -140,21 +156,23 @@ static body find_body(parser *p, section_code section)
 static void build_bar(parser *p, const flk_kind *kind, const body *b, int number)
 {
     fourlink_link *link = &p->d->design.link[number];
-    const setting *others[4];
+    const setting *others[5];
     int i;
 
     others[0] = b->cg;
     others[1] = b->gyration;
     others[2] = b->inertia;
     others[3] = b->period;
-    for (i = 0; i < 4; i++)
+    others[4] = b->pin;
+    for (i = 0; i < 5; i++)
         if (IS_SET(others[i]))
             flk_mistake(p->mistakes, others[i]->place,
                         "a uniform link has its centre of mass at mid-length and the inertia of a "
                         "bar: give either 'uniform' or the others");
     link->cg.x = link->length / 2;
     link->inertia = link->mass * link->length * link->length / 12;
-    if (!(link->length > 0) && kind->has_length[number] != FLK_LENGTH)
+    check_inertia(p, b->uniform, link);
+    if (is_without_length(p, kind, number))
         flk_mistake(p->mistakes, b->uniform->place, "a uniform %s needs a length",
                     kind->link[number]);
 }
@@ -190,8 +208,8 @@ static void build_inertia(parser *p, const body *b, int number, int lacks_keys)
         link->inertia = link->mass * b->gyration->si[0] * b->gyration->si[0]; /* I = m k^2 */
     if (b->period->si[0] > 0 && !p->lacks_values && !(lacks_keys && !IS_SET(b->pin)))
         build_swing(p, b->period, b->pin, number);
-    if (IS_SET(other) && link->inertia > FOURLINK_NUMBER_MAX)
-        flk_mistake(p->mistakes, other->place, "the resulting moment of inertia is out of range");
+    if (IS_SET(other))
+        check_inertia(p, other, link);
     if (!IS_SET(b->period) && IS_SET(b->pin) && !lacks_keys)
         flk_mistake(p->mistakes, b->pin->place, "a swing_pin needs a swing_period");
 }

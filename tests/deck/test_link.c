@@ -118,6 +118,15 @@ static void test_refused(void **unused)
                   "expected no or yes, not '1'");
     check_mistake(INVERTED "mass = 1 kg\nuniform = yes\n", NULL, 8,
                   "a uniform lever needs a length");
+    check_mistake(INVERTED "mass = 1 kg\nuniform = yes\nlenth = 3 mm\nangle = 30 deg\n", NULL, 9,
+                  "unknown key 'lenth' in [lever]; did you mean 'length'?");
+    check_mistake(INVERTED "mass = 1 kg\nuniform = yes\nlength = 3 kg\nangle = 30 deg\n", NULL, 9,
+                  "'3 kg' is a mass; expected a length, such as 80 mm");
+    check_mistake(FOUR_BAR LENGTH "mass = 1 kg\nuniform = yes\nswing_pin = end\n", NULL, 12, bar);
+    check_mistake("mechanism = four-bar\n[ground]\nlength = 1e10 m\n[crank]\nlength = 1e10 m\n"
+                  "[rocker]\nlength = 1e10 m\n[coupler]\nlength = 1e10 m\nmass = 1e20 kg\n"
+                  "uniform = yes\n",
+                  NULL, 11, "the resulting moment of inertia is out of range");
     check_mistake(INVERTED "mass = 1 kg\ncg = mid\n", NULL, 8,
                   "'mid' is a part of the length, and the lever has none: give the point in a unit "
                   "of length");
