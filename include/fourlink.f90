@@ -591,6 +591,14 @@ module fourlink
       type(c_ptr), value :: results
     end function fourlink_results_deck
 
+    integer(c_int) function fourlink_results_notes(results, max_notes, notes, n_notes) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_long), value :: max_notes
+      type(fourlink_mistake), intent(inout) :: notes(*)
+      integer(c_long), intent(inout) :: n_notes
+    end function fourlink_results_notes
+
     ! The list is an array of n fourlink_value, for c_f_pointer.
     integer(c_int) function fourlink_results_list(results, which, list, n) bind(c)
       import

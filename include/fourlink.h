@@ -423,7 +423,9 @@ typedef struct fourlink_row {
 /* A deck that has been read, from fourlink_deck_read to fourlink_deck_free. */
 typedef struct fourlink_deck fourlink_deck;
 
-/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE". */
+/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE", or a note on what is
+** allowed but probably not meant: "FILE:LINE: note: MESSAGE".  The line is 0 for an assignment from
+** outside the deck. */
 typedef struct fourlink_mistake {
     char file[1024];   /* a file that the deck names, the answers, or a change; "": the deck */
     long line;         /* from 1; 0: in a change, not in a file */
@@ -1173,6 +1175,21 @@ FOURLINK_API void fourlink_results_free(fourlink_results *results);
 
 /* The deck of results, for the functions above; valid as long as the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
+
+/* The notes on a deck: what is allowed, but probably not meant, such as a link with a mass and no
+** place of its centre of mass.
+**
+** Given:
+**    results    from fourlink_results_open
+**    max_notes  size of `notes`
+** Returned:
+**    notes      the first of them, in the order of the lines; may be null if max_notes is 0
+**    n_notes    how many there are, which may exceed max_notes; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigned long max_notes,
+                                        fourlink_mistake *notes, unsigned long *n_notes);
 
 /* A list of names: columns, inputs, variables and outputs of a sweep.
 **

@@ -19,7 +19,7 @@ const char *const options_help[] = {
     "",
     "  -f, --format=table|csv|json|paper format of the output (default: table)",
     "  -o, --output=FILE                 write to FILE, replaced only when complete",
-    "  -b, --branch=open|crossed|both    assembly mode (default: both)",
+    "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
     "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",

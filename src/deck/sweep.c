@@ -374,7 +374,7 @@ static double read_variations(parser *p, variation *list, double samples, unsign
             continue;
         memset(v, 0, sizeof *v);
         v->name = named->name;
-        v->value = named->value;
+        v->value = flk_reader_plain(p, named->value);
         v->place = named->place;
         if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
             continue;

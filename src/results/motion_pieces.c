@@ -77,6 +77,7 @@ static void offer_loads(search *s)
     offer_curve(s, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
         offer_curve(s, &d->variations[i].torque);
+        offer_curve(s, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
             offer_angle(s, d->variations[i].from, d->cycle, FLK_END_PLAIN);
             offer_angle(s, d->variations[i].to, d->cycle, FLK_END_PLAIN);

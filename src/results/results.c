@@ -213,7 +213,7 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
         return FOURLINK_OK;
     }
     flk_mistakes_sort(&r->d.mistakes);
-    flk_deck_give_mistakes(&r->d, max_mistakes, list, n_mistakes);
+    flk_deck_give_mistakes(&r->d.mistakes, max_mistakes, list, n_mistakes);
     fourlink_results_free(r);
     return FOURLINK_BAD_DECK;
 }
@@ -263,6 +263,15 @@ static void fill(fourlink_results *r, int which)
         flk_list_columns(&r->a, list);
     else if (which == FOURLINK_INPUTS)
         flk_list_inputs(&r->d, list, r->names + names * DECK_NAME_SIZE);
+}
+
+int fourlink_results_notes(const fourlink_results *r, unsigned long max_notes,
+                           fourlink_mistake *notes, unsigned long *n_notes)
+{
+    if (!r || (!notes && max_notes))
+        return FOURLINK_NULL;
+    flk_deck_give_mistakes(&r->d.notes, max_notes, notes, n_notes);
+    return FOURLINK_OK;
 }
 
 int fourlink_results_list(fourlink_results *r, int which, const fourlink_value **list,

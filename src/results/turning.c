@@ -155,7 +155,7 @@ static size_t most_cuts(const deck *d)
     size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n, i;
 
     for (i = 0; i < d->n_loads; i++)
-        n += d->variations[i].torque.n + 2;
+        n += d->variations[i].torque.n + d->variations[i].force[0].n + 2;
     return n;
 }
 
@@ -178,6 +178,7 @@ static void cut(moment *m)
     cut_at_curve(m, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
         cut_at_curve(m, &d->variations[i].torque);
+        cut_at_curve(m, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
             cut_at(m, d->variations[i].from);
             cut_at(m, d->variations[i].to);

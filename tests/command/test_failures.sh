@@ -13,7 +13,7 @@ nothing
 says 'bad.deck:5: error: the length must be positive, not -20 mm'
 says "bad.deck:7: error: unknown key 'lenght' in [coupler]; did you mean 'length'?"
 says "bad.deck:9: error: '56 kg' is a mass; expected a length"
-lines err 4
+lines err 3
 cut -d: -f2 err >numbers
 sort -n numbers >sorted
 same numbers sorted
