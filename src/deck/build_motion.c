@@ -95,6 +95,15 @@ static void check_speed(parser *p)
                     speed->value, speed->value, speed->value);
 }
 
+/* A cycle is at least an interval long, or curves and windows would repeat within a row. */
+static void check_cycle(parser *p, double cycle)
+{
+    const setting *s = flk_setting_find(p, KEY_MOTION_CYCLE);
+
+    if (IS_SET(s) && cycle < p->d->motion.interval)
+        flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
+}
+
 void flk_build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -120,6 +129,7 @@ void flk_build_motion(parser *p)
         return;
     }
     cycle = angle_or(p, KEY_MOTION_CYCLE, whole(flk_unit_from_si(2 * M_PI, *u)));
+    check_cycle(p, cycle);
     turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));

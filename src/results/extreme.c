@@ -82,6 +82,31 @@ static int is_reached(const flk_search *x)
     return row.at.status == FOURLINK_OK;
 }
 
+/* Of a motion that repeats the first period and the last are searched. */
+static void skip_periods(flk_search *x)
+{
+    x->period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
+    x->skipped = 0;
+    if (x->length < 3 * x->period)
+        return;
+    x->skipped = x->period * (floor(x->length / x->period) - 2);
+    x->length -= x->skipped;
+}
+
+/* Angles that turn with the crank have turned as often in each period that is skipped. */
+static void skip_turns(flk_search *x)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++) {
+        flk_tracked *t = &x->columns[c];
+        double turns = floor((t->last - t->first) / t->turn + 0.5);
+
+        if (t->turn > 0 && !t->restarts && !gsl_isnan(turns))
+            t->last += t->turn * turns * floor(x->skipped / x->period + 0.5);
+    }
+}
+
 static void start(flk_search *x, double *memory)
 {
     size_t c;
@@ -90,6 +115,7 @@ static void start(flk_search *x, double *memory)
     x->values = memory + FLK_SEARCH_MOST_SAMPLES;
     x->columns = (flk_tracked *)(void *)(x->values + FLK_SEARCH_MOST_SAMPLES * x->n_columns);
     x->length = flk_pieces_length(x->a);
+    skip_periods(x);
     x->from = x->a->d->motion.from;
     x->end = flk_analysis_end(x->a);
     x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
@@ -184,7 +210,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
         x.low = x.high = 0;
         search_stretch(&x, 0);
     }
-    while (flk_pieces_next(a, &x.piece)) {
+    while (flk_pieces_next(a, x.length, x.period, &x.piece)) {
         int reached = is_reached(&x);
 
         search_piece(&x, reached);
@@ -193,8 +219,11 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
                 !(flk_column_flags(x.columns[c].c) & FOURLINK_OF_CRANK)) {
                 flk_search_commit(&x.columns[c], 0);
                 x.columns[c].last = GSL_NAN;
+                x.columns[c].restarts = 1;
             }
         has_gap |= !reached;
+        if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)
+            skip_turns(&x);
     }
     finish(&x, has_gap);
 }

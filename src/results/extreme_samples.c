@@ -40,7 +40,9 @@ double flk_search_passed(const flk_search *x, double s)
 
 double flk_search_angle(const flk_search *x, double passed)
 {
-    return passed >= x->length ? x->end : x->from + x->per_rad * passed;
+    if (passed >= x->length)
+        return x->end;
+    return x->from + x->per_rad * (passed > x->period ? passed + x->skipped : passed);
 }
 
 double flk_search_corner(const flk_search *x, double s)
@@ -273,6 +275,7 @@ void flk_search_follow(flk_search *x, flk_tracked *t, double *values)
         if (gsl_isnan(values[i]) ||
             (!gsl_isnan(t->last) && flk_search_turns_over(t, t->last, values[i]))) {
             flk_search_commit(t, 0);
+            t->restarts |= !gsl_isnan(t->last);
             t->last = values[i];
             continue;
         }

@@ -29,6 +29,7 @@ typedef struct flk_tracked {
     double turn;      /* of an angle: a turn in its unit; else 0 */
     double last;      /* value from which an angle goes on; NaN: it starts anew */
     double first;     /* value at the first row */
+    int restarts;     /* 1: it started anew after that */
     double size;      /* largest magnitude of the samples */
     double bound;     /* magnitude beyond which it is infinite */
     int is_noise;     /* 1: a measure of rounding */
@@ -54,7 +55,9 @@ typedef struct flk_search {
     flk_tracked *columns;
     int has_noise; /* 1: a column measures rounding, so samples come from the deck's own solver */
     double from, end; /* first and last angle of the motion, in the deck's unit */
-    double length;    /* of the motion, rad */
+    double length;    /* of the motion, rad, but for the whole periods that are skipped, */
+    double skipped;   /* rad, */
+    double period;    /* after the first of them */
     double per_rad;   /* the deck's unit of angle for 1 rad passed, with sign */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */

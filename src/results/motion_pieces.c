@@ -31,13 +31,6 @@ double flk_pieces_length(const flk_analysis *a)
     return fabs(flk_analysis_end(a) - a->d->motion.from) * a->d->motion.angle_unit;
 }
 
-double flk_pieces_angle(const flk_analysis *a, double passed)
-{
-    return passed >= flk_pieces_length(a)
-               ? flk_analysis_end(a)
-               : a->d->motion.from + direction(a) * passed / a->d->motion.angle_unit;
-}
-
 static void offer(search *s, double passed, flk_piece_end end)
 {
     double closest = CLOSEST + 1e-14 * passed;
@@ -124,9 +117,9 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 }
 
 /* The next end behind `after`. */
-static double next_end(const flk_analysis *a, double after, flk_piece_end *end)
+static double next_end(const flk_analysis *a, double length, double period, double after,
+                       flk_piece_end *end)
 {
-    double length = flk_pieces_length(a);
     search s;
 
     s.a = a;
@@ -137,6 +130,7 @@ static double next_end(const flk_analysis *a, double after, flk_piece_end *end)
     offer_positions(&s);
     if (a->d->motion.run_up > 0)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
+    offer(&s, period, FLK_END_PLAIN);
     if (s.at >= length - CLOSEST - 1e-14 * length) {
         *end = s.at <= length + CLOSEST + 1e-14 * length ? s.end : FLK_END_PLAIN;
         *end = join(end_of_motion(a, flk_analysis_end(a)), *end);
@@ -159,14 +153,12 @@ static flk_piece_end first_end(const flk_analysis *a)
     return join(end_of_motion(a, a->d->motion.from), s.at > CLOSEST ? FLK_END_PLAIN : s.end);
 }
 
-int flk_pieces_next(const flk_analysis *a, flk_piece *piece)
+int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece)
 {
-    double length = flk_pieces_length(a);
-
     if (piece->to >= length)
         return 0;
     piece->begin = piece->to > 0 ? piece->end : first_end(a);
     piece->from = piece->to;
-    piece->to = next_end(a, piece->from, &piece->end);
+    piece->to = next_end(a, length, period, piece->from, &piece->end);
     return 1;
 }

@@ -23,11 +23,11 @@ typedef struct flk_piece {
     flk_piece_end begin, end;
 } flk_piece;
 
-/* The length of a deck's motion, and the crank angle after a part of it, in the deck's unit. */
+/* The length of a deck's motion, rad. */
 double flk_pieces_length(const flk_analysis *a);
-double flk_pieces_angle(const flk_analysis *a, double passed);
 
-/* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0. */
-int flk_pieces_next(const flk_analysis *a, flk_piece *piece);
+/* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0.  Another length than that of
+** the motion leaves whole periods out; a piece ends after the first of them. */
+int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece);
 
 #endif
