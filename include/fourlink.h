@@ -528,7 +528,8 @@ typedef struct fourlink_value {
 enum {
     FOURLINK_OF_CRANK = 1,    /* of the crank alone: has a value at every crank angle */
     FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
-    FOURLINK_OF_ROUNDING = 4  /* a measure of rounding */
+    FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
+    FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
 
 /* The lists of fourlink_results_list. */

@@ -178,10 +178,12 @@ const sheet_format csv_format = {
     put_fact,                                                                     /* fact */
     NULL,                                                                         /* block */
     put_row,                                                                      /* row */
+    NULL,                                                                         /* end_block */
     put_check,                                                                    /* check */
     put_design,                                                                   /* design */
     refuse,                                                                       /* refuse */
     NULL,                                                                         /* close */
     sizeof(long),                                                                 /* layout_size */
-    0                                                                             /* is_by_angle */
+    0,                                                                            /* is_by_angle */
+    0                                                                             /* is_brief */
 };

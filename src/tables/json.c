@@ -343,10 +343,12 @@ const sheet_format json_format = {
     put_fact,                                             /* fact */
     put_block,                                            /* block */
     put_row,                                              /* row */
+    NULL,                                                 /* end_block */
     put_check,                                            /* check */
     put_design,                                           /* design */
     refuse,                                               /* refuse */
     close_deck,                                           /* close */
     0,                                                    /* layout_size */
-    0                                                     /* is_by_angle */
+    0,                                                    /* is_by_angle */
+    0                                                     /* is_brief */
 };

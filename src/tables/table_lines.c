@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "head.h"
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
@@ -24,28 +25,17 @@ void table_put_head(sheet *s)
         line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
-    sheet_write_title(s);
-    sheet_write_mechanism(s);
-    if (s->content == SHEET_SUMMARY)
-        line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit",
-                 "theta2", s->angle_unit, "branch");
+    if (s->content != SHEET_SUMMARY) {
+        head_put_all(s);
+        return;
+    }
+    head_put_title(s);
+    head_put_kind(s);
+    line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit", "theta2",
+             s->angle_unit, "branch");
 }
 
 /* -------------------------------------------------------------------------------------------- facts */
-
-static void put_fact_in_head(sheet *s, const fourlink_value *f)
-{
-    line_put(&s->l, "# %s", f->name);
-    if (f->branch)
-        line_put(&s->l, " (%s)", fourlink_branch_text(f->branch));
-    if (f->words)
-        line_put(&s->l, ": %s", f->words);
-    else
-        line_put(&s->l, ": %9g%s%s", f->value, blank(f->unit), unit_after(f->unit));
-    if (f->has_angle)
-        line_put(&s->l, " at theta2 = %9g", f->angle);
-    line_put(&s->l, "\n");
-}
 
 static void put_fact_of_summary(sheet *s, const fourlink_value *f)
 {
@@ -64,9 +54,7 @@ void table_put_fact(sheet *s, const fourlink_value *f)
 {
     if (s->content == SHEET_SUMMARY) {
         put_fact_of_summary(s, f);
-    } else if (s->content == SHEET_ROWS) {
-        put_fact_in_head(s, f);
-    } else {
+    } else if (s->content == SHEET_LIST) {
         if (!s->list)
             line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
         s->list = "facts";
@@ -129,7 +117,7 @@ void table_begin(sheet *s)
 {
     if (s->content != SHEET_DESIGNS)
         return;
-    sheet_write_title(s);
+    head_put_title(s);
     put_heading(s, 0);
     put_heading(s, 1);
 }

@@ -26,7 +26,7 @@ for length in 18 20 22; do
             lines of_sweep 18
             run 0 "$@" single.deck
             # but for the four lines of extremes, which a sweep leaves to max() and min()
-            awk '/^#.*  (max|min)$/ {getline; next} {print}' out >without && mv without out
+            awk '/^# +(max|min|at) / {next} {print}' out >without && mv without out
             awk -v n=$n '/^# design /{on = $3 == n ":"; next} on' table | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}' >of_sweep
             same out of_sweep
         done

@@ -76,7 +76,8 @@ static void check_descriptions(const char *contents, unsigned long at_least)
     assert_int_equal(column_of(r, "omega2")->flags, FOURLINK_OF_CRANK);
     assert_int_equal(column_of(r, "theta3")->flags, 0);
     if (column_of(r, "residual"))
-        assert_int_equal(column_of(r, "residual")->flags, FOURLINK_OF_ROUNDING);
+        assert_int_equal(column_of(r, "residual")->flags,
+                         FOURLINK_OF_ROUNDING | FOURLINK_OF_FORCES);
     fourlink_results_free(r);
 }
 
