@@ -2,6 +2,7 @@
 **
 ** sheet.c - the contents of a sheet of results, for all formats.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -165,6 +166,33 @@ void sheet_write_stop(sheet *s, fourlink_branch branch)
     s->format->row(s, &row);
 }
 
+void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
+{
+    const fourlink_value *inputs;
+    unsigned long n, i;
+
+    fourlink_results_list(s->results, FOURLINK_INPUTS, &inputs, &n);
+    for (i = 0; i < n; i++)
+        put(s, &inputs[i]);
+}
+
+static int is_near(double x, double y)
+{
+    return x == y || fabs(x - y) <= 1e-7 * GSL_MAX_DBL(fabs(x), fabs(y));
+}
+
+/* 1 if a fact is the same on the other branch. */
+static int is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (f->branch && facts[i].branch == -f->branch && strcmp(f->name, facts[i].name) == 0)
+            return !f->words && is_near(f->value, facts[i].value) &&
+                   f->has_angle == facts[i].has_angle && is_near(f->angle, facts[i].angle);
+    return 0;
+}
+
 static void write_facts(sheet *s, int branch, int groups)
 {
     const fourlink_value *facts;
@@ -173,8 +201,16 @@ static void write_facts(sheet *s, int branch, int groups)
     if (!s->format->fact)
         return;
     fourlink_results_facts(s->results, branch, groups, &facts, &n);
-    for (i = 0; i < n; i++)
-        s->format->fact(s, &facts[i]);
+    for (i = 0; i < n; i++) {
+        fourlink_value f = facts[i];
+
+        if (s->format->is_brief && is_on_both(&f, facts, n)) {
+            if (f.branch == FOURLINK_CROSSED)
+                continue;
+            f.branch = 0;
+        }
+        s->format->fact(s, &f);
+    }
 }
 
 /* Write the rows of a branch, once for each page. */

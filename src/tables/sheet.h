@@ -138,6 +138,9 @@ long sheet_column_under(const sheet *s, unsigned long i);
 /* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);
 
+/* Give the deck's inputs to a function of the format. */
+void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
+
 /* Write where the crank comes to rest, if it does. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 

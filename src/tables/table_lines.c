@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "head.h"
+#include "summary.h"
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
@@ -25,35 +26,18 @@ void table_put_head(sheet *s)
         line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
-    if (s->content != SHEET_SUMMARY) {
+    if (s->content == SHEET_SUMMARY)
+        summary_put_inputs(s);
+    else
         head_put_all(s);
-        return;
-    }
-    head_put_title(s);
-    head_put_kind(s);
-    line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit", "theta2",
-             s->angle_unit, "branch");
 }
 
 /* -------------------------------------------------------------------------------------------- facts */
 
-static void put_fact_of_summary(sheet *s, const fourlink_value *f)
-{
-    const char *words = f->words ? f->words : sheet_is_finite(f) ? NULL : SHEET_UNBOUNDED;
-    char value[FORMAT_SIZE] = "", angle[FORMAT_SIZE] = "";
-
-    if (!words)
-        format_general(f->value, 12, value);
-    if (f->has_angle)
-        format_general(f->angle, 10, angle);
-    line_put(&s->l, "%-22s %20s %-8s %14s %-8s %s\n", f->name, value, f->unit, angle,
-             f->branch ? fourlink_branch_text(f->branch) : "", words ? words : f->meaning);
-}
-
 void table_put_fact(sheet *s, const fourlink_value *f)
 {
     if (s->content == SHEET_SUMMARY) {
-        put_fact_of_summary(s, f);
+        summary_put_fact(s, f);
     } else if (s->content == SHEET_LIST) {
         if (!s->list)
             line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
