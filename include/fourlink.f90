@@ -323,6 +323,10 @@ module fourlink
       type(fourlink_mechanism), intent(inout) :: mechanism
     end function fourlink_prepare
 
+    integer(c_int) function fourlink_has_type(kind, type) bind(c)
+      import :: c_int
+      integer(c_int), value :: kind, type
+    end function fourlink_has_type
     integer(c_int) function fourlink_slides(kind, link) bind(c)
       import
       integer(c_int), value :: kind, link

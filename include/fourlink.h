@@ -662,6 +662,9 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
 FOURLINK_API const char *fourlink_type_text(int type);
 
+/* 1 if mechanisms of this kind can have this type. */
+FOURLINK_API int fourlink_has_type(int kind, int type);
+
 /* The crank angles at which the linkage can be assembled, in closed form.
 **
 ** Given:

@@ -229,6 +229,8 @@ const flk_kind flk_slider_crank = {
     "slider-crank",
     {NULL, "ground", "crank", "rod", "piston"},
     {FLK_NO_LENGTH, FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH},
+    FOURLINK_ENGINE,
+    FOURLINK_CHANGE_POINT_SLIDER,
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */
