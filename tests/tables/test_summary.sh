@@ -61,6 +61,10 @@ holds 'power = torque x speed, dE = I Cs omega^2, dE = coefficient x torque x cy
                 close_to(value["energy_fluctuation"],
                          value["energy_coefficient"] * value["mean_torque"] * 4 * pi) &&
                 value["mean_torque"] > 0 && value["flywheel_fluctuation"] == 0.02)}'
+# quick return: crank 100 mm, rod 300 mm, offset 20 mm: (180 + 2.873) deg / (180 - 2.873) deg
+check 'no time ratio without an offset' none '^time_ratio' out
+run 0 -S -s 'ground.offset=20 mm' engine.deck
+holds 'time ratio with an offset' '$1 == "time_ratio" && $2 == 1.03244 && $3 == 1 {n++} END {exit n != 1}'
 # no forces are asked for by the columns, and the turning moment is there all the same
 run 0 -S -c x,v engine.deck
 prints 'mean_torque'
