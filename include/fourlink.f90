@@ -93,7 +93,7 @@ module fourlink
   integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
     fourlink_facts_turning = 4
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
-    fourlink_of_rounding = 4
+    fourlink_of_rounding = 4, fourlink_of_forces = 8
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
@@ -323,6 +323,10 @@ module fourlink
       type(fourlink_mechanism), intent(inout) :: mechanism
     end function fourlink_prepare
 
+    integer(c_int) function fourlink_has_type(kind, type) bind(c)
+      import :: c_int
+      integer(c_int), value :: kind, type
+    end function fourlink_has_type
     integer(c_int) function fourlink_slides(kind, link) bind(c)
       import
       integer(c_int), value :: kind, link

@@ -300,7 +300,8 @@ typedef struct fourlink_limits {
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
-    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; for a lever
+    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; of the two strokes
+                                      of a piston whose line of stroke has an offset; for a lever
                                       that turns fully, of the strokes of a tool whose line of stroke
                                       passes D at right angles to AD; 0: there is none */
     int has_stroke;      /* 1: the piston moves between two dead centres */
@@ -530,7 +531,8 @@ typedef struct fourlink_value {
 enum {
     FOURLINK_OF_CRANK = 1,    /* of the crank alone: has a value at every crank angle */
     FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
-    FOURLINK_OF_ROUNDING = 4  /* a measure of rounding */
+    FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
+    FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
 
 /* The lists of fourlink_results_list. */
@@ -663,6 +665,9 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
 FOURLINK_API const char *fourlink_type_text(int type);
 
+/* 1 if mechanisms of this kind can have this type. */
+FOURLINK_API int fourlink_has_type(int kind, int type);
+
 /* The crank angles at which the linkage can be assembled, in closed form.
 **
 ** Given:
@@ -688,7 +693,7 @@ FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink
 ** Notes:
 ** 1) The rocker of a crank-rocker has limits where crank and coupler are in line.  A mechanism with
 **    a change point has neither limits nor dead centres.
-** 2) time_ratio is the larger crank angle between the limits over the smaller one.
+** 2) time_ratio is the larger crank angle between the limits, or dead centres, over the smaller one.
 ** Reference:
 **    The triangles ACD with AC = b - a and a + b, law of cosines; dead centres where crank and rod
 **    are in line.

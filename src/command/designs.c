@@ -15,6 +15,7 @@
 
 #include "command.h"
 #include "designs.h"
+#include "terminal.h"
 
 static volatile sig_atomic_t stopped_by;
 
@@ -123,6 +124,7 @@ int designs_write(FILE *out, const input *in, int *signal_number)
     s.format = in->o->format;
     s.content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
     s.problem = in->problem;
+    s.width = in->o->wide ? 0 : terminal_width(out);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s.variables, &s.n_variables);
     fourlink_results_list(in->results,
                           in->problem.has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &s.header,

@@ -22,6 +22,7 @@ const char *const options_help[] = {
     "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
     "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
+    "  -w, --wide                        on a terminal: all columns side by side",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE",
@@ -58,6 +59,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'b', "--branch", 1, "table.branch="},
                                     {'i', "--interval", 1, "motion.interval="},
                                     {'c', "--columns", 1, "table.columns="},
+                                    {'w', "--wide", 0, NULL},
                                     {'s', "--set", 1, ""},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
@@ -196,6 +198,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_content(o, SHEET_SUMMARY);
     case 'l':
         return set_content(o, SHEET_LIST);
+    case 'w':
+        return o->wide = 1;
     case 'h':
         return o->help = 1;
     case 'V':

@@ -100,7 +100,7 @@ static void check_cycle(parser *p, double cycle)
 {
     const setting *s = flk_setting_find(p, KEY_MOTION_CYCLE);
 
-    if (IS_SET(s) && cycle < p->d->motion.interval)
+    if (IS_SET(s) && cycle > 0 && cycle < p->d->motion.interval)
         flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
 }
 

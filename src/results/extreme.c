@@ -107,7 +107,7 @@ static void skip_turns(flk_search *x)
     }
 }
 
-static void start(flk_search *x, double *memory)
+static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
 {
     size_t c;
 
@@ -127,7 +127,7 @@ static void start(flk_search *x, double *memory)
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
 
-        t->c = &x->pairs[c].c;
+        t->c = &pairs[c].c;
         if (flk_column_quantity(t->c) == QUANTITY_ANGLE)
             t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
         t->last = t->first = GSL_NAN;
@@ -169,7 +169,7 @@ static void give(const flk_found *f, flk_extreme *extreme)
 }
 
 /* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
-static void finish(flk_search *x, int has_gap)
+static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
 {
     size_t c;
 
@@ -187,8 +187,8 @@ static void finish(flk_search *x, int has_gap)
             if (fabs(t->best[which].value) >= t->bound)
                 t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
         }
-        give(&t->best[0], &x->pairs[c].max);
-        give(&t->best[1], &x->pairs[c].min);
+        give(&t->best[0], &pairs[c].max);
+        give(&t->best[1], &pairs[c].min);
     }
     x->a->is_fast = 0;
 }
@@ -203,9 +203,8 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
 
     x.a = a;
     x.branch = branch;
-    x.pairs = pairs;
     x.n_columns = n;
-    start(&x, memory);
+    start(&x, pairs, memory);
     if (x.length <= 0) {
         x.low = x.high = 0;
         search_stretch(&x, 0);
@@ -225,7 +224,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
         if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)
             skip_turns(&x);
     }
-    finish(&x, has_gap);
+    finish(&x, has_gap, pairs);
 }
 
 /* ------------------------------------------------------------------------------------- the asked for */
@@ -249,7 +248,9 @@ void flk_extremes_close(flk_extremes *x)
 
 static int is_same(const flk_column *x, const flk_column *y)
 {
-    return x->info == y->info && x->point == y->point;
+    if (x->info != y->info || x->link != y->link)
+        return 0;
+    return !x->link || (x->component == y->component && x->at.x == y->at.x && x->at.y == y->at.y);
 }
 
 void flk_extremes_ask(flk_extremes *x, const flk_column *c)

@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-#include "extreme.h"
+#include "column.h"
 #include "motion_pieces.h"
 #include "polynomial.h"
 
@@ -50,7 +50,6 @@ typedef struct flk_search {
     flk_analysis *a;
     fourlink_branch branch;
     int needs;
-    flk_extreme_pair *pairs;
     size_t n_columns;
     flk_tracked *columns;
     int has_noise; /* 1: a column measures rounding, so samples come from the deck's own solver */

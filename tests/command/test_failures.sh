@@ -52,7 +52,7 @@ says 'null.deck:1: error: control character (0x00)'
 # a row that cannot be computed
 run 1 reach.deck
 quiet
-prints '# theta2 = 200 deg: cannot be assembled: B and D are too far apart'
+prints '# 120 to 240 deg: not reached: B and D are too far apart'
 run 1 -f csv reach.deck
 run 1 -f paper reach.deck
 prints '# 200 deg, open: cannot be assembled'

@@ -192,14 +192,44 @@ static void write_slider_crank(double unit, double cycle)
     }
 }
 
+/* Crank and slotted lever, Whitworth's quick return, oscillating cylinder; some with a change point. */
+static void write_inverted(double unit, double cycle)
+{
+    double d = between(0.2, 1), a = d * between(0.2, 2.5),
+           h = seldom(0.5) ? 0 : between(-0.5, 0.5) * a;
+
+    if (seldom(0.2)) {
+        d = (1 + one_of(15)) / 16.0;
+        a = (1 + one_of(15)) / 16.0;
+        h = a - d;
+    }
+    write("mechanism = inverted-slider-crank\n[ground]\nlength = %.17g m\n", d * unit);
+    if (seldom(0.3))
+        write("angle = %.17g deg\n", between(-180, 180));
+    write("[crank]\nlength = %.17g m\n", a * unit);
+    write_mass(a * unit);
+    write("[slider]\n");
+    write_mass(0.3 * unit);
+    write("[lever]\noffset = %.17g m\n", h * unit);
+    write_mass(d * unit);
+    if (seldom(0.3)) {
+        write("[gas]\nbore = %.17g m\n", between(0.1, 0.3) * a * unit);
+        if (seldom(0.4))
+            write("pressure = %.17g Pa\n", between(0, 2e6));
+        else
+            write_curve("indicator", 2e4, 3e6, "Pa", cycle);
+    }
+}
+
 static void write_loads(int slides, double unit, double cycle)
 {
-    static const char *const links[2][3] = {{"crank", "coupler", "rocker"},
-                                            {"crank", "rod", "piston"}};
+    static const char *const links[3][3] = {
+        {"crank", "coupler", "rocker"}, {"crank", "rod", "piston"}, {"crank", "slider", "lever"}};
     int n = one_of(3), i;
 
     for (i = 0; i < n; i++) {
-        int link = one_of(3), turns = !(slides && link == 2), has_torque = turns && seldom(0.6);
+        int link = one_of(3), turns = !(slides == 1 && link == 2),
+            has_torque = turns && seldom(0.6);
 
         write("[load L%d]\nlink = %s\n", i, links[slides][link]);
         if (!has_torque || seldom(0.4)) {
@@ -260,14 +290,17 @@ static void write_motion(double cycle)
 static void make_deck(void)
 {
     double cycle = seldom(0.2) ? 720 : 360, unit = pow(10, between(-1.5, 0.5));
-    int slides = seldom(0.4), n = one_of(3), i;
+    static const char *const carriers[] = {"coupler", "rod", "slider"};
+    int slides = seldom(0.35) ? 1 : seldom(0.25) ? 2 : 0, n = one_of(3), i;
 
     length = 0;
     n_corners = 0;
     if (seldom(0.9))
         write("solver = dyad\n");
-    if (slides)
+    if (slides == 1)
         write_slider_crank(unit, cycle);
+    else if (slides == 2)
+        write_inverted(unit, cycle);
     else
         write_four_bar(unit);
     write_loads(slides, unit, cycle);
@@ -277,7 +310,7 @@ static void make_deck(void)
     write_motion(cycle);
     for (i = 0; i < n; i++)
         write("[point P%d]\nlink = %s\nat = (%.17g, %.17g) m\n", i,
-              seldom(0.7) ? slides ? "rod" : "coupler" : "crank", between(-1, 1) * unit,
+              seldom(0.7) ? carriers[slides] : "crank", between(-1, 1) * unit,
               between(-1, 1) * unit);
     write("[table]\ncolumns = all\n");
     for (i = 0; i < 4; i++)
