@@ -122,6 +122,16 @@ static int has_row_at(const flk_search *x, double s)
            has_row(x->piece.end, s >= 1 ? 0 : x->piece.to - passed);
 }
 
+/* The value of a column in a sample, NaN where it is infinite or rounding. */
+static double sample_of(const flk_search *x, const flk_tracked *t, double s, const flk_row *row)
+{
+    double value = flk_column_value(t->c, row);
+
+    if ((t->is_noise && x->a->is_fast) || flk_search_is_lost(x, t, s) || gsl_isinf(value))
+        return GSL_NAN;
+    return value;
+}
+
 void flk_search_insert(flk_search *x, size_t i, double s)
 {
     size_t c, behind = (x->n - i) * sizeof(double);
@@ -137,10 +147,8 @@ void flk_search_insert(flk_search *x, size_t i, double s)
 
         if (behind)
             memmove(place + 1, place, behind);
-        *place = (t->is_noise && x->a->is_fast) || flk_search_is_lost(x, t, s)
-                     ? GSL_NAN
-                     : flk_column_value(t->c, &row);
-        if (fabs(*place) > t->size && gsl_finite(*place))
+        *place = sample_of(x, t, s, &row);
+        if (fabs(*place) > t->size)
             t->size = fabs(*place);
     }
     x->n++;

@@ -869,7 +869,7 @@ static best find(unsigned long c, int sign)
     for (i = 0; i < n; i++) {
         double surely = curve[i] - sign * noise_of(rows[i], c);
 
-        if (!isnan(curve[i]) && !(sign * surely <= sign * b.value)) {
+        if (isfinite(surely) && !(sign * surely <= sign * b.value)) {
             b.value = surely;
             b.at = rows[i]->passed;
         }
