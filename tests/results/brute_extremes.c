@@ -1096,6 +1096,17 @@ static int is_rounding(unsigned long c)
     return used > 0 && 2 * rounding > used;
 }
 
+/* 1 for a column that is infinite in all rows: the advantage of a piston at rest. */
+static int is_infinite(unsigned long c)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        if (isfinite(rows[i]->v[c]))
+            return 0;
+    return n > 0 && isinf(rows[n / 2]->v[c]);
+}
+
 static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
 {
     double scale[COLUMNS], size[COLUMNS];
@@ -1134,8 +1145,11 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
             ok = 0;
         for (which = 0; which < 2; which++)
             found[which] = find(c, which == 0 ? 1 : -1);
+        if (is_infinite(c))
+            continue;
         if (isnan(found[0].value) != !told[0] || isnan(found[1].value) != !told[1]) {
-            printf("%s %s: rows or no rows?\n", deck_name, columns[c].name);
+            printf("%s %s: found %g and %g, told %d and %d\n", deck_name, columns[c].name,
+                   found[0].value, found[1].value, told[0] != NULL, told[1] != NULL);
             failed++;
             deck_failed = 1;
             continue;
