@@ -532,7 +532,7 @@ static int is_of_crank(const flk_column *c)
 
 int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
 {
-    if (c->link || c->info->form != DIRECTION)
+    if (c->link || (c->info->form != DIRECTION && c->info->form != SIZE))
         return 0;
     *x = number_at(row, c->info->x);
     *y = number_at(row, c->info->y);

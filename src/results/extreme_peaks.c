@@ -136,7 +136,8 @@ static void refine(flk_search *x, const flk_tracked *t, const double *values, in
     if (!t->is_noise && low < high) {
         if (through_samples(x, values, i, &p) && flk_polynomial_find_flat(&p, low, high, &top.s)) {
             top.value = flk_search_value(x, t, top.s, best.value);
-            is_good = fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <= 1e-11 * size;
+            is_good = fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <= 1e-11 * size &&
+                      flk_search_signed(which, top.value) >= flk_search_signed(which, best.value);
             if (flk_search_signed(which, top.value) > flk_search_signed(which, best.value))
                 best = top;
         }

@@ -12,7 +12,7 @@
 #include "motion_pieces.h"
 #include "polynomial.h"
 
-#define FLK_SEARCH_MOST_SAMPLES 1000 /* of a stretch */
+#define FLK_SEARCH_MOST_SAMPLES 2000 /* of a stretch */
 #define FLK_SEARCH_MARGIN 8    /* a column may reach so many times its roughness beyond a sample */
 #define FLK_SEARCH_CLOSE 1e-12 /* of a value: equal but for rounding */
 
