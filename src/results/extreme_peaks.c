@@ -145,7 +145,8 @@ static void refine(flk_search *x, const flk_tracked *t, const double *values, in
             climb_from_end(x, t, which, low, high, &best);
         else if (!is_good)
             climb(x, t, which, low, high, &best);
-        sharpen(x, t, low, high, size, &best);
+        if (!is_good)
+            sharpen(x, t, low, high, size, &best);
     }
     flk_search_offer_at(x, f, which, best.value, best.s);
 }
