@@ -585,6 +585,18 @@ double flk_column_bound(const flk_column *c)
     return GSL_POSINF;
 }
 
+double flk_column_denominator(const flk_column *c, const flk_row *row)
+{
+    const fourlink_state *state = &row->at.state;
+    size_t x = c->info->x;
+
+    if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
+        return state->link[3].k;
+    if (x == DERIVED(I24.x))
+        return 1 - state->link[4].k;
+    return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
+}
+
 quantity flk_column_quantity(const flk_column *c)
 {
     return c->info->q;

@@ -60,6 +60,9 @@ int flk_column_need(const flk_column *c);
 ** position. */
 double flk_column_bound(const flk_column *c);
 
+/* The denominator of such a column, which is 0 at its poles. */
+double flk_column_denominator(const flk_column *c, const flk_row *row);
+
 quantity flk_column_quantity(const flk_column *c);
 const char *flk_column_meaning(const flk_column *c);
 

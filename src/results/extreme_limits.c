@@ -8,37 +8,36 @@
 
 #include "extreme_search.h"
 
-/* 1 if a column grows from a sample towards a place where it is undefined. */
-static int grows(const flk_search *x, const flk_tracked *t, flk_place from, double towards)
+/* The denominator of a column that has poles, at a parameter. */
+static double denominator_at(const flk_search *x, const flk_tracked *t, double s)
 {
-    double outside = 2 * from.s - towards;
+    flk_row row;
 
-    return outside >= x->low && outside <= x->high &&
-           fabs(from.value) > 1.3 * fabs(flk_search_value(x, t, outside, 0));
+    flk_search_compute(x, flk_column_need(t->c), flk_search_passed(x, s), &row);
+    return row.at.status == FOURLINK_OK ? flk_column_denominator(t->c, &row) : GSL_NAN;
 }
 
-/* Between two samples of unlike sign a column that has poles passes through zero or infinity: halving shows
-** which of them, as the magnitude falls or rises.  Close to the pole it can be undefined. */
-static void find_pole(flk_search *x, flk_tracked *t, flk_place low, flk_place high)
+#define BESIDE_POLE 1e-8 /* s */
+
+/* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
+** vanishes with it. */
+static void find_pole(const flk_search *x, flk_tracked *t, double low, double high, double at_low)
 {
+    double s, at, near;
     int k;
 
-    for (k = 0; k < 100; k++) {
-        flk_place at, *same;
-
-        at.s = 0.5 * (low.s + high.s);
-        at.value = flk_search_value(x, t, at.s, 0);
-        if (gsl_isnan(at.value) && !grows(x, t, low, at.s) && !grows(x, t, high, at.s))
-            return;
-        if (!(fabs(at.value) < t->bound)) {
-            flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, at.s);
-            flk_search_offer_at(x, &t->here[1], 1, GSL_NEGINF, at.s);
-            return;
-        }
-        same = (at.value > 0) == (low.value > 0) ? &low : &high;
-        if (k > 2 && !(fabs(at.value) > fabs(same->value)))
-            return;
-        *same = at;
+    for (k = 0; k < 60; k++) {
+        s = 0.5 * (low + high);
+        at = denominator_at(x, t, s);
+        if ((at > 0) == (at_low > 0))
+            low = s;
+        else
+            high = s;
+    }
+    near = fabs(flk_search_value(x, t, low - BESIDE_POLE, 0));
+    if (near > 1.5 * fabs(flk_search_value(x, t, low - 2 * BESIDE_POLE, 0))) {
+        flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, low);
+        flk_search_offer_at(x, &t->here[1], 1, GSL_NEGINF, low);
     }
 }
 
@@ -62,20 +61,22 @@ static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double 
                          corner);
 }
 
-void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
+void flk_search_find_poles(flk_search *x, flk_tracked *t)
 {
-    size_t i, last;
+    double at, before = GSL_NAN;
+    size_t i;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
     find_pole_at_corner(x, t, x->s[0], x->high - x->low);
     find_pole_at_corner(x, t, x->s[x->n - 1], x->low - x->high);
-    for (i = last = 0;
+    for (i = 0;
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
-        if (values[last] * values[i] < 0)
-            find_pole(x, t, flk_search_place(x, values, last), flk_search_place(x, values, i));
-        last = gsl_isnan(values[i]) ? last : i;
+        at = denominator_at(x, t, x->s[i]);
+        if (i > 0 && before * at < 0)
+            find_pole(x, t, x->s[i - 1], x->s[i], before);
+        before = at;
     }
 }
 
