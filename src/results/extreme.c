@@ -137,7 +137,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     memset(&x->piece, 0, sizeof x->piece);
 }
 
-/* Tell the corner in place of an angle just inside it, unless a load jumps there. */
+/* Give the angle of a corner in place of one just inside it, unless a load jumps there. */
 static void settle(const flk_search *x, flk_tracked *t, int which)
 {
     flk_found *f = &t->best[which];
@@ -166,7 +166,7 @@ static void give(const flk_found *f, flk_extreme *extreme)
     extreme->angle = f->angle;
 }
 
-/* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
+/* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
 static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
 {
     size_t c;
