@@ -364,6 +364,20 @@ static double golden_section(const flk_tracked *t, const vector_pole *v, int whi
     return 0.5 * (low + high);
 }
 
+/* 1 if the row at a distance x from the end has about this value: rounding may hide the rest. */
+static int is_row(const flk_search *x, const flk_tracked *t, const approach *e, double at,
+                  double value)
+{
+    double there;
+    flk_row row;
+
+    flk_search_compute(x, flk_column_need(t->c), passed_near(e, at), &row);
+    there = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        there = flk_search_nearest(t, there, value);
+    return fabs(there - value) <= 1e-4 * GSL_MAX_DBL(fabs(value), t->size_here);
+}
+
 /* Offer the extremes of a column whose vector has a weak pole, between the end of the piece and its first
 ** sample, at the distance `most`: there it can turn or shrink on any scale. */
 #define SMALLEST 20 /* halvings of the distance */
@@ -385,7 +399,9 @@ static void offer_near_pole(const flk_search *x, flk_tracked *t, const approach 
                 flk_search_signed(which, value[k]) >= flk_search_signed(which, value[k + 1])) {
                 at = golden_section(t, v, which, most * gsl_pow_int(0.5, k + 1),
                                     most * gsl_pow_int(0.5, k - 1), value[k]);
-                offer_near(x, t, e, at, near_pole(t, v, at, value[k]));
+                near = near_pole(t, v, at, value[k]);
+                if (is_row(x, t, e, at, near))
+                    offer_near(x, t, e, at, near);
             }
 }
 
