@@ -539,6 +539,12 @@ int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double
     return 1;
 }
 
+/* A zero vector has none. */
+static double direction_of(double x, double y)
+{
+    return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);
+}
+
 double flk_column_value(const flk_column *c, const flk_row *row)
 {
     double x, y;
@@ -552,7 +558,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return x * c->scale; /* nearly all columns */
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)
-        : c->info->form == DIRECTION ? atan2(y, x)
+        : c->info->form == DIRECTION ? direction_of(x, y)
         : c->info->form == PRODUCT   ? x * y
                                      : x - y;
     return x * c->scale;

@@ -115,7 +115,7 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
     terms = gsl_hypot(at->acceleration.x, at->acceleration.y) +
             (fabs(at->alpha) + at->omega * at->omega) * r;
     F.size = link->mass * a_G;
-    F.direction = atan2(-a.y + 0.0, -a.x + 0.0);
+    F.direction = F.size > 0 ? atan2(-a.y + 0.0, -a.x + 0.0) : FLK_UNDEFINED;
     F.couple = 0 - link->inertia * at->alpha;
     F.h = F.size > 0 && a_G > 1e-13 * terms ? link->inertia * at->alpha / F.size : FLK_UNDEFINED;
     return F;
