@@ -51,13 +51,25 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     return f->contents;
 }
 
+/* The mistake in the crank angles of --at, or null. */
+static const char *mistake_in_angles(const input *in, char message[400])
+{
+    const char *list = in->o->at;
+    double angle;
+    int status;
+
+    while ((status = expect_next_angle(in->results, &list, &angle, message)) == 1)
+        ;
+    return status ? message : NULL;
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(const input *in)
 {
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
-    char names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
+    char message[400], names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
@@ -72,10 +84,13 @@ static int serves_options(const input *in)
     } else if (is_sweep && o->n_decks > 1) {
         why = "a deck with a [sweep] must be the only deck";
     } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
-        why = "--check, --matrix and --summary work for one design, not for a [sweep]";
+        why = "--check, --expect, --matrix and --summary work for one design, not for a [sweep]";
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
                             sheet_formats_of(SHEET_DESIGNS, names), " only", (char *)NULL);
+    } else if ((why = mistake_in_angles(in, message)) != NULL) {
+        command_tell_mistake("--at", 0, why, NULL);
+        return 0;
     }
     if (why)
         command_tell_mistake(name, 1, why, NULL);

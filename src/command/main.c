@@ -77,6 +77,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
     memset(&s, 0, sizeof s);
     s.format = o->format;
     s.content = o->content;
+    s.at = o->at;
     s.n_decks = (int)o->n_decks;
     s.no_value = tell_no_value;
     s.header = header = union_of_columns(inputs, o->n_decks, &s.n_header);

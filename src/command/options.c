@@ -25,6 +25,8 @@ const char *const options_help[] = {
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE",
+    "      --expect                      print the values of the deck as answers for --check=FILE",
+    "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
@@ -43,7 +45,7 @@ const char *const options_help[] = {
     NULL};
 
 /* Stand for the letter of options that have none. */
-enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT };
+enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT, EXPECT, AT, LAST_WITHOUT_LETTER = AT };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
@@ -61,6 +63,8 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'s', "--set", 1, ""},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
+                                    {EXPECT, "--expect", 0, NULL},
+                                    {AT, "--at", 1, NULL},
                                     {'S', "--summary", 0, NULL},
                                     {'p', "--plot", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
@@ -99,7 +103,8 @@ static int set_format(options *o, const char *value, char message[400])
 }
 
 /* By sheet_content. */
-static const char *const content_options[] = {"", "--summary", "--check", "--list", "--matrix"};
+static const char *const content_options[] = {"",         "--summary", "--check", "--list",
+                                              "--matrix", "",          "--expect"};
 
 static int set_content(options *o, sheet_content content)
 {
@@ -190,6 +195,11 @@ static int set(options *o, const option_info *info, const char *value, char mess
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
         return set_content(o, SHEET_CHECK);
+    case EXPECT:
+        return set_content(o, SHEET_EXPECT);
+    case AT:
+        o->at = value;
+        return 1;
     case 'm':
         return set_content(o, SHEET_MATRIX);
     case 'S':
@@ -243,7 +253,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
 
     while (*++word) {
         for (i = 0; i < TABLE_COUNT; i++)
-            if (table[i].letter == *word && *word > PLOT_SCRIPT)
+            if (table[i].letter == *word && *word > LAST_WITHOUT_LETTER)
                 break;
         letter[1] = *word;
         if (i == TABLE_COUNT)
@@ -321,7 +331,12 @@ int options_read(int argc, char **argv, options *o, char message[400])
         }
     }
     if (o->n_contents > 1)
-        return say(message, "use only one of --check, --summary, --matrix and --list", "", "");
+        return say(message, "use only one of --check, --expect, --summary, --matrix and --list", "",
+                   "");
+    if (o->at && o->content != SHEET_EXPECT)
+        return say(message, "--at needs --expect", "", "");
+    if (o->content == SHEET_EXPECT && o->n_decks > 1)
+        return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
         o->format = &table_format;
     if (!(o->format->writes & 1 << o->content)) {

@@ -14,6 +14,7 @@ typedef struct options {
     int n_contents; /* how many were asked for */
     int help, version;
     const char *check_file;    /* null: the deck's own expectations */
+    const char *at;            /* the crank angles of --expect; null: the rows */
     const char *output;        /* null: standard output */
     unsigned long part, parts; /* --part=K/N; parts 0: not given */
     const char *plot;          /* the picture's file; null: none */

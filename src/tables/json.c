@@ -335,18 +335,18 @@ static void close_deck(sheet *s)
 }
 
 const sheet_format json_format = {
-    "json",                                               /* name */
-    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX), /* writes */
-    begin,                                                /* begin */
-    open_deck,                                            /* open */
-    put_column,                                           /* column */
-    put_fact,                                             /* fact */
-    put_block,                                            /* block */
-    put_row,                                              /* row */
-    put_check,                                            /* check */
-    put_design,                                           /* design */
-    refuse,                                               /* refuse */
-    close_deck,                                           /* close */
-    0,                                                    /* layout_size */
-    0                                                     /* is_by_angle */
+    "json",                                                                     /* name */
+    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX) - (1 << SHEET_EXPECT), /* writes */
+    begin,                                                                      /* begin */
+    open_deck,                                                                  /* open */
+    put_column,                                                                 /* column */
+    put_fact,                                                                   /* fact */
+    put_block,                                                                  /* block */
+    put_row,                                                                    /* row */
+    put_check,                                                                  /* check */
+    put_design,                                                                 /* design */
+    refuse,                                                                     /* refuse */
+    close_deck,                                                                 /* close */
+    0,                                                                          /* layout_size */
+    0                                                                           /* is_by_angle */
 };

@@ -315,6 +315,9 @@ static void write_content(sheet *s)
     case SHEET_MATRIX:
         matrix_write(s);
         break;
+    case SHEET_EXPECT:
+        expect_write(s);
+        break;
     case SHEET_ROWS:
     default:
         write_rows(s);

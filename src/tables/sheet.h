@@ -21,6 +21,7 @@ typedef enum sheet_content {
     SHEET_LIST,
     SHEET_MATRIX,
     SHEET_DESIGNS, /* a line for each design of a sweep */
+    SHEET_EXPECT,  /* values for --check */
     SHEET_CONTENT_COUNT
 } sheet_content;
 
@@ -31,7 +32,8 @@ typedef struct sheet {
     line l;
     const struct sheet_format *format;
     sheet_content content;
-    int n_decks; /* if several, each shows its name */
+    int n_decks;    /* if several, each shows its name */
+    const char *at; /* SHEET_EXPECT: the crank angles of --at; null: the rows */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
@@ -138,6 +140,14 @@ void sheet_write_stop(sheet *s, fourlink_branch branch);
 
 /* Write the nine equations for each row. */
 void matrix_write(sheet *s);
+
+/* Take the next crank angle, in the deck's unit, off a list separated by commas.  1; 0 at the end of the list;
+** -1 and a message if it is no angle, or one that the motion does not reach. */
+int expect_next_angle(fourlink_results *results, const char **list, double *angle,
+                      char message[400]);
+
+/* Write the deck's values as [expect] sections: for each row, or for the crank angles of s->at. */
+void expect_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);
