@@ -303,6 +303,7 @@ module fourlink
     integer(c_int) :: branch
     integer(c_long) :: message_line
     character(kind=c_char) :: message(400)  ! for fourlink_text
+    character(kind=c_char) :: hint(200)     ! the same
   end type fourlink_check
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.

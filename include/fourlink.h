@@ -602,6 +602,7 @@ typedef struct fourlink_check {
     fourlink_branch branch;
     long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400]; /* FOURLINK_NO_VALUE: why */
+    char hint[200];    /* FOURLINK_DIFFERS: why that may be, or "" */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------

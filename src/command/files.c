@@ -61,6 +61,13 @@ char *files_read(const char *path, size_t *length)
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
 }
 
+int files_is_folder(const char *path)
+{
+    struct stat s;
+
+    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+}
+
 char *files_beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');

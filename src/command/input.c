@@ -51,6 +51,15 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     return f->contents;
 }
 
+/* Keep the first mistake, for the sheet. */
+static void keep_mistake(input *in, const char *file, long at, const char *message)
+{
+    if (at)
+        flk_message(in->refusal, sizeof in->refusal, "%s:%ld: %s", file, at, message);
+    else
+        flk_message(in->refusal, sizeof in->refusal, "%s: %s", file, message);
+}
+
 /* The mistake in the crank angles of --at, or null. */
 static const char *mistake_in_angles(const input *in, char message[400])
 {
@@ -64,7 +73,7 @@ static const char *mistake_in_angles(const input *in, char message[400])
 }
 
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
-static int serves_options(const input *in)
+static int serves_options(input *in)
 {
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
@@ -74,7 +83,7 @@ static int serves_options(const input *in)
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
         why = "nothing to check: no [expect] or [misprint] section";
-        name = o->check_file ? o->check_file : in->name;
+        name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
         why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
@@ -92,18 +101,21 @@ static int serves_options(const input *in)
         command_tell_mistake("--at", 0, why, NULL);
         return 0;
     }
-    if (why)
-        command_tell_mistake(name, 1, why, NULL);
-    return !why;
+    if (!why)
+        return 1;
+    keep_mistake(in, name, 1, why);
+    command_tell_mistake(name, 1, why, NULL);
+    return 0;
 }
 
 #define MOST_MISTAKES 100
 
 /* Print the mistakes of a deck; returns the exit status. */
-static int tell_mistakes(const input *in, const fourlink_mistake *list, unsigned long n)
+static int tell_mistakes(input *in, const fourlink_mistake *list, unsigned long n)
 {
     unsigned long i;
 
+    keep_mistake(in, list[0].file, list[0].line, list[0].message);
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         command_tell_mistake(list[i].file, list[i].line, list[i].message,
                              in->o->n_decks > 1 ? in->name : NULL);
@@ -140,33 +152,60 @@ static int open_results(input *in)
     return status;
 }
 
-int input_read(input *in, const char *path, const options *o, const char *answers,
-               size_t answers_length)
+/* Read the text of a deck; returns the exit status. */
+static int read_text(input *in, const char *path)
 {
-    size_t length;
-    int status;
+    static const char too_large[] = "larger than 64 MB: not a deck";
+    size_t length = 0;
 
-    in->o = o;
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && isatty(STDIN_FILENO))
         fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
-    if (!in->text && errno == EFBIG) {
-        command_tell_mistake(in->name, 1, "larger than 64 MB: not a deck", NULL);
-        return EXIT_USAGE;
-    }
-    if (!in->text)
-        return command_complain("cannot read", in->name, strerror(errno));
     in->source.name = in->name;
     in->source.text = in->text;
     in->source.length = (unsigned long)length;
+    if (in->text)
+        return 0;
+    if (errno == EFBIG) {
+        keep_mistake(in, in->name, 1, too_large);
+        command_tell_mistake(in->name, 1, too_large, NULL);
+        return EXIT_USAGE;
+    }
+    keep_mistake(in, in->name, 0, strerror(errno));
+    return command_complain("cannot read", in->name, strerror(errno));
+}
+
+/* Set the answers of a deck; returns the exit status. */
+static int find_answers(input *in, const char *path, const grade_answers *answers)
+{
+    int status = 0;
+
+    in->source.answers_name = in->o->check_file;
+    if (answers->is_folder) {
+        status = grade_read(&in->answers, in->o, path, in->refusal);
+        in->source.answers_name = in->answers.path;
+        answers = &in->answers;
+    }
+    in->source.answers = answers->text;
+    in->source.answers_length = (unsigned long)answers->length;
+    return status;
+}
+
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+{
+    int status;
+
+    in->o = o;
+    status = read_text(in, path);
+    if (!status)
+        status = find_answers(in, path, answers);
+    if (status)
+        return status;
     in->source.load = load_file;
     in->source.host = in;
     in->source.changes = o->changes;
     in->source.n_changes = (unsigned long)o->n_changes;
-    in->source.answers_name = o->check_file;
-    in->source.answers = answers;
-    in->source.answers_length = (unsigned long)answers_length;
     in->source.design = FOURLINK_ANY_DESIGN;
     status = open_results(in);
     if (status || !in->results)
@@ -191,4 +230,5 @@ void input_close(input *in)
     }
     refuse(in);
     free(in->text);
+    grade_close(&in->answers);
 }

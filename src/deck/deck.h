@@ -59,6 +59,7 @@ typedef struct deck_expectation {
     int misprint; /* 1: known to be wrong */
     int has_at;
     double at; /* crank angle in the deck's unit */
+    int has_branch;
     fourlink_branch branch;
 } deck_expectation;
 

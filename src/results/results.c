@@ -8,6 +8,7 @@
 
 #include "expected.h"
 #include "fact.h"
+#include "hint.h"
 #include "results.h"
 #include "turning.h"
 
@@ -415,5 +416,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     if (i >= r->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
     flk_expected_compare(&r->a, &r->d.expectations[i], r->facts, check);
+    if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
+        flk_hint_find(r, check);
     return FOURLINK_OK;
 }

@@ -46,7 +46,8 @@ static void begin(sheet *s)
         return;
     }
     if (s->content == SHEET_CHECK) {
-        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n");
+        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,"
+                        "of,note\r\n");
         return;
     }
     for (i = 0; i < s->n_variables; i++)
@@ -131,10 +132,13 @@ static void put_check(sheet *s, const fourlink_check *c)
     line_text(&s->l, ",", 1);
     if (c->words[0] || c->verdict == FOURLINK_NO_VALUE) {
         put_words(&s->l, c->words);
-        line_put(&s->l, ",\r\n");
+        line_put(&s->l, ",");
     } else {
-        line_put(&s->l, "%17g,%17g\r\n", c->computed, c->tolerance);
+        line_put(&s->l, "%17g,%17g", c->computed, c->tolerance);
     }
+    line_put(&s->l, ",,,");
+    put_words(&s->l, c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
+    line_text(&s->l, "\r\n", 2);
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -155,6 +159,18 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_text(&s->l, "\r\n", 2);
 }
 
+/* The last line of a deck's comparisons is its score. */
+static void close_deck(sheet *s)
+{
+    unsigned long score, of;
+
+    if (s->content != SHEET_CHECK)
+        return;
+    score = sheet_score(s, &of);
+    put_labels(s);
+    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,\r\n", score, of);
+}
+
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
 static void refuse(sheet *s, const char *why)
 {
@@ -163,7 +179,9 @@ static void refuse(sheet *s, const char *why)
 
     if (!s->design) {
         put_labels(s);
-        line_put(&s->l, ",,%s,,,,,,,\r\n", why);
+        line_put(&s->l, ",,bad deck,,,,,,,,0,,");
+        put_words(&s->l, why);
+        line_text(&s->l, "\r\n", 2);
     }
     for (i = 0; i < n; i++)
         put_design(s, branches[i], NULL, why);
@@ -181,7 +199,7 @@ const sheet_format csv_format = {
     put_check,                                                                    /* check */
     put_design,                                                                   /* design */
     refuse,                                                                       /* refuse */
-    NULL,                                                                         /* close */
+    close_deck,                                                                   /* close */
     sizeof(long),                                                                 /* layout_size */
     0                                                                             /* is_by_angle */
 };

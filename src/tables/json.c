@@ -270,7 +270,15 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_number(&s->l, is_number ? c->tolerance : GSL_NAN);
     if (c->message[0])
         put_text(&s->l, "message", c->message);
+    if (c->hint[0])
+        put_text(&s->l, "hint", c->hint);
     line_text(&s->l, "}", 1);
+}
+
+static void put_score(sheet *s, unsigned long score)
+{
+    put_name(&s->l, "score", 0);
+    put_number(&s->l, (double)score);
 }
 
 /* The first line of a sheet of designs describes its variables and outputs. */
@@ -321,15 +329,29 @@ static void refuse(sheet *s, const char *why)
     if (n)
         return;
     put_labels(s);
-    put_text(&s->l, "status", why);
+    if (s->design) {
+        put_text(&s->l, "status", why);
+    } else {
+        put_text(&s->l, "status", "bad deck");
+        put_score(s, 0);
+        put_text(&s->l, "message", why);
+    }
     line_put(&s->l, "}\n");
 }
 
 static void close_deck(sheet *s)
 {
     int is_in_rows = s->content == SHEET_ROWS;
+    unsigned long score, of;
 
     put_newline(s);
+    if (s->content == SHEET_CHECK) {
+        end_list(s);
+        score = sheet_score(s, &of);
+        put_score(s, score);
+        put_name(&s->l, "of", 0);
+        put_number(&s->l, (double)of);
+    }
     line_put(&s->l, is_in_rows ? "]}" : "");
     line_put(&s->l, s->list ? "]}\n" : "}\n");
 }

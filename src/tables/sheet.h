@@ -114,8 +114,8 @@ char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES]);
 ** variables.  `has_head` is 0 for a part that continues another. */
 void sheet_begin(sheet *s, FILE *out, int has_head);
 
-/* Write a deck; null results mean a deck with mistakes. */
-void sheet_write(sheet *s, fourlink_results *results, const char *deck_name);
+/* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
+void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
 /* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
 ** the values of its variables.  If results are null, write the reason on the branches of `first`. */
@@ -134,6 +134,9 @@ long sheet_column_under(const sheet *s, unsigned long i);
 void sheet_write_gap(sheet *s);
 void sheet_write_title(sheet *s);
 void sheet_write_mechanism(sheet *s);
+
+/* How many values of this deck agree, or are misprints as expected; and of how many. */
+unsigned long sheet_score(const sheet *s, unsigned long *of);
 
 /* Write where the crank comes to rest, if it does. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
