@@ -15,6 +15,7 @@
 
 #include "command.h"
 #include "designs.h"
+#include "tables/statistics.h"
 
 static volatile sig_atomic_t stopped_by;
 
@@ -112,34 +113,76 @@ static int write_all(sheet *s, const input *in, double *varied)
     return enough;
 }
 
-int designs_write(FILE *out, const input *in, int *signal_number)
+/* Set up a sheet of designs: of their outputs, or of their rows. */
+static void set_up(sheet *s, const input *in)
 {
-    struct sigaction old[3];
-    double *varied;
-    sheet s;
-    int enough;
+    int has_outputs = in->problem.has_outputs;
 
-    memset(&s, 0, sizeof s);
-    s.format = in->o->format;
-    s.content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
-    s.problem = in->problem;
-    fourlink_results_list(in->results, FOURLINK_VARIABLES, &s.variables, &s.n_variables);
-    fourlink_results_list(in->results,
-                          in->problem.has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &s.header,
-                          &s.n_header);
-    varied = malloc((s.n_variables + 1) * sizeof *varied);
-    if (!varied)
-        return command_complain("cannot analyse", in->name, "not enough memory");
+    memset(s, 0, sizeof *s);
+    s->format = in->o->format;
+    s->content = has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
+    s->problem = in->problem;
+    fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
+    fourlink_results_list(in->results, has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
+                          &s->header, &s->n_header);
+}
+
+/* Go through the designs; returns the exit status. */
+static int run(sheet *s, FILE *out, const input *in, int *signal_number)
+{
+    double *varied = malloc((s->n_variables + 1) * sizeof *varied);
+    struct sigaction old[3];
+    int enough = varied != NULL;
+
     stopped_by = 0;
-    watch_signals(1, old);
-    sheet_begin(&s, out, !in->o->parts || in->o->part == 1);
-    enough = write_all(&s, in, varied);
-    watch_signals(0, old);
+    if (enough) {
+        watch_signals(1, old);
+        sheet_begin(s, out, !in->o->parts || in->o->part == 1);
+        enough = write_all(s, in, varied);
+        watch_signals(0, old);
+    }
     free(varied);
     *signal_number = (int)stopped_by;
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (stopped_by)
         return command_complain("stopped", in->name, "interrupted; run this part again");
-    return s.failed ? EXIT_ROWS : 0;
+    return s->failed ? EXIT_ROWS : 0;
+}
+
+/* Collect the designs, then write their statistics. */
+static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_number)
+{
+    const fourlink_value *conditions;
+    unsigned long n;
+    statistics x;
+    int status;
+
+    fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
+    if (!statistics_open(&x, s->header, s->n_header, conditions, n)) {
+        statistics_close(&x);
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    }
+    s->format = &statistics_collector;
+    s->statistics = &x;
+    status = run(s, out, in, signal_number);
+    if (status < EXIT_FILES) {
+        s->format = in->o->format;
+        s->content = SHEET_STATISTICS;
+        s->n_variables = 0;
+        sheet_begin(s, out, 1);
+        statistics_write(s, in->results, &x);
+    }
+    statistics_close(&x);
+    return status;
+}
+
+int designs_write(FILE *out, const input *in, int *signal_number)
+{
+    sheet s;
+
+    set_up(&s, in);
+    return in->problem.has_statistics && !in->o->parts
+               ? write_statistics(&s, out, in, signal_number)
+               : run(&s, out, in, signal_number);
 }

@@ -109,7 +109,8 @@ static int is_input(const char *output, const options *o)
     for (i = 0; i < o->n_decks; i++)
         if (replaces(output, o->decks[i]))
             return 1;
-    return o->check_file && replaces(output, o->check_file);
+    return (o->check_file && replaces(output, o->check_file)) ||
+           (o->statistics_file && replaces(output, o->statistics_file));
 }
 
 /* Find the folder of a path; returns the file's name in it, or null. */

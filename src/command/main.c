@@ -15,6 +15,7 @@
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
+#include "joined.h"
 #include "output.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -100,7 +101,9 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
+    if (o->statistics_file)
+        written = joined_write(out.file, o, o->n_decks ? &inputs[0] : NULL);
+    else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
         written = write_decks(out.file, o, inputs);
@@ -110,7 +113,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
 static int run(const options *o)
 {
-    input *inputs = calloc(o->n_decks, sizeof *inputs);
+    input *inputs = calloc(o->n_decks + 1, sizeof *inputs);
     int status = 0, usable = 0, signal_number = 0;
     grade_answers answers;
     size_t i;
@@ -126,7 +129,8 @@ static int run(const options *o)
         status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable || (o->content == SHEET_CHECK && o->n_decks > 1))
+    if (usable || (o->statistics_file && !o->n_decks) ||
+        (o->content == SHEET_CHECK && o->n_decks > 1))
         status = command_worse(status, write_sheet(o, inputs, &signal_number));
     if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
         status = command_worse(status, drawing_write(&inputs[0]));

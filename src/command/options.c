@@ -36,6 +36,9 @@ const char *const options_help[] = {
     "                                    vectors, klein, animation (default for .gif)",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep], or "
+    "of",
+    "                                    a csv FILE that has them",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
@@ -46,7 +49,15 @@ const char *const options_help[] = {
     NULL};
 
 /* Stand for the letter of options that have none. */
-enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT, EXPECT, AT, LAST_WITHOUT_LETTER = AT };
+enum {
+    PLOT_KIND = 1,
+    PLOT_AT,
+    PLOT_SCRIPT,
+    EXPECT,
+    AT,
+    STATISTICS,
+    LAST_WITHOUT_LETTER = STATISTICS
+};
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
@@ -71,6 +82,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {STATISTICS, "--statistics", 2, NULL},
                                     {'P', "--part", 1, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
@@ -162,17 +174,32 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* Change a key of the deck: `key` ends in "=". */
+static int set_change(options *o, const char *origin, const char *key, const char *value)
+{
+    fourlink_change *change = &o->changes[o->n_changes++];
+
+    change->origin = origin;
+    change->assignment = o->next;
+    o->next += sprintf(o->next, "%s%s", key, value) + 1;
+    return 1;
+}
+
+static int set_statistics(options *o, const char *value, char message[400])
+{
+    if (value == no_value) {
+        o->n_statistics++;
+        return set_change(o, "--statistics", "sweep.statistics=", "yes");
+    }
+    o->statistics_file = value;
+    return *value || say(message, "--statistics= needs a file name", "", "");
+}
+
 /* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
-    if (info->key) {
-        fourlink_change *change = &o->changes[o->n_changes++];
-
-        change->origin = info->name;
-        change->assignment = o->next;
-        o->next += sprintf(o->next, "%s%s", info->key, value) + 1;
-        return 1;
-    }
+    if (info->key)
+        return set_change(o, info->name, info->key, value);
     switch (info->letter) {
     case 'f':
         return set_format(o, value, message);
@@ -196,6 +223,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
         return set_content(o, SHEET_CHECK);
+    case STATISTICS:
+        return set_statistics(o, value, message);
     case EXPECT:
         return set_content(o, SHEET_EXPECT);
     case AT:
@@ -301,6 +330,29 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
+/* Check what does not go with statistics. */
+static int check_statistics(const options *o, char message[400])
+{
+    char names[SHEET_FORMAT_NAMES];
+
+    if (o->n_statistics && o->parts)
+        return say(message,
+                   "--statistics needs all designs: join the parts, then use "
+                   "--statistics=FILE",
+                   "", "");
+    if (!o->statistics_file)
+        return 1;
+    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script)
+        return say(message, "--statistics=FILE works alone, or with a deck", "", "");
+    if (o->n_decks > 1)
+        return say(message, "--statistics=FILE takes one deck, not several", "", "");
+    if (o->format->writes & 1 << SHEET_STATISTICS)
+        return 1;
+    flk_message(message, 400, "--statistics can be printed as %s only",
+                sheet_formats_of(SHEET_STATISTICS, names));
+    return 0;
+}
+
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -347,7 +399,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     sheet_formats_of(o->content, names));
         return 0;
     }
-    if (!o->n_decks)
+    if (!check_statistics(o, message))
+        return 0;
+    if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
 }

@@ -67,7 +67,8 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    double value; /* in this design, in the deck's unit */
+    double value;     /* in this design, in the deck's unit */
+    double low, high; /* of the neighbours in its range; the value itself at an end, or in a list */
 } deck_variable;
 
 /* [sweep]; a deck without one has no variables. */
@@ -77,6 +78,8 @@ typedef struct deck_sweep {
     unsigned long n_designs;
     unsigned long design; /* which of them this is */
     deck_names output;    /* empty: rows of each design */
+    deck_names yield;     /* its conditions */
+    int has_statistics;
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };

@@ -38,6 +38,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
     X(MOTION_HOLD, "no", 0)                                                   \
     X(MOTION_HOLD, "yes", 1)                                                  \
+    X(SWEEP_STATISTICS, "no", 0)                                              \
+    X(SWEEP_STATISTICS, "yes", 1)                                             \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
     BRANCH_WORDS(X, TABLE_BRANCH)                                             \

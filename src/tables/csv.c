@@ -50,6 +50,13 @@ static void begin(sheet *s)
                         "of,note\r\n");
         return;
     }
+    if (s->content == SHEET_STATISTICS) {
+        line_put(&s->l,
+                 "name,unit,branch,count,mean,std_dev,min,5 %s,25 %s,50 %s,75 %s,95 %s,max,"
+                 "yield,low,high\r\n",
+                 "%", "%", "%", "%", "%");
+        return;
+    }
     for (i = 0; i < s->n_variables; i++)
         put_heading(&s->l, &s->variables[i]);
     line_put(&s->l, "branch,");
@@ -187,19 +194,55 @@ static void refuse(sheet *s, const char *why)
         put_design(s, branches[i], NULL, why);
 }
 
+/* A comma and a number; nothing after it if it is not defined. */
+static void put_next(sheet *s, double value)
+{
+    line_text(&s->l, ",", 1);
+    if (!gsl_isnan(value))
+        line_number(&s->l, value, DIGITS);
+}
+
+static void put_statistic(sheet *s, const sheet_statistic *x)
+{
+    int i;
+
+    put_words(&s->l, x->output->name);
+    line_put(&s->l, ",%s,%s,%lu", x->output->unit, fourlink_branch_text((int)x->branch), x->count);
+    put_next(s, x->mean);
+    put_next(s, x->deviation);
+    put_next(s, x->least);
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        put_next(s, x->quantiles[i]);
+    put_next(s, x->most);
+    line_put(&s->l, ",,,\r\n");
+}
+
+static void put_yield(sheet *s, const sheet_yield *y)
+{
+    put_words(&s->l, y->condition);
+    line_put(&s->l, ",%s,%s,%lu,,,,,,,,,", "%", fourlink_branch_text((int)y->branch), y->designs);
+    put_next(s, y->percent);
+    put_next(s, y->low);
+    put_next(s, y->high);
+    line_text(&s->l, "\r\n", 2);
+}
+
 const sheet_format csv_format = {
-    "csv",                                                                        /* name */
-    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS, /* writes */
-    begin,                                                                        /* begin */
-    open_deck,                                                                    /* open */
-    NULL,                                                                         /* column */
-    put_fact,                                                                     /* fact */
-    NULL,                                                                         /* block */
-    put_row,                                                                      /* row */
-    put_check,                                                                    /* check */
-    put_design,                                                                   /* design */
-    refuse,                                                                       /* refuse */
-    close_deck,                                                                   /* close */
-    sizeof(long),                                                                 /* layout_size */
-    0                                                                             /* is_by_angle */
+    "csv", /* name */
+    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
+        1 << SHEET_STATISTICS, /* writes */
+    begin,                     /* begin */
+    open_deck,                 /* open */
+    NULL,                      /* column */
+    put_fact,                  /* fact */
+    NULL,                      /* block */
+    put_row,                   /* row */
+    put_check,                 /* check */
+    put_design,                /* design */
+    refuse,                    /* refuse */
+    close_deck,                /* close */
+    sizeof(long),              /* layout_size */
+    0,                         /* is_by_angle */
+    put_statistic,             /* statistic */
+    put_yield                  /* yield */
 };

@@ -182,6 +182,8 @@ static void open_deck(sheet *s)
 
     put_labels(s);
     put_text(&s->l, "title", s->problem.title);
+    if (s->content == SHEET_STATISTICS)
+        return;
     put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
     if (s->content == SHEET_LIST)
         return;
@@ -356,6 +358,48 @@ static void close_deck(sheet *s)
     line_put(&s->l, s->list ? "]}\n" : "}\n");
 }
 
+static void put_named_number(line *l, const char *name, double value)
+{
+    put_name(l, name, 0);
+    put_number(l, value);
+}
+
+static void put_statistic(sheet *s, const sheet_statistic *x)
+{
+    static const char *const shares[SHEET_QUANTILES] = {"5 %", "25 %", "50 %", "75 %", "95 %"};
+    int i;
+
+    put_item(s, "statistics");
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "name", 1);
+    put_string(&s->l, x->output->name);
+    put_text(&s->l, "unit", x->output->unit);
+    put_text(&s->l, "branch", fourlink_branch_text((int)x->branch));
+    put_named_number(&s->l, "count", (double)x->count);
+    put_named_number(&s->l, "mean", x->mean);
+    put_named_number(&s->l, "std_dev", x->deviation);
+    put_named_number(&s->l, "min", x->least);
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        put_named_number(&s->l, shares[i], x->quantiles[i]);
+    put_named_number(&s->l, "max", x->most);
+    line_text(&s->l, "}", 1);
+}
+
+static void put_yield(sheet *s, const sheet_yield *y)
+{
+    put_item(s, "yield");
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "condition", 1);
+    put_string(&s->l, y->condition);
+    put_text(&s->l, "branch", fourlink_branch_text((int)y->branch));
+    put_named_number(&s->l, "designs", (double)y->designs);
+    put_named_number(&s->l, "passed", (double)y->passed);
+    put_named_number(&s->l, "yield", y->percent);
+    put_named_number(&s->l, "low", y->low);
+    put_named_number(&s->l, "high", y->high);
+    line_text(&s->l, "}", 1);
+}
+
 const sheet_format json_format = {
     "json",                                                                     /* name */
     (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX) - (1 << SHEET_EXPECT), /* writes */
@@ -370,5 +414,7 @@ const sheet_format json_format = {
     refuse,                                                                     /* refuse */
     close_deck,                                                                 /* close */
     0,                                                                          /* layout_size */
-    0                                                                           /* is_by_angle */
+    0,                                                                          /* is_by_angle */
+    put_statistic,                                                              /* statistic */
+    put_yield                                                                   /* yield */
 };

@@ -68,5 +68,7 @@ const sheet_format paper_format = {
     NULL,            /* refuse */
     NULL,            /* close */
     0,               /* layout_size */
-    1                /* is_by_angle */
+    1,               /* is_by_angle */
+    NULL,            /* statistic */
+    NULL             /* yield */
 };

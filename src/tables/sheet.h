@@ -20,8 +20,9 @@ typedef enum sheet_content {
     SHEET_CHECK,
     SHEET_LIST,
     SHEET_MATRIX,
-    SHEET_DESIGNS, /* a line for each design of a sweep */
-    SHEET_EXPECT,  /* values for --check */
+    SHEET_DESIGNS,    /* a line for each design of a sweep */
+    SHEET_EXPECT,     /* values for --check */
+    SHEET_STATISTICS, /* of the outputs of a sweep */
     SHEET_CONTENT_COUNT
 } sheet_content;
 
@@ -46,13 +47,14 @@ typedef struct sheet {
     const char *angle_unit;
     const fourlink_value *columns, *variables;
     unsigned long n_columns, n_variables;
-    unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
-    const double *varied;    /* the values of its variables */
-    double *values;          /* of a row */
-    fourlink_load *loads;    /* of a row */
-    void *layout;            /* of the format */
-    unsigned long n_written; /* decks or designs */
-    const char *list;        /* for the format: the list that is open, or null */
+    unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
+    const double *varied;          /* the values of its variables */
+    struct statistics *statistics; /* of the sweep; null: none */
+    double *values;                /* of a row */
+    fourlink_load *loads;          /* of a row */
+    void *layout;                  /* of the format */
+    unsigned long n_written;       /* decks or designs */
+    const char *list;              /* for the format: the list that is open, or null */
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
@@ -75,6 +77,25 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
+#define SHEET_QUANTILES 5
+
+/* Statistics of one output on one branch; NaN: not defined. */
+typedef struct sheet_statistic {
+    const fourlink_value *output;
+    fourlink_branch branch;
+    unsigned long count;
+    double mean, deviation, least, most;
+    double quantiles[SHEET_QUANTILES]; /* 5, 25, 50, 75, 95 per cent */
+} sheet_statistic;
+
+/* How many designs meet a condition. */
+typedef struct sheet_yield {
+    const char *condition;
+    fourlink_branch branch;
+    unsigned long passed, designs;
+    double percent, low, high; /* 95 per cent interval, in per cent */
+} sheet_yield;
+
 /* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block` and `close` may be null.  The
 ** others may be null if the format does not write their contents: `row` for rows, `check` and `refuse` for
 ** comparisons, `column` for lists, `design` and `refuse` for sweeps. */
@@ -94,6 +115,8 @@ typedef struct sheet_format {
     size_t layout_size;                        /* of s->layout, for each column */
     int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
                            at the end of a revolution */
+    void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
+    void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
 } sheet_format;
 
 /* The formats, each in its own file. */

@@ -246,5 +246,7 @@ const sheet_format table_format = {
     table_refuse,                   /* refuse */
     table_close,                    /* close */
     sizeof(style),                  /* layout_size */
-    0                               /* is_by_angle */
+    0,                              /* is_by_angle */
+    table_put_statistic,            /* statistic */
+    table_put_yield                 /* yield */
 };

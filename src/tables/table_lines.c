@@ -25,6 +25,8 @@ void table_put_head(sheet *s)
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
     sheet_write_title(s);
+    if (s->content == SHEET_STATISTICS)
+        return;
     sheet_write_mechanism(s);
     if (s->content == SHEET_SUMMARY)
         line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit",
