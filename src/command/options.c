@@ -33,7 +33,8 @@ const char *const options_help[] = {
     "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment, "
     "polar,",
-    "                                    vectors, klein, animation (default for .gif)",
+    "                                    vectors, klein, animation (default for .gif);",
+    "                                    of a [sweep]: histogram, columns",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep], or "
@@ -157,7 +158,7 @@ static int set_plot_kind(options *o, const char *value, char message[400])
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
     flk_message(message, 400,
                 "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
-                "klein or animation, not '%t'%h",
+                "klein, animation, histogram or columns, not '%t'%h",
                 flk_text_of(value), nearest);
     return 0;
 }

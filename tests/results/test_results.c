@@ -283,7 +283,7 @@ static void test_no_design_in_order(void **unused)
 
 static void test_lists_that_are_not_there(void **unused)
 {
-    static const int which[] = {0, -1, 6, 1000};
+    static const int which[] = {0, -1, FOURLINK_CONDITIONS + 1, 1000};
     fourlink_results *r = opened(linkage(""));
     const fourlink_value *list = NULL;
     unsigned long n = 77;
