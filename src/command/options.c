@@ -40,6 +40,8 @@ const char *const options_help[] = {
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep], or "
     "of",
     "                                    a csv FILE that has them",
+    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined, as "
+    "a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
@@ -57,7 +59,8 @@ enum {
     EXPECT,
     AT,
     STATISTICS,
-    LAST_WITHOUT_LETTER = STATISTICS
+    BEST,
+    LAST_WITHOUT_LETTER = BEST
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -84,6 +87,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
+                                    {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
@@ -186,6 +190,21 @@ static int set_change(options *o, const char *origin, const char *key, const cha
     return 1;
 }
 
+/* max NAME, min NAME */
+static int set_best(options *o, const char *value, char message[400])
+{
+    text which, name;
+
+    if (!flk_text_cut(flk_text_of(value), " ", &which, &name) || !name.length ||
+        strpbrk(name.start, ", \t") ||
+        (!flk_text_equal(which, "max") && !flk_text_equal(which, "min")))
+        return say(message, "--best must be 'max NAME' or 'min NAME', such as 'max mu_min', not '",
+                   value, "'");
+    o->best = name.start;
+    o->best_is_largest = flk_text_equal(which, "max");
+    return set_change(o, "--best", "sweep.output=", name.start);
+}
+
 static int set_statistics(options *o, const char *value, char message[400])
 {
     if (value == no_value) {
@@ -224,6 +243,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
         return set_content(o, SHEET_CHECK);
+    case BEST:
+        return set_best(o, value, message);
     case STATISTICS:
         return set_statistics(o, value, message);
     case EXPECT:
@@ -331,11 +352,14 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
-/* Check what does not go with statistics. */
+/* Check what does not go with statistics, or with the best design. */
 static int check_statistics(const options *o, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
+    if (o->best && (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics ||
+                    o->plot || o->plot_script || o->n_decks > 1 || o->format != &table_format))
+        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message,
                    "--statistics needs all designs: join the parts, then use "

@@ -13,9 +13,11 @@ typedef struct options {
     sheet_content content;
     int n_contents; /* how many were asked for */
     int help, version;
-    const char *check_file;      /* null: the deck's own expectations */
-    const char *at;              /* the crank angles of --expect; null: the rows */
-    const char *output;          /* null: standard output */
+    const char *check_file; /* null: the deck's own expectations */
+    const char *at;         /* the crank angles of --expect; null: the rows */
+    const char *output;     /* null: standard output */
+    const char *best;       /* the name that --best asks for; null: it was not given */
+    int best_is_largest;
     const char *statistics_file; /* designs computed before; null: none */
     int n_statistics;            /* how often --statistics was given without a file */
     unsigned long part, parts;   /* --part=K/N; parts 0: not given */

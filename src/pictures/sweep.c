@@ -236,7 +236,8 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
     width = bins > 1 ? (high - low) / bins : low != 0 ? 0.01 * fabs(low) : 1;
     low -= bins > 1 ? 0 : 0.5 * width;
     begin_panel(p);
-    canvas_titles(&p->on, "", d->outputs[output].name, d->outputs[output].unit, "designs", "number");
+    canvas_titles(&p->on, "", d->outputs[output].name, d->outputs[output].unit, "designs",
+                  "number");
     for (b = 0; b < p->n_branches; b++) {
         here = put_bins(p, d, output, b, bins, low, width);
         most = here > most ? here : most;
