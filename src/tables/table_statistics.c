@@ -7,7 +7,7 @@
 
 #include "table.h"
 
-#define WIDTH 14
+#define WIDTH 12
 
 static void put_number(sheet *s, double value)
 {
@@ -23,7 +23,7 @@ static void put_heading(sheet *s)
                                         "50 %", "75 %",    "95 %", "max"};
     size_t i;
 
-    line_put(&s->l, "#    count");
+    line_put(&s->l, "#  count");
     for (i = 0; i < sizeof names / sizeof names[0]; i++)
         line_field(&s->l, names[i], WIDTH);
     line_put(&s->l, "\n");
@@ -39,7 +39,7 @@ void table_put_statistic(sheet *s, const sheet_statistic *x)
         put_heading(s);
     line_put(&s->l, "# %s%s%s%s, %s branch\n", x->output->name, x->output->unit[0] ? " (" : "",
              x->output->unit, x->output->unit[0] ? ")" : "", fourlink_branch_text((int)x->branch));
-    line_field(&s->l, format_fixed((double)x->count, 0, number), 10);
+    line_field(&s->l, format_fixed((double)x->count, 0, number), 8);
     put_number(s, x->mean);
     put_number(s, x->deviation);
     put_number(s, x->least);
