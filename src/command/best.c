@@ -15,6 +15,7 @@
 #include "base/message.h"
 #include "best.h"
 #include "command.h"
+#include "interrupt.h"
 #include "rewrite.h"
 
 #define DIGITS 10      /* of a refined value */
@@ -90,24 +91,28 @@ static double value_of(search *s, const fourlink_source *source, fourlink_branch
 /* ---------------------------------------------------------------------------------------- the grid */
 
 /* Find the best design of the grid; 0 if none is allowed. */
-static int search_grid(search *s)
+static int search_grid(search *s, FILE *out)
 {
     fourlink_source source = s->in->source;
-    unsigned long best = 0, i;
+    unsigned long best = 0, n = s->in->problem.n_designs, i;
     fourlink_branch branch;
+    progress p;
 
     s->found = WORST;
-    for (i = 0; i < s->in->problem.n_designs && !s->out_of_memory; i++) {
+    progress_begin(&p, out);
+    for (i = 0; i < n && !s->out_of_memory && !interrupt_signal(); i++) {
         double value;
 
         source.design = i;
         value = value_of(s, &source, &branch);
+        progress_tell(&p, i + 1, n);
         if (!(value < s->found))
             continue;
         s->found = value;
         s->branch = branch;
         best = i;
     }
+    progress_end(&p);
     source.design = best;
     if (fourlink_source_design(&source, s->n, s->best) != FOURLINK_OK ||
         fourlink_source_neighbours(&source, s->n, s->low, s->high) != FOURLINK_OK)
@@ -208,7 +213,7 @@ static void go_down(search *s, double size)
     f.f = value_at;
     f.params = s;
     gsl_multimin_fminimizer_set(m, &f, x, steps);
-    for (step = 0; step < MOST_STEPS && !s->out_of_memory; step++)
+    for (step = 0; step < MOST_STEPS && !s->out_of_memory && !interrupt_signal(); step++)
         if (gsl_multimin_fminimizer_iterate(m) != GSL_SUCCESS ||
             gsl_multimin_fminimizer_size(m) < TOLERANCE)
             break;
@@ -428,27 +433,39 @@ static void close_search(search *s)
     free((void *)s->source.text);
 }
 
-int best_write(FILE *out, const input *in)
+/* Search, and write the design that was found; returns the exit status. */
+static int find_best(FILE *out, search *s)
 {
     char message[MESSAGE_SIZE];
+    int is_found = search_grid(s, out);
+
+    if (is_found && !interrupt_signal())
+        refine(s);
+    if (interrupt_signal())
+        return command_complain("stopped", s->in->name, "interrupted");
+    if (s->out_of_memory)
+        return command_complain("cannot analyse", s->in->name, "not enough memory");
+    if (is_found)
+        return write_result(out, s);
+    flk_message(message, sizeof message,
+                s->n_conditions ? "no design has a value of %s and meets the yield"
+                                : "no design has a value of %s",
+                s->name);
+    command_tell_mistake("--best", 0, message, NULL);
+    return EXIT_ROWS;
+}
+
+int best_write(FILE *out, const input *in, int *signal_number)
+{
     search s;
     int status;
 
-    if (!open_search(&s, in)) {
-        status = command_complain("cannot analyse", in->name, "not enough memory");
-    } else if (search_grid(&s)) {
-        refine(&s);
-        status = write_result(out, &s);
-    } else if (s.out_of_memory) {
-        status = command_complain("cannot analyse", in->name, "not enough memory");
-    } else {
-        flk_message(message, sizeof message,
-                    s.n_conditions ? "no design has a value of %s and meets the yield"
-                                   : "no design has a value of %s",
-                    s.name);
-        command_tell_mistake("--best", 0, message, NULL);
-        status = EXIT_ROWS;
-    }
+    interrupt_watch(1);
+    status = open_search(&s, in)
+                 ? find_best(out, &s)
+                 : command_complain("cannot analyse", in->name, "not enough memory");
+    interrupt_watch(0);
+    *signal_number = interrupt_signal();
     close_search(&s);
     return status;
 }

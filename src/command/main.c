@@ -105,7 +105,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
     if (o->statistics_file)
         written = joined_write(out.file, o, o->n_decks ? &inputs[0] : NULL);
     else if (o->best)
-        written = best_write(out.file, &inputs[0]);
+        written = best_write(out.file, &inputs[0], signal_number);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
