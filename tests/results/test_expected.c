@@ -637,68 +637,6 @@ static void test_expectations_of_another_file(void **unused)
     assert_int_equal(mistake.line, 2);
 }
 
-/* A deck that asks for one branch is checked on that one. */
-static void test_answers_for_one_branch(void **unused)
-{
-    static const struct {
-        const char *answers, *branch;
-        unsigned long n;
-        fourlink_branch on;
-        fourlink_verdict verdict; /* of the first */
-    } cases[] = {
-        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
-         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = -125.2 deg\n",
-         "open", 1, FOURLINK_OPEN, OK},
-        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
-         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = 103.8 deg\n",
-         "crossed", 1, FOURLINK_CROSSED, DIFFERS},
-        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\nomega4 = 1 rad/s\n", "crossed",
-         2, FOURLINK_CROSSED, DIFFERS},
-        {"[expect]\nat = 40 deg\ntheta4 = 103.8 deg\n", "crossed", 1, FOURLINK_CROSSED, DIFFERS},
-        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
-         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = 103.8 deg\n",
-         "both", 2, FOURLINK_OPEN, OK}};
-    fourlink_mistake mistake;
-    fourlink_results *r;
-    taken t = {0};
-    size_t i;
-
-    (void)unused;
-    for (i = 0; i < COUNT(cases); i++) {
-        assert_int_equal(open_with_answers(alvi(print("[table]\nbranch = %s\n", cases[i].branch)),
-                                           cases[i].answers, &r, &mistake),
-                         FOURLINK_OK);
-        take(r, &t);
-        assert_int_equal(t.n, cases[i].n);
-        assert_int_equal(t.list[0].branch, cases[i].on);
-        assert_int_equal(t.list[0].verdict, cases[i].verdict);
-        if (cases[i].verdict == DIFFERS)
-            assert_string_equal(t.list[0].hint, "103.8 deg is the open branch's value");
-        fourlink_results_free(r);
-    }
-}
-
-static void test_hints(void **unused)
-{
-    static const struct {
-        const char *expectation, *hint;
-    } cases[] = {{"[expect]\nn = -3.0\n", "the sign is the opposite"},
-                 {"[expect]\nstroke = 200 m\n",
-                  "the computed value is 1/1000 of the expected one: a unit such as mm for m?"},
-                 {"[expect]\nstroke = 0.200 mm\n",
-                  "the computed value is 1000 times the expected one: a unit such as m for mm?"},
-                 {"[expect]\nstroke = 0.0 mm\n", ""}, /* half of its digit holds a thousandth */
-                 {"[expect]\nstroke = 210 mm\n", ""},
-                 {"[misprint]\nn = -3.0\n", ""},
-                 {"[expect]\nn = 3.0\n", ""},
-                 {"[expect]\ntype = double rocker\n", ""}};
-    size_t i;
-
-    (void)unused;
-    for (i = 0; i < COUNT(cases); i++)
-        assert_string_equal(one_check(engine_of_300(cases[i].expectation)).hint, cases[i].hint);
-}
-
 static void test_nothing_expected(void **unused)
 {
     taken t = {0};
@@ -734,8 +672,6 @@ int main(void)
         cmocka_unit_test(test_mistake_beyond_the_end_of_a_motion),
         cmocka_unit_test(test_all_mistakes_in_one_run),
         cmocka_unit_test(test_expectations_of_another_file),
-        cmocka_unit_test(test_answers_for_one_branch),
-        cmocka_unit_test(test_hints),
         cmocka_unit_test(test_nothing_expected),
     };
 
