@@ -95,7 +95,7 @@ module fourlink
   integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
     fourlink_facts_turning = 4
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
-    fourlink_of_rounding = 4
+    fourlink_of_rounding = 4, fourlink_of_forces = 8
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
@@ -326,6 +326,10 @@ module fourlink
       type(fourlink_mechanism), intent(inout) :: mechanism
     end function fourlink_prepare
 
+    integer(c_int) function fourlink_has_type(kind, type) bind(c)
+      import :: c_int
+      integer(c_int), value :: kind, type
+    end function fourlink_has_type
     integer(c_int) function fourlink_slides(kind, link) bind(c)
       import
       integer(c_int), value :: kind, link
@@ -600,6 +604,14 @@ module fourlink
       import
       type(c_ptr), value :: results
     end function fourlink_results_deck
+
+    integer(c_int) function fourlink_results_notes(results, max_notes, notes, n_notes) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_long), value :: max_notes
+      type(fourlink_mistake), intent(inout) :: notes(*)
+      integer(c_long), intent(inout) :: n_notes
+    end function fourlink_results_notes
 
     ! The list is an array of n fourlink_value, for c_f_pointer.
     integer(c_int) function fourlink_results_list(results, which, list, n) bind(c)

@@ -300,7 +300,8 @@ typedef struct fourlink_limits {
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
     double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
     double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
-    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; for a lever
+    double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; of the two strokes
+                                      of a piston whose line of stroke has an offset; for a lever
                                       that turns fully, of the strokes of a tool whose line of stroke
                                       passes D at right angles to AD; 0: there is none */
     int has_stroke;      /* 1: the piston moves between two dead centres */
@@ -423,7 +424,9 @@ typedef struct fourlink_row {
 /* A deck that has been read, from fourlink_deck_read to fourlink_deck_free. */
 typedef struct fourlink_deck fourlink_deck;
 
-/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE". */
+/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE", or a note on what is
+** allowed but probably not meant: "FILE:LINE: note: MESSAGE".  The line is 0 for an assignment from
+** outside the deck. */
 typedef struct fourlink_mistake {
     char file[1024];   /* a file that the deck names, the answers, or a change; "": the deck */
     long line;         /* from 1; 0: in a change, not in a file */
@@ -529,7 +532,8 @@ typedef struct fourlink_value {
 enum {
     FOURLINK_OF_CRANK = 1,    /* of the crank alone: has a value at every crank angle */
     FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
-    FOURLINK_OF_ROUNDING = 4  /* a measure of rounding */
+    FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
+    FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
 
 /* A condition: above or below its value, or equal to it. */
@@ -668,6 +672,9 @@ FOURLINK_API int fourlink_prepare(const fourlink_design *design, fourlink_mechan
 FOURLINK_API int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type);
 FOURLINK_API const char *fourlink_type_text(int type);
 
+/* 1 if mechanisms of this kind can have this type. */
+FOURLINK_API int fourlink_has_type(int kind, int type);
+
 /* The crank angles at which the linkage can be assembled, in closed form.
 **
 ** Given:
@@ -693,7 +700,7 @@ FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink
 ** Notes:
 ** 1) The rocker of a crank-rocker has limits where crank and coupler are in line.  A mechanism with
 **    a change point has neither limits nor dead centres.
-** 2) time_ratio is the larger crank angle between the limits over the smaller one.
+** 2) time_ratio is the larger crank angle between the limits, or dead centres, over the smaller one.
 ** Reference:
 **    The triangles ACD with AC = b - a and a + b, law of cosines; dead centres where crank and rod
 **    are in line.
@@ -1194,6 +1201,21 @@ FOURLINK_API void fourlink_results_free(fourlink_results *results);
 
 /* The deck of results, for the functions above; valid as long as the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
+
+/* The notes on a deck: what is allowed, but probably not meant, such as a link with a mass and no
+** place of its centre of mass.
+**
+** Given:
+**    results    from fourlink_results_open
+**    max_notes  size of `notes`
+** Returned:
+**    notes      the first of them, in the order of the lines; may be null if max_notes is 0
+**    n_notes    how many there are, which may exceed max_notes; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+*/
+FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigned long max_notes,
+                                        fourlink_mistake *notes, unsigned long *n_notes);
 
 /* A list of names: columns, inputs, variables and outputs of a sweep.
 **

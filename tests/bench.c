@@ -23,6 +23,7 @@
 #include "fourlink.h"
 #include "tables/line.h"
 
+#define DESIGNS 50 /* of a sweep, for its extremes */
 #define ANGLES 360
 #define COLUMNS 20
 #define WIDTH 11
@@ -140,6 +141,51 @@ static double time_rows(analyser *analyse, const fourlink_mechanism *m, const fo
             sink = sink + forces.Ts + state.link[3].alpha;
         }
     return (seconds() - start) / (PASSES * ANGLES);
+}
+
+/* Extremes.  The six of the forces against 360 rows by dyads of the same deck, and those of a whole table, both
+** branches, against writing that as csv. */
+#define DECK_SIZE 10000
+
+static double time_extremes(const char *deck, size_t length)
+{
+    static const char *const names[] = {"max(Ts)",  "min(Ts)",  "max(F12)",
+                                        "max(F23)", "max(F34)", "max(F14)"};
+    fourlink_results *results;
+    fourlink_source source;
+    fourlink_value value;
+    double start, sum = 0;
+    int i, design;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck;
+    source.length = length;
+    for (design = 0; design < DESIGNS; design++) {
+        if (fourlink_results_open(&source, 0, &results, NULL, NULL) != FOURLINK_OK)
+            exit(EXIT_FAILURE);
+        start = seconds();
+        for (i = 0; i < 6; i++) {
+            if (fourlink_results_value(results, names[i], FOURLINK_OPEN, 0, &value) != FOURLINK_OK)
+                exit(EXIT_FAILURE);
+            sink = sink + value.value;
+        }
+        sum += seconds() - start;
+        fourlink_results_free(results);
+    }
+    return sum / DESIGNS;
+}
+
+/* A deck with the columns of the six extremes in place of its own. */
+static size_t read_deck(const char *name, char deck[DECK_SIZE])
+{
+    FILE *in = fopen(name, "r");
+    size_t n;
+
+    if (!in)
+        exit(EXIT_FAILURE);
+    n = fread(deck, 1, DECK_SIZE - 100, in);
+    fclose(in);
+    return n + (size_t)sprintf(deck + n, "\n[table]\ncolumns = Ts, F12, F23, F34, F14\n");
 }
 
 /* The bare loop: decomposition and solution of the same 9x9 systems, the matrix copied because the
@@ -292,20 +338,21 @@ typedef struct printed {
 
 static void read_printed(const char *path, printed *p)
 {
-    char bytes[1000], *rest;
+    char printed_line[1000], *rest;
     FILE *in = fopen(path, "r");
     int j;
 
-    while (in && p->n < ANGLES && fgets(bytes, sizeof bytes, in)) {
-        if (bytes[0] == '#')
+    while (in && p->n < ANGLES && fgets(printed_line, sizeof printed_line, in)) {
+        if (printed_line[0] == '#')
             continue;
-        for (j = 0, rest = bytes; j < COLUMNS; j++) {
+        for (j = 0, rest = printed_line; j < COLUMNS; j++) {
             const char *point;
 
             p->value[p->n][j] = strtod(rest, &rest);
-            for (point = rest; point > bytes && point[-1] != '.' && point[-1] != ' '; point--)
+            for (point = rest; point > printed_line && point[-1] != '.' && point[-1] != ' ';
+                 point--)
                 ;
-            p->decimals[j] = point > bytes && point[-1] == '.' ? (int)(rest - point) : 0;
+            p->decimals[j] = point > printed_line && point[-1] == '.' ? (int)(rest - point) : 0;
         }
         p->n++;
     }
@@ -357,6 +404,43 @@ static int report_command(const char *command, const char *deck_name, FILE *nowh
            1e-6 / median(alone, RUNS));
     printf("peak resident size: %ld kB for 1e3 rows, %ld kB for 1e6\n", small, large);
     return missed;
+}
+
+static double time_command(const char *command, const char *what, const char *deck_name)
+{
+    double start = cpu_of_children();
+    pid_t child = fork();
+    int status = 1;
+
+    if (child == 0) {
+        execl(command, command, what, "--branch=both", "--interval=1 deg", "--output", "/dev/null",
+              deck_name, (char *)NULL);
+        _exit(127);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0)
+        exit(EXIT_FAILURE);
+    return cpu_of_children() - start;
+}
+
+/* Six extremes against rows, and all those of a table against the table. */
+static int report_extremes(const char *command, const char *deck_name, const fourlink_mechanism *m,
+                           const fourlink_load *load)
+{
+    static char deck[DECK_SIZE];
+    double extremes[ROUNDS], rows[ROUNDS], summary[ROUNDS], csv[ROUNDS];
+    size_t length = read_deck(deck_name, deck);
+    int i, missed;
+
+    for (i = 0; i < ROUNDS; i++) {
+        extremes[i] = time_extremes(deck, length);
+        rows[i] = ANGLES * time_rows(fourlink_analyse_dyad, m, load);
+        summary[i] = time_command(command, "--format=table", deck_name);
+        csv[i] = time_command(command, "--format=csv", deck_name);
+    }
+    missed = report("six extremes of forces / 360 rows by dyads",
+                    median(extremes, ROUNDS) / median(rows, ROUNDS), 2.5);
+    return missed + report("a table at 1 deg with all its extremes, both branches / csv",
+                           median(summary, ROUNDS) / median(csv, ROUNDS), 3);
 }
 
 int main(int argc, char **argv)
@@ -414,7 +498,8 @@ int main(int argc, char **argv)
     missed += report("row of 20 columns: table printing / fprintf of the same",
                      median(rows[0], ROUNDS) / median(rows[1], ROUNDS), 0.125);
     if (argc == 3)
-        missed += report_command(argv[1], argv[2], nowhere);
+        missed += report_extremes(argv[1], argv[2], &four_bar, &torque) +
+                  report_command(argv[1], argv[2], nowhere);
     fclose(nowhere);
     gsl_permutation_free(p);
     return missed ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -19,6 +19,8 @@ static char *finish(char *end, char *out, const char *format, double value, int 
 
     if (end)
         return end;
+    if (value != value) /* whatever its sign */
+        return strcpy(out, "nan") + 3;
     decimal = localeconv()->decimal_point;
     sprintf(out, format, digits, value);
     if (strcmp(decimal, ".") != 0 && (mark = strstr(out, decimal)) != NULL) {

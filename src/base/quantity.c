@@ -7,6 +7,7 @@
 #include "fourlink.h"
 #include "number.h"
 #include "quantity.h"
+#include "spelling.h"
 
 /* The name of a quantity of this dimension, or null. */
 static const char *words_of(dimension dim)
@@ -19,22 +20,66 @@ static const char *words_of(dimension dim)
     return NULL;
 }
 
+/* The reason for a comma within a number, at the front of `rest`: 66,5 or 1,000. */
+static void refuse_comma(text rest, text whole, char message[MESSAGE_SIZE])
+{
+    char point[40], none[40];
+    size_t i, n = 0, digits = 0, commas = 0;
+
+    for (i = 0; i < rest.length && i + 1 < sizeof point && strchr("+-.,0123456789", rest.start[i]);
+         i++) {
+        point[i] = none[n] = rest.start[i];
+        digits = rest.start[i] == ',' ? 0 : digits + 1;
+        n += rest.start[i] != ',';
+        if (rest.start[i] == ',') {
+            point[i] = '.';
+            commas++;
+        }
+    }
+    point[i] = none[n] = '\0';
+    if (commas > 1 || strchr(none, '.'))
+        flk_message(message, MESSAGE_SIZE, "'%t': a comma within a number: write it without",
+                    whole);
+    else if (digits == 3)
+        flk_message(message, MESSAGE_SIZE, "'%t': a comma within a number: write %s or %s", whole,
+                    none, point);
+    else
+        flk_message(message, MESSAGE_SIZE, "'%t': a comma as decimal mark: write %s", whole, point);
+}
+
+/* The reason why there is no number. */
+static void refuse_number(text rest, text whole, quantity q, char message[MESSAGE_SIZE])
+{
+    const quantity_info *info = &flk_quantities[q];
+    text after = rest.length ? flk_text_from(rest, 1) : rest;
+    int is_signed = rest.length && (rest.start[0] == '-' || rest.start[0] == '+');
+    const char *why = "";
+
+    if (is_signed && after.length && (after.start[0] == '-' || after.start[0] == '+'))
+        why = ": it has two signs";
+    else if (is_signed && flk_text_blank(after))
+        why = ": there is a blank after the sign";
+    flk_message(message, MESSAGE_SIZE, "expected %s, such as %s, not '%t'%s", info->words,
+                info->example, whole, why);
+}
+
 int flk_quantity_number(text *rest, text whole, quantity q, double *number,
                         char message[MESSAGE_SIZE])
 {
     static const char *const why[] = {"",
-                                      "expected %s, such as %s, not '%t'",
+                                      "",
                                       "'%t' is not a finite number",
                                       "'%t' is not a decimal number",
-                                      "'%t': the decimal mark is a point, not a comma",
+                                      "",
                                       "'%t' has too many digits"};
     number_status status;
 
     *rest = flk_text_trim(*rest);
     status = flk_number_read(rest, number);
     if (status == NUMBER_NONE)
-        flk_message(message, MESSAGE_SIZE, why[status], flk_quantities[q].words,
-                    flk_quantities[q].example, whole);
+        refuse_number(*rest, whole, q, message);
+    else if (status == NUMBER_COMMA)
+        refuse_comma(*rest, whole, message);
     else if (status != NUMBER_OK)
         flk_message(message, MESSAGE_SIZE, why[status], whole);
     return status == NUMBER_OK;
@@ -46,15 +91,31 @@ static int is_direction(text t)
            flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
+/* The reason why a number goes on after its end; null if it does not. */
+static const char *why_not_one(text t)
+{
+    int c = t.length ? t.start[0] : 0;
+
+    if ('0' <= c && c <= '9')
+        return "'%t': two numbers in place of one; a blank does not separate thousands";
+    if (t.length > 1 && c == '.' && '0' <= t.start[1] && t.start[1] <= '9')
+        return "'%t': a number with two points";
+    if (t.length > 1 && c == '/' && '0' <= t.start[1] && t.start[1] <= '9')
+        return "'%t': a fraction: write it as a decimal number";
+    return NULL;
+}
+
 /* The reason why `t` is not a unit; `bad` is the unknown part of it. */
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
-    const char *nearest =
-        flk_unit_nearest(bad, bad.length == t.length ? &flk_quantities[q].dim : NULL);
+    const char *nearest = flk_unit_nearest(t, bad, flk_quantities[q].dim);
+    const char *why = t.start > whole.start ? why_not_one(t) : NULL;
 
     if (nearest && flk_text_same(bad, nearest))
         nearest = NULL;
-    if (is_direction(bad))
+    if (why)
+        flk_message(message, MESSAGE_SIZE, why, whole);
+    else if (is_direction(bad))
         flk_message(message, MESSAGE_SIZE,
                     "unknown unit '%t': counter-clockwise is positive, clockwise negative", bad);
     else if (memchr(bad.start, '#', bad.length) || memchr(bad.start, ';', bad.length))
@@ -76,6 +137,11 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     *u = bare;
     if (!t.length)
         return 1;
+    if (flk_text_same(t, "%") && q != QUANTITY_NUMBER) {
+        flk_message(message, MESSAGE_SIZE, "'%t': per cent of what? expected %s, such as %s", whole,
+                    info->words, info->example);
+        return 0;
+    }
     if (flk_text_same(t, "1") || !flk_unit_read(t, u, &bad)) {
         refuse_unit(t, flk_text_same(t, "1") ? t : bad, whole, q, message);
         return 0;
@@ -138,11 +204,21 @@ static double last_digit(text t)
     return digit;
 }
 
+/* Longer texts are no quantities. */
+#define LONGEST 200
+
 int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value *value,
                       char message[MESSAGE_SIZE])
 {
-    text rest = t;
+    char plain[SPELLING_SIZE(LONGEST)];
+    int is_whole = t.start == whole.start;
+    text rest;
 
+    if (t.length <= LONGEST && !flk_spelling_is_plain(t)) {
+        t = flk_spelling_plain(t, plain);
+        whole = is_whole ? t : whole;
+    }
+    rest = t;
     if (!flk_quantity_number(&rest, whole, q, &value->number, message) ||
         !flk_quantity_unit(rest, whole, q, bare, &value->unit, message))
         return 0;

@@ -16,9 +16,33 @@ text flk_text_of(const char *string)
     return t;
 }
 
-static int is_blank(int c)
+/* In UTF-8: the no-break space U+00A0; U+2000 to U+200A, thin spaces among them; U+202F; U+205F; U+3000. */
+size_t flk_text_blank(text t)
 {
-    return c == ' ' || c == '\t' || c == '\r';
+    const unsigned char *s = (const unsigned char *)t.start;
+
+    if (t.length >= 1 && (s[0] == ' ' || s[0] == '\t' || s[0] == '\r'))
+        return 1;
+    if (t.length >= 2 && s[0] == 0xc2 && s[1] == 0xa0)
+        return 2;
+    if (t.length < 3)
+        return 0;
+    if (s[0] == 0xe2 && s[1] == 0x80 && ((0x80 <= s[2] && s[2] <= 0x8a) || s[2] == 0xaf))
+        return 3;
+    return (s[0] == 0xe2 && s[1] == 0x81 && s[2] == 0x9f) ||
+                   (s[0] == 0xe3 && s[1] == 0x80 && s[2] == 0x80)
+               ? 3
+               : 0;
+}
+
+size_t flk_text_blank_before(text t)
+{
+    size_t n;
+
+    for (n = 1; n <= 3 && n <= t.length; n++)
+        if (flk_text_blank(flk_text_from(t, t.length - n)) == n)
+            return n;
+    return 0;
 }
 
 text flk_text_from(text t, size_t n)
@@ -30,10 +54,12 @@ text flk_text_from(text t, size_t n)
 
 text flk_text_trim(text t)
 {
-    while (t.length && is_blank(t.start[0]))
-        t = flk_text_from(t, 1);
-    while (t.length && is_blank(t.start[t.length - 1]))
-        t.length--;
+    size_t n;
+
+    while ((n = flk_text_blank(t)) > 0)
+        t = flk_text_from(t, n);
+    while ((n = flk_text_blank_before(t)) > 0)
+        t.length -= n;
     return t;
 }
 
@@ -82,6 +108,24 @@ int flk_text_split(text *rest, int stop, text *piece)
     if (!end)
         rest->start = NULL;
     return 1;
+}
+
+size_t flk_text_count(text t, int c)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < t.length; i++)
+        n += t.start[i] == c;
+    return n;
+}
+
+text flk_text_unquoted(text t)
+{
+    if (t.length >= 2 && t.start[0] == '"' && t.start[t.length - 1] == '"') {
+        t = flk_text_from(t, 1);
+        t.length--;
+    }
+    return t;
 }
 
 /* A tab counts as a blank. */
@@ -173,7 +217,7 @@ static size_t distance(text t, const char *word)
 const char *flk_text_nearest(text t, const char *const *words)
 {
     const char *nearest = NULL;
-    size_t best = t.length / 3 + 2;
+    size_t best = t.length <= 3 ? 2 : t.length / 3 + 2;
 
     for (; *words; words++) {
         size_t d = distance(t, *words);

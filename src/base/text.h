@@ -16,11 +16,22 @@ typedef struct text {
 text flk_text_of(const char *string);
 text flk_text_trim(text t);
 
+/* The length of the blank at the start of a text, or at its end; 0 if there is none.  Those of typography,
+** such as the no-break space, are blanks too. */
+size_t flk_text_blank(text t);
+size_t flk_text_blank_before(text t);
+
 /* Without its first n characters. */
 text flk_text_from(text t, size_t n);
 
 /* Without the byte order mark of UTF-8 at its start. */
 text flk_text_without_mark(text t);
+
+/* Without the double quotes around it. */
+text flk_text_unquoted(text t);
+
+/* How often a character is in it. */
+size_t flk_text_count(text t, int c);
 
 /* Join strings, up to a null pointer; cut off at `size`. */
 char *flk_text_join(char *out, size_t size, ...);

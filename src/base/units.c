@@ -79,6 +79,7 @@ static const named_unit units[] = {
     {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
     {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
     {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, to be refused: it is not an angular speed */
+    {"%", 1, 1e2, {0, 0, 0, 0}},
     {"1", 1, 1, {0, 0, 0, 0}},
 };
 
@@ -95,60 +96,71 @@ static const named_unit *find(text name)
     return NULL;
 }
 
-/* Words that people use, and the units they mean. */
+/* Words that people use for a unit, in any case. */
 static const struct {
     const char *written, *meant;
-} synonyms[] = {{"Nm", "N m"},      {"N\302\267m", "N m"}, {"kgm2", "kg m2"}, {"inch", "in"},
-                {"inches", "in"},   {"feet", "ft"},        {"foot", "ft"},    {"meter", "m"},
-                {"metre", "m"},     {"meters", "m"},       {"metres", "m"},   {"degree", "deg"},
-                {"degrees", "deg"}, {"\302\260", "deg"},   {"radian", "rad"}, {"radians", "rad"},
-                {"sec", "s"},       {"second", "s"},       {"seconds", "s"},  {"minute", "min"},
-                {"hour", "h"},      {"lbs", "lb"},         {"pound", "lb"},   {"kilogram", "kg"},
-                {"gram", "g"},      {"newton", "N"},       {"pascal", "Pa"},  {"rps", "rev/s"},
-                {"lbft", "lbf.ft"}, {"lbin", "lbf.in"}};
+} words[] = {
+    {"rpm", "rpm"},         {"rev", "rev"},       {"revs", "rev"},       {"revolution", "rev"},
+    {"revolutions", "rev"}, {"deg", "deg"},       {"degs", "deg"},       {"degca", "deg"},
+    {"cad", "deg"},         {"degree", "deg"},    {"degrees", "deg"},    {"rad", "rad"},
+    {"rads", "rad"},        {"radian", "rad"},    {"radians", "rad"},    {"inch", "in"},
+    {"inches", "in"},       {"foot", "ft"},       {"feet", "ft"},        {"meter", "m"},
+    {"meters", "m"},        {"metre", "m"},       {"metres", "m"},       {"millimeter", "mm"},
+    {"millimeters", "mm"},  {"millimetre", "mm"}, {"millimetres", "mm"}, {"centimeter", "cm"},
+    {"centimeters", "cm"},  {"centimetre", "cm"}, {"centimetres", "cm"}, {"sec", "s"},
+    {"secs", "s"},          {"second", "s"},      {"seconds", "s"},      {"mins", "min"},
+    {"minute", "min"},      {"minutes", "min"},   {"hour", "h"},         {"hours", "h"},
+    {"kilogram", "kg"},     {"kilograms", "kg"},  {"kgs", "kg"},         {"gram", "g"},
+    {"grams", "g"},         {"lbs", "lb"},        {"newton", "N"},       {"newtons", "N"},
+    {"pascal", "Pa"},       {"joule", "J"},       {"joules", "J"},       {"watt", "W"},
+    {"watts", "W"},         {"bar", "bar"},       {"bars", "bar"},       {"psi", "psi"},
+    {"slugs", "slug"}};
 
-/* The nearest unit of a dimension, or of all. */
-static const char *nearest_of(text word, const dimension *dim)
+/* Two units in one word; an exponent belongs to the second. */
+static const struct {
+    const char *written, *first, *second;
+} pairs[] = {{"Nm", "N", "m"},      {"kNm", "kN", "m"},     {"MNm", "MN", "m"},
+             {"Nmm", "N", "mm"},    {"kNmm", "kN", "mm"},   {"Ncm", "N", "cm"},
+             {"kgm", "kg", "m"},    {"kgmm", "kg", "mm"},   {"kgcm", "kg", "cm"},
+             {"gmm", "g", "mm"},    {"gcm", "g", "cm"},     {"lbft", "lbf", "ft"},
+             {"lbin", "lbf", "in"}, {"lbfft", "lbf", "ft"}, {"lbfin", "lbf", "in"}};
+
+/* The unit of a word, or the second of two; null if there is none. */
+static const named_unit *find_word(text word, const named_unit **first)
 {
-    const char *names[UNIT_COUNT + 1];
-    size_t i, n = 0;
-
-    for (i = 0; i < UNIT_COUNT; i++)
-        if (!dim || flk_dimension_equal(units[i].dim, *dim))
-            names[n++] = units[i].name;
-    names[n] = NULL;
-    return flk_text_nearest(word, names);
-}
-
-const char *flk_unit_nearest(text word, const dimension *dim)
-{
-    const char *nearest = dim ? nearest_of(word, dim) : NULL;
-    unit meant;
-    text bad;
     size_t i;
 
-    for (i = 0; i < sizeof synonyms / sizeof synonyms[0]; i++)
-        if (flk_text_equal(word, synonyms[i].written) &&
-            (!nearest || (flk_unit_read(flk_text_of(synonyms[i].meant), &meant, &bad) &&
-                          flk_dimension_equal(meant.dim, *dim))))
-            return synonyms[i].meant;
-    return nearest ? nearest : nearest_of(word, NULL);
+    for (i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+        if (flk_text_same(word, pairs[i].written)) {
+            *first = find(flk_text_of(pairs[i].first));
+            return find(flk_text_of(pairs[i].second));
+        }
+    *first = NULL;
+    for (i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (flk_text_equal(word, words[i].written))
+            return find(flk_text_of(words[i].meant));
+    return NULL;
 }
 
 #define MOST_FACTORS 8
 
-/* Read an exponent, with or without ^; 1 if there is none.  Returns 0 if units do not have it. */
+/* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if
+** units do not have it. */
 static int read_exponent(text *t)
 {
-    int marked = t->length && t->start[0] == '^', exponent;
+    int marked = t->length && t->start[0] == '^', exponent, sign = 1;
 
     if (marked)
         *t = flk_text_from(*t, 1);
+    if (marked && t->length && t->start[0] == '-') {
+        *t = flk_text_from(*t, 1);
+        sign = -1;
+    }
     if (!t->length || t->start[0] < '0' || t->start[0] > '9')
         return marked ? 0 : 1;
     exponent = t->start[0] - '0';
     *t = flk_text_from(*t, 1);
-    return exponent > 4 || (t->length && flk_text_is_word(t->start[0])) ? 0 : exponent;
+    return exponent > 4 || (t->length && flk_text_is_word(t->start[0])) ? 0 : sign * exponent;
 }
 
 /* Multiply by a unit to a power, positive or negative. */
@@ -171,11 +183,26 @@ static text take_name(text *t)
 {
     text name = *t;
 
+    if (t->length && t->start[0] == '%') {
+        *t = flk_text_from(*t, 1);
+        name.length = 1;
+        return name;
+    }
     while (t->length && flk_text_is_word(t->start[0]) &&
            (t->start == name.start || t->start[0] < '0' || t->start[0] > '9'))
         *t = flk_text_from(*t, 1);
     name.length -= t->length;
     return name;
+}
+
+static text up_to_blank(text t)
+{
+    text word = t;
+
+    for (word.length = 0; word.length < t.length; word.length++)
+        if (flk_text_blank(flk_text_from(t, word.length)))
+            break;
+    return word;
 }
 
 int flk_unit_read(text t, unit *result, text *bad)
@@ -186,18 +213,27 @@ int flk_unit_read(text t, unit *result, text *bad)
     t = flk_text_trim(t);
     *bad = t;
     while (t.length) {
-        const named_unit *known;
-        text name = take_name(&t);
+        const named_unit *known, *first = NULL;
+        text from = t, name = take_name(&t);
 
         *bad = name.length ? name : t;
-        if (!name.length || (known = find(name)) == NULL)
+        if (!name.length ||
+            ((known = find(name)) == NULL && (known = find_word(name, &first)) == NULL))
             return 0;
         factors++;
         if (flk_text_same(name, "1") && (factors > 1 || (t.length && t.start[0] != '/')))
             return 0; /* 1/s, but not 1 mm */
+        if (flk_text_same(name, "%") && (factors > 1 || t.length)) {
+            bad->length += t.length;
+            return 0; /* a unit of its own */
+        }
         exponent = read_exponent(&t);
-        if (!exponent)
+        if (!exponent) {
+            *bad = up_to_blank(from);
             return 0;
+        }
+        if (first)
+            multiply(&u, first, sign);
         multiply(&u, known, sign * exponent);
         if (factors > MOST_FACTORS || !(u.up < 1e30 && u.down < 1e30))
             return 0;
@@ -217,6 +253,48 @@ int flk_unit_read(text t, unit *result, text *bad)
         return 0;
     *result = u;
     return 1;
+}
+
+/* Words that are no units, and the units that may be meant. */
+static const struct {
+    const char *written, *meant;
+} hints[] = {{"gm", "g"},      {"gms", "g"},      {"gr", "g"},      {"mtr", "m"},  {"nm", "N m"},
+             {"n", "N"},       {"pound", "lb"},   {"pound", "lbf"}, {"lb", "lbf"}, {"lbs", "lbf"},
+             {"pounds", "lb"}, {"pounds", "lbf"}, {"kg", "kgf"},    {"ton", "t"},  {"tonne", "t"},
+             {"rps", "rev/s"}, {"psig", "psi"},   {"bara", "bar"},  {"kilo", "kg"}};
+
+/* 1 if a unit has a dimension once a word in it is replaced. */
+static int fits(text t, text word, const char *replacement, dimension dim)
+{
+    char trial[200];
+    size_t before = (size_t)(word.start - t.start), n = strlen(replacement);
+    text after = flk_text_from(t, before + word.length), bad;
+    unit u;
+
+    if (before + n + after.length > sizeof trial)
+        return 0;
+    memcpy(trial, t.start, before);
+    memcpy(trial + before, replacement, n);
+    memcpy(trial + before + n, after.start, after.length);
+    t.start = trial;
+    t.length = before + n + after.length;
+    return flk_unit_read(t, &u, &bad) && flk_dimension_equal(u.dim, dim);
+}
+
+const char *flk_unit_nearest(text t, text word, dimension dim)
+{
+    const char *names[UNIT_COUNT + 1], *nearest;
+    size_t i, n = 0;
+
+    for (i = 0; i < UNIT_COUNT; i++)
+        if (fits(t, word, units[i].name, dim))
+            names[n++] = units[i].name;
+    names[n] = NULL;
+    nearest = flk_text_nearest(word, names);
+    for (i = 0; i < sizeof hints / sizeof hints[0]; i++)
+        if (flk_text_equal(word, hints[i].written) && fits(t, word, hints[i].meant, dim))
+            return hints[i].meant;
+    return nearest;
 }
 
 int flk_dimension_equal(dimension x, dimension y)

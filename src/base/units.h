@@ -56,7 +56,8 @@ typedef struct unit {
 } unit;
 
 /* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
-** one factor after it, an exponent as a digit or after '^'.
+** one factor after it, an exponent as a digit or after '^', where it may be negative; also the words and
+** the spellings Nm, kgm2 that people use.
 ** Returns 1 if it is a unit; 0 if not, with the unknown part in `bad`. */
 int flk_unit_read(text t, unit *result, text *bad);
 
@@ -65,7 +66,7 @@ double flk_unit_from_si(double si, unit u);
 
 int flk_dimension_equal(dimension x, dimension y);
 
-/* The unit nearest to a word, or null; one of this dimension, if given and if there is one. */
-const char *flk_unit_nearest(text word, const dimension *dim);
+/* The unit nearest to a word within the text of a unit, with which that has this dimension; or null. */
+const char *flk_unit_nearest(text t, text word, dimension dim);
 
 #endif

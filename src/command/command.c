@@ -18,13 +18,24 @@ int command_complain(const char *what, const char *name, const char *why)
     return EXIT_FILES;
 }
 
-void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
+static void tell(const char *what, const char *file, long line, const char *message,
+                 const char *deck_name)
 {
     if (!line)
-        fprintf(stderr, "fourlink: %s: error: %s", file, message);
+        fprintf(stderr, "fourlink: %s: %s: %s", file, what, message);
     else
-        fprintf(stderr, "%s:%ld: error: %s", file, line, message);
+        fprintf(stderr, "%s:%ld: %s: %s", file, line, what, message);
     if (deck_name && strcmp(file, deck_name) != 0)
         fprintf(stderr, " (%s)", deck_name);
     putc('\n', stderr);
+}
+
+void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
+{
+    tell("error", file, line, message, deck_name);
+}
+
+void command_tell_note(const char *file, long line, const char *message, const char *deck_name)
+{
+    tell("note", file, line, message, deck_name);
 }

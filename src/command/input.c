@@ -112,19 +112,17 @@ static int serves_options(input *in)
 
 #define MOST_MISTAKES 100
 
-/* Print the mistakes of a deck; returns the exit status. */
-static int tell_mistakes(input *in, const fourlink_mistake *list, unsigned long n)
+/* Print the mistakes of a deck, or the notes on it. */
+static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
+                     void tell(const char *, long, const char *, const char *), const char *what)
 {
     unsigned long i;
 
-    keep_mistake(in, list[0].file, list[0].line, list[0].message);
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
-        command_tell_mistake(list[i].file, list[i].line, list[i].message,
-                             in->o->n_decks > 1 ? in->name : NULL);
+        tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
     if (n > MOST_MISTAKES)
-        fprintf(stderr, "fourlink: and %lu more mistake%s\n", n - MOST_MISTAKES,
+        fprintf(stderr, "fourlink: and %lu more %s%s\n", n - MOST_MISTAKES, what,
                 n - MOST_MISTAKES > 1 ? "s" : "");
-    return EXIT_USAGE;
 }
 
 /* Make a deck unusable. */
@@ -146,9 +144,14 @@ static int open_results(input *in)
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK) {
-        status = tell_mistakes(in, list, n);
+        keep_mistake(in, list[0].file, list[0].line, list[0].message);
+        tell_all(in, list, n, command_tell_mistake, "mistake");
+        status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
+    } else {
+        fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
+        tell_all(in, list, n, command_tell_note, "note");
     }
     free(list);
     return status;

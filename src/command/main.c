@@ -18,6 +18,7 @@
 #include "input.h"
 #include "joined.h"
 #include "output.h"
+#include "terminal.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
 {
@@ -82,6 +83,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
     s.at = o->at;
     s.n_decks = (int)o->n_decks;
     s.no_value = tell_no_value;
+    s.width = o->wide ? 0 : terminal_width(out);
     s.header = header = union_of_columns(inputs, o->n_decks, &s.n_header);
     if (!header)
         return command_complain("cannot start", "", "not enough memory");

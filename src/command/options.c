@@ -19,9 +19,10 @@ const char *const options_help[] = {
     "",
     "  -f, --format=table|csv|json|paper format of the output (default: table)",
     "  -o, --output=FILE                 write to FILE, replaced only when complete",
-    "  -b, --branch=open|crossed|both    assembly mode (default: both)",
+    "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
     "  -c, --columns=NAME,NAME,...|all   columns to print; --list shows their names",
+    "  -w, --wide                        on a terminal: all columns side by side",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
@@ -31,17 +32,15 @@ const char *const options_help[] = {
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
-    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment, "
-    "polar,",
-    "                                    vectors, klein, animation (default for .gif);",
+    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
+    "                                    polar, vectors, klein, animation (default for .gif);",
     "                                    of a [sweep]: histogram, columns",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
-    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep], or "
-    "of",
-    "                                    a csv FILE that has them",
-    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined, as "
-    "a deck",
+    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
+    "                                    or of a csv FILE that has them",
+    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
+    "                                    as a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
@@ -76,6 +75,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'b', "--branch", 1, "table.branch="},
                                     {'i', "--interval", 1, "motion.interval="},
                                     {'c', "--columns", 1, "table.columns="},
+                                    {'w', "--wide", 0, NULL},
                                     {'s', "--set", 1, ""},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
@@ -258,6 +258,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_content(o, SHEET_SUMMARY);
     case 'l':
         return set_content(o, SHEET_LIST);
+    case 'w':
+        return o->wide = 1;
     case 'h':
         return o->help = 1;
     case 'V':

@@ -46,11 +46,12 @@ static text without_comment(text t)
     size_t i;
 
     for (i = 0; i < t.length; i++) {
+        text before = t;
         char c = t.start[i];
 
+        before.length = i;
         is_quoted ^= c == '"';
-        if ((c == '#' || c == ';') && !is_quoted &&
-            (i == 0 || t.start[i - 1] == ' ' || t.start[i - 1] == '\t'))
+        if ((c == '#' || c == ';') && !is_quoted && (i == 0 || flk_text_blank_before(before)))
             break;
     }
     t.length = i;
@@ -59,13 +60,11 @@ static text without_comment(text t)
 
 static void split_section(text t, text *section, text *name)
 {
-    text before;
-
-    *section = t;
-    name->start = "";
-    name->length = 0;
-    if (flk_text_cut(t, " ", &before, name))
-        *section = before;
+    *section = *name = t;
+    while (name->length && !flk_text_blank(*name))
+        *name = flk_text_from(*name, 1);
+    section->length -= name->length;
+    *name = flk_text_trim(*name);
 }
 
 /* The next line; 0 at the end. */

@@ -13,44 +13,65 @@
 /* rad; angles closer than this are the same. */
 #define LEAST_STEP 1e-9
 
-/* Build a curve over the crank angle.  Its angles increase, over at most one cycle.  A last point at the end
-** of the cycle repeats the first. */
-static int build_curve(parser *p, const setting *s, curve *result)
+/* 1 if a point repeats another, in all components. */
+static int repeats(const point *c, const point *first)
+{
+    return gsl_hypot(c->y[0] - first->y[0], c->y[1] - first->y[1]) <=
+           1e-9 * gsl_hypot(first->y[0], first->y[1]);
+}
+
+/* Check the points of a curve over the crank angle.  Its angles increase, over at most one cycle.  A last
+** point at the end of the cycle repeats the first.  The number of points without that one; 0 if they make no
+** curve. */
+static size_t check_curve(parser *p, const setting *s)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
-    double period = p->d->cycle, *x, *y;
+    double period = p->d->cycle;
 
     if (!c || !(period > 0))
         return 0;
     for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < LEAST_STEP)
-            return flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
+        if (c[i].x - c[i - 1].x < LEAST_STEP) {
+            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
+            return 0;
+        }
     if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
-        if (fabs(c[n].y - c[0].y) > 1e-9 * fabs(c[0].y))
-            return flk_mistake(
+        if (!repeats(&c[n], &c[0])) {
+            flk_mistake(
                 p->mistakes, c[n].place,
                 "the curve is not periodic: one cycle after its first point it has another value");
+            return 0;
+        }
     }
     if (n < 2)
-        return flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
-    if (c[n - 1].x - c[0].x > period - LEAST_STEP)
-        return flk_mistake(
-            p->mistakes, c[n - 1].place,
-            "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
-            "one of four strokes");
-    x = flk_reader_keep(p, 2 * n * sizeof *x);
-    if (!x)
-        return 0;
-    y = x + n;
-    for (i = 0; i < n; i++) {
-        x[i] = c[i].x;
-        y[i] = c[i].y;
+        flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
+    else if (c[n - 1].x - c[0].x > period - LEAST_STEP)
+        flk_mistake(p->mistakes, c[n - 1].place,
+                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
+                    "one of four strokes");
+    else
+        return n;
+    return 0;
+}
+
+/* Build the curves of a setting's components. */
+static void build_curves(parser *p, const setting *s, int n_components, curve *results)
+{
+    size_t n = check_curve(p, s), i;
+    double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
+    int k;
+
+    for (k = 0; x && k < n_components; k++) {
+        y = x + n;
+        for (i = 0; i < n; i++) {
+            x[i] = s->curve[i].x;
+            y[i] = s->curve[i].y[k];
+        }
+        if (!flk_curve_make(x, y, n, p->d->cycle, &results[k]))
+            p->out_of_memory = 1;
     }
-    if (!flk_curve_make(x, y, n, period, result))
-        p->out_of_memory = 1;
-    return 1;
 }
 
 void flk_build_gas(parser *p)
@@ -67,10 +88,12 @@ void flk_build_gas(parser *p)
         return;
     p->d->has_forces = 1;
     if (!IS_SET(bore)) {
-        flk_mistake(p->mistakes, use->place, "[gas] has no bore");
+        if (!use->has_unknown)
+            flk_mistake(p->mistakes, use->place, "[gas] has no bore");
         return;
     }
-    if (!IS_SET(pressure) && !IS_SET(card) && !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
+    if (!use->has_unknown && !IS_SET(pressure) && !IS_SET(card) &&
+        !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
         flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
     if (IS_SET(pressure) && IS_SET(card))
         flk_mistake(p->mistakes, pressure->place,
@@ -82,7 +105,7 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curve(p, card, &gas->indicator);
+    build_curves(p, card, 1, &gas->indicator);
 }
 
 /* Check the link of a load or a point. */
@@ -91,7 +114,7 @@ static void check_link(parser *p, const section_use *use, const setting *link)
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
-    if (!IS_SET(link))
+    if (!IS_SET(link) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
@@ -145,8 +168,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
             break;
         }
     new->link = link->word;
-    new->at.x = at->si[0];
-    new->at.y = at->si[1];
+    flk_build_place(p, at, link->word, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
@@ -172,32 +194,52 @@ void flk_build_points(parser *p)
             build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
 }
 
-static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
+/* 1 if a link slides along the line of stroke: forces on it need neither a point nor a direction. */
+static int is_piston(const parser *p, int link)
 {
-    const setting *link = flk_setting_of(use, KEY_LOAD_LINK);
+    return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
+}
+
+/* Build the force of a load, and check its point. */
+static void build_force(parser *p, const section_use *use, fourlink_load *load,
+                        deck_load *variation)
+{
     const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
                   *at = flk_setting_of(use, KEY_LOAD_AT);
-    const setting *torque = flk_setting_of(use, KEY_LOAD_TORQUE);
-    const setting *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    check_link(p, use, link);
-    if (!IS_SET(force) && !IS_SET(torque))
-        flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    if ((force->si[0] != 0 || force->si[1] != 0) && !IS_SET(at) && link->word &&
-        flk_kind_of(p->d->design.kind)->has_length[link->word] != FLK_NO_LENGTH)
+    if (force->is_bare && load->link && !is_piston(p, load->link))
+        flk_mistake(p->mistakes, force->place,
+                    "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, "
+                    "not '%t'",
+                    force->value);
+    else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) &&
+             load->link && !use->has_unknown &&
+             flk_kind_of(p->d->design.kind)->has_length[load->link] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
-    if (IS_SET(at) && !IS_SET(force))
+    if (IS_SET(at) && !IS_SET(force) && !use->has_unknown)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
-    load->link = link->word;
-    load->frame = (fourlink_frame)frame->word;
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    load->at.x = at->si[0];
-    load->at.y = at->si[1];
+    build_curves(p, force, 2, variation->force);
+}
+
+static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
+{
+    const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
+                  *frame = flk_setting_of(use, KEY_LOAD_FRAME);
+
+    check_link(p, use, link);
+    if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
+        flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
+    load->link = link->word;
+    load->frame = (fourlink_frame)frame->word;
+    build_force(p, use, load, variation);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), link->word, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
-    build_curve(p, torque, &variation->torque);
+    build_curves(p, torque, 1, &variation->torque);
     build_window(p, use, variation);
 }
 

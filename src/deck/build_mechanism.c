@@ -10,125 +10,6 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-#define STANDARD_GRAVITY 9.81 /* m/s2, as in the sources */
-
-/* 1 if the stroke can give the crank. */
-static int has_stroke(const parser *p)
-{
-    return (flk_key_table[KEY_CRANK_STROKE].kinds & (int)p->d->design.kind) != 0;
-}
-
-/* Report a missing length. */
-static void require_length(parser *p, const char *link)
-{
-    const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
-
-    if (use)
-        flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
-                    use->section == SECTION_CRANK && has_stroke(p) ? ", and no stroke" : "");
-    else
-        flk_mistake(p->mistakes, flk_reader_end(p), "there is no [%s] with a length", link);
-}
-
-/* The moment of inertia from the time of small swings about a pin at distance h from the centre of mass
-** (ME3491, example 2): L = g (T / 2 pi)^2 is the length of the equivalent simple pendulum, and
-**
-**    k^2 = h (L - h)
-*/
-static void build_swing(parser *p, const setting *period, const setting *pin, fourlink_link *link)
-{
-    double g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY),
-           turns = period->si[0] / (2 * M_PI);
-    double x = pin->word == PIN_END ? link->length : pin->si[0], h, L;
-
-    if (!IS_SET(pin)) {
-        flk_mistake(p->mistakes, period->place,
-                    "a swing_period needs a swing_pin: origin, end or a point of the link");
-        return;
-    }
-    if (g <= 0)
-        g = STANDARD_GRAVITY; /* off in the machine, but not in the test */
-    h = gsl_hypot(x - link->cg.x, pin->si[1] - link->cg.y);
-    L = g * turns * turns;
-    if (h == 0)
-        flk_mistake(p->mistakes, pin->place,
-                    "the swing_pin is at the centre of mass: the link does not swing there");
-    else if (L < h)
-        flk_mistake(p->mistakes, period->place,
-                    "a swing_period of %t is too short: a point mass %.4g m from the pin swings "
-                    "more slowly",
-                    period->value, h);
-    else
-        link->inertia = link->mass * h * (L - h);
-}
-
-/* The crank of an engine from its stroke S, the distance between the dead centres, where crank and rod are
-** in line (two right triangles with the leg e):
-**
-**    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
-**
-** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
-** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would need the sum of the two roots. */
-static void build_stroke(parser *p)
-{
-    fourlink_link *link = p->d->design.link;
-    const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
-    double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
-
-    if (l <= 0 || !has_stroke(p) || p->lacks_values)
-        return;
-    if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
-        flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
-    S = s->si[0];
-    link[2].length = S / 2;
-    rest = 4 * l * l - S * S;
-    if (S * S > 4 * l * (l - e))
-        flk_mistake(p->mistakes, s->place, "%s",
-                    e > 0 ? "this stroke is impossible with this rod and offset"
-                          : "this stroke is impossible: the crank would be longer than the rod");
-    else if (e > 0)
-        link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
-}
-
-static void build_link(parser *p, const flk_kind *kind, int number)
-{
-    section_code section = flk_find_section(flk_text_of(kind->link[number]));
-    fourlink_link *link = &p->d->design.link[number];
-    const setting *length = flk_setting_by_name(p, section, "length"),
-                  *mass = flk_setting_by_name(p, section, "mass"),
-                  *gyration = flk_setting_by_name(p, section, "gyration"),
-                  *inertia = flk_setting_by_name(p, section, "inertia"),
-                  *cg = flk_setting_by_name(p, section, "cg"),
-                  *period = flk_setting_by_name(p, section, "swing_period"),
-                  *pin = flk_setting_by_name(p, section, "swing_pin");
-    const setting *other = IS_SET(gyration) ? gyration : period;
-
-    if (number == FOURLINK_CRANK && IS_SET(flk_setting_find(p, KEY_CRANK_STROKE)))
-        build_stroke(p);
-    else if (IS_SET(length))
-        link->length = length->si[0];
-    else if (kind->has_length[number] == FLK_LENGTH)
-        require_length(p, kind->link[number]);
-    link->mass = mass->si[0];
-    link->inertia = inertia->si[0];
-    link->cg.x = cg->si[0];
-    link->cg.y = cg->si[1];
-    if (IS_SET(gyration) + IS_SET(inertia) + IS_SET(period) > 1)
-        flk_mistake(p->mistakes, other->place,
-                    "give only one of gyration, inertia and swing_period");
-    if (IS_SET(other) && !IS_SET(mass))
-        flk_mistake(p->mistakes, other->place, "the %s needs a mass",
-                    IS_SET(gyration) ? "radius of gyration" : "swing_period");
-    if (IS_SET(gyration))
-        link->inertia = link->mass * gyration->si[0] * gyration->si[0]; /* I = m k^2 */
-    if (period->si[0] > 0 && !p->lacks_values)
-        build_swing(p, period, pin, link);
-    if (IS_SET(other) && link->inertia > FOURLINK_NUMBER_MAX)
-        flk_mistake(p->mistakes, other->place, "the resulting moment of inertia is out of range");
-    if (!IS_SET(period) && IS_SET(pin))
-        flk_mistake(p->mistakes, pin->place, "a swing_pin needs a swing_period");
-}
-
 /* Find the kind of the mechanism, and refuse sections and keys that it does not have. */
 int flk_build_kind(parser *p)
 {
@@ -195,12 +76,15 @@ static void build_slide(parser *p)
     const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET),
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
+    const section_use *use = flk_section_find(p, SECTION_LEVER, NULL);
 
     p->d->design.offset = IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
     p->d->design.angle = angle->si[0];
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
+    else if (use && use->has_unknown)
+        return;
     else if (IS_SET(length) && !IS_SET(angle))
         flk_mistake(p->mistakes, length->place,
                     "a lever with a length needs an angle, that of the slide from the line D-C");
@@ -286,16 +170,16 @@ void flk_build_mechanism(parser *p)
     int i;
 
     build_slide(p);
-    build_link(p, kind, FOURLINK_GROUND);
-    build_link(p, kind, has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
-    build_link(p, kind,
-               has_stroke(p) ? FOURLINK_CRANK
-                             : FOURLINK_COUPLER); /* computed from stroke and rod */
-    build_link(p, kind, FOURLINK_FOLLOWER);
+    flk_build_link(p, kind, FOURLINK_GROUND);
+    flk_build_link(p, kind, flk_build_has_stroke(p) ? FOURLINK_COUPLER : FOURLINK_CRANK);
+    flk_build_link(p, kind,
+                   flk_build_has_stroke(p) ? FOURLINK_CRANK
+                                           : FOURLINK_COUPLER); /* computed from stroke and rod */
+    flk_build_link(p, kind, FOURLINK_FOLLOWER);
     g = flk_setting_or(p, KEY_GRAVITY_ACCELERATION, STANDARD_GRAVITY);
     direction =
         flk_setting_or(p, KEY_GRAVITY_DIRECTION, -M_PI_2) - flk_setting_or(p, KEY_GROUND_ANGLE, 0);
-    flk_values_direction(direction, &design->gravity.x, &design->gravity.y);
+    flk_vector_direction(direction, &design->gravity.x, &design->gravity.y);
     design->gravity.x *= g;
     design->gravity.y *= g;
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)

@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/number.h"
 #include "reader.h"
 
 static double angle_or(parser *p, key_code key, double otherwise)
@@ -24,6 +25,8 @@ static int is_mistaken(parser *p, section_code section)
     key_code k;
     size_t i;
 
+    if (use && use->has_unknown)
+        return 1;
     for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
         text_place place = flk_setting_of(use, k)->place;
 
@@ -77,6 +80,30 @@ static void build_run_up(parser *p, const setting *run_up)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
+/* Note a speed without a unit, unless the deck says which it is: most speeds are in rpm. */
+static void check_speed(parser *p)
+{
+    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
+    text after = speed->value;
+    double number;
+
+    if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
+        return;
+    flk_number_read(&after, &number);
+    if (!flk_text_trim(after).length)
+        flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
+                    speed->value, speed->value, speed->value);
+}
+
+/* A cycle is at least an interval long, or curves and windows would repeat within a row. */
+static void check_cycle(parser *p, double cycle)
+{
+    const setting *s = flk_setting_find(p, KEY_MOTION_CYCLE);
+
+    if (IS_SET(s) && cycle > 0 && cycle < p->d->motion.interval)
+        flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
+}
+
 void flk_build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
@@ -87,6 +114,7 @@ void flk_build_motion(parser *p)
     fourlink_range range;
     int status;
 
+    check_speed(p);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
@@ -101,6 +129,7 @@ void flk_build_motion(parser *p)
         return;
     }
     cycle = angle_or(p, KEY_MOTION_CYCLE, whole(flk_unit_from_si(2 * M_PI, *u)));
+    check_cycle(p, cycle);
     turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
     motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
@@ -131,6 +160,8 @@ void flk_build_table(parser *p)
                   *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
+    if (!branches && p->d->gas.area > 0)
+        branches = BRANCH_OPEN; /* engines stand on it */
     p->d->open = branches != BRANCH_CROSSED;
     p->d->crossed = branches != BRANCH_OPEN;
     p->d->columns.names = columns->value;
@@ -193,7 +224,7 @@ void flk_build_expectations(parser *p)
         memset(e, 0, sizeof *e);
         e->place = named->place;
         e->name = named->name;
-        e->value = named->value;
+        e->value = flk_reader_plain(p, named->value);
         e->tolerance = tolerance->value;
         e->tolerance_place = tolerance->place;
         e->misprint = use->section == SECTION_MISPRINT;

@@ -38,14 +38,22 @@ void *flk_deck_keep(deck *d, size_t size)
     return k->contents;
 }
 
+static void free_curves(deck_load *variation)
+{
+    flk_curve_free(&variation->torque);
+    flk_curve_free(&variation->force[0]);
+    flk_curve_free(&variation->force[1]);
+}
+
 void flk_deck_free(deck *d)
 {
     kept *k, *next;
     unsigned long i;
 
     flk_mistakes_free(&d->mistakes);
+    flk_mistakes_free(&d->notes);
     for (i = 0; d->variations && i < d->n_loads; i++)
-        flk_curve_free(&d->variations[i].torque);
+        free_curves(&d->variations[i]);
     flk_curve_free(&d->gas.indicator);
     free(d->expectations);
     for (k = d->storage; k; k = next) {
@@ -55,20 +63,20 @@ void flk_deck_free(deck *d)
     memset(d, 0, sizeof *d);
 }
 
-void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+void flk_deck_give_mistakes(const mistakes *from, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes)
 {
     unsigned long i;
 
-    for (i = 0; i < max && i < d->mistakes.count; i++) {
-        const struct mistake *m = &d->mistakes.list[i];
+    for (i = 0; i < max && i < from->count; i++) {
+        const struct mistake *m = &from->list[i];
 
         flk_text_copy(flk_text_of(m->place.source), list[i].file, sizeof list[i].file);
         list[i].line = m->place.line;
         memcpy(list[i].message, m->message, sizeof list[i].message);
     }
     if (n_mistakes)
-        *n_mistakes = (unsigned long)(d->mistakes.count + d->mistakes.left_out);
+        *n_mistakes = (unsigned long)(from->count + from->left_out);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,
@@ -95,7 +103,7 @@ int fourlink_deck_read(const char *contents, unsigned long length, fourlink_load
         return FOURLINK_OK;
     }
     if (status == 0)
-        flk_deck_give_mistakes(d, max_mistakes, list, n_mistakes);
+        flk_deck_give_mistakes(&d->mistakes, max_mistakes, list, n_mistakes);
     fourlink_deck_free(d);
     return status == 0 ? FOURLINK_BAD_DECK : FOURLINK_NO_MEMORY;
 }
@@ -163,13 +171,17 @@ static double gas_force(const deck_gas *gas, double theta2)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
-/* A load at a crank angle: the value of its curve, and 0 outside its range of crank angles. */
+/* A load at a crank angle: the values of its curves, and 0 outside its range of crank angles. */
 static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
                      double theta2, fourlink_load *now)
 {
     *now = *load;
     if (variation->torque.n)
         now->torque = flk_curve_value(&variation->torque, theta2);
+    if (variation->force[0].n) {
+        now->force.x = flk_curve_value(&variation->force[0], theta2);
+        now->force.y = flk_curve_value(&variation->force[1], theta2);
+    }
     if (variation->is_windowed) {
         double after = theta2 - variation->from;
 

@@ -36,6 +36,7 @@ typedef struct deck_gas {
 typedef struct deck_load {
     const char *name; /* of [load NAME]; "": it has none */
     curve torque;     /* over the crank angle, if given as a curve */
+    curve force[2];   /* likewise, its components: at the same angles */
     int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double from, to;  /* rad */
 } deck_load;
@@ -114,6 +115,7 @@ struct fourlink_deck {
     deck_unit units[QUANTITY_COUNT];
 
     mistakes mistakes;    /* none: the deck is valid */
+    mistakes notes;       /* what is allowed, but probably not meant */
     struct kept *storage; /* texts that names and places point to */
 };
 
@@ -130,8 +132,8 @@ struct fourlink_deck {
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Copy the first `max` mistakes of a deck for a host, and their number. */
-void flk_deck_give_mistakes(const deck *d, unsigned long max, fourlink_mistake *list,
+/* Copy the first `max` mistakes or notes of a deck for a host, and their number. */
+void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
 /* Set up a deck with nothing but the default units; free its memory. */

@@ -56,12 +56,14 @@ text flk_line_without_comment(text line)
     int quoted = 0;
 
     for (i = 0; i < line.length; i++) {
+        text before = line;
         char c = line.start[i];
+
+        before.length = i;
 
         if (c == '"')
             quoted = !quoted;
-        if ((c == '#' || c == ';') && !quoted &&
-            (i == 0 || line.start[i - 1] == ' ' || line.start[i - 1] == '\t'))
+        if ((c == '#' || c == ';') && !quoted && (i == 0 || flk_text_blank_before(before)))
             break;
     }
     line.length = i;

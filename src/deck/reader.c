@@ -11,6 +11,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/spelling.h"
 #include "reader.h"
 
 void *flk_reader_keep(parser *p, size_t size)
@@ -31,6 +32,23 @@ char *flk_reader_copy(parser *p, text t, const char *ending)
     if (t.length)
         memcpy(copy, t.start, t.length);
     return strcpy(copy + t.length, ending) - t.length;
+}
+
+static text spell(parser *p, text t, text spelling(text, char *))
+{
+    char *copy = flk_spelling_is_plain(t) ? NULL : flk_reader_keep(p, SPELLING_SIZE(t.length));
+
+    return copy ? spelling(t, copy) : t;
+}
+
+text flk_reader_plain(parser *p, text t)
+{
+    return spell(p, t, flk_spelling_plain);
+}
+
+text flk_reader_blanks(parser *p, text t)
+{
+    return spell(p, t, flk_spelling_blanks);
 }
 
 text_place flk_reader_end(const parser *p)
@@ -137,6 +155,7 @@ static int run(deck *d, const fourlink_source *source, const char *name,
     if (!p.out_of_memory)
         read(&p, source);
     flk_mistakes_sort(p.mistakes);
+    flk_mistakes_sort(&d->notes);
     free(p.uses);
     free(p.named);
     free(p.named_slots);

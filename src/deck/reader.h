@@ -10,6 +10,8 @@
 #include "deck.h"
 #include "schema.h"
 
+struct flk_kind;
+
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
@@ -20,6 +22,8 @@ typedef struct setting {
     double number;    /* as written */
     unit unit;        /* its unit */
     double si[2];     /* the value in SI units and radians, or the two components */
+    int of_length;    /* 1: a point, as a part of the length of its link */
+    int is_bare;      /* 1: a force without a direction */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -30,7 +34,7 @@ typedef struct setting {
 
 /* A point of a curve. */
 typedef struct point {
-    double x, y;      /* rad, SI units */
+    double x, y[2];   /* rad, SI units; a value, or two components */
     text_place place; /* its place in the text */
     int has_unit;     /* 1: its value has one */
     double unit_to_si;
@@ -41,6 +45,7 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
+    int has_unknown;   /* 1: a key of it is unknown, so that none is reported as missing */
     setting *settings; /* see flk_setting_of */
 } section_use;
 
@@ -74,6 +79,7 @@ typedef struct parser {
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
     int expectations_only;
+    int has_unknown_section;
     int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
     int not_text; /* 1: the reading ended at a byte that is not text */
     long last_line;
@@ -85,6 +91,10 @@ void *flk_reader_keep(parser *p, size_t size);
 
 /* A null-terminated copy of a text with an ending, which lasts as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
+
+/* A value in plain characters (see base/spelling.h), which lasts as long; its blanks alone. */
+text flk_reader_plain(parser *p, text t);
+text flk_reader_blanks(parser *p, text t);
 
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
@@ -143,12 +153,46 @@ void flk_sweep_read(parser *p, unsigned long design);
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value);
 
+/* The pieces of a setting's value: take the number off the front of `rest`; read the unit `t` (if empty, the
+** deck's); check the size; read a quantity. */
+int flk_values_number(parser *p, const setting *s, text *rest, quantity q, double *number);
+int flk_values_unit(parser *p, const setting *s, text t, quantity q, unit *u);
+int flk_values_size(parser *p, const setting *s, quantity q, double si);
+int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si);
+
+/* A force (10 N at 30 deg, (10, 5) N, or 10 N along +x), or a point of a link (also mid, 50 %); a piece of the
+** setting's value. */
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
+
+/* A point of a link; origin, end or a point; the parts that are set separately. */
+int flk_vector_read(parser *p, setting *s, quantity q);
+void flk_vector_read_pin(parser *p, setting *s, quantity q);
+void flk_vector_read_parts(parser *p, setting *s, quantity q);
+
 /* Sine and cosine, exact for whole quarters of a turn. */
-void flk_values_direction(double angle, double *x, double *y);
+void flk_vector_direction(double angle, double *x, double *y);
+
+/* Where a number starts after a blank, as the value in "20 deg 32 bar"; the text's length if there is none. */
+size_t flk_curve_point_value(text t);
+
+/* Read a point of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units.  `is_cut`: it may be
+** what follows a decimal comma. */
+int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result);
+const char *flk_curve_point_example(quantity q);
+
+/* Read a curve from a file: NAME, or NAME with the units of its columns; see card.c. */
+int flk_card_read(parser *p, setting *s, quantity q, text name);
+
+/* 1 if a curve is `file NAME`; `name` may be null. */
+int flk_curve_text_file(text value, text *name);
+
+/* A value, or a force; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
+int flk_curve_text_read(parser *p, setting *s, quantity q);
 
 /* Third pass. */
 int flk_build_kind(parser *p);
 void flk_build_mechanism(parser *p);
+void flk_build_link(parser *p, const struct flk_kind *kind, int number);
 void flk_build_gas(parser *p);
 void flk_build_loads(parser *p);
 void flk_build_points(parser *p);
@@ -157,5 +201,16 @@ void flk_build_motion(parser *p);
 void flk_build_flywheel(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
+
+/* 1 if the mechanism can have a stroke instead of the length of its crank. */
+int flk_build_has_stroke(const parser *p);
+
+/* A point of a link, in m. */
+void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at);
+
+#define STANDARD_GRAVITY 9.81 /* m/s2, as in the sources */
+
+/* Note what is allowed, but probably not meant; a format as for flk_mistake. */
+#define NOTES(p) (&(p)->d->notes)
 
 #endif

@@ -23,6 +23,10 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(key, "piston", FOURLINK_FOLLOWER) \
     X(key, "lever", FOURLINK_FOLLOWER)
 
+#define YES_WORDS(X, key) \
+    X(key, "no", 0)       \
+    X(key, "yes", 1)
+
 #define BRANCH_WORDS(X, key)    \
     X(key, "open", BRANCH_OPEN) \
     X(key, "crossed", BRANCH_CROSSED)
@@ -36,10 +40,13 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     X(TOP_SERIES, "all", FOURLINK_SERIES_ALL)                                 \
     X(TOP_SOLVER, "matrix", SOLVER_MATRIX)                                    \
     X(TOP_SOLVER, "dyad", SOLVER_DYAD)                                        \
-    X(MOTION_HOLD, "no", 0)                                                   \
-    X(MOTION_HOLD, "yes", 1)                                                  \
-    X(SWEEP_STATISTICS, "no", 0)                                              \
-    X(SWEEP_STATISTICS, "yes", 1)                                             \
+    YES_WORDS(X, MOTION_HOLD)                                                 \
+    YES_WORDS(X, CRANK_UNIFORM)                                               \
+    YES_WORDS(X, COUPLER_UNIFORM)                                             \
+    YES_WORDS(X, ROCKER_UNIFORM)                                              \
+    YES_WORDS(X, ROD_UNIFORM)                                                 \
+    YES_WORDS(X, LEVER_UNIFORM)                                               \
+    YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
     BRANCH_WORDS(X, TABLE_BRANCH)                                             \

@@ -40,8 +40,8 @@ typedef enum value_form {
     FORM_WORD,     /* one of a list of words */
     FORM_UNIT,     /* a unit of the quantity */
     FORM_QUANTITY, /* a number with a unit */
-    FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N */
-    FORM_POINT,    /* the same for a point of a link, without the angle if it is 0 */
+    FORM_VECTOR,   /* 10 N at 30 deg, or (10, 5) N; or a curve of it */
+    FORM_POINT,    /* a point of a link: 10 mm at 30 deg, (10, 5) mm, 10 mm, mid, 50 % */
     FORM_PIN,      /* origin, end, or as FORM_POINT */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
@@ -52,7 +52,8 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
 
 #define LINK_KEYS(X, S)                                          \
     X(S, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, ANY_KIND) \
-    MASS_KEYS(X, S)
+    MASS_KEYS(X, S)                                              \
+    X(S, UNIFORM, "uniform", WORD, NUMBER, ANY, ANY_KIND)
 
 #define MASS_KEYS(X, S)                                                    \
     X(S, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)             \

@@ -39,6 +39,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use->section = section;
     use->name = name;
     use->place = place;
+    use->has_unknown = 0;
     use->settings = settings;
     return use;
 }
@@ -130,6 +131,7 @@ int flk_section_unknown(parser *p, text_place place, text name)
     for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
+    p->has_unknown_section = 1;
     return flk_mistake(p->mistakes, place, "unknown section '%t'%h", name,
                        nearest_word(name, known));
 }
@@ -171,7 +173,7 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
 void flk_section_split(text *section, text *name)
 {
     *name = *section;
-    while (name->length && flk_text_is_word(name->start[0]))
+    while (name->length && flk_text_is_word(name->start[0]) && !flk_text_blank(*name))
         *name = flk_text_from(*name, 1);
     section->length -= name->length;
     *name = flk_text_trim(*name);
@@ -247,9 +249,11 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
 
     while (i < end && !flk_text_equal(key, flk_key_table[i].name))
         i++;
-    if (i == end && !TAKES_NAMES(use->section))
-        return refuse_key(p, place, use->section, key);
     t->use = (size_t)(use - p->uses);
+    if (i == end && !TAKES_NAMES(use->section)) {
+        p->uses[t->use].has_unknown = 1;
+        return refuse_key(p, place, use->section, key);
+    }
     t->key = i < end ? i : KEY_COUNT;
     t->part = PART_NONE;
     t->name = key;

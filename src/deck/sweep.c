@@ -411,6 +411,7 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
 static double read_line(parser *p, variation *list, const named_value *named, unsigned long design)
 {
     deck_sweep *sweep = &p->d->sweep;
+    text value = flk_reader_plain(p, named->value);
     int n = count_pieces(named->name), i;
     double count = 0;
 
@@ -419,7 +420,7 @@ static double read_line(parser *p, variation *list, const named_value *named, un
 
         memset(v, 0, sizeof *v);
         v->name = piece_of(named->name, i);
-        v->value = named->value;
+        v->value = value;
         v->place = named->place;
         v->piece = i;
         v->n_pieces = n;

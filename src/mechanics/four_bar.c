@@ -307,6 +307,8 @@ const flk_kind flk_four_bar = {
     "four-bar linkage",
     {NULL, "ground", "crank", "coupler", "rocker"},
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_LENGTH},
+    FOURLINK_CRANK_ROCKER,
+    FOURLINK_CHANGE_POINT_LINKAGE,
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */

@@ -252,6 +252,8 @@ const flk_kind flk_inverted = {
     "inverted slider-crank",
     {NULL, "ground", "crank", "slider", "lever"},
     {FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH, FLK_LENGTH_OR_NONE},
+    FOURLINK_SLOTTED_LEVER,
+    FOURLINK_CHANGE_POINT_INVERTED,
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */

@@ -117,6 +117,13 @@ const char *fourlink_type_text(int type)
     }
 }
 
+int fourlink_has_type(int kind, int type)
+{
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
+
+    return found && (int)found->first_type <= type && type <= (int)found->last_type;
+}
+
 int fourlink_type_of(const fourlink_mechanism *mechanism, fourlink_type *type)
 {
     const flk_kind *kind;

@@ -79,7 +79,8 @@ typedef struct flk_kind {
     const char *words;   /* in a sentence */
     const char *link[5]; /* names of the links, by number */
     int has_length[5];   /* FLK_NO_LENGTH ... */
-    flk_joint joint[4];  /* in the order of the unknowns */
+    fourlink_type first_type, last_type;
+    flk_joint joint[4]; /* in the order of the unknowns */
     void (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
                  double *sine);

@@ -193,19 +193,23 @@ static double one_turn(double angle)
     return angle < 0 ? angle + 2 * M_PI : angle;
 }
 
-/* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C. */
+/* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C.  `slow` is
+** the crank angle of the slower stroke. */
 static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branch branch,
                              fourlink_limits *limits)
 {
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
     double e = mechanism->design.offset, inner = asin(flk_kind_clamp(e / (l + r))),
-           outer = M_PI + asin(flk_kind_clamp(e / (l - r)));
+           outer = M_PI + asin(flk_kind_clamp(e / (l - r))),
+           slow = M_PI + fabs(outer - M_PI - inner);
 
     if (branch == FOURLINK_CROSSED) {
         inner = M_PI - inner;
         outer = M_PI - outer;
     }
     limits->has_stroke = 1;
+    if (e != 0)
+        limits->time_ratio = slow / (2 * M_PI - slow);
     limits->stroke = sqrt((l + r - e) * (l + r + e)) - sqrt((l - r - e) * (l - r + e));
     limits->inner = one_turn(inner);
     limits->outer = one_turn(outer);
@@ -229,6 +233,8 @@ const flk_kind flk_slider_crank = {
     "slider-crank",
     {NULL, "ground", "crank", "rod", "piston"},
     {FLK_NO_LENGTH, FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH, FLK_NO_LENGTH},
+    FOURLINK_ENGINE,
+    FOURLINK_CHANGE_POINT_SLIDER,
     {
         {1, 2, FLK_ORIGIN, 2, 0}, /* A */
         {2, 3, FLK_ORIGIN, 3, 0}, /* B */

@@ -48,7 +48,7 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     const fourlink_mechanism *mechanism = &a->d->mechanism;
     int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
                    const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
-        a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
+        a->is_fast || a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
     int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
     fourlink_instant *at = &row->at;
 
@@ -97,28 +97,33 @@ double flk_analysis_end(const flk_analysis *a)
     return a->range.stops ? a->range.stop_angle : last.angle;
 }
 
-int flk_analysis_is_periodic(const flk_analysis *a)
-{
-    const deck *d = a->d;
-
-    return d->one_revolution && d->motion.run_up <= 0 && !a->range.stops &&
-           (d->motion.acceleration == 0 || d->motion.hold) &&
-           d->mechanism.change_stretched == d->mechanism.change_folded;
-}
-
-/* The angle after which everything repeats: the cycle, at least one turn, and two turns if the mechanism has
-** one change point, after which the links return on the other side. */
-static double period(const deck *d)
+double flk_analysis_period(const deck *d)
 {
     double turns = d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1;
 
     return d->cycle > turns * 2 * M_PI ? d->cycle : turns * 2 * M_PI;
 }
 
+int flk_analysis_repeats(const flk_analysis *a)
+{
+    const fourlink_motion *motion = &a->d->motion;
+
+    return motion->run_up <= 0 && !a->range.stops && (motion->acceleration == 0 || motion->hold);
+}
+
+int flk_analysis_is_periodic(const flk_analysis *a)
+{
+    const deck *d = a->d;
+
+    return d->one_revolution && flk_analysis_repeats(a) &&
+           d->mechanism.change_stretched == d->mechanism.change_folded;
+}
+
 int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
 {
     const fourlink_motion *motion = &a->d->motion;
-    double turn = period(a->d) / motion->angle_unit, tiny = 1e-9 * turn, end = flk_analysis_end(a);
+    double turn = flk_analysis_period(a->d) / motion->angle_unit, tiny = 1e-9 * turn,
+           end = flk_analysis_end(a);
     double first = motion->from < end ? motion->from : end,
            last = motion->from < end ? end : motion->from;
 

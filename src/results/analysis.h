@@ -41,6 +41,7 @@ typedef struct flk_analysis {
     fourlink_range range;
     unsigned long n_loads;  /* the gas included */
     fourlink_load *loads;   /* memory for the loads of the present row */
+    int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
 } flk_analysis;
@@ -61,6 +62,13 @@ void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, d
 
 /* The last crank angle of the motion, in the deck's unit. */
 double flk_analysis_end(const flk_analysis *a);
+
+/* The crank angle, rad, after which a motion that repeats is the same: the cycle, at least one turn, and two
+** turns if the mechanism has one change point, after which the links return on the other side. */
+double flk_analysis_period(const deck *d);
+
+/* 1 if speed and acceleration are the same in every period. */
+int flk_analysis_repeats(const flk_analysis *a);
 
 /* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
 int flk_analysis_is_periodic(const flk_analysis *a);

@@ -11,6 +11,7 @@
 
 #include "column.h"
 #include "mechanics/mechanics.h"
+#include "point.h"
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
@@ -261,18 +262,25 @@ static int has(const flk_analysis *a, const flk_column_info *info)
 }
 
 /* The columns of a point. */
-#define POINT_LIST(X)                               \
-    X(LENGTH, "position of the point, x")           \
-    X(LENGTH, "position of the point, y")           \
-    X(SPEED, "velocity of the point, x")            \
-    X(SPEED, "velocity of the point, y")            \
-    X(ACCELERATION, "acceleration of the point, x") \
-    X(ACCELERATION, "acceleration of the point, y") \
-    X(SPEED, "speed of the point")                  \
-    X(ACCELERATION, "magnitude of the acceleration of the point")
+#define POINT_COLUMNS(X, P, of)                           \
+    X(P ".x", LENGTH, "position of " of ", x")            \
+    X(P ".y", LENGTH, "position of " of ", y")            \
+    X(P ".vx", SPEED, "velocity of " of ", x")            \
+    X(P ".vy", SPEED, "velocity of " of ", y")            \
+    X(P ".ax", ACCELERATION, "acceleration of " of ", x") \
+    X(P ".ay", ACCELERATION, "acceleration of " of ", y") \
+    X(P ".v", SPEED, "speed of " of)                      \
+    X(P ".a", ACCELERATION, "magnitude of the acceleration of " of)
 
-#define POINT_INFO(q, meaning) {"", QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, ""},
-static const flk_column_info point_table[DECK_POINT_COLUMNS] = {POINT_LIST(POINT_INFO)};
+#define POINT_INFO(name, q, meaning) {name, QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, ""},
+static const flk_column_info point_table[DECK_POINT_COLUMNS] = {
+    POINT_COLUMNS(POINT_INFO, "", "the point")};
+
+/* Those of the points that every deck has. */
+#define OWN_POINT(name, of) POINT_COLUMNS(POINT_INFO, #name, of)
+static const flk_column_info own_table[] = {FLK_POINT_LIST(OWN_POINT)};
+
+#define OWN_COUNT (sizeof own_table / sizeof own_table[0])
 
 static void make(const deck *d, const flk_column_info *info, flk_column *c)
 {
@@ -281,7 +289,7 @@ static void make(const deck *d, const flk_column_info *info, flk_column *c)
     c->info = info;
     c->name = info->name;
     c->scale = u->down / u->up;
-    c->point = NULL;
+    c->link = 0;
     if (info->form == VALUE && info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
 }
@@ -290,24 +298,38 @@ static void make_of_point(const deck *d, const deck_point *point, int i, flk_col
 {
     make(d, &point_table[i], c);
     c->name = point->column_names[i];
-    c->point = point;
+    c->link = point->link;
+    c->at = point->at;
     c->component = i;
 }
 
+/* Column i of the points that every deck has; returns why this deck has not, or null. */
+static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
+{
+    make(d, &own_table[i], c);
+    c->component = (int)(i % DECK_POINT_COLUMNS);
+    return flk_point_find(d, (flk_point_code)(i / DECK_POINT_COLUMNS), &c->link, &c->at);
+}
+
+/* Possible columns are those of the table, those of the points that every deck has, those of its points. */
+#define FIXED_COUNT (TABLE_COUNT + OWN_COUNT)
+
 size_t flk_column_limit(const deck *d)
 {
-    return TABLE_COUNT + DECK_POINT_COLUMNS * d->n_points;
+    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points;
 }
 
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 {
-    size_t of_points = i - TABLE_COUNT;
+    size_t of_points = i - FIXED_COUNT;
 
-    if (i < TABLE_COUNT && has(a, &table[i]))
-        make(a->d, &table[i], c);
-    else if (i >= TABLE_COUNT)
+    if (i >= FIXED_COUNT)
         make_of_point(a->d, &a->d->points[of_points / DECK_POINT_COLUMNS],
                       (int)(of_points % DECK_POINT_COLUMNS), c);
+    else if (i >= TABLE_COUNT)
+        return make_of_own_point(a->d, i - TABLE_COUNT, c) == NULL;
+    else if (has(a, &table[i]))
+        make(a->d, &table[i], c);
     else
         return 0;
     return 1;
@@ -319,7 +341,7 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
     size_t i;
 
     for (i = 0; i < n; i++)
-        if (list[i].info == c->info && list[i].point == c->point)
+        if (list[i].name == c->name)
             return n;
     list[n] = *c;
     return n + 1;
@@ -328,11 +350,12 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
 /* The name of possible column i. */
 static const char *name_of(const flk_analysis *a, size_t i)
 {
-    size_t of_points = i - TABLE_COUNT;
+    size_t of_points = i - FIXED_COUNT;
 
-    return i < TABLE_COUNT ? table[i].name
-                           : a->d->points[of_points / DECK_POINT_COLUMNS]
-                                 .column_names[of_points % DECK_POINT_COLUMNS];
+    return i < TABLE_COUNT   ? table[i].name
+           : i < FIXED_COUNT ? own_table[i - TABLE_COUNT].name
+                             : a->d->points[of_points / DECK_POINT_COLUMNS]
+                                   .column_names[of_points % DECK_POINT_COLUMNS];
 }
 
 static int find(const flk_analysis *a, text name, int equal(text, const char *), flk_column *c)
@@ -363,10 +386,11 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return flk_text_nearest(name, known);
 }
 
-/* 1: printed if the deck names no columns; of a point only its place. */
+/* 1: printed if the deck names no columns; of a [point], whose columns have names of their own, only the
+** place. */
 static int is_usual(const flk_column *c)
 {
-    return c->point ? c->component < 2 : (c->info->kinds & USUAL) != 0;
+    return c->name != c->info->name ? c->component < 2 : (c->info->kinds & USUAL) != 0;
 }
 
 static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, size_t n)
@@ -395,7 +419,15 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
 
 static void note_missing(const flk_analysis *a, const deck *d, text name, mistakes *m)
 {
+    flk_column c;
     size_t i;
+
+    for (i = 0; i < OWN_COUNT; i++)
+        if (flk_text_same(name, own_table[i].name)) {
+            flk_mistake(m, d->columns.place, "the column '%t' %s", name,
+                        make_of_own_point(d, i, &c));
+            return;
+        }
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
@@ -487,7 +519,7 @@ static double point_value(const flk_column *c, const flk_row *row)
     fourlink_vector u[3];
     int i = c->component;
 
-    fourlink_point(&row->at.state, c->point->link, &c->point->at, &u[0], &u[1], &u[2]);
+    fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
     if (i >= 6)
         return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
@@ -495,7 +527,16 @@ static double point_value(const flk_column *c, const flk_row *row)
 
 static int is_of_crank(const flk_column *c)
 {
-    return !c->point && c->info->form == VALUE && c->info->x < offsetof(flk_row, at.branch);
+    return !c->link && c->info->form == VALUE && c->info->x < offsetof(flk_row, at.branch);
+}
+
+int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    if (c->link || c->info->form != DIRECTION)
+        return 0;
+    *x = number_at(row, c->info->x);
+    *y = number_at(row, c->info->y);
+    return 1;
 }
 
 double flk_column_value(const flk_column *c, const flk_row *row)
@@ -504,7 +545,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
 
     if (row->at.status != FOURLINK_OK && !is_of_crank(c))
         return GSL_NAN;
-    if (c->point)
+    if (c->link)
         return point_value(c, row);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
@@ -521,11 +562,12 @@ int flk_column_flags(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    if (c->point)
+    if (c->link)
         return 0;
     return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
            (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
-           (x == FORCE(residual) || x == DERIVED(superposition) ? FOURLINK_OF_ROUNDING : 0);
+           (x == FORCE(residual) || x == DERIVED(superposition) ? FOURLINK_OF_ROUNDING : 0) |
+           (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
 }
 
 int flk_column_need(const flk_column *c)
@@ -537,8 +579,8 @@ double flk_column_bound(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    if (!c->point && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
-                      x == DERIVED(I13.y) || x == DERIVED(I24.x)))
+    if (!c->link && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
+                     x == DERIVED(I13.y) || x == DERIVED(I24.x)))
         return 1e9 * c->scale;
     return GSL_POSINF;
 }

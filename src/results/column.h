@@ -13,9 +13,10 @@ typedef struct flk_column_info flk_column_info;
 typedef struct flk_column {
     const flk_column_info *info;
     const char *name;
-    double scale;            /* what SI values are multiplied by */
-    const deck_point *point; /* null: a column of the mechanism */
-    int component;           /* which of the point's columns */
+    double scale;       /* what SI values are multiplied by */
+    int link;           /* of a point: where it is; 0: a column of the mechanism */
+    fourlink_vector at; /* m, in the link's own axes */
+    int component;      /* which of the point's columns */
 } flk_column;
 
 /* The largest number of columns of a deck. */
@@ -45,6 +46,9 @@ const char *flk_column_nearest(const flk_analysis *a, text name);
 
 /* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
+
+/* The vector whose direction a column is; 0 if it is none. */
+int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);
 
 /* FOURLINK_OF_CRANK ... */
 int flk_column_flags(const flk_column *c);

@@ -10,14 +10,12 @@
 #include "derived.h"
 #include "mechanics/kind.h"
 
-/* x / y, limited where it is unbounded, at single positions. */
+/* x / y, or infinite where y is 0 but for rounding. */
 static double ratio(double x, double y)
 {
-    double bound = 1e15;
-
-    if (fabs(x) < bound * fabs(y))
+    if (fabs(x) < 1e15 * fabs(y))
         return x / y;
-    return (x < 0) == (y < 0) ? bound : -bound;
+    return (x < 0) == (y < 0) ? GSL_POSINF : GSL_NEGINF;
 }
 
 /* x / y, with y of the order of 1, or undefined where y is 0 but for rounding. */

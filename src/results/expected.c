@@ -9,7 +9,6 @@
 
 #include "base/quantity.h"
 #include "expected.h"
-#include "extreme.h"
 #include "fact.h"
 
 /* What a name means. */
@@ -63,7 +62,7 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
         f->q = flk_column_quantity(&f->c);
         return 1;
     }
-    n = flk_fact_list(a, (int)e->branch,
+    n = flk_fact_list(a, NULL, (int)e->branch,
                       group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, NULL, 0,
                       facts, NULL);
     for (i = 0; i < n; i++)
@@ -81,22 +80,22 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
 }
 
 /* Find the value of a column at the expected angle, or its extreme; 0 and a message if there is none. */
-static int value_there(flk_analysis *a, const deck_expectation *e, found *f, fourlink_check *c)
+static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation *e, found *f,
+                       fourlink_check *c)
 {
     const char *name = a->d->units[QUANTITY_ANGLE].name;
     double at;
     flk_row row;
 
     if (f->sign) {
-        flk_extreme x;
-        int status = flk_extreme_find(a, &f->c, e->branch, f->sign, &x);
+        const flk_extreme_pair *pair = flk_extremes_of(x, a, &f->c, e->branch);
+        const flk_extreme *extreme = f->sign > 0 ? &pair->max : &pair->min;
 
-        f->value = x.value;
-        if (status == FOURLINK_OK && gsl_finite(x.value))
-            return 1;
-        flk_message(c->message, sizeof c->message, "%s",
-                    status == FOURLINK_OK ? "it is unbounded" : fourlink_status_text(status));
-        return 0;
+        f->value = extreme->value;
+        if (!extreme->is_there)
+            flk_message(c->message, sizeof c->message, "%s",
+                        fourlink_status_text(FOURLINK_NOT_REACHED));
+        return extreme->is_there;
     }
     if (!e->has_at) {
         flk_message(c->message, sizeof c->message,
@@ -151,8 +150,8 @@ static double difference(double x, double y, quantity q, double turn)
 }
 
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
-static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
-                   fourlink_check *c)
+static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
+                   fourlink_value *facts, fourlink_check *c)
 {
     quantity_value printed;
     const deck_unit *u;
@@ -169,11 +168,16 @@ static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *f
     }
     u = &a->d->units[f.q];
     c->unit = u->name;
+    if (f.sign && (flk_text_same(e->value, "inf") || flk_text_same(e->value, "-inf"))) {
+        c->printed = e->value.start[0] == '-' ? GSL_NEGINF : GSL_POSINF;
+        c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
+        return c->message[0] ? -1 : c->computed == c->printed;
+    }
     if (!flk_quantity_read(e->value, e->value, f.q, u->unit, &printed, c->message) ||
         !read_tolerance(a->d, e, f.q, &printed, &tolerance, c))
         return -1;
     c->message_line = e->place.line;
-    if (!f.n_facts && !value_there(a, e, &f, c))
+    if (!f.n_facts && !value_there(a, x, e, &f, c))
         return -1;
     turn = flk_unit_from_si(2 * M_PI, u->unit);
     c->printed = flk_unit_from_si(printed.si, u->unit);
@@ -188,8 +192,8 @@ static int compare(flk_analysis *a, const deck_expectation *e, fourlink_value *f
            c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);
 }
 
-void flk_expected_compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
-                          fourlink_check *c)
+void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
+                          fourlink_value *facts, fourlink_check *c)
 {
     int agrees;
 
@@ -201,7 +205,7 @@ void flk_expected_compare(flk_analysis *a, const deck_expectation *e, fourlink_v
     c->unit = "";
     c->angle = e->at;
     c->branch = e->branch;
-    agrees = compare(a, e, facts, c);
+    agrees = compare(a, x, e, facts, c);
     if (agrees < 0)
         c->verdict = FOURLINK_NO_VALUE;
     else if (e->misprint)

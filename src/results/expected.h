@@ -5,10 +5,10 @@
 #ifndef FOURLINK_EXPECTED_H
 #define FOURLINK_EXPECTED_H
 
-#include "analysis.h"
+#include "extreme.h"
 
 /* Compare a printed value with the computed one.  `facts` has room for FLK_FACT_LIMIT facts. */
-void flk_expected_compare(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
-                          fourlink_check *check);
+void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
+                          fourlink_value *facts, fourlink_check *check);
 
 #endif

@@ -1,448 +1,284 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** extreme.c - the largest and smallest value of a column over a deck's motion.
+** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
-** The motion is scanned in steps of a degree at most; every peak of the samples that comes near the
-** highest is refined by GSL's minimisers.  Where the links stop reaching, and at the corners of the loads,
-** the column's limit counts too.
+** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
+** columns, in steps of two degrees or less, over a parameter s in which square roots at its ends are smooth:
+**
+**    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
+**
+** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
+** is refined by a polynomial through its neighbours; the row at the peak of the polynomial is computed, and if
+** it is not what the polynomial says, there are new samples about it, ever closer.  Where there is no row, at
+** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.
 */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_min.h>
 
 #include "extreme.h"
+#include "extreme_search.h"
 
-#define PEAKS 8
-#define MOST_STEPS 1000000
-#define MINIMISER_STATE 32 /* doubles: more than any of its minimisers needs */
+#define LEAST_SAMPLES 12 /* of a piece */
+#define STRETCH 400      /* a stretch begins with so many at the most */
+#define MOST_STEPS 1e6   /* of all of the motion */
 
-typedef struct search {
-    flk_analysis *a;
-    const flk_column *c;
-    fourlink_branch branch;
-    int sign;
-    int periodic;       /* 1: one revolution, whose ends meet */
-    double first, last; /* crank angles in the deck's unit */
-    double degree;      /* a degree in that unit */
-    double turn;        /* of an angle that may go on past 180 deg: a turn in its unit; else 0 */
-    double last_value;  /* from which such an angle goes on */
-    double size;        /* the largest magnitude of the samples */
-    int left;           /* 1: a minimiser has left the angles at which there is a value */
-} search;
-
-/* The column at any angle, with its sign turned so that the extreme is a minimum; NaN where there is
-** none. */
-static double value_at(double angle, void *data)
+static void search_stretch(flk_search *x, size_t steps)
 {
-    const search *s = data;
-    double value;
+    size_t c;
+
+    flk_search_sample(x, steps);
+    flk_search_resolve_leaps(x);
+    for (c = 0; c < x->n_columns; c++)
+        if (x->columns[c].turn > 0)
+            flk_search_follow(x, &x->columns[c], flk_search_row(x, c));
+    if (x->low <= 0)
+        flk_search_find_limits(x, 0);
+    if (x->high >= 1)
+        flk_search_find_limits(x, 1);
+    for (c = 0; c < x->n_columns; c++) {
+        flk_search_offer_samples(x, &x->columns[c], flk_search_row(x, c));
+        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
+    }
+    flk_search_resolve_narrow(x);
+    for (c = 0; c < x->n_columns; c++) {
+        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
+        flk_search_refine_peaks(x, &x->columns[c], flk_search_row(x, c));
+    }
+}
+
+static void reset(flk_tracked *t)
+{
+    t->lost[0] = t->lost[1] = 0;
+    t->has_pole[0] = t->has_pole[1] = 0;
+}
+
+/* A piece in stretches. */
+static void search_piece(flk_search *x, int is_reached)
+{
+    double length = x->piece.to - x->piece.from;
+    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
+    size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
+
+    steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
+    stretches = (steps + STRETCH - 1) / STRETCH;
+    for (i = 0; i < x->n_columns; i++)
+        reset(&x->columns[i]);
+    for (i = 0; i < stretches; i++) {
+        x->low = (double)i / (double)stretches;
+        x->high = (double)(i + 1) / (double)stretches;
+        search_stretch(x, (steps + stretches - 1) / stretches);
+    }
+}
+
+/* 1 if the linkage can be assembled in the piece. */
+static int is_reached(const flk_search *x)
+{
     flk_row row;
 
-    if (s->periodic && (angle < s->first || angle > s->last))
-        angle += angle < s->first ? s->last - s->first : s->first - s->last;
-    flk_analysis_at_angle(s->a, flk_column_need(s->c), s->branch, angle, &row);
-    value = -s->sign * flk_column_value(s->c, &row);
-    if (s->turn > 0)
-        value -= s->turn * floor((value - s->last_value) / s->turn + 0.5);
-    return value;
+    flk_search_compute(x, 0, 0.5 * (x->piece.from + x->piece.to), &row);
+    return row.at.status == FOURLINK_OK;
 }
 
-static void keep_best(flk_extreme *best, double value, double angle)
+/* Of a motion that repeats the first period and the last are searched. */
+static void skip_periods(flk_search *x)
 {
-    if (value < best->value) {
-        best->value = value;
-        best->angle = angle;
-    }
-}
-
-/* The column for GSL, which tells its error handler of what is not finite: this is noted here, and a
-** number too large for a minimum given instead. */
-static double finite_value_at(double angle, void *data)
-{
-    search *s = data;
-    double value = value_at(angle, s);
-
-    if (gsl_finite(value))
-        return value;
-    s->left = 1;
-    return GSL_DBL_MAX;
-}
-
-static flk_extreme sample(search *s, double angle)
-{
-    flk_extreme x;
-
-    x.value = value_at(angle, s);
-    x.angle = angle;
-    return x;
-}
-
-/* 1 if three samples enclose a minimum, as GSL asks for. */
-static int encloses(const flk_extreme *low, const flk_extreme *middle, const flk_extreme *high)
-{
-    return low->angle < middle->angle && middle->angle < high->angle &&
-           middle->value < low->value && middle->value < high->value && gsl_finite(low->value) &&
-           gsl_finite(high->value);
-}
-
-/* One of GSL's minimisers, in memory of our own, from a bracket on that encloses a minimum; the lowest point
-** goes to `best`, the bracket shrinks. */
-static void minimise(search *s, const gsl_min_fminimizer_type *type, flk_extreme *low,
-                     const flk_extreme *middle, flk_extreme *high, flk_extreme *best)
-{
-    double state[MINIMISER_STATE];
-    gsl_min_fminimizer m;
-    gsl_function f;
-    int i;
-
-    if (type->size > sizeof state || !encloses(low, middle, high))
+    x->period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
+    x->skipped = 0;
+    if (x->length < 3 * x->period)
         return;
-    m.type = type;
-    m.state = state;
-    f.function = finite_value_at;
-    f.params = s;
-    s->left = 0;
-    if (gsl_min_fminimizer_set_with_values(&m, &f, middle->angle, middle->value, low->angle,
-                                           low->value, high->angle, high->value) != GSL_SUCCESS ||
-        s->left)
+    x->skipped = x->period * (floor(x->length / x->period) - 2);
+    x->length -= x->skipped;
+}
+
+/* Angles that turn with the crank have turned as often in each period that is skipped. */
+static void skip_turns(flk_search *x)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++) {
+        flk_tracked *t = &x->columns[c];
+        double turns = floor((t->last - t->first) / t->turn + 0.5);
+
+        if (t->turn > 0 && !t->restarts && !gsl_isnan(turns))
+            t->last += t->turn * turns * floor(x->skipped / x->period + 0.5);
+    }
+}
+
+static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
+{
+    size_t c;
+
+    x->s = memory;
+    x->values = memory + FLK_SEARCH_MOST_SAMPLES;
+    x->columns = (flk_tracked *)(void *)(x->values + FLK_SEARCH_MOST_SAMPLES * x->n_columns);
+    x->length = flk_pieces_length(x->a);
+    skip_periods(x);
+    x->from = x->a->d->motion.from;
+    x->end = flk_analysis_end(x->a);
+    x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
+    x->needs = 0;
+    x->n = 0;
+    memset(x->columns, 0, x->n_columns * sizeof *x->columns);
+    x->a->is_fast = 1;
+    x->has_noise = 0;
+    for (c = 0; c < x->n_columns; c++) {
+        flk_tracked *t = &x->columns[c];
+
+        t->c = &pairs[c].c;
+        if (flk_column_quantity(t->c) == QUANTITY_ANGLE)
+            t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
+        t->last = t->first = GSL_NAN;
+        t->bound = flk_column_bound(t->c);
+        t->is_noise = (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) != 0;
+        x->needs |= flk_column_need(t->c);
+        x->has_noise |= t->is_noise;
+    }
+    memset(&x->piece, 0, sizeof x->piece);
+}
+
+/* Tell the corner in place of an angle just inside it, unless a load jumps there. */
+static void settle(const flk_search *x, flk_tracked *t, int which)
+{
+    flk_found *f = &t->best[which];
+    double value, close = 1e-10 * fabs(f->value);
+    flk_row row;
+
+    if (!f->is_there || f->corner == f->angle || !gsl_finite(f->value))
         return;
-    for (i = 0; i < 100; i++) {
-        gsl_min_fminimizer before = m;
-        int status = gsl_min_fminimizer_iterate(&m);
-
-        if (s->left)
-            m = before;
-        if (status != GSL_SUCCESS || s->left ||
-            gsl_min_test_interval(m.x_lower, m.x_upper, 0, 1e-13) == GSL_SUCCESS)
-            break;
-    }
-    low->angle = m.x_lower;
-    low->value = m.f_lower;
-    high->angle = m.x_upper;
-    high->value = m.f_upper;
-    keep_best(best, m.f_minimum, m.x_minimum);
-}
-
-/* Twelve times the step times the slope, by five points (its error is of the fourth order). */
-static double slope(search *s, double x, double step)
-{
-    return 8 * (value_at(x + step, s) - value_at(x - step, s)) -
-           (value_at(x + 2 * step, s) - value_at(x - 2 * step, s));
-}
-
-/* A smooth minimum is flat: values tell its place to 1e-8 rad only.  A step of Newton's method on the
-** slope tells it better. */
-static void sharpen(search *s, flk_extreme *best)
-{
-    double step = 0.1 * s->degree, dx = 1e-3 * s->degree, x, rise;
-    double curvature =
-        (slope(s, best->angle + dx, step) - slope(s, best->angle - dx, step)) / (2 * dx);
-
-    x = best->angle - slope(s, best->angle, step) / curvature;
-    rise = fabs(value_at(best->angle + step, s) - best->value);
-    if (fabs(x - best->angle) < 1e-3 * s->degree &&
-        value_at(x, s) <= best->value + 1e-9 * rise + 1e-15 * fabs(best->value))
-        best->angle = x;
-}
-
-/* Refine the minimum between three angles, the middle one the lowest.  Brent's method ends at the
-** resolution of a smooth minimum; golden sections go on to a sharp one, such as that of a transmission
-** angle folded at 90 deg. */
-static void refine(search *s, flk_extreme low, flk_extreme middle, flk_extreme high,
-                   flk_extreme *best)
-{
-    flk_extreme here = middle;
-
-    if (!encloses(&low, &middle, &high))
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, f->corner, &row);
+    value = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        value = flk_search_nearest(t, value, f->value);
+    if (fabs(value) >= t->bound)
+        value = f->value > 0 ? GSL_POSINF : GSL_NEGINF;
+    if (flk_search_signed(which, value) < flk_search_signed(which, f->value) - close)
         return;
-    minimise(s, gsl_min_fminimizer_brent, &low, &middle, &high, &here);
-    middle = here;
-    minimise(s, gsl_min_fminimizer_goldensection, &low, &middle, &high, &here);
-    sharpen(s, &here);
-    keep_best(best, here.value, here.angle);
+    f->angle = f->corner;
+    if (!gsl_isnan(value))
+        f->value = value;
 }
 
-/* The last angle at which the column has a value, from one at which it has towards one at which not. */
-static double edge(search *s, double good, double bad)
+static void give(const flk_found *f, flk_extreme *extreme)
 {
-    int i;
+    extreme->is_there = f->is_there;
+    extreme->value = f->value;
+    extreme->angle = f->angle;
+}
 
-    for (i = 0; i < 100; i++) {
-        double middle = 0.5 * (good + bad);
+/* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
+static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
+{
+    size_t c;
 
-        if (gsl_isnan(value_at(middle, s)))
-            bad = middle;
-        else
-            good = middle;
+    for (c = 0; c < x->n_columns; c++) {
+        flk_tracked *t = &x->columns[c];
+        double shift = 0;
+        int which;
+
+        if (has_gap && t->turn > 0 && flk_analysis_is_periodic(x->a) &&
+            !gsl_isnan(t->first + t->last))
+            shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
+        flk_search_commit(t, shift);
+        for (which = 0; which < 2; which++) {
+            settle(x, t, which);
+            if (fabs(t->best[which].value) >= t->bound)
+                t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
+        }
+        give(&t->best[0], &pairs[c].max);
+        give(&t->best[1], &pairs[c].min);
     }
-    return good;
+    x->a->is_fast = 0;
 }
 
-/* The limit of the column where the links stop reaching, between two angles, at the first of which it has
-** a value.  1, or 0 if it grows beyond all bounds there.
-**
-** With x the distance from the dead position, positions go as v0 + c sqrt(x), so that 2 v(x) - v(4 x) is v0
-** but for terms of the order of x; velocities, accelerations and forces grow as a negative power of x. */
-static int limit_at_edge(search *s, double good, double bad, flk_extreme *limit)
+/* Find the extremes of n columns on a branch. */
+static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
+                 double *memory)
 {
-    double x = (bad > good ? -1e-7 : 1e-7) * s->degree, far = good, v1, v2;
+    int has_gap = 0;
+    flk_search x;
+    size_t c;
 
-    good = edge(s, good, bad);
-    v1 = value_at(good + x, s);
-    v2 = value_at(good + 4 * x, s);
-    limit->value = 2 * v1 - v2;
-    if (fabs(limit->value) < 1e-4 * fabs(v1))
-        limit->value = 0; /* of a transmission angle nothing else is left */
-    limit->angle = good;
-    if (gsl_isnan(limit->value)) {
-        limit->value = value_at(good, s);
-        return 1;
+    x.a = a;
+    x.branch = branch;
+    x.n_columns = n;
+    start(&x, pairs, memory);
+    if (x.length <= 0) {
+        x.low = x.high = 0;
+        search_stretch(&x, 0);
     }
-    return fabs(limit->value - v2) <= fabs(v2 - value_at(far, s)) + 1e-9 * fabs(v2);
-}
+    while (flk_pieces_next(a, x.length, x.period, &x.piece)) {
+        int reached = is_reached(&x);
 
-/* Keep the lowest angles of a list, the lowest first. */
-static void keep_lowest(flk_extreme *list, int *n, double value, double angle)
-{
-    int i;
-
-    if (*n == PEAKS && value >= list[PEAKS - 1].value)
-        return;
-    if (*n < PEAKS)
-        (*n)++;
-    for (i = *n - 1; i > 0 && list[i - 1].value > value; i--)
-        list[i] = list[i - 1];
-    list[i].value = value;
-    list[i].angle = angle;
-}
-
-/* Both sides of an angle of the cycle, wherever the motion comes by. */
-static void look_at(search *s, double theta2, flk_extreme *best)
-{
-    double rad = s->a->d->motion.angle_unit, cycle = s->a->d->cycle / rad, side = 1e-9 / rad;
-    double x = theta2 / rad;
-
-    for (x += cycle * ceil((s->first - x) / cycle); x <= s->last; x += cycle) {
-        double before = value_at(x - side, s), after = value_at(x + side, s);
-
-        if (x - side >= s->first && !gsl_isnan(before))
-            keep_best(best, before, x);
-        if (x + side <= s->last && !gsl_isnan(after))
-            keep_best(best, after, x);
+        search_piece(&x, reached);
+        for (c = 0; c < n; c++)
+            if (!reached && x.columns[c].turn > 0 &&
+                !(flk_column_flags(x.columns[c].c) & FOURLINK_OF_CRANK)) {
+                flk_search_commit(&x.columns[c], 0);
+                x.columns[c].last = GSL_NAN;
+                x.columns[c].restarts = 1;
+            }
+        has_gap |= !reached;
+        if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)
+            skip_turns(&x);
     }
+    finish(&x, has_gap, pairs);
 }
 
-static void look_at_curve(search *s, const curve *c, flk_extreme *best)
+/* ------------------------------------------------------------------------------------- the asked for */
+
+int flk_extremes_open(flk_extremes *x, size_t most)
+{
+    size_t numbers =
+        FLK_SEARCH_MOST_SAMPLES * (most + 1) + most * (sizeof(flk_tracked) / sizeof(double) + 1);
+
+    x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
+    x->pairs[1] = x->pairs[0] + most + 1;
+    x->memory = malloc(numbers * sizeof *x->memory);
+    return x->pairs[0] && x->memory;
+}
+
+void flk_extremes_close(flk_extremes *x)
+{
+    free(x->pairs[0]);
+    free(x->memory);
+}
+
+static int is_same(const flk_column *x, const flk_column *y)
+{
+    if (x->info != y->info || x->link != y->link)
+        return 0;
+    return !x->link || (x->component == y->component && x->at.x == y->at.x && x->at.y == y->at.y);
+}
+
+void flk_extremes_ask(flk_extremes *x, const flk_column *c)
 {
     size_t i;
 
-    for (i = 0; i < c->n; i++)
-        look_at(s, c->x[i], best);
+    for (i = 0; i < x->n; i++)
+        if (is_same(&x->pairs[0][i].c, c))
+            return;
+    x->pairs[0][x->n].c = x->pairs[1][x->n].c = *c;
+    x->n++;
 }
 
-/* The corners of the loads, which a scan may step over: the ends of their windows, the points of their
-** curves. */
-static void look_at_corners(search *s, flk_extreme *best)
+const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
+                                        fourlink_branch branch)
 {
-    const deck *d = s->a->d;
-    unsigned long i;
+    int k = branch == FOURLINK_OPEN ? 0 : 1;
+    flk_extreme_pair *pairs = x->pairs[k];
+    size_t i;
 
-    look_at_curve(s, &d->gas.indicator, best);
-    for (i = 0; i < d->n_loads; i++) {
-        look_at_curve(s, &d->variations[i].torque, best);
-        if (d->variations[i].is_windowed) {
-            look_at(s, d->variations[i].from, best);
-            look_at(s, d->variations[i].to, best);
-        }
+    for (i = 0; i < x->n && !is_same(&pairs[i].c, c); i++)
+        ;
+    if (i == x->n) {
+        pairs[i].c = *c;
+        find(a, branch, &pairs[i], 1, x->memory);
+    } else if (!x->is_known[k]) {
+        find(a, branch, pairs, x->n, x->memory);
+        x->is_known[k] = 1;
     }
-}
-
-/* A step for each degree; not fewer than 360, and where there are very many revolutions no more than can be
-** waited for. */
-static long steps_of(double degrees)
-{
-    if (degrees <= 0)
-        return 0;
-    if (degrees > MOST_STEPS)
-        return MOST_STEPS;
-    return degrees > 360 ? (long)ceil(degrees - 1e-6) : 360;
-}
-
-static void set_range(search *s)
-{
-    const deck *d = s->a->d;
-    double end = flk_analysis_end(s->a);
-
-    s->periodic = flk_analysis_is_periodic(s->a);
-    s->first = d->motion.from < end ? d->motion.from : end;
-    s->last = d->motion.from < end ? end : d->motion.from;
-    s->degree = M_PI / 180 / d->motion.angle_unit;
-    s->turn = 0;
-    s->last_value = 0;
-    s->size = 0;
-}
-
-/* Start to follow an angle past 180 deg. */
-static void follow(search *s, double value)
-{
-    const unit *u = &s->a->d->units[QUANTITY_ANGLE].unit;
-
-    if (flk_column_quantity(s->c) == QUANTITY_ANGLE && !gsl_isnan(value)) {
-        s->turn = flk_unit_from_si(2 * M_PI, *u);
-        s->last_value = value;
-    }
-}
-
-/* One revolution has its extremes between its first angle and its last, which are one position. */
-static double in_revolution(const search *s, double angle)
-{
-    double turn = s->last - s->first, close = 1e-6 * s->degree;
-
-    if (!s->periodic)
-        return angle;
-    angle += angle < s->first - close ? turn : angle > s->last + close ? -turn : 0;
-    return fabs(angle - s->first) < close || fabs(angle - s->last) < close ? s->a->d->motion.from
-                                                                           : angle;
-}
-
-/* Where a scan begins: at the first row, and in a revolution with a gap behind the last gap before it, so
-** that an angle is the same at both ends of the revolution.  An angle is followed from the first row. */
-static double scan_from(search *s, double step, long steps)
-{
-    double from = s->a->d->motion.from, value = value_at(from, s);
-    long i;
-
-    follow(s, value);
-    if (!s->periodic || gsl_isnan(value))
-        return from;
-    for (i = 1; i < steps; i++) {
-        value = value_at(from - (double)i * step, s);
-        if (gsl_isnan(value))
-            return from - (double)(i - 1) * step;
-        s->last_value = value;
-    }
-    follow(s, value_at(from, s));
-    return from;
-}
-
-/* Scan the motion: the lowest samples that stand below their neighbours, and the limits at the edges of
-** reach.  `unbounded` is set if the column has no limit at one of these. */
-static int scan(search *s, double step, long steps, flk_extreme peaks[PEAKS], flk_extreme *best,
-                int *unbounded)
-{
-    double before, now, after;
-    double from = scan_from(s, step, steps);
-    flk_extreme limit;
-    int n = 0;
-    long i;
-
-    now = value_at(from, s);
-    before = s->periodic ? value_at(from - step, s) : GSL_NAN;
-    for (i = 0; i <= steps - s->periodic; i++) {
-        double x = from + (double)i * step;
-        int goes_on = i < steps || s->periodic, came = i > 0 || s->periodic;
-
-        if (gsl_isnan(now))
-            s->turn = 0; /* a gap: the angle starts anew */
-        if (fabs(now) > s->size)
-            s->size = fabs(now);
-        after = goes_on ? value_at(x + step, s) : GSL_NAN;
-        /* a NaN on one side is an end */
-        if (!gsl_isnan(now) && !(before < now) && !(after < now))
-            keep_lowest(peaks, &n, now, x);
-        if (!gsl_isnan(now) && gsl_isnan(after) && goes_on) {
-            *unbounded |= !limit_at_edge(s, x, x + step, &limit) && limit.value < now;
-            keep_best(best, limit.value, in_revolution(s, limit.angle));
-        }
-        if (!gsl_isnan(now) && gsl_isnan(before) && came) {
-            *unbounded |= !limit_at_edge(s, x, x - step, &limit) && limit.value < now;
-            keep_best(best, limit.value, in_revolution(s, limit.angle));
-        }
-        before = now;
-        now = after;
-        if (s->turn == 0)
-            follow(s, now);
-        else if (!gsl_isnan(now))
-            s->last_value = now;
-    }
-    return n;
-}
-
-static void refine_peak(search *s, double step, const flk_extreme *peak, flk_extreme *best)
-{
-    double x = peak->angle, low = x - step, high = x + step;
-
-    follow(s, peak->value); /* the scan may have ended in a gap */
-    keep_best(best, peak->value, x);
-    if (low < s->first && !s->periodic) { /* at an end: is there a minimum just inside it? */
-        low = s->first;
-        x = s->first + 1e-3 * step;
-    }
-    if (high > s->last && !s->periodic) {
-        high = s->last;
-        x = s->last - 1e-3 * step;
-    }
-    if (gsl_isnan(value_at(low, s)))
-        low = edge(s, x, low);
-    if (gsl_isnan(value_at(high, s)))
-        high = edge(s, x, high);
-    if (!(flk_column_flags(s->c) & FOURLINK_OF_ROUNDING))
-        refine(s, sample(s, low), sample(s, x), sample(s, high), best);
-}
-
-/* Of values that are equal but for rounding the one that the motion comes by first. */
-static void keep_first(const search *s, flk_extreme *best, const flk_extreme *found)
-{
-    double from = s->a->d->motion.from, close = 1e-12 * s->size;
-    double angle = in_revolution(s, found->angle);
-
-    if (found->value < best->value - close ||
-        (found->value <= best->value + close && fabs(angle - from) < fabs(best->angle - from)))
-        best->angle = angle;
-    if (found->value < best->value)
-        best->value = found->value;
-}
-
-int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
-                     flk_extreme *found)
-{
-    flk_extreme peaks[PEAKS], best, found_here;
-    int n, k, unbounded = 0;
-    double step;
-    long steps;
-    search s;
-
-    s.a = a;
-    s.c = c;
-    s.branch = branch;
-    s.sign = sign;
-    set_range(&s);
-    steps = steps_of((s.last - s.first) / s.degree);
-    step = steps ? (s.last - s.first) / (double)steps : 0;
-    best.value = GSL_POSINF;
-    best.angle = s.first;
-    n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
-    if (!n && s.periodic && s.turn > 0) { /* an angle that goes on: its ends do not meet */
-        set_range(&s);
-        s.periodic = 0;
-        n = scan(&s, a->d->motion.from > s.first ? -step : step, steps, peaks, &best, &unbounded);
-    }
-    if (!n)
-        return FOURLINK_NOT_REACHED;
-    for (k = 0; k < n; k++) {
-        found_here.value = GSL_POSINF;
-        found_here.angle = peaks[k].angle;
-        refine_peak(&s, step, &peaks[k], &found_here);
-        keep_first(&s, &best, &found_here);
-    }
-    if (s.last > s.first && (flk_column_need(c) & (NEED_FORCES | NEED_ENGINE | NEED_GAS)))
-        look_at_corners(&s, &best);
-    found->value = -sign * best.value;
-    found->angle = best.angle;
-    if (unbounded || fabs(found->value) >= flk_column_bound(c))
-        found->value = sign > 0 ? GSL_POSINF : GSL_NEGINF;
-    return FOURLINK_OK;
+    return &pairs[i];
 }

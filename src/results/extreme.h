@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** extreme.h - the largest and smallest value of a column over a deck's motion.
+** extreme.h - the largest and smallest values of columns over a deck's motion, found together.
 */
 #ifndef FOURLINK_EXTREME_H
 #define FOURLINK_EXTREME_H
@@ -8,15 +8,35 @@
 #include "column.h"
 
 typedef struct flk_extreme {
+    int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
     double
-        value; /* in the column's unit; infinite: the column grows beyond all bounds, as velocities do
-                     at a dead position */
+        value; /* in the column's unit; infinite: unbounded, as velocities are at a dead position */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } flk_extreme;
 
-/* Find the maximum (sign 1) or the minimum (-1) of a column on a branch, refined between the rows.
-** FOURLINK_OK, or FOURLINK_NOT_REACHED. */
-int flk_extreme_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, int sign,
-                     flk_extreme *found);
+/* A column and its extremes. */
+typedef struct flk_extreme_pair {
+    flk_column c;
+    flk_extreme min, max;
+} flk_extreme_pair;
+
+/* The extremes that a deck asks for: all are found when the first is asked for. */
+typedef struct flk_extremes {
+    flk_extreme_pair *pairs[2]; /* open, crossed; behind them one for any other column */
+    size_t n;
+    int is_known[2];
+    double *memory; /* of the search */
+} flk_extremes;
+
+/* Take the memory for at most so many columns, and give it back.  0 when out of memory. */
+int flk_extremes_open(flk_extremes *x, size_t most);
+void flk_extremes_close(flk_extremes *x);
+
+/* Ask for a column's, which is not asked for yet. */
+void flk_extremes_ask(flk_extremes *x, const flk_column *c);
+
+/* The extremes of any column; they last until the next call. */
+const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
+                                        fourlink_branch branch);
 
 #endif

@@ -6,7 +6,6 @@
 
 #include <gsl/gsl_math.h>
 
-#include "extreme.h"
 #include "fact.h"
 #include "list.h"
 #include "mechanics/kind.h"
@@ -14,39 +13,35 @@
 
 /* name, quantity, 1 for the turning moment, meaning */
 #define FACT_LIST(X)                                                                               \
-    X(TYPE, "type", NUMBER, 0, "type of the linkage, by the Grashof condition")                    \
-    X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2 of Freudenstein's equation")        \
-    X(THETA2_FROM, "theta2_from", ANGLE, 0,                                                        \
-      "first crank angle at which the linkage can be assembled")                                   \
-    X(THETA2_TO, "theta2_to", ANGLE, 0, "last crank angle at which the linkage can be assembled")  \
+    X(TYPE, "type", NUMBER, 0, "type of the linkage, by Grashof")                                  \
+    X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2, Freudenstein")                     \
+    X(THETA2_FROM, "theta2_from", ANGLE, 0, "first crank angle that can be reached")               \
+    X(THETA2_TO, "theta2_to", ANGLE, 0, "last crank angle that can be reached")                    \
     X(THETA4_FROM, "theta4_from", ANGLE, 0, "first angle that link 4 can have")                    \
     X(THETA4_TO, "theta4_to", ANGLE, 0, "last angle that link 4 can have")                         \
     X(THETA4_SWING, "theta4_swing", ANGLE, 0, "range of theta4: theta4_to - theta4_from")          \
     X(ROD_RATIO, "n", NUMBER, 0, "length of the rod / length of the crank")                        \
     X(ROD_GYRATION, "k", LENGTH, 0, "radius of gyration of the rod")                               \
-    X(PAIR_GYRATION, "k1", LENGTH, 0, "radius of gyration of m_a and m_b: k1^2 = b (l - b)")       \
+    X(PAIR_GYRATION, "k1", LENGTH, 0, "gyration of m_a and m_b: k1^2 = b (l - b)")                 \
     X(M_A, "m_a", MASS, 0, "part of the rod's mass at the crank pin")                              \
     X(M_B, "m_b", MASS, 0, "part of the rod's mass at the gudgeon pin")                            \
-    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, length of the equivalent pendulum")                \
+    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, the equivalent pendulum")                          \
     X(ROD_DISTANCE, "d", LENGTH, 0, "k^2/b, from the centre of mass to m_d")                       \
     X(M_D, "m_d", MASS, 0, "mass of the equivalent pair at distance d")                            \
-    X(M_G, "m_g", MASS, 0, "mass of the equivalent pair at the gudgeon pin")                       \
+    X(M_G, "m_g", MASS, 0, "mass of that pair at the gudgeon pin")                                 \
     X(MU_MIN, "mu_min", ANGLE, 0, "smallest transmission angle")                                   \
     X(MU_MAX, "mu_max", ANGLE, 0, "largest transmission angle")                                    \
     X(THETA4_MIN, "theta4_min", ANGLE, 0, "smallest angle of the rocker or lever")                 \
     X(THETA4_MAX, "theta4_max", ANGLE, 0, "largest angle of the rocker or lever")                  \
-    X(SWING, "swing", ANGLE, 0, "angle between the limits of the rocker or lever")                 \
-    X(TIME_RATIO, "time_ratio", NUMBER, 0,                                                         \
-      "time of the slow swing / time of the quick swing; Whitworth: of a tool's strokes")          \
+    X(SWING, "swing", ANGLE, 0, "angle between these limits")                                      \
+    X(TIME_RATIO, "time_ratio", NUMBER, 0, "slow swing or stroke / quick one, in time")            \
     X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
-    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0,                                            \
-      "crank angle with the piston farthest from the crankshaft")                                  \
-    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0,                                            \
-      "crank angle with the piston nearest to the crankshaft")                                     \
+    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0, "piston farthest from the crankshaft")     \
+    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0, "piston nearest to the crankshaft")        \
     X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
     X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times the speed of the crank")              \
     X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \
-      "largest minus smallest energy of the flywheel in a cycle")                                  \
+      "largest minus smallest energy in a cycle")                                                  \
     X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, 1, "coefficient of fluctuation of energy") \
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, 1, "moment of inertia of the flywheel")       \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, 1,                                     \
@@ -219,25 +214,26 @@ static void tell_limits(teller *t)
     }
 }
 
-int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
+int flk_fact_of_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
                         fourlink_branch branch, int sign, fourlink_value *f)
 {
-    flk_extreme e;
-    int status = flk_extreme_find(a, c, branch, sign, &e);
+    const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch);
+    const flk_extreme *e = sign > 0 ? &pair->max : &pair->min;
 
-    if (status != FOURLINK_OK)
-        return status;
+    if (!e->is_there)
+        return FOURLINK_NOT_REACHED;
     flk_list_describe(a->d, flk_column_quantity(c), sign > 0 ? "largest value" : "smallest value",
                       f);
     f->name = name;
-    f->value = e.value;
-    f->has_angle = gsl_finite(e.value);
-    f->angle = e.angle;
+    f->value = e->value;
+    f->has_angle = gsl_finite(e->value);
+    f->angle = e->angle;
     f->branch = (int)branch;
     return FOURLINK_OK;
 }
 
-static void tell_extremes(teller *t, flk_analysis *a, const flk_column *c, char *names)
+static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk_column *c,
+                          char *names)
 {
     int sign;
 
@@ -246,7 +242,7 @@ static void tell_extremes(teller *t, flk_analysis *a, const flk_column *c, char 
     for (sign = 1; sign >= -1; sign -= 2, names += DECK_NAME_SIZE) {
         flk_text_join(names, DECK_NAME_SIZE, sign > 0 ? "max(" : "min(", c->name, ")",
                       (char *)NULL);
-        t->n += flk_fact_of_extreme(a, c, names, (fourlink_branch)t->branch, sign,
+        t->n += flk_fact_of_extreme(a, x, c, names, (fourlink_branch)t->branch, sign,
                                     &t->list[t->n]) == FOURLINK_OK;
     }
 }
@@ -268,8 +264,9 @@ static void tell_turning(teller *t, flk_analysis *a)
     }
 }
 
-unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_column *columns,
-                            size_t n_columns, fourlink_value *list, char *names)
+unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
+                            const flk_column *columns, size_t n_columns, fourlink_value *list,
+                            char *names)
 {
     teller t;
     size_t j;
@@ -297,7 +294,7 @@ unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_c
         if (groups & FOURLINK_FACTS_LIMITS)
             tell_limits(&t);
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
-            tell_extremes(&t, a, &columns[j], names + 2 * DECK_NAME_SIZE * j);
+            tell_extremes(&t, a, x, &columns[j], names + 2 * DECK_NAME_SIZE * j);
         if (groups & FOURLINK_FACTS_TURNING)
             tell_turning(&t, a);
     }

@@ -5,7 +5,7 @@
 #ifndef FOURLINK_FACT_H
 #define FOURLINK_FACT_H
 
-#include "column.h"
+#include "extreme.h"
 
 /* The largest number of facts of the limits and the turning moment, on both branches. */
 #define FLK_FACT_LIMIT 80
@@ -20,13 +20,14 @@ const char *flk_fact_nearest(text name);
 void flk_fact_describe(const deck *d, const char *name, fourlink_value *f);
 
 /* The extreme of a column, as a fact of this name; returns FOURLINK_OK or FOURLINK_NOT_REACHED. */
-int flk_fact_of_extreme(flk_analysis *a, const flk_column *c, const char *name,
+int flk_fact_of_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
                         fourlink_branch branch, int sign, fourlink_value *f);
 
-/* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  `list`
-** has room for FLK_FACT_LIMIT facts and four for each column, `names` for two names of DECK_NAME_SIZE bytes
-** for each column. */
-unsigned long flk_fact_list(flk_analysis *a, int branch, int groups, const flk_column *columns,
-                            size_t n_columns, fourlink_value *list, char *names);
+/* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  The
+** extremes are those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column,
+** `names` for two names of DECK_NAME_SIZE bytes for each column. */
+unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
+                            const flk_column *columns, size_t n_columns, fourlink_value *list,
+                            char *names);
 
 #endif

@@ -34,6 +34,8 @@ static int agrees(const fourlink_check *c, double value, double turn)
 {
     double difference = value - c->printed;
 
+    if (!gsl_finite(c->printed))
+        return value == c->printed;
     if (turn > 0)
         difference -= turn * floor(difference / turn + 0.5);
     return fabs(difference) <= c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);

@@ -136,6 +136,8 @@ static void tell_load(teller *t, const fourlink_load *load, const deck_load *var
         flk_text_join(section, sizeof section - 10, "load ", variation->name, (char *)NULL);
     tell_words(t, "link", fourlink_link_text((int)t->d->design.kind, load->link),
                "the link it acts on");
+    if (variation->force[0].n)
+        tell_words(t, "force", "a curve", "force");
     tell_if(t, "force.x", QUANTITY_FORCE, load->force.x, "force, x");
     tell_if(t, "force.y", QUANTITY_FORCE, load->force.y, "force, y");
     tell_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");

@@ -41,6 +41,28 @@ static void check_output(fourlink_results *r, text name, text_place place, mista
                          : NULL);
 }
 
+/* Ask for the extremes that are told together: those of a sweep's outputs, or of the columns; and those that
+** are expected. */
+static void ask_extremes(fourlink_results *r)
+{
+    const flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
+    text name;
+    flk_column c;
+    size_t i;
+
+    for (i = 0; i < outputs->n; i++)
+        if (flk_column_extreme_of(flk_text_of(outputs->list[i].name), &name) &&
+            flk_column_find(&r->a, name, &c))
+            flk_extremes_ask(&r->extremes, &c);
+    for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
+        if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
+            flk_extremes_ask(&r->extremes, &r->columns[i]);
+    for (i = 0; i < r->d.n_expectations; i++)
+        if (flk_column_extreme_of(r->d.expectations[i].name, &name) &&
+            flk_column_find(&r->a, name, &c))
+            flk_extremes_ask(&r->extremes, &c);
+}
+
 static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
 {
     text of = flk_text_of(name);
@@ -153,7 +175,8 @@ static int take_memory(fourlink_results *r)
     r->facts = next = malloc(total * sizeof *next);
     for (i = 0; next && i <= FOURLINK_CONDITIONS; next += size[i++])
         r->lists[i].list = next;
-    return r->columns && r->names && r->facts && flk_turning_open(&r->a);
+    return r->columns && r->names && r->facts && flk_turning_open(&r->a) &&
+           flk_extremes_open(&r->extremes, columns);
 }
 
 /* Open a deck without mistakes; 0 if out of memory. */
@@ -173,6 +196,7 @@ static int open_deck(fourlink_results *r)
     }
     list_outputs(r);
     list_conditions(r);
+    ask_extremes(r);
     flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES],
                        r->names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE);
     return 1;
@@ -252,7 +276,7 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
         return FOURLINK_OK;
     }
     flk_mistakes_sort(&r->d.mistakes);
-    flk_deck_give_mistakes(&r->d, max_mistakes, list, n_mistakes);
+    flk_deck_give_mistakes(&r->d.mistakes, max_mistakes, list, n_mistakes);
     fourlink_results_free(r);
     return FOURLINK_BAD_DECK;
 }
@@ -294,6 +318,7 @@ void fourlink_results_free(fourlink_results *r)
 {
     if (!r)
         return;
+    flk_extremes_close(&r->extremes);
     flk_analysis_close(&r->a);
     flk_deck_free(&r->d);
     free(r->columns);
@@ -319,6 +344,15 @@ static void fill(fourlink_results *r, int which)
         flk_list_columns(&r->a, list);
     else if (which == FOURLINK_INPUTS)
         flk_list_inputs(&r->d, list, r->names + names * DECK_NAME_SIZE);
+}
+
+int fourlink_results_notes(const fourlink_results *r, unsigned long max_notes,
+                           fourlink_mistake *notes, unsigned long *n_notes)
+{
+    if (!r || (!notes && max_notes))
+        return FOURLINK_NULL;
+    flk_deck_give_mistakes(&r->d.notes, max_notes, notes, n_notes);
+    return FOURLINK_OK;
 }
 
 int fourlink_results_list(fourlink_results *r, int which, const fourlink_value **list,
@@ -350,7 +384,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
     names = 2 * MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
-    *n = flk_fact_list(&r->a, branch, groups, r->columns, r->n_columns, r->facts,
+    *n = flk_fact_list(&r->a, &r->extremes, branch, groups, r->columns, r->n_columns, r->facts,
                        r->names + names * DECK_NAME_SIZE);
     *facts = r->facts;
     return FOURLINK_OK;
@@ -442,7 +476,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
 static int value_of_fact(fourlink_results *r, text name, int group, fourlink_branch branch,
                          fourlink_value *value)
 {
-    unsigned long n = flk_fact_list(&r->a, (int)branch, group, NULL, 0, r->facts, NULL), i;
+    unsigned long n = flk_fact_list(&r->a, NULL, (int)branch, group, NULL, 0, r->facts, NULL), i;
 
     for (i = 0; i < n; i++)
         if (flk_text_same(name, r->facts[i].name)) {
@@ -466,7 +500,7 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
     whole = of = flk_text_of(name);
     sign = flk_column_extreme_of(whole, &of);
     if (flk_column_find(&r->a, of, &c))
-        return sign ? flk_fact_of_extreme(&r->a, &c, name, branch, sign, value)
+        return sign ? flk_fact_of_extreme(&r->a, &r->extremes, &c, name, branch, sign, value)
                     : value_of_column(r, &c, branch, angle, value);
     group = flk_fact_group(whole);
     return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
@@ -493,7 +527,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
         return FOURLINK_NULL;
     if (i >= r->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    flk_expected_compare(&r->a, &r->d.expectations[i], r->facts, check);
+    flk_expected_compare(&r->a, &r->extremes, &r->d.expectations[i], r->facts, check);
     if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
         flk_hint_find(r, check);
     return FOURLINK_OK;

@@ -5,12 +5,13 @@
 #ifndef FOURLINK_RESULTS_H
 #define FOURLINK_RESULTS_H
 
-#include "column.h"
+#include "extreme.h"
 #include "list.h"
 
 struct fourlink_results {
     deck d;
     flk_analysis a;
+    flk_extremes extremes;
     flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
     int needs;                               /* what these columns need */

@@ -17,6 +17,7 @@
 */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -29,6 +30,9 @@
 #define STEP (M_PI / 180)
 #define MOST_STEPS 100000
 #define INSIDE 1e-10         /* rad, from a corner into the piece beside it */
+#define HALVINGS 1000        /* of pieces, at most */
+#define SHORTEST 1e-9        /* rad: no piece is halved below it */
+#define ROUGH 1e-7           /* a smooth piece is exact to 1e-14 if its rules agree to this */
 #define ROOT_SOLVER_STATE 32 /* doubles: more than Brent's needs */
 
 typedef struct moment {
@@ -53,24 +57,31 @@ static double excess(double theta2, void *data)
     return row.at.status == FOURLINK_OK ? -row.at.forces.Ts - m->mean : GSL_NAN;
 }
 
-/* Gauss-Legendre with eight points (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
-** table 25.4), in a table of our own: GSL's would be allocated. */
-static double area(moment *m, double from, double to)
+/* Gauss-Legendre with eight or four points (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
+** table 25.4), in tables of our own: GSL's would be allocated. */
+static double integrate(moment *m, double from, double to, int points)
 {
-    double x[] = {0.1834346424956498049394761, 0.5255324099163289858177390,
-                  0.7966664774136267395915539, 0.9602898564975362316835609};
-    double w[] = {0.3626837833783619829651504, 0.3137066458778872873379622,
-                  0.2223810344533744705443560, 0.1012285362903762591525314};
+    double x8[] = {0.1834346424956498049394761, 0.5255324099163289858177390,
+                   0.7966664774136267395915539, 0.9602898564975362316835609};
+    double w8[] = {0.3626837833783619829651504, 0.3137066458778872873379622,
+                   0.2223810344533744705443560, 0.1012285362903762591525314};
+    double x4[] = {0.3399810435848562648026658, 0.8611363115940525752239465};
+    double w4[] = {0.6521451548625461426269361, 0.3478548451374538573730639};
     gsl_integration_glfixed_table rule;
     gsl_function f;
 
-    rule.n = 8;
-    rule.x = x;
-    rule.w = w;
+    rule.n = (size_t)points;
+    rule.x = points == 8 ? x8 : x4;
+    rule.w = points == 8 ? w8 : w4;
     rule.precomputed = 1;
     f.function = excess;
     f.params = m;
     return gsl_integration_glfixed(&f, from, to, &rule);
+}
+
+static double area(moment *m, double from, double to)
+{
+    return integrate(m, from, to, 8);
 }
 
 /* The same for GSL's root finder, which tells its error handler of what is not finite. */
@@ -141,10 +152,10 @@ static size_t steps_of(const deck *d)
 /* The most pieces that there can be. */
 static size_t most_cuts(const deck *d)
 {
-    size_t n = steps_of(d) + 1 + d->gas.indicator.n, i;
+    size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n, i;
 
     for (i = 0; i < d->n_loads; i++)
-        n += d->variations[i].torque.n + 2;
+        n += d->variations[i].torque.n + d->variations[i].force[0].n + 2;
     return n;
 }
 
@@ -167,6 +178,7 @@ static void cut(moment *m)
     cut_at_curve(m, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
         cut_at_curve(m, &d->variations[i].torque);
+        cut_at_curve(m, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
             cut_at(m, d->variations[i].from);
             cut_at(m, d->variations[i].to);
@@ -180,22 +192,42 @@ static void cut(moment *m)
     m->n_cuts = n;
 }
 
-/* The mean over the cycle; NaN if the moment is not defined all round. */
+/* Halve piece i. */
+static void halve(moment *m, size_t i)
+{
+    size_t n = m->n_cuts - i - 1;
+
+    memmove(m->cuts + i + 2, m->cuts + i + 1, n * sizeof *m->cuts);
+    m->cuts[i + 1] = 0.5 * (m->cuts[i] + m->cuts[i + 2]);
+    m->n_cuts++;
+}
+
+/* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rules of four and of
+** eight points differ is halved: near a change point the moment has a peak far narrower than a degree.  Where that
+** does not end, the moment is unbounded. */
 static double mean_of(moment *m, double *scale)
 {
+    size_t most = most_cuts(m->a->d), i = 0;
     double sum = 0;
-    size_t i;
 
     *scale = 0;
-    for (i = 0; i + 1 < m->n_cuts; i++) {
-        double T = excess(m->cuts[i] + INSIDE, m);
+    while (i + 1 < m->n_cuts) {
+        double T = excess(m->cuts[i] + INSIDE, m), length = m->cuts[i + 1] - m->cuts[i];
+        double work = area(m, m->cuts[i], m->cuts[i + 1]);
+        double error = fabs(work - integrate(m, m->cuts[i], m->cuts[i + 1], 4));
 
+        if (gsl_isnan(T) || gsl_isnan(error))
+            return GSL_NAN;
         if (fabs(T) > *scale)
             *scale = fabs(T);
-        m->work[i] = area(m, m->cuts[i], m->cuts[i + 1]);
-        sum += m->work[i];
-        if (gsl_isnan(T) || gsl_isnan(sum))
-            return GSL_NAN;
+        if (error > ROUGH * (fabs(work) + *scale * length)) {
+            if (m->n_cuts == most || length < SHORTEST)
+                return GSL_NAN;
+            halve(m, i);
+            continue;
+        }
+        m->work[i++] = work;
+        sum += work;
     }
     return sum / m->a->d->cycle;
 }

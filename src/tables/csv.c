@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** csv.c - the format csv, RFC 4180: one header for all decks, then a line for each row, fact, comparison or
-** design.  Lines end in CR LF; numbers have 17 digits.
+** design.  Lines end in CR LF; numbers have 17 digits, what is
+** undefined is empty, what is unbounded inf or -inf.
 */
 #include <float.h>
 #include <string.h>
@@ -80,6 +81,24 @@ static void put_labels(sheet *s)
         line_put(&s->l, "%17g,", s->varied[i]);
 }
 
+/* A fact or an input. */
+static void put_fact(sheet *s, const fourlink_value *f)
+{
+    if (s->content != SHEET_SUMMARY)
+        return;
+    put_labels(s);
+    put_words(&s->l, f->name);
+    line_put(&s->l, ",");
+    if (f->words)
+        put_words(&s->l, f->words);
+    else
+        line_number(&s->l, f->value, DIGITS);
+    line_put(&s->l, ",%s,", f->unit);
+    if (f->has_angle)
+        line_number(&s->l, f->angle, DIGITS);
+    line_put(&s->l, ",%s\r\n", f->branch ? fourlink_branch_text(f->branch) : "");
+}
+
 static void open_deck(sheet *s)
 {
     long *under = s->layout;
@@ -87,6 +106,8 @@ static void open_deck(sheet *s)
 
     for (i = 0; s->content == SHEET_ROWS && i < s->n_header; i++)
         under[i] = sheet_column_under(s, i);
+    if (s->content == SHEET_SUMMARY)
+        sheet_write_inputs(s, put_fact);
 }
 
 static void put_row(sheet *s, const sheet_row *row)
@@ -107,22 +128,6 @@ static void put_row(sheet *s, const sheet_row *row)
     }
     put_words(&s->l, row->status);
     line_text(&s->l, "\r\n", 2);
-}
-
-static void put_fact(sheet *s, const fourlink_value *f)
-{
-    if (s->content != SHEET_SUMMARY)
-        return;
-    put_labels(s);
-    line_put(&s->l, "%s,", f->name);
-    if (!f->words && sheet_is_finite(f))
-        line_number(&s->l, f->value, DIGITS);
-    else
-        put_words(&s->l, f->words ? f->words : SHEET_UNBOUNDED);
-    line_put(&s->l, ",%s,", f->unit);
-    if (f->has_angle)
-        line_number(&s->l, f->angle, DIGITS);
-    line_put(&s->l, ",%s\r\n", f->branch ? fourlink_branch_text(f->branch) : "");
 }
 
 static void put_check(sheet *s, const fourlink_check *c)
@@ -237,12 +242,14 @@ const sheet_format csv_format = {
     put_fact,                  /* fact */
     NULL,                      /* block */
     put_row,                   /* row */
+    NULL,                      /* end_block */
     put_check,                 /* check */
     put_design,                /* design */
     refuse,                    /* refuse */
     close_deck,                /* close */
     sizeof(long),              /* layout_size */
     0,                         /* is_by_angle */
+    0,                         /* is_brief */
     put_statistic,             /* statistic */
     put_yield                  /* yield */
 };

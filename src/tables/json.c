@@ -139,19 +139,13 @@ static void put_column(sheet *s, const fourlink_value *column)
     line_text(&s->l, "}", 1);
 }
 
-static void put_inputs(sheet *s)
+static void put_input(sheet *s, const fourlink_value *input)
 {
-    const fourlink_value *list;
-    unsigned long n, i;
-
-    fourlink_results_list(s->results, FOURLINK_INPUTS, &list, &n);
-    for (i = 0; i < n; i++) {
-        put_item(s, "inputs");
-        put_described(s, &list[i]);
-        put_name(&s->l, "value", 0);
-        put_value(&s->l, &list[i]);
-        line_text(&s->l, "}", 1);
-    }
+    put_item(s, "inputs");
+    put_described(s, input);
+    put_name(&s->l, "value", 0);
+    put_value(&s->l, input);
+    line_text(&s->l, "}", 1);
 }
 
 /* Begin the object of a deck or a design. */
@@ -187,7 +181,7 @@ static void open_deck(sheet *s)
     put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
     if (s->content == SHEET_LIST)
         return;
-    put_inputs(s);
+    sheet_write_inputs(s, put_input);
     for (i = 0; s->content == SHEET_ROWS && i < s->n_columns; i++)
         put_column(s, &s->columns[i]);
 }
@@ -409,12 +403,14 @@ const sheet_format json_format = {
     put_fact,                                                                   /* fact */
     put_block,                                                                  /* block */
     put_row,                                                                    /* row */
+    NULL,                                                                       /* end_block */
     put_check,                                                                  /* check */
     put_design,                                                                 /* design */
     refuse,                                                                     /* refuse */
     close_deck,                                                                 /* close */
     0,                                                                          /* layout_size */
     0,                                                                          /* is_by_angle */
+    0,                                                                          /* is_brief */
     put_statistic,                                                              /* statistic */
     put_yield                                                                   /* yield */
 };

@@ -63,12 +63,14 @@ const sheet_format paper_format = {
     NULL,            /* fact */
     NULL,            /* block */
     put_row,         /* row */
+    NULL,            /* end_block */
     NULL,            /* check */
     NULL,            /* design */
     NULL,            /* refuse */
     NULL,            /* close */
     0,               /* layout_size */
     1,               /* is_by_angle */
+    0,               /* is_brief */
     NULL,            /* statistic */
     NULL             /* yield */
 };

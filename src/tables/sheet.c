@@ -2,6 +2,7 @@
 **
 ** sheet.c - the contents of a sheet of results, for all formats.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -70,24 +71,6 @@ fourlink_unit sheet_unit(const sheet *s, const char *quantity)
     return u;
 }
 
-int sheet_is_finite(const fourlink_value *v)
-{
-    return gsl_finite(v->value);
-}
-
-static void write_quantity(sheet *s, const char *before, const char *name, double si,
-                           const char *quantity)
-{
-    fourlink_unit u = sheet_unit(s, quantity);
-
-    line_put(&s->l, "%s%s %12g %s", before, name, si * u.down / u.up, u.name);
-}
-
-static void write_length(sheet *s, const char *before, const char *name, double length)
-{
-    write_quantity(s, before, name, length, "length");
-}
-
 void sheet_write_gap(sheet *s)
 {
     char name[1024];
@@ -97,31 +80,6 @@ void sheet_write_gap(sheet *s)
     if (s->deck_name)
         line_put(&s->l, "# deck: %s\n",
                  flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
-}
-
-void sheet_write_title(sheet *s)
-{
-    if (s->problem.title[0])
-        line_put(&s->l, "# %s\n", s->problem.title);
-}
-
-void sheet_write_mechanism(sheet *s)
-{
-    static const int order[] = {FOURLINK_CRANK, FOURLINK_COUPLER, FOURLINK_FOLLOWER,
-                                FOURLINK_GROUND};
-    const fourlink_design *design = &s->problem.mechanism.design;
-    int i;
-
-    line_put(&s->l, "# %s", fourlink_kind_text((int)design->kind));
-    for (i = 0; i < 4; i++)
-        if (design->link[order[i]].length > 0)
-            write_length(s, i ? ", " : ": ", fourlink_link_text((int)design->kind, order[i]),
-                         design->link[order[i]].length);
-    if (design->offset != 0)
-        write_length(s, ", ", "offset", design->offset);
-    if (design->angle != 0)
-        write_quantity(s, ", ", "angle", design->angle, "angle");
-    line_put(&s->l, "\n");
 }
 
 /* ------------------------------------------------------------------------------------------ content */
@@ -137,18 +95,54 @@ static void find_status(sheet_row *row)
     row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
 }
 
-/* Write row k of a branch. */
+/* Compute row k of a branch. */
+static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
+                     sheet_row *row)
+{
+    s->failed += fourlink_results_row(s->results, branch, k, s->values, at, NULL) != FOURLINK_OK;
+    row->values = s->values;
+    row->branch = branch;
+    row->at = at;
+    row->last = at->row.angle;
+    find_status(row);
+}
+
 static void write_row(sheet *s, fourlink_branch branch, unsigned long k)
 {
     fourlink_instant at;
     sheet_row row;
 
-    s->failed += fourlink_results_row(s->results, branch, k, s->values, &at, NULL) != FOURLINK_OK;
-    row.values = s->values;
-    row.branch = branch;
-    row.at = &at;
-    find_status(&row);
+    find_row(s, branch, k, &at, &row);
     s->format->row(s, &row);
+}
+
+/* Write all rows of a branch; rows without numbers, for the same reason, as one. */
+static void write_rows_briefly(sheet *s, fourlink_branch branch)
+{
+    fourlink_instant at, first;
+    sheet_row row, stretch;
+    int is_open = 0; /* a stretch, not written yet */
+    unsigned long k;
+
+    for (k = 0; k < s->problem.n_rows; k++) {
+        find_row(s, branch, k, &at, &row);
+        if (is_open && at.status == first.status) {
+            stretch.last = row.last;
+            continue;
+        }
+        if (is_open)
+            s->format->row(s, &stretch);
+        is_open = at.status != FOURLINK_OK;
+        if (is_open) {
+            first = at;
+            stretch = row;
+            stretch.at = &first;
+        } else {
+            s->format->row(s, &row);
+        }
+    }
+    if (is_open)
+        s->format->row(s, &stretch);
 }
 
 void sheet_write_stop(sheet *s, fourlink_branch branch)
@@ -167,6 +161,33 @@ void sheet_write_stop(sheet *s, fourlink_branch branch)
     s->format->row(s, &row);
 }
 
+void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
+{
+    const fourlink_value *inputs;
+    unsigned long n, i;
+
+    fourlink_results_list(s->results, FOURLINK_INPUTS, &inputs, &n);
+    for (i = 0; i < n; i++)
+        put(s, &inputs[i]);
+}
+
+static int is_near(double x, double y)
+{
+    return x == y || fabs(x - y) <= 1e-7 * GSL_MAX_DBL(fabs(x), fabs(y));
+}
+
+/* 1 if a fact is the same on the other branch. */
+static int is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n)
+{
+    unsigned long i;
+
+    for (i = 0; i < n; i++)
+        if (f->branch && facts[i].branch == -f->branch && strcmp(f->name, facts[i].name) == 0)
+            return !f->words && is_near(f->value, facts[i].value) &&
+                   f->has_angle == facts[i].has_angle && is_near(f->angle, facts[i].angle);
+    return 0;
+}
+
 static void write_facts(sheet *s, int branch, int groups)
 {
     const fourlink_value *facts;
@@ -175,19 +196,35 @@ static void write_facts(sheet *s, int branch, int groups)
     if (!s->format->fact)
         return;
     fourlink_results_facts(s->results, branch, groups, &facts, &n);
-    for (i = 0; i < n; i++)
-        s->format->fact(s, &facts[i]);
+    for (i = 0; i < n; i++) {
+        fourlink_value f = facts[i];
+
+        if (s->format->is_brief && is_on_both(&f, facts, n)) {
+            if (f.branch == FOURLINK_CROSSED)
+                continue;
+            f.branch = 0;
+        }
+        s->format->fact(s, &f);
+    }
 }
 
+/* Write the rows of a branch, once for each page. */
 static void write_block(sheet *s, fourlink_branch branch)
 {
-    unsigned long k;
+    unsigned long failed = s->failed, k;
 
-    if (s->format->block)
-        s->format->block(s, branch);
-    for (k = 0; k < s->problem.n_rows; k++)
-        write_row(s, branch, k);
-    sheet_write_stop(s, branch);
+    for (s->page = 0; s->page < s->n_pages; s->page++) {
+        s->failed = failed;
+        if (s->format->block)
+            s->format->block(s, branch);
+        if (s->format->is_brief)
+            write_rows_briefly(s, branch);
+        for (k = 0; k < s->problem.n_rows && !s->format->is_brief; k++)
+            write_row(s, branch, k);
+        sheet_write_stop(s, branch);
+        if (s->format->end_block)
+            s->format->end_block(s, branch);
+    }
 }
 
 static void write_by_angle(sheet *s, const fourlink_branch *branches, int n)
@@ -295,6 +332,7 @@ static int open_results(sheet *s, fourlink_results *results)
     s->loads = malloc((s->problem.n_loads + 1) * sizeof *s->loads);
     s->layout = malloc((s->n_columns + s->n_header + 1) * (s->format->layout_size + 1));
     s->list = NULL;
+    s->n_pages = 1;
     memset(s->checks, 0, sizeof s->checks);
     return s->values && s->loads && s->layout;
 }

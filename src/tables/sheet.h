@@ -33,8 +33,9 @@ typedef struct sheet {
     line l;
     const struct sheet_format *format;
     sheet_content content;
-    int n_decks;    /* if several, each shows its name */
-    const char *at; /* SHEET_EXPECT: the crank angles of --at; null: the rows */
+    int n_decks;         /* if several, each shows its name */
+    unsigned long width; /* of the terminal; 0: the table need not fit one */
+    const char *at;      /* SHEET_EXPECT: the crank angles of --at; null: the rows */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
@@ -53,8 +54,9 @@ typedef struct sheet {
     double *values;                /* of a row */
     fourlink_load *loads;          /* of a row */
     void *layout;                  /* of the format */
-    unsigned long n_written;       /* decks or designs */
-    const char *list;              /* for the format: the list that is open, or null */
+    int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
+    unsigned long n_written; /* decks or designs */
+    const char *list;        /* for the format: the list that is open, or null */
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
@@ -67,6 +69,7 @@ typedef struct sheet_row {
     const double *values; /* null: only the status */
     fourlink_branch branch;
     const fourlink_instant *at; /* may be null */
+    double last;                /* crank angle of the last row for which this one stands */
     const char *status;         /* in words */
     int is_ordinary;            /* 1: the status is "ok" */
 } sheet_row;
@@ -96,9 +99,9 @@ typedef struct sheet_yield {
     double percent, low, high; /* 95 per cent interval, in per cent */
 } sheet_yield;
 
-/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block` and `close` may be null.  The
-** others may be null if the format does not write their contents: `row` for rows, `check` and `refuse` for
-** comparisons, `column` for lists, `design` and `refuse` for sweeps. */
+/* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may be
+** null.  The others may be null if the format does not write their contents: `row` for rows, `check` and `refuse`
+** for comparisons, `column` for lists, `design` and `refuse` for sweeps, `statistic` and `yield` for statistics. */
 typedef struct sheet_format {
     const char *name;
     int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
@@ -108,6 +111,7 @@ typedef struct sheet_format {
     void (*fact)(sheet *s, const fourlink_value *fact);
     void (*block)(sheet *s, fourlink_branch branch); /* the rows of a branch begin */
     void (*row)(sheet *s, const sheet_row *row);
+    void (*end_block)(sheet *s, fourlink_branch branch);
     void (*check)(sheet *s, const fourlink_check *check);
     void (*design)(sheet *s, fourlink_branch branch, const sheet_output *outputs, const char *why);
     void (*refuse)(sheet *s, const char *why); /* instead of a deck or design */
@@ -115,6 +119,8 @@ typedef struct sheet_format {
     size_t layout_size;                        /* of s->layout, for each column */
     int is_by_angle; /* 1: both branches at each crank angle, the crossed one first, and no row
                            at the end of a revolution */
+    int is_brief;    /* 1: rows without numbers, one after the other for the same reason, are one;
+                           in a summary a fact that is the same on both branches is there once */
     void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
     void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
 } sheet_format;
@@ -153,10 +159,11 @@ int sheet_branches(const sheet *s, fourlink_branch branches[2]);
 /* The deck's column that belongs under column i of the header; -1 if there is none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
-/* Write the blank lines between decks or designs, and the deck's name; the title; the mechanism. */
+/* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);
-void sheet_write_title(sheet *s);
-void sheet_write_mechanism(sheet *s);
+
+/* Give the deck's inputs to a function of the format. */
+void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
 /* How many values of this deck agree, or are misprints as expected; and of how many. */
 unsigned long sheet_score(const sheet *s, unsigned long *of);
@@ -177,10 +184,6 @@ void expect_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);
-
-/* An unbounded value, in words. */
-#define SHEET_UNBOUNDED "none: it grows beyond all bounds"
-int sheet_is_finite(const fourlink_value *v);
 
 /* The results of a comparison in words. */
 extern const char *const sheet_verdicts[];

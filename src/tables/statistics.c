@@ -155,12 +155,14 @@ const sheet_format statistics_collector = {
     NULL,               /* fact */
     NULL,               /* block */
     NULL,               /* row */
+    NULL,               /* end_block */
     NULL,               /* check */
     add_design,         /* design */
     add_refused,        /* refuse */
     NULL,               /* close */
     0,                  /* layout_size */
     0,                  /* is_by_angle */
+    0,                  /* is_brief */
     NULL,               /* statistic */
     NULL                /* yield */
 };

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "head.h"
+#include "summary.h"
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
@@ -24,51 +26,23 @@ void table_put_head(sheet *s)
         line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
-    sheet_write_title(s);
-    if (s->content == SHEET_STATISTICS)
+    if (s->content == SHEET_STATISTICS) {
+        head_put_title(s);
         return;
-    sheet_write_mechanism(s);
+    }
     if (s->content == SHEET_SUMMARY)
-        line_put(&s->l, "# %-20s %20s %-8s %10s %-3s %-8s meaning\n", "name", "value", "unit",
-                 "theta2", s->angle_unit, "branch");
+        summary_put_inputs(s);
+    else
+        head_put_all(s);
 }
 
 /* -------------------------------------------------------------------------------------------- facts */
 
-static void put_fact_in_head(sheet *s, const fourlink_value *f)
-{
-    line_put(&s->l, "# %s", f->name);
-    if (f->branch)
-        line_put(&s->l, " (%s)", fourlink_branch_text(f->branch));
-    if (f->words)
-        line_put(&s->l, ": %s", f->words);
-    else
-        line_put(&s->l, ": %9g%s%s", f->value, blank(f->unit), unit_after(f->unit));
-    if (f->has_angle)
-        line_put(&s->l, " at theta2 = %9g", f->angle);
-    line_put(&s->l, "\n");
-}
-
-static void put_fact_of_summary(sheet *s, const fourlink_value *f)
-{
-    const char *words = f->words ? f->words : sheet_is_finite(f) ? NULL : SHEET_UNBOUNDED;
-    char value[FORMAT_SIZE] = "", angle[FORMAT_SIZE] = "";
-
-    if (!words)
-        format_general(f->value, 12, value);
-    if (f->has_angle)
-        format_general(f->angle, 10, angle);
-    line_put(&s->l, "%-22s %20s %-8s %14s %-8s %s\n", f->name, value, f->unit, angle,
-             f->branch ? fourlink_branch_text(f->branch) : "", words ? words : f->meaning);
-}
-
 void table_put_fact(sheet *s, const fourlink_value *f)
 {
     if (s->content == SHEET_SUMMARY) {
-        put_fact_of_summary(s, f);
-    } else if (s->content == SHEET_ROWS) {
-        put_fact_in_head(s, f);
-    } else {
+        summary_put_fact(s, f);
+    } else if (s->content == SHEET_LIST) {
         if (!s->list)
             line_put(&s->l, "\n%-18s %-8s meaning\n", "fact", "unit");
         s->list = "facts";
@@ -133,11 +107,51 @@ static void put_heading(sheet *s, int units)
     line_put(&s->l, "\n");
 }
 
+#define LINE 100
+
+/* The types that designs of this kind can have, in lines of 100 columns. */
+static void put_types(sheet *s)
+{
+    char type[FORMAT_SIZE], number[FORMAT_SIZE];
+    size_t used = 0;
+    int i, kind = (int)s->problem.mechanism.design.kind;
+
+    for (i = FOURLINK_CRANK_ROCKER; i < FOURLINK_TYPE_END_; i++) {
+        if (!fourlink_has_type(kind, i))
+            continue;
+        flk_text_join(type, sizeof type, " ", format_fixed(i, 0, number), " ",
+                      fourlink_type_text(i), (char *)NULL);
+        line_put(&s->l, !used ? "# type:" : used + strlen(type) >= LINE ? ";\n#      " : ";");
+        used = !used || used + strlen(type) >= LINE ? sizeof "# type:" : used;
+        line_put(&s->l, "%s", type);
+        used += strlen(type) + 1;
+    }
+    line_put(&s->l, "\n");
+}
+
+/* Words of a sweep are in the head, so that each line of a design has numbers alone. */
+static void put_legend(sheet *s)
+{
+    static const int branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    char number[FORMAT_SIZE];
+    unsigned long j;
+    int i;
+
+    for (i = 0; i < 2; i++)
+        line_put(&s->l, "%s %s %s", i ? ";" : "# branch:", format_fixed(branches[i], 0, number),
+                 fourlink_branch_text(branches[i]));
+    line_put(&s->l, "\n");
+    for (j = 0; j < s->n_header; j++)
+        if (strcmp(s->header[j].name, "type") == 0)
+            put_types(s);
+}
+
 void table_begin(sheet *s)
 {
     if (s->content != SHEET_DESIGNS)
         return;
-    sheet_write_title(s);
+    head_put_title(s);
+    put_legend(s);
     put_heading(s, 0);
     put_heading(s, 1);
 }
@@ -160,13 +174,6 @@ static void put_number(sheet *s, double value)
     line_field(&s->l, format_general(value + 0.0, s->problem.digits, number), WIDTH);
 }
 
-static void put_quoted(sheet *s, const char *words, size_t width)
-{
-    char quoted[200];
-
-    line_field(&s->l, flk_text_join(quoted, sizeof quoted, "\"", words, "\"", (char *)NULL), width);
-}
-
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
                       const char *why)
 {
@@ -177,16 +184,12 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
     line_field(&s->l, format_fixed((double)s->design, 0, number), 10);
     for (i = 0; i < s->n_variables; i++)
         put_number(s, s->varied[i]);
-    put_quoted(s, fourlink_branch_text((int)branch), 10);
+    line_field(&s->l, format_fixed((double)branch, 0, number), 10);
     for (i = 0; i < s->n_header; i++)
-        if (!outputs[i].has_value) {
+        if (outputs[i].has_value)
+            put_number(s, outputs[i].v.value); /* of words, their number */
+        else
             line_field(&s->l, "nan", WIDTH);
-        } else if (outputs[i].v.words) {
-            line_put(&s->l, "  ");
-            put_quoted(s, outputs[i].v.words, WIDTH - 2);
-        } else {
-            put_number(s, outputs[i].v.value);
-        }
     line_put(&s->l, "\n");
 }
 

@@ -3,18 +3,35 @@
 ** table_statistics.c - the statistics of a sweep in the format table: a line of numbers for each output and
 ** branch, under a comment that names them.
 */
+#include <string.h>
+
 #include <gsl/gsl_math.h>
 
 #include "table.h"
 
-#define WIDTH 12
+#define USUAL_DIGITS 6
+#define LEAST_DIGITS 4
+#define WIDTH 10 /* of a column, so that a line has 98 characters */
 
+/* The columns of more digits than usual are as wide as these can be, with sign, point and exponent. */
+static size_t width_of(const sheet *s)
+{
+    return s->problem.digits > USUAL_DIGITS ? (size_t)s->problem.digits + 8 : WIDTH;
+}
+
+/* A number has fewer digits if the column then has room for it, but not fewer than 4; if that is not enough, it
+** has all, and the line is longer. */
 static void put_number(sheet *s, double value)
 {
+    int all = s->problem.digits ? s->problem.digits : USUAL_DIGITS, digits = all;
     char number[FORMAT_SIZE];
 
-    format_general(value + 0.0, s->problem.digits ? s->problem.digits : 6, number);
-    line_field(&s->l, gsl_isnan(value) ? "nan" : number, WIDTH);
+    format_general(value + 0.0, digits, number);
+    while (strlen(number) >= width_of(s) && --digits >= LEAST_DIGITS)
+        format_general(value + 0.0, digits, number);
+    if (digits < LEAST_DIGITS)
+        format_general(value + 0.0, all, number);
+    line_field(&s->l, gsl_isnan(value) ? "nan" : number, width_of(s));
 }
 
 static void put_heading(sheet *s)
@@ -25,7 +42,7 @@ static void put_heading(sheet *s)
 
     line_put(&s->l, "#  count");
     for (i = 0; i < sizeof names / sizeof names[0]; i++)
-        line_field(&s->l, names[i], WIDTH);
+        line_field(&s->l, names[i], width_of(s));
     line_put(&s->l, "\n");
     s->list = "statistics";
 }

@@ -17,7 +17,7 @@ static void compare(const char *form, int precision, double value, const char *o
 {
     char expected[FORMAT_SIZE], *comma;
 
-    snprintf(expected, sizeof expected, form, precision, value);
+    snprintf(expected, sizeof expected, form, precision, value == value ? value : fabs(value));
     comma = strchr(expected, ',');
     if (comma)
         *comma = '.';

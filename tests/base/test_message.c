@@ -147,6 +147,9 @@ static void test_quantities(void **unused)
         {"1.2e2 N", QUANTITY_FORCE, "N", 120, 120, 10},
         {"-5 kN", QUANTITY_FORCE, "N", -5, -5000, 1000},
         {"0.5e-1", QUANTITY_NUMBER, "1", 0.05, 0.05, 0.01},
+        {"1.5 %", QUANTITY_NUMBER, "1", 1.5, 0.015, 0.001},
+        {"\342\210\2222.50\302\240m", QUANTITY_LENGTH, "mm", -2.5, -2.5, 0.01},
+        {"1.5\303\22710\302\263 N", QUANTITY_FORCE, "N", 1500, 1500, 100},
     };
     char why[MESSAGE_SIZE];
     size_t i;
@@ -174,7 +177,7 @@ static void test_no_quantities(void **unused)
         {"wide", QUANTITY_LENGTH, "expected a length, such as 80 mm, not 'wide'"},
         {"inf mm", QUANTITY_LENGTH, "'inf mm' is not a finite number"},
         {"0x10 mm", QUANTITY_LENGTH, "'0x10 mm' is not a decimal number"},
-        {"1,5 mm", QUANTITY_LENGTH, "'1,5 mm': the decimal mark is a point, not a comma"},
+        {"1,5 mm", QUANTITY_LENGTH, "'1,5 mm': a comma as decimal mark: write 1.5"},
         {"5 kg", QUANTITY_LENGTH, "'5 kg' is a mass; expected a length, such as 80 mm"},
         {"5 s/m", QUANTITY_LENGTH, "'5 s/m' is not a length, such as 80 mm"},
         {"5 mmm", QUANTITY_LENGTH, "unknown unit 'mmm' in '5 mmm'; did you mean 'mm'?"},
@@ -182,6 +185,8 @@ static void test_no_quantities(void **unused)
          "unknown unit 'cw': counter-clockwise is positive, clockwise negative"},
         {"5 mm#x", QUANTITY_LENGTH, "unknown unit '#x': a comment needs a blank before it"},
         {"1e16 m", QUANTITY_LENGTH, "'1e16 m' is out of range"},
+        {"1.5 %", QUANTITY_LENGTH, "'1.5 %': per cent of what? expected a length, such as 80 mm"},
+        {"40\302\260C", QUANTITY_ANGLE, "unknown unit 'degC' in '40 degC'; did you mean 'deg'?"},
         {"1e10 rad", QUANTITY_ANGLE, "'1e10 rad' is out of range"},
     };
     char why[MESSAGE_SIZE];

@@ -239,8 +239,9 @@ static void test_rounding_comma_locale(void **found)
 
 static void test_nearest(void **unused)
 {
-    static const char *const words[] = {"length",  "mass",     "gyration", "inertia", "cg", "crank",
-                                        "coupler", "four-bar", "m",        "mm",      NULL};
+    static const char *const words[] = {"length", "mass",  "gyration", "inertia",
+                                        "cg",     "crank", "coupler",  "four-bar",
+                                        "m",      "mm",    "F12",      NULL};
     static const struct {
         const char *word, *nearest;
     } cases[] = {
@@ -257,6 +258,7 @@ static void test_nearest(void **unused)
         {"gc", "cg"},
         {"Mm", "mm"},
         {"xyzzy", NULL},
+        {"foo", NULL},
         {"temperature", NULL},
         {"", NULL},
         {"q", NULL},

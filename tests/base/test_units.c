@@ -197,15 +197,11 @@ static void test_refused(void **unused)
         {"mN", "mN"},
         {"Mm", "Mm"},
         {"KG", "KG"},
-        {"RPM", "RPM"},
-        {"Deg", "Deg"},
         {"pa", "pa"},
         {"mpa", "mpa"},
         {"n", "n"},
         {"NM", "NM"},
         {"S", "S"},
-        {"inch", "inch"},
-        {"lbs", "lbs"},
         {"m5x", NULL},
         {"m^", NULL},
         {"m^x", NULL},
@@ -214,8 +210,14 @@ static void test_refused(void **unused)
         {"m0", NULL},
         {"m^0", NULL},
         {"m22", NULL},
-        {"m^-1", NULL},
         {"m-1", NULL},
+        {"m^-", NULL},
+        {"m^-0", NULL},
+        {"m^-5", NULL},
+        {"m^--1", NULL},
+        {"nM", "nM"},
+        {"NmN", "NmN"},
+        {"inche", "inche"},
         {"m ^2", NULL},
         {"m^^2", NULL},
         {"N/", NULL},
@@ -241,9 +243,12 @@ static void test_refused(void **unused)
         {"\302\260", "\302\260"},
         {"\302\265m", "\302\265m"},
         {"m\302\262", "m\302\262"},
-        {"%", NULL},
+        {"%%", "%%"},
+        {"% mm", "% mm"},
+        {"%2", "%2"},
+        {"mm %", "%"},
+        {"1/%", "%"},
         {"mm#", NULL},
-        {"Nm", "Nm"},
     };
     size_t i;
 
@@ -329,41 +334,91 @@ static void test_rounded_once(void **unused)
     assert_true(flk_unit_to_si(360, deg) == 2 * PI);
 }
 
+/* A suggestion makes a unit of the dimension asked for. */
 static void test_nearest(void **unused)
 {
-    static const char *const cases[][2] = {
-        {"RPM", "rpm"},  {"Mm", "mm"},      {"mn", "MN"},   {"mpa", "MPa"}, {"degr", "deg"},
-        {"psia", "psi"}, {"slugs", "slug"}, {"kpa", "kPa"}, {"lbs", "lb"},
+    static const struct {
+        const char *unit, *word;
+        quantity q;
+        const char *nearest;
+    } cases[] = {
+        {"rmp", "rmp", QUANTITY_ANGULAR_SPEED, "rpm"},
+        {"Mm", "Mm", QUANTITY_LENGTH, "mm"},
+        {"mn", "mn", QUANTITY_FORCE, "MN"},
+        {"mn", "mn", QUANTITY_LENGTH, "mm"},
+        {"mn", "mn", QUANTITY_ANGLE, NULL},
+        {"mpa", "mpa", QUANTITY_PRESSURE, "MPa"},
+        {"degr", "degr", QUANTITY_ANGLE, "deg"},
+        {"psia", "psia", QUANTITY_PRESSURE, "psi"},
+        {"kpa", "kpa", QUANTITY_PRESSURE, "kPa"},
+        {"nm", "nm", QUANTITY_TORQUE, "N m"},
+        {"nm", "nm", QUANTITY_LENGTH, "mm"},
+        {"gm", "gm", QUANTITY_MASS, "g"},
+        {"pound", "pound", QUANTITY_MASS, "lb"},
+        {"pound", "pound", QUANTITY_FORCE, "lbf"},
+        {"kgg m2", "kgg", QUANTITY_INERTIA, "kg"},
+        {"kg nm2", "nm", QUANTITY_INERTIA, "mm"},
+        {"kg nm2", "nm", QUANTITY_TORQUE, NULL},
+        {"furlong", "furlong", QUANTITY_LENGTH, NULL},
+        {"", "", QUANTITY_LENGTH, NULL},
     };
     size_t i;
 
     (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const char *nearest = flk_unit_nearest(flk_text_of(cases[i][0]), NULL);
+        text t = flk_text_of(cases[i].unit), word = t;
+        const char *nearest;
 
-        print_message("%s\n", cases[i][0]);
-        assert_non_null(nearest);
-        assert_string_equal(nearest, cases[i][1]);
+        word.start = strstr(cases[i].unit, cases[i].word);
+        word.length = strlen(cases[i].word);
+        nearest = flk_unit_nearest(t, word, flk_quantities[cases[i].q].dim);
+        print_message("%s: %s\n", cases[i].unit, nearest ? nearest : "none");
+        if (cases[i].nearest) {
+            assert_non_null(nearest);
+            assert_string_equal(nearest, cases[i].nearest);
+        } else {
+            assert_null(nearest);
+        }
     }
-    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_LENGTH].dim),
-                        "mm");
-    assert_string_equal(flk_unit_nearest(flk_text_of("mn"), &flk_quantities[QUANTITY_FORCE].dim),
-                        "MN");
-    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_LENGTH].dim),
-                        "mm");
-    assert_string_equal(flk_unit_nearest(flk_text_of("nm"), &flk_quantities[QUANTITY_TORQUE].dim),
-                        "N m");
-    assert_null(flk_unit_nearest(flk_text_of("furlong"), NULL));
-    assert_null(flk_unit_nearest(flk_text_of(""), NULL));
+}
+
+/* Words and spellings that people use are the units that they mean. */
+static void test_words(void **unused)
+{
+    static const char *const same[][2] = {
+        {"Nm", "N m"},          {"kNm", "kN m"},        {"Nmm", "N mm"},       {"kgm2", "kg m2"},
+        {"kgmm^2", "kg mm2"},   {"lbft", "lbf ft"},     {"RPM", "rpm"},        {"Deg", "deg"},
+        {"degrees", "deg"},     {"DEGREES/s", "deg/s"}, {"inches", "in"},      {"feet", "ft"},
+        {"lbs", "lb"},          {"newtons", "N"},       {"rad s^-1", "rad/s"}, {"W/Nm", "W/N/m"},
+        {"revs/minute", "rpm"}, {"N m^-2", "Pa"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof same / sizeof same[0]; i++) {
+        unit u, v;
+        text bad;
+
+        print_message("%s\n", same[i][0]);
+        assert_true(flk_unit_read(flk_text_of(same[i][0]), &u, &bad));
+        assert_true(flk_unit_read(flk_text_of(same[i][1]), &v, &bad));
+        assert_true(flk_dimension_equal(u.dim, v.dim));
+        assert_true(u.up / u.down == v.up / v.down);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),           cmocka_unit_test(test_dimensions),
-        cmocka_unit_test(test_quantities),       cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_stops_at_the_end), cmocka_unit_test(test_no_overflow),
-        cmocka_unit_test(test_rounded_once),     cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_dimensions),
+        cmocka_unit_test(test_quantities),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_stops_at_the_end),
+        cmocka_unit_test(test_no_overflow),
+        cmocka_unit_test(test_rounded_once),
+        cmocka_unit_test(test_nearest),
+        cmocka_unit_test(test_words),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

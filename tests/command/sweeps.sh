@@ -17,9 +17,11 @@ cg = 10 mm
 [coupler]
 length = 66 mm
 mass = 0.3 kg
+cg = 0 mm
 [rocker]
 length = 56 mm
 mass = 0.2 kg
+cg = 0 mm
 [load W]
 link = rocker
 torque = -2 N m

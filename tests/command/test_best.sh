@@ -108,6 +108,14 @@ check 'the last change counts' test "$(grep -c '^torque = 0.3 N m' best.out)" -e
 printf '\357\273\277title = T\r\nmechanism = four-bar\r\n[ground]\r\nlength = 80 mm\r\n[crank]\r\nlength = 20 mm\r\n[coupler]\r\nlength = 66 mm\r\n[rocker]\r\nlength = 56 mm\r\n[motion]\r\nspeed = 1 rad/s\r\n[sweep]\r\ncrank.length = 10 mm, 20 mm' >t.deck
 best 'max swing'
 gives swing crossed "$value" 1e-3
+# blanks that do not break
+nb=$(printf '\302\240')
+sweep 'load W.torque = 1 N m, 2 N m' "crank.length${nb}&${nb}coupler.length = 18${nb}mm${nb}& 60 mm, 20 mm & 66${nb}mm"
+sed -i "s/^\[load W\]/[load${nb}W]/; s/^torque = .*/&${nb}# a comment/" t.deck
+best 'max max(Ts)' -b open
+gives 'max(Ts)' open "$value" 1e-5
+check 'the section is found' none '^\[load W\]' best.deck
+check 'the comment is found' grep -qx "torque = [12] N[.]m${nb}# a comment" best.deck
 
 # what is refused
 sweep 'crank.length = 18 mm, 20 mm'

@@ -120,7 +120,7 @@ refused() {
 refused 'fourlink: --interval: error: the interval must be positive, not 0' -i 0
 refused 'fourlink: --interval: error: the interval must be positive, not -10 deg' --interval='-10 deg'
 refused "fourlink: --interval: error: '10 mm' is a length; expected an angle" -i '10 mm'
-refused "fourlink: --interval: error: '1,5': the decimal mark" -i 1,5
+refused "fourlink: --interval: error: '1,5': a comma as decimal mark: write 1.5" -i 1,5
 refused 'fourlink: --interval: error: expected a value' -i ''
 refused "fourlink: --interval: error: 'nan' is not a finite number" -i nan
 refused 'fourlink: --branch: error: expected open, crossed or both' -b left

@@ -77,6 +77,16 @@ check 'the title' test "$(head -n 1 out)" = '# A crank-rocker'
 lines out 4
 check 'numbers only' awk '!/^#/ && NF != 10 {bad = 1} END {exit bad}' out
 check 'its name' test "$(sed -n 3p out)" = '# mu_min (deg), open branch'
+# lines of at most 100 characters, unless a number would lose most of its digits; columns apart
+run 0 -s 'sweep.output=min(Ts), min(alpha4)' -s 'motion.speed=1 rad/s' t.deck
+check 'negative numbers' grep -q ' -0[.][0-9]* ' out
+check 'narrow' none '.\{101\}' out
+run 0 -s 'sweep.output=min(alpha4)' -s 'motion.speed=0.00031 rad/s' t.deck
+check 'small negative numbers' grep -q ' -[0-9.]\{7\}e-08 ' out
+check 'apart' awk '!/^#/ && NF != 10 {bad = 1} END {exit bad}' out
+# more digits have wider columns
+run 0 -b open -s table.digits=12 t.deck
+check 'all digits' awk '!/^#/ && (NF != 10 || length($2) != 13) {bad = 1} END {exit bad}' out
 run 0 -b open -f json t.deck
 check 'json' grep -q '^{"name":"mu_min","unit":"deg","branch":"open","count":3,"mean":[0-9.]*,"std_dev":[0-9.]*,"min":.*"5 %":' out
 run 0 -b open -f csv t.deck
@@ -199,13 +209,13 @@ run 2 --statistics single.deck
 says 'varies nothing'
 sweep 'crank.length = 18 mm, 20 mm' 'statistics = yes'
 run 2 t.deck
-says "t.deck:29: error: statistics need 'output = NAME, ...' in [sweep]"
+says "t.deck:31: error: statistics need 'output = NAME, ...' in [sweep]"
 # refused LINE MESSAGE
 refused() {
     sweep 'crank.length = 18 mm, 20 mm' 'output = mu_min' "$1"
     run 2 t.deck
     nothing
-    says "t.deck:30: error: $2"
+    says "t.deck:32: error: $2"
 }
 refused 'statistics = perhaps' 'expected no or yes'
 refused 'yield = mu_min' "expected a condition, such as mu_min > 40 deg, not 'mu_min'"
@@ -243,7 +253,7 @@ refused_step() {
     sweep "$1" 'output = mu_min'
     run 2 t.deck
     nothing
-    says "t.deck:28: error: $2"
+    says "t.deck:30: error: $2"
 }
 refused_step 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm' "expected 2 values in step, such as 18 mm & 60 mm, not '20 mm'"
 refused_step 'crank.length & coupler.length = 18 mm & 60 mm & 5 mm' 'expected 2 values in step'

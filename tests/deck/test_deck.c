@@ -212,7 +212,7 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = 3 mm\n", 10, "'3 mm' is a length; expected a mass, such as 0.3 kg"},
     {FOUR_BAR "mass = 3 N\n", 10, "'3 N' is a force; expected a mass, such as 0.3 kg"},
     {FOUR_BAR "mass = 3 kg2\n", 10, "'3 kg2' is not a mass, such as 0.3 kg"},
-    {FOUR_BAR "mass = 1,5 kg\n", 10, "'1,5 kg': the decimal mark is a point, not a comma"},
+    {FOUR_BAR "mass = 1,5 kg\n", 10, "'1,5 kg': a comma as decimal mark: write 1.5"},
     {FOUR_BAR "mass = inf\n", 10, "'inf' is not a finite number"},
     {FOUR_BAR "mass = nan kg\n", 10, "'nan kg' is not a finite number"},
     {FOUR_BAR "mass = 1e999 kg\n", 10, "'1e999 kg' is not a finite number"},
@@ -1269,6 +1269,15 @@ static void mutate(const char *original, size_t size, uint64_t seed)
         "cycle = 1e-9\n",
         "[motion]\n",
         "99999999999999999999",
+        "\342\210\222",
+        "\302\240",
+        "\302\260",
+        "\303\22710\302\263",
+        "*10^-3",
+        " %",
+        "mid",
+        "uniform = yes\n",
+        "0 (1, 2), 90 (3, 4)",
     };
     char contents[MUTANT_SIZE], piece[64];
     int i, good = 0, bad = 0;

@@ -170,12 +170,38 @@ static void test_not_prepared(void **unused)
     assert_int_equal(fourlink_unknowns(&none, &s.forces, b), FOURLINK_BAD_KIND);
 }
 
+/* Every type belongs to one kind. */
+static void test_types(void **unused)
+{
+    static const int kinds[3] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
+                                 FOURLINK_INVERTED_SLIDER_CRANK};
+    int type, i, counts[3] = {0};
+
+    (void)unused;
+    for (type = -1; type < 40; type++) {
+        int n = 0, is_known = strcmp(fourlink_type_text(type), "unknown type") != 0;
+
+        for (i = 0; i < 3; i++) {
+            counts[i] += fourlink_has_type(kinds[i], type);
+            n += fourlink_has_type(kinds[i], type);
+        }
+        assert_int_equal(n, is_known);
+        assert_int_equal(fourlink_has_type(0, type) + fourlink_has_type(99, type), 0);
+    }
+    assert_int_equal(counts[0], 9);
+    assert_int_equal(counts[1], 3);
+    assert_int_equal(counts[2], 4);
+    assert_int_equal(fourlink_has_type(FOURLINK_SLIDER_CRANK, FOURLINK_ENGINE), 1);
+    assert_int_equal(fourlink_has_type(FOURLINK_SLIDER_CRANK, FOURLINK_WHITWORTH), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_names),     cmocka_unit_test(test_sliders),
         cmocka_unit_test(test_unknowns),  cmocka_unit_test(test_angles),
         cmocka_unit_test(test_half_turn), cmocka_unit_test(test_not_prepared),
+        cmocka_unit_test(test_types),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -47,6 +47,10 @@ at 'expected an angle' 'nowhere'
 at 'more than 24 positions' 1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25
 at 'the motion does not reach theta2 = 150' 150 "$data/me3491-exercise-1.deck"
 at 'the motion does not reach theta2 = 150 deg' '20 deg, 150 deg' "$data/me3491-exercise-1.deck"
+run 0 --plot-script=x.gp --plot-at='40 deg, 50 deg' "$fourbar"
+mv x.gp plain.gp
+run 0 --plot-script=x.gp --plot-at='40°, 50 degrees' "$fourbar"
+same x.gp plain.gp
 run 0 --plot-script=x.gp --plot-at=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24 "$fourbar"
 quiet
 

@@ -76,7 +76,8 @@ static void check_descriptions(const char *contents, unsigned long at_least)
     assert_int_equal(column_of(r, "omega2")->flags, FOURLINK_OF_CRANK);
     assert_int_equal(column_of(r, "theta3")->flags, 0);
     if (column_of(r, "residual"))
-        assert_int_equal(column_of(r, "residual")->flags, FOURLINK_OF_ROUNDING);
+        assert_int_equal(column_of(r, "residual")->flags,
+                         FOURLINK_OF_ROUNDING | FOURLINK_OF_FORCES);
     fourlink_results_free(r);
 }
 
@@ -162,6 +163,9 @@ static void test_columns_that_cannot_be_chosen(void **unused)
         {"thta4", "unknown column 'thta4'; did you mean 'theta4'?"},
         {"xyzzy", "unknown column 'xyzzy'"},
         {"theta4, x", "the column 'x' belongs to the slider-crank"},
+        {"B.x, G3.vx", "the column 'G3.vx' needs a mass of that link"},
+        {"C.x, G5.x", "unknown column 'G5.x'"},
+        {"B.x, B.z", "unknown column 'B.z'"},
         {"time, F12x", "the column 'F12x' needs masses, loads or gas; the deck has none"},
     };
     size_t i;
@@ -313,6 +317,98 @@ static void test_composed_values(void **unused)
     fourlink_results_free(r);
 }
 
+/* The eight columns of a point against fourlink_point. */
+static void check_point(fourlink_results *r, const char *name, int link, double x, double y)
+{
+    static const char *const endings[8] = {".x", ".y", ".vx", ".vy", ".ax", ".ay", ".v", ".a"};
+    fourlink_vector at = {x, y}, p, v, a;
+    fourlink_instant instant;
+    double expected[8];
+    int i;
+
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &instant, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_point(&instant.state, link, &at, &p, &v, &a), FOURLINK_OK);
+    expected[0] = p.x;
+    expected[1] = p.y;
+    expected[2] = v.x;
+    expected[3] = v.y;
+    expected[4] = a.x;
+    expected[5] = a.y;
+    expected[6] = hypot(v.x, v.y);
+    expected[7] = hypot(a.x, a.y);
+    for (i = 0; i < 8; i++)
+        assert_near(value_at(r, print("%s%s", name, endings[i])), expected[i],
+                    1e-13 * (1 + fabs(expected[i])));
+}
+
+static char *lever(const char *length)
+{
+    return print("mechanism = inverted-slider-crank\n[crank]\nlength = 50 mm\nmass = 0.1 kg\n"
+                 "[ground]\nlength = 300 mm\n[slider]\nmass = 0.2 kg\n[lever]\nmass = 2 kg\n"
+                 "cg = (100, 10) mm\ninertia = 1 kg m2\n%s[motion]\nspeed = 10 rad/s\n"
+                 "interval = 7 deg\n",
+                 length);
+}
+
+/* Pins and centres of mass have columns without a [point]. */
+static void test_points_of_every_deck(void **unused)
+{
+    fourlink_results *r =
+        opened("mechanism = four-bar\n[ground]\nlength = 80 mm\n[coupler]\nlength = 66 mm\n"
+               "[crank]\nlength = 20 mm\nmass = 0.1 kg\ncg = 4 mm\n[rocker]\nlength = 56 mm\n"
+               "mass = 1 kg\ncg = (20, -5) mm\n[motion]\nspeed = 10 rad/s\n[units]\n"
+               "length = mm\nspeed = km/h\n");
+
+    (void)unused;
+    check_point(r, "B", 2, 0.020, 0);
+    check_point(r, "C", 3, 0.066, 0);
+    check_point(r, "C", 4, 0.056, 0);
+    check_point(r, "G2", 2, 0.004, 0);
+    check_point(r, "G4", 4, 0.020, -0.005);
+    assert_null(column_of(r, "G3.x"));
+    assert_string_equal(column_of(r, "G4.vx")->unit, "km/h");
+    fourlink_results_free(r);
+    r = opened(gas_engine(""));
+    check_point(r, "B", 2, 0.15, 0);
+    check_point(r, "C", 4, 0, 0);
+    check_point(r, "C", 3, 0.45, 0);
+    check_point(r, "G4", 4, 0, 0);
+    assert_near(value_at(r, "C.vx"), -value_at(r, "v"), 1e-14);
+    fourlink_results_free(r);
+    r = opened(lever(""));
+    check_point(r, "B", 3, 0, 0);
+    check_point(r, "G4", 4, 0.1, 0.01);
+    check_point(r, "G3", 3, 0, 0);
+    assert_null(column_of(r, "C.x"));
+    fourlink_results_free(r);
+    r = opened(lever("length = 400 mm\nangle = 20 deg\n"));
+    check_point(r, "C", 4, 0.4, 0);
+    fourlink_results_free(r);
+}
+
+/* A [point] of the same name hides them; they are not among the usual columns. */
+static void test_hidden_points(void **unused)
+{
+    fourlink_results *r = opened(linkage("[point C]\nlink = rocker\nat = 10 mm\n"));
+    const fourlink_value *list;
+    unsigned long n = list_of(r, FOURLINK_ALL_COLUMNS, &list), i, found = 0;
+    fourlink_value v;
+
+    (void)unused;
+    check_point(r, "C", 4, 0.010, 0);
+    check_point(r, "B", 2, 0.020, 0);
+    for (i = 0; i < n; i++)
+        found += strncmp(list[i].name, "C.", 2) == 0;
+    assert_int_equal(found, 8);
+    n = list_of(r, FOURLINK_COLUMNS, &list);
+    for (i = found = 0; i < n; i++)
+        found += strchr(list[i].name, '.') != NULL;
+    assert_int_equal(found, 4); /* P.x P.y C.x C.y */
+    assert_int_equal(fourlink_results_value(r, "max(B.x)", FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+    assert_near(v.value, 0.020, 1e-12);
+    fourlink_results_free(r);
+}
+
 /* Where the links do not reach, the crank's columns have values and no others. */
 static void test_values_out_of_reach(void **unused)
 {
@@ -351,6 +447,8 @@ int main(void)
         cmocka_unit_test(test_columns_that_cannot_be_chosen),
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_composed_values),
+        cmocka_unit_test(test_points_of_every_deck),
+        cmocka_unit_test(test_hidden_points),
         cmocka_unit_test(test_values_out_of_reach),
     };
 

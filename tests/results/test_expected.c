@@ -508,7 +508,7 @@ static void test_mistakes_of_units(void **unused)
     check_mistake(engine(300, "[expect]\nstroke = long\n"), 10,
                   "expected a length, such as 80 mm, not 'long'");
     check_mistake(engine(300, "[expect]\nstroke = 0,2 m\n"), 10,
-                  "'0,2 m': the decimal mark is a point, not a comma");
+                  "'0,2 m': a comma as decimal mark: write 0.2");
     check_mistake(engine(300, "[expect]\nstroke = nan mm\n"), 10,
                   "'nan mm' is not a finite number");
 }

@@ -66,7 +66,7 @@ static void test_energy_of_gas_and_piston(void **unused)
         o.gas = PIL / 4 * bore * bore * p;
         facts_of(slider_crank((double)o.a, (double)o.b, (double)o.d,
                               print("%s%s[piston]\nmass = %.17g kg\n[gas]\nbore = %.17g m\n"
-                                    "pressure = %.17g Pa\n",
+                                    "pressure = %.17g Pa\n[table]\nbranch = both\n",
                                     revolution((double)o.speed), still, (double)o.mass, bore, p)),
                  &list);
         for (k = 0; k < 2; k++) {

@@ -20,8 +20,10 @@ run 0 --matrix -s motion.at=90 cylinder.deck
 prints 'M34          N34'
 check 'the couple, and the force' grep -Eq ' 3\.05219825 ' out
 
+run 0 lever.deck
+prints '# inverted slider-crank: crank and slotted lever'
 run 0 --summary lever.deck
-prints 'inverted slider-crank: crank'
+prints '# inverted slider-crank'
 prints 'crank and slotted lever'
 check 'swing' grep -Eq '^swing +60 deg' out
 check 'nothing of linkages whose joints are pins' sh -c '! grep -Eq "^(K|theta4_from|theta4_swing) " out'

@@ -75,7 +75,7 @@ gives 'the keys of a summary' 'keys_unsorted == ["deck", "title", "mechanism", "
 gives 'an extreme' '.facts | any(.name == "max(Ts)" and .branch == "open" and .unit == "N.m" and .theta2 != null)'
 "$fourlink" -f csv -S "$matrix" >csv
 csv_rows
-check 'the facts of csv' sh -c 'jq -en --slurpfile csv csv_rows "[inputs | .facts[] |
+check 'the inputs and facts of csv' sh -c 'jq -en --slurpfile csv csv_rows "[inputs | .inputs[], .facts[] |
     [.name, .value, .theta2, .branch]] | length > 20 and . == (\$csv | map([.[0, 1, 3, 4]]))" out >log'
 run 0 -f json -S "$decks/gas-engine.deck"
 gives 'the turning moment' '.facts | any(.name == "mean_torque" and .unit == "N.m")'

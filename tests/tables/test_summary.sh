@@ -13,6 +13,7 @@ for form in -S --summary; do
     quiet
 done
 prints '# Crank-rocker of Alvi et al., section 5.1'
+run 0 -S -s table.digits=12 "$alvi"
 holds 'the type in words' '$1 == "type" && /crank-rocker$/ {ok = 1} END {exit !ok}'
 holds 'limits of both branches, with unit and crank angle' '
     function near(x, y) {return x - y < 1e-7 && y - x < 1e-7}
@@ -25,8 +26,9 @@ holds 'extremes of the columns' '
     function near(x, y, d) {return x - y < d && y - x < d}
     $1 == "min(theta4)" && $5 == "open" {ok = near($2, 103.818044198, 1e-8) && near($4, 39.2213156, 1e-5)}
     $1 == "max(mu)" {mu++}
+    $1 == "min(mu)" && $3 == "deg" && $4 == 0 && $5 == "smallest" {both = 1}
     $1 == "max(theta2)" || $1 == "max(F12x)" {bad = 1}
-    END {exit !ok || mu != 2 || bad}'
+    END {exit !ok || mu != 1 || !both || bad}'
 holds 'no rows' '/^ *[-0-9.]/ {bad = 1} END {exit bad}'
 run 0 -S -b crossed -c mu "$alvi"
 check 'one branch' none -w open out
@@ -35,7 +37,9 @@ holds 'the columns that are chosen' '/^(max|min)\(/ {n++} END {exit n != 2}'
 run 0 -S -i 40 "$alvi"
 cp out coarse
 run 0 -S -i 3 "$alvi"
-same out coarse
+sed '1,/^# result/d' out >fine.results
+sed '1,/^# result/d' coarse >coarse.results
+same fine.results coarse.results
 run 0 -S -o summary "$alvi"
 nothing
 same summary coarse
@@ -47,6 +51,7 @@ for fact in n stroke inner_dead_centre outer_dead_centre mean_torque mean_power 
     energy_coefficient flywheel_inertia flywheel_fluctuation 'max(Ts)' 'min(x)'; do
     holds "the fact $fact, twice at most" '$1 == "'"$fact"'" {n++} END {exit n < 1 || n > 2}'
 done
+run 0 -S -s table.digits=12 engine.deck
 holds 'power = torque x speed, dE = I Cs omega^2, dE = coefficient x torque x cycle' '
     function close_to(x, y) {return x != 0 && (x - y) / x < 1e-9 && (y - x) / x < 1e-9}
     /crossed/ {next} {value[$1] = $2}
@@ -56,16 +61,65 @@ holds 'power = torque x speed, dE = I Cs omega^2, dE = coefficient x torque x cy
                 close_to(value["energy_fluctuation"],
                          value["energy_coefficient"] * value["mean_torque"] * 4 * pi) &&
                 value["mean_torque"] > 0 && value["flywheel_fluctuation"] == 0.02)}'
+# quick return: crank 100 mm, rod 300 mm, offset 20 mm: (180 + 2.873) deg / (180 - 2.873) deg
+check 'no time ratio without an offset' none '^time_ratio' out
+run 0 -S -s 'ground.offset=20 mm' engine.deck
+holds 'time ratio with an offset' '$1 == "time_ratio" && $2 == 1.03244 && $3 == 1 {n++} END {exit n != 1}'
 # no forces are asked for by the columns, and the turning moment is there all the same
 run 0 -S -c x,v engine.deck
 prints 'mean_torque'
 check 'no extremes of other columns' none -F 'max(Ts)' out
 run 0 -S -s 'motion.acceleration=1 rad/s2' engine.deck
-check 'no turning moment of an accelerated crank' none -E 'torque|energy|flywheel' out
+check 'no turning moment of an accelerated crank' none -E 'torque|energy|^flywheel_' out
 run 0 -S "$alvi" engine.deck
 check 'each deck under its name' test "$(grep -c '^# deck: ' out)" -eq 2
 run 3 -S missing.deck engine.deck
 prints 'mean_torque'
+
+# ------------------------------------------------------------------------------ inputs, width
+
+run 0 -S "$matrix"
+holds 'inputs first, under their heading' '
+    /^# input/ {input = NR} $1 == "ground.length" {length1 = NR == input + 1} /^# result/ {result = NR}
+    $1 == "type" {type = NR}
+    END {exit !(input == 3 && length1 && result > 20 && type == result + 1)}'
+holds 'masses, inertias, centres, loads, gravity, speed' '
+    $0 ~ /^crank.mass +0.1 kg +mass$/ {n++}
+    $0 ~ /^coupler.inertia +[0-9.e-]+ kg.m2 +moment of inertia about the centre of mass$/ {n++}
+    $1 == "rocker.cg.x" && $3 == "m" {n++}
+    $1 == "gravity.y" && $2 == "-9.81" && $3 == "m/s2" {n++}
+    $1 == "motion.speed" && $2 == "10.5" && $3 == "rad/s" {n++}
+    $0 == "load Tl.link          rocker" {n++}
+    $1 == "load" && $2 == "Tl.torque" && $4 == "N.m" {n++}
+    END {exit n != 7}'
+holds '6 digits' '
+    /^#/ {next}
+    {for (i = 2; i <= 4; i++) {x = $i; sub(/e.*/, "", x); gsub(/[^0-9]/, "", x); sub(/^0+/, "", x)
+         if ($i ~ /^-?[0-9.]+(e[-+][0-9]+)?$/ && length(x) > 6) bad = 1}}
+    END {exit bad}'
+run 0 -S engine.deck
+holds 'gas with its units' '
+    $1 == "gas.area" && $3 == "m2" {n++} /^gas.indicator +a curve$/ {n++} /^gas.back_area/ {bad = 1}
+    $1 == "flywheel.fluctuation" && $2 == "0.02" && $3 == "1" {n++}
+    END {exit n != 3 || bad}'
+for deck in "$data"/*.deck "$decks/gas-engine.deck" "$decks/reach.deck"; do
+    for digits in 6 12 17; do
+        "$fourlink" -S -c all -s table.digits=$digits "$deck" >out
+        holds "$deck with $digits digits fits 100 columns" 'length > 100 {print; exit bad = 1} END {exit bad || NR < 10}'
+    done
+    "$fourlink" -S "$deck" >out
+    holds "$deck: a meaning for each number" '
+        /^#/ {on = 1; next} on && $2 ~ /^-?[0-9.]+(e[-+][0-9]+)?$/ && NF < 4 {print; exit bad = 1} END {exit bad}'
+    holds "$deck: each fact once" '
+        /^# result/ {on = 1} !on || /^(type|theta[24]_(from|to|swing)) / {next}
+        {branch = /(open|crossed) / ? / open / : "both"}
+        seen[$1, branch]++ || ($1 in both) || (branch == "both" && $1 in any) {print; exit bad = 1}
+        {any[$1] = 1} branch == "both" {both[$1] = 1}
+        END {exit bad}'
+done
+{ cat "$alvi" && printf '[load a-load-with-a-name-of-48-letters-xxxxxxxxxxxxxxx]\nlink = rocker\nforce = (-12345.6, 7) N\nat = 1 mm\n'; } >long.deck
+run 0 -S long.deck
+holds 'a long name' '/^load a-load-.*force.x -12345.6 N +force, x$/ {n++} length > 100 {bad = 1} END {exit bad || n != 1}'
 
 # ------------------------------------------------------------------------------ --summary, csv
 
@@ -77,13 +131,15 @@ check 'RFC 4180' none '^bad' out
 check 'the header' test "$(head -n 1 out)" = 'name|value|unit|theta2|branch'
 holds 'five fields' 'BEGIN {FS = "|"} NF != 5 {bad = 1} END {exit bad || NR < 10}'
 check 'the type' grep -qx 'type|crank-rocker|||' out
+check 'inputs first' test "$(sed -n 2p out)" = 'ground.length|0.080000000000000002|m||'
+check 'the speed' grep -qx 'motion.speed|10.5|rad/s||' out
 holds 'a limit' '
     BEGIN {FS = "|"} function near(x, y) {return x - y < 1e-11 && y - x < 1e-11}
     $1 == "theta4_min" {ok = near($2, 103.8180441982515182) && $3 == "deg" &&
                              near($4, 39.22131564862997612) && $5 == "open"}
     END {exit !ok}'
 holds '17 digits' '
-    BEGIN {FS = "|"} NR > 2 && sprintf("%.17g", $2) != $2 {bad = 1} length($2) > 16 {long++}
+    BEGIN {FS = "|"} NR > 1 && $3 != "" && sprintf("%.17g", $2) != $2 {bad = 1} length($2) > 16 {long++}
     END {exit bad || long < 5}'
 run 0 -S -f csv engine.deck
 records out >records
@@ -102,9 +158,9 @@ holds 'six fields' 'BEGIN {FS = "|"} NF != 6 {bad = 1} END {exit bad}'
 # the same numbers in both formats
 run 0 -S -f csv -b open engine.deck
 records out >records
-run 0 -S -b open engine.deck
+run 0 -S -s table.digits=12 -b open engine.deck
 awk 'NR == FNR {split($0, field, "|"); if (field[1] != "type") value[field[1]] = field[2]; next}
-    /^#/ || $1 == "type" {next}
+    /^#/ || $1 == "type" || $2 == "a" {next}
     {d = $2 - value[$1]; if (d < 0) d = -d; if (d > 1e-10 * (value[$1] < 0 ? -value[$1] : value[$1])) bad = 1
      n++}
     END {exit bad || n < 10}' records out

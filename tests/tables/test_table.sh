@@ -9,6 +9,21 @@ cp "$decks/pump.deck" engine.deck
 
 "$fourlink" "$alvi" >out
 prints '# Crank-rocker of Alvi et al., section 5.1'
+holds 'four lines of head, then the branch' '
+    NR == 1 && $0 != "# Crank-rocker of Alvi et al., section 5.1" {bad = 1}
+    NR == 2 && $0 != "# four-bar linkage: crank-rocker" {bad = 1}
+    NR == 3 && $0 != "# crank 0.02 m, coupler 0.066 m, rocker 0.056 m, ground 0.08 m" {bad = 1}
+    NR == 4 && $0 != "# crank at 10.5 rad/s" {bad = 1}
+    NR == 5 && $0 != "# branch: open" {bad = 1}
+    NR == 6 && $2 != "theta2" {bad = 1}
+    END {exit bad}'
+holds 'extremes below the rows, under the names' '
+    $2 == "theta2" {for (i = 2; i <= NF; i++) column[$i] = i}
+    !/^#/ && NF {row = NR}
+    $2 == "max" && $column["omega4"] == "3.77188" {max = NR > row && row}
+    $2 == "at" && max && !at {at = NR == row + 2 && $column["omega4"] == "118.950"}
+    $2 == "min" && $column["omega4"] == "-4.27010" {min = NR == row + 3}
+    END {exit !(max && at && min)}'
 holds 'two blocks of ten rows, two blank lines apart' '
     /^$/ {blank++; next}
     {if (blank && blank != 2) bad = 1; if (blank) blocks++; blank = 0}
@@ -49,10 +64,42 @@ constant_fields() {
 }
 run 1 reach.deck
 constant_fields
-holds 'a row that cannot be computed is a comment' '
-    /^# theta2 = (160|200) deg: ./ {comments++} $1 == 160 || $1 == 200 {bad = 1}
+holds 'rows that cannot be computed are one comment' '
+    /^# 120 to 240 deg: not reached: B and D are too far apart$/ {comments++} 120 <= $1 && $1 <= 240 {bad = 1}
     $1 == 40 {rows++}
-    END {exit bad || comments != 4 || rows != 2}'
+    END {exit bad || comments != 2 || rows != 2}'
+run 1 -i 90 reach.deck
+holds 'one angle' '/^# 180 deg: not reached: B and D are too far apart$/ {n++} END {exit n != 2}'
+holds 'other rows are there' '/^#/ || !NF {next} {rows++} END {exit rows != 8}'
+# two reasons, one after the other
+run 1 -b open -c theta2,x -s 'crank.length=300 mm' -s 'rod.length=150 mm' -s motion.interval=15 engine.deck
+holds 'each reason' '
+    /^# 30 deg: dead position: / {a = NR}
+    /^# 45 to 135 deg: not reached: the rod does not reach the line of stroke$/ {b = NR == a + 1}
+    /^# 150 deg: dead position: / {c = b && NR == a + 2}
+    $1 == 165 {d = c && NR == a + 3}
+    END {exit !d}'
+prints '# crank at 12.5664 rad/s; masses of rod and piston'
+prints '# slider-crank, the crank does not turn fully'
+run 1 -f csv -b open -s 'crank.length=300 mm' -s 'rod.length=150 mm' -s motion.interval=15 engine.deck
+check 'csv has a row for each angle' test "$(grep -c 'the rod does not reach' out)" -eq 14
+run 1 -f json -b open -s 'crank.length=300 mm' -s 'rod.length=150 mm' -s motion.interval=15 engine.deck
+check 'and so has json' test "$(grep -c 'the rod does not reach' out)" -eq 14
+run 0 -b open -s 'ground.offset=20 mm' -s 'motion.acceleration=-0.1 rad/s2' engine.deck
+prints '# crank 0.3 m, rod 1.2 m, offset 0.02 m'
+prints '# crank at 12.5664 rad/s, acceleration -0.1 rad/s2; masses of rod and piston'
+run 0 -b open "$matrix"
+prints '# crank at 10.5 rad/s; masses of all links; load Tl'
+run 0 -b open "$decks/gas-engine.deck"
+prints '; mass of piston; gas'
+loads=
+for i in 1 2 3 4; do loads="$loads
+[load pressing-$i]
+link = rocker
+torque = 1 N m"; done
+{ cat "$alvi" && echo "$loads"; } >loads.deck
+run 0 -b open loads.deck
+prints '# crank at 10.5 rad/s; 4 loads'
 run 0 engine.deck
 constant_fields
 # a peak between the rows from which the widths of the columns are taken

@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** card.c - curves from files of two columns, the crank angle and a value, as instruments write them.
+**
+** The columns are separated by semicolons, or by commas, tabs and blanks.  With semicolons numbers may have
+** decimal commas.  A header names the columns, and may have their units: Angle [deg], p (bar), p/bar, bar; these
+** may also stand in a line of their own below it, or in the deck.  Each row becomes ANGLE UNIT VALUE UNIT, as in
+** a list of points.
+*/
+#include <string.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+#define MOST_FIELDS 4
+#define ROW_SIZE 400
+#define UNIT_SIZE 64
+
+/* A file that is being read. */
+typedef struct card {
+    parser *p;
+    setting row; /* the setting, with the present line as its value and place */
+    quantity q[2];
+    char unit[2][UNIT_SIZE]; /* of bare numbers in the columns; empty: the deck's */
+    int is_told[2];          /* 1: the deck gives it with the name of the file */
+    int separator;           /* of its first line: ';', or ' ' for all others; 0 before that */
+    char mark;               /* the first decimal mark with semicolons: '.' or ','; 0 before that */
+    int headers;
+} card;
+
+static int is_number_start(text t)
+{
+    return t.length && strchr("+-.0123456789", t.start[0]) != NULL;
+}
+
+/* A row up to its comment.  A semicolon begins one at the start of the line, or after a blank if words
+** follow the numbers. */
+static text without_comment(text line)
+{
+    text before = line, after;
+    int is_row = is_number_start(flk_text_trim(line));
+    size_t i;
+
+    for (i = 0; i < line.length; i++) {
+        before.length = i;
+        after = flk_text_trim(flk_text_from(line, i + 1));
+        if (i > 0 && !flk_text_blank_before(before))
+            continue;
+        if (line.start[i] == '#' ||
+            (line.start[i] == ';' && (i == 0 || is_row) && after.length && !is_number_start(after)))
+            break;
+    }
+    before.length = i;
+    return flk_text_trim(before);
+}
+
+/* Cut a line at a separator outside quotes; the number of fields, of which `fields` has the first.  Empty
+** ones count, but at the end and between tabs. */
+static size_t cut(text line, int separator, text fields[MOST_FIELDS])
+{
+    size_t i, start = 0, n = 0, used = 0;
+    int quoted = 0;
+
+    for (i = 0; i <= line.length; i++) {
+        text field = flk_text_from(line, start);
+
+        if (i < line.length && line.start[i] == '"')
+            quoted = !quoted;
+        if (i < line.length && (quoted || line.start[i] != separator))
+            continue;
+        field.length = i - start;
+        field = flk_text_trim(field);
+        start = i + 1;
+        if (!field.length && separator == '\t')
+            continue;
+        if (n < MOST_FIELDS)
+            fields[n] = flk_text_trim(flk_text_unquoted(field));
+        n++;
+        used = field.length ? n : used;
+    }
+    return used;
+}
+
+/* Cut a line of numbers at the blank before its second number. */
+static size_t cut_at_blank(text line, text fields[MOST_FIELDS])
+{
+    size_t i = flk_curve_point_value(line);
+
+    fields[0] = line;
+    fields[0].length = i;
+    fields[0] = flk_text_trim(fields[0]);
+    fields[1] = flk_text_trim(flk_text_from(line, i));
+    return i < line.length ? 2 : 1;
+}
+
+/* Cut a header of words at the end of its first brackets, Angle [deg] p [bar], or at blanks. */
+static size_t cut_words(text line, text fields[MOST_FIELDS])
+{
+    size_t i;
+
+    for (i = 0; i < line.length && !strchr(")]", line.start[i]); i++)
+        ;
+    if (i < line.length && strchr("[(", line.start[0]) == NULL) {
+        fields[0] = line;
+        fields[0].length = i + 1;
+        fields[1] = flk_text_trim(flk_text_from(line, i + 1));
+        if (flk_text_count(fields[1], '[') + flk_text_count(fields[1], '(') == 1)
+            return 2;
+    }
+    return cut(line, ' ', fields);
+}
+
+static size_t cut_line(const card *c, text line, text fields[MOST_FIELDS])
+{
+    if (c->separator == ';')
+        return cut(line, ';', fields);
+    if (flk_text_count(line, ','))
+        return cut(line, ',', fields);
+    if (cut(line, '\t', fields) > 1)
+        return cut(line, '\t', fields);
+    return is_number_start(line) ? cut_at_blank(line, fields) : cut_words(line, fields);
+}
+
+static int refuse_columns(card *c, size_t n)
+{
+    return flk_mistake(c->p->mistakes, c->row.place,
+                       "'%t' has %ld column%s; a curve has two, the crank angle and the value",
+                       c->row.value, (long)n, n == 1 ? "" : "s");
+}
+
+/* 1 if a text is a unit of a quantity. */
+static int is_unit_of(text t, quantity q)
+{
+    unit u;
+    text bad;
+
+    return t.length && t.length < UNIT_SIZE && flk_unit_read(t, &u, &bad) &&
+           flk_dimension_equal(u.dim, flk_quantities[q].dim);
+}
+
+/* The text after the last of these characters; all of it if there is none. */
+static text after_last(text t, const char *marks)
+{
+    size_t i = t.length;
+
+    while (i > 0 && !strchr(marks, t.start[i - 1]))
+        i--;
+    return flk_text_trim(flk_text_from(t, i));
+}
+
+/* What stands in the last brackets of a field; 0 if there are none. */
+static int in_brackets(text field, text *inside)
+{
+    size_t open = field.length, end = field.length;
+
+    while (end > 0 && !strchr(")]", field.start[end - 1]))
+        end--;
+    for (open = end; open > 0 && !strchr("([", field.start[open - 1]); open--)
+        ;
+    if (!open)
+        return 0;
+    inside->start = field.start + open;
+    inside->length = end - 1 - open;
+    *inside = flk_text_trim(*inside);
+    return 1;
+}
+
+/* The unit of a column of a header: Angle [deg], p (bar), p/bar, p bar, bar; empty if there is none. */
+static text unit_in_header(text field, quantity q)
+{
+    text found[4];
+    size_t i;
+
+    found[0] = field;
+    found[1] = after_last(field, "/");
+    found[2] = after_last(field, " _");
+    if (!in_brackets(field, &found[3]))
+        found[3].length = 0;
+    for (i = 0; i < 4; i++)
+        if (is_unit_of(found[i], q))
+            return found[i];
+    return found[3];
+}
+
+/* Keep the unit of a column; 0 and a mistake if it is none, or not that of the deck. */
+static int keep_unit(card *c, int column, text t)
+{
+    unit u;
+
+    if (!t.length)
+        return 1;
+    if (!flk_quantity_unit(t, t, c->q[column], c->p->d->units[c->q[column]].unit, &u, c->p->why))
+        return flk_mistake(c->p->mistakes, c->row.place, "%s", c->p->why);
+    if (c->is_told[column] && !flk_text_same(t, c->unit[column]))
+        return flk_mistake(c->p->mistakes, c->row.place,
+                           "the header has the unit '%t', the deck '%s'", t, c->unit[column]);
+    if (t.length < UNIT_SIZE)
+        flk_text_copy(t, c->unit[column], UNIT_SIZE);
+    return 1;
+}
+
+/* The names of the columns, or their units below these. */
+static void read_header(card *c)
+{
+    text fields[MOST_FIELDS];
+    size_t n = cut_line(c, c->row.value, fields);
+    int i;
+
+    c->headers++;
+    if (n != 2) {
+        refuse_columns(c, n);
+        return;
+    }
+    for (i = 0; i < 2; i++)
+        keep_unit(c, i, unit_in_header(fields[i], c->q[i]));
+}
+
+/* 1 if a line is a header: the first one without a number, and one of units below it. */
+static int is_header(const card *c)
+{
+    text fields[MOST_FIELDS], line = c->row.value;
+
+    if (is_number_start(flk_text_unquoted(line)) ||
+        (line.start[0] == '"' && line.length > 1 && is_number_start(flk_text_from(line, 1))))
+        return 0;
+    return c->headers == 0 || (c->headers == 1 && cut_line(c, line, fields) == 2 &&
+                               is_unit_of(fields[0], c->q[0]) && is_unit_of(fields[1], c->q[1]));
+}
+
+/* Write a decimal comma as a point; 0 if the file has the other mark elsewhere. */
+static int write_mark(card *c, char *field)
+{
+    char *comma = strchr(field, ','), *dot = strchr(field, '.');
+    char mark = comma ? ',' : '.';
+
+    if ((!comma && !dot) || (comma && dot) || (comma && strchr(comma + 1, ',')))
+        return 1; /* refused later, if it is none */
+    if (c->mark && c->mark != mark)
+        return 0;
+    c->mark = mark;
+    if (comma)
+        *comma = '.';
+    return 1;
+}
+
+/* Add a field to the text of a point, with the unit of its column if it has none. */
+static int add_field(card *c, int column, text field, char *out)
+{
+    char *end = out + strlen(out);
+    size_t room = ROW_SIZE - strlen(out), n = strlen(c->unit[column]);
+    text after;
+    double number;
+
+    if (field.length + n + 3 > room)
+        return flk_mistake(c->p->mistakes, c->row.place, "'%t' is too long", c->row.value);
+    flk_text_copy(field, end, room);
+    if (c->separator == ';' && !write_mark(c, end))
+        return flk_mistake(c->p->mistakes, c->row.place,
+                           "'%t': decimal commas and decimal points in one file", c->row.value);
+    after = flk_text_of(end);
+    if (n && flk_number_read(&after, &number) == NUMBER_OK && !flk_text_trim(after).length) {
+        strcat(end, " ");
+        strcat(end, c->unit[column]);
+    }
+    strcat(end, " ");
+    return 1;
+}
+
+/* Check the columns of a row; 0 and a mistake if there are not two of them, separated as in other rows. */
+static int check_columns(card *c, const text *fields, size_t n)
+{
+    text line = c->row.value;
+    size_t i;
+    int is_mixed = (c->separator == ';') != (flk_text_count(line, ';') > 0);
+
+    for (i = 0; i < n && i < MOST_FIELDS && flk_text_count(line, ','); i++)
+        if (flk_curve_point_value(fields[i]) < fields[i].length)
+            is_mixed = 1;
+    if (is_mixed)
+        return flk_mistake(c->p->mistakes, c->row.place,
+                           "'%t': mixed separators; numbers with decimal commas are separated by ;",
+                           line);
+    if (n > 2)
+        return refuse_columns(c, n);
+    return 1;
+}
+
+/* Read a row; 0 and a mistake if it is none. */
+static int read_row(card *c, point *result)
+{
+    text fields[MOST_FIELDS];
+    size_t n = cut_line(c, c->row.value, fields), i;
+    char out[ROW_SIZE] = "";
+
+    if (!check_columns(c, fields, n))
+        return 0;
+    for (i = 0; i < n; i++)
+        if (!add_field(c, (int)i, fields[i], out))
+            return 0;
+    return flk_curve_point_read(c->p, &c->row, flk_text_trim(flk_text_of(out)), c->q[1], 0, result);
+}
+
+static void read_lines(card *c, text contents, setting *s)
+{
+    text line;
+
+    contents = flk_text_without_mark(contents);
+    while (!c->p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
+        c->row.place.line++;
+        c->row.value = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
+        if (!c->row.value.length)
+            continue;
+        if (!c->separator)
+            c->separator = flk_text_count(c->row.value, ';') ? ';' : ' ';
+        if (!s->n_points && is_header(c))
+            read_header(c);
+        else
+            s->n_points += read_row(c, &s->curve[s->n_points]) != 0;
+    }
+}
+
+/* Cut NAME ANGLE_UNIT UNIT, NAME UNIT or NAME into the name and the units, which may be empty. */
+static void split_name(parser *p, const quantity q[2], text t, text *name, text units[2])
+{
+    size_t i, end;
+
+    *name = t;
+    units[0].length = units[1].length = 0;
+    for (i = 1; i < t.length; i++) {
+        text first = flk_reader_plain(p, flk_text_trim(flk_text_from(t, i))), second;
+
+        if (!flk_text_blank(flk_text_from(t, i)) ||
+            (t.start[0] == '"' && (i == 1 || t.start[i - 1] != '"')))
+            continue;
+        for (end = 0; end < first.length && !flk_text_blank(flk_text_from(first, end)); end++)
+            ;
+        second = flk_text_trim(flk_text_from(first, end));
+        name->length = i;
+        if (is_unit_of(first, q[1])) {
+            units[1] = first;
+            return;
+        }
+        first.length = end;
+        units[0] = first;
+        units[1] = second;
+        if (is_unit_of(first, q[0]) && is_unit_of(second, q[1]))
+            return;
+        *name = t;
+        units[0].length = units[1].length = 0;
+    }
+}
+
+/* Load the file; null if there is none. */
+static const char *load(parser *p, text name, unsigned long *length)
+{
+    char file[1024];
+
+    name = flk_text_unquoted(name);
+    return p->load && name.length && name.length < sizeof file
+               ? p->load(p->host, flk_text_copy(name, file, sizeof file), length)
+               : NULL;
+}
+
+int flk_card_read(parser *p, setting *s, quantity q, text name)
+{
+    size_t before = p->mistakes->count;
+    unsigned long length;
+    text contents = {NULL, 0}, units[2];
+    card c;
+    int i;
+
+    memset(&c, 0, sizeof c);
+    c.p = p;
+    c.row = *s;
+    c.q[0] = QUANTITY_ANGLE;
+    c.q[1] = q;
+    split_name(p, c.q, name, &name, units);
+    for (i = 0; i < 2; i++) {
+        c.is_told[i] = units[i].length > 0;
+        flk_text_copy(units[i], c.unit[i], UNIT_SIZE);
+    }
+    contents.start = load(p, name, &length);
+    if (!contents.start)
+        return flk_mistake(p->mistakes, s->place, "cannot read the file '%t'%s",
+                           flk_text_unquoted(name),
+                           flk_text_count(name, ' ') && name.start[0] != '"'
+                               ? "; units after its name are written as in deg bar"
+                               : "");
+    contents.length = length;
+    c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
+    c.row.place.line = 0;
+    s->curve = flk_reader_keep(p, (flk_text_count(contents, '\n') + 1) * sizeof *s->curve);
+    if (s->curve)
+        read_lines(&c, contents, s);
+    s->is_bare = c.row.is_bare;
+    if (p->mistakes->count > before)
+        s->curve = NULL;
+    return 1;
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** curve_point.c - a point of a curve over the crank angle from text: an angle and a value.
+*/
+#include <string.h>
+
+#include "reader.h"
+
+static int is_blank(int c)
+{
+    return c == ' ' || c == '\t';
+}
+
+size_t flk_curve_point_value(text t)
+{
+    size_t i;
+
+    for (i = 1; i < t.length; i++)
+        if (is_blank(t.start[i - 1]) && strchr("+-.(0123456789", t.start[i]))
+            break;
+    return t.length ? i : 0;
+}
+
+/* The value of a point. */
+static int read_value(parser *p, const setting *s, text t, quantity q, point *result)
+{
+    unit u;
+    double y;
+
+    if (!flk_values_number(p, s, &t, q, &y) || !flk_values_unit(p, s, t, q, &u))
+        return 0;
+    result->y[0] = flk_unit_to_si(y, u);
+    result->has_unit = flk_text_trim(t).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, u);
+    return flk_values_size(p, s, q, result->y[0]);
+}
+
+const char *flk_curve_point_example(quantity q)
+{
+    return q == QUANTITY_PRESSURE ? "20 deg 32 bar"
+           : q == QUANTITY_FORCE  ? "20 deg (43, 25) N"
+                                  : "20 deg 3 N m";
+}
+
+int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result)
+{
+    double x;
+    unit u;
+    text angle;
+    size_t i;
+
+    if (!flk_values_number(p, s, &t, QUANTITY_ANGLE, &x))
+        return 0;
+    i = flk_curve_point_value(t);
+    if (i >= t.length && is_cut)
+        return flk_mistake(p->mistakes, s->place,
+                           "'%t': a comma as decimal mark? write a point, and a blank after the "
+                           "comma between two points of a curve",
+                           s->value);
+    if (i >= t.length)
+        return flk_mistake(p->mistakes, s->place,
+                           "expected an angle and a value, such as %s, not '%t'",
+                           flk_curve_point_example(q), s->value);
+    angle = t;
+    angle.length = i;
+    t = flk_text_from(t, i);
+    if (!flk_values_unit(p, s, angle, QUANTITY_ANGLE, &u))
+        return 0;
+    result->x = flk_unit_to_si(x, u);
+    result->place = s->place;
+    if (!flk_values_size(p, s, QUANTITY_ANGLE, result->x))
+        return 0;
+    return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
+                               : read_value(p, s, t, q, result);
+}

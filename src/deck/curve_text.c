@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** curve_text.c - curves over the crank angle from the text of a deck, or from a file that it names.
+*/
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+/* 1 if an item follows a digit and a comma, without a blank, as 5 does in 1,5. */
+static int follows_comma(text item, text whole)
+{
+    return item.start - whole.start > 1 && item.start[-1] == ',' &&
+           strchr("0123456789", item.start[-2]) != NULL;
+}
+
+int flk_curve_text_file(text value, text *name)
+{
+    text after = flk_text_from(value, value.length < 4 ? value.length : 4);
+
+    if (memcmp(value.start, "file", value.length - after.length) != 0 || !flk_text_blank(after))
+        return 0;
+    if (name)
+        *name = flk_text_trim(after);
+    return 1;
+}
+
+/* Take the text up to the next comma outside parentheses off the front of `rest`; 0 if nothing is left. */
+static int next_item(text *rest, text *item)
+{
+    size_t i;
+    int depth = 0, is_last;
+
+    if (!rest->start)
+        return 0;
+    for (i = 0; i < rest->length && (depth || rest->start[i] != ','); i++)
+        depth = rest->start[i] == '(' ? 1 : rest->start[i] == ')' ? 0 : depth;
+    is_last = i == rest->length;
+    *item = *rest;
+    item->length = i;
+    *item = flk_text_trim(*item);
+    *rest = flk_text_from(*rest, i + !is_last);
+    if (is_last)
+        rest->start = NULL;
+    return 1;
+}
+
+/* 1 if a value is one for all angles: it has no second number before " at ", and no comma. */
+static int is_constant(text value, quantity q)
+{
+    text rest = value, item, size, angle;
+
+    if (q == QUANTITY_PRESSURE)
+        return 0;
+    next_item(&rest, &item);
+    if (!flk_text_cut(item, " at ", &size, &angle))
+        size = item;
+    return !rest.start && (size.start[0] == '(' || flk_curve_point_value(size) >= size.length);
+}
+
+static int read_constant(parser *p, setting *s, quantity q)
+{
+    point vector;
+
+    if (q != QUANTITY_FORCE)
+        return flk_values_piece(p, s, s->value, q, &s->si[0]);
+    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
+        return 0;
+    s->si[0] = vector.y[0];
+    s->si[1] = vector.y[1];
+    return 1;
+}
+
+/* Note values in bare numbers, unless the deck says in which unit these are.  Returns 1. */
+static int note_unit(parser *p, const setting *s, quantity q)
+{
+    const char *name = p->d->units[q].name;
+    double largest = 0;
+    size_t i;
+
+    if (IS_SET(flk_setting_by_name(p, SECTION_UNITS, flk_quantities[q].name)))
+        return 1;
+    for (i = 0; s->curve && i < s->n_points; i++) {
+        if (s->curve[i].has_unit)
+            return 1;
+        largest = GSL_MAX(largest, gsl_hypot(s->curve[i].y[0], s->curve[i].y[1]));
+    }
+    if (largest > 0)
+        flk_mistake(NOTES(p), s->place,
+                    "the values of this curve are read as %s, the largest as %g %s: give their "
+                    "unit, such as '%s'",
+                    name, flk_unit_from_si(largest, p->d->units[q].unit), name,
+                    !flk_curve_text_file(s->value, NULL) ? flk_curve_point_example(q)
+                    : q == QUANTITY_PRESSURE             ? "file card.csv deg bar"
+                    : q == QUANTITY_FORCE                ? "file card.csv deg N"
+                                                         : "file card.csv deg N m");
+    return 1;
+}
+
+int flk_curve_text_read(parser *p, setting *s, quantity q)
+{
+    text rest = s->value, item = rest;
+    double number;
+    point *c;
+
+    if (flk_curve_text_file(rest, &item))
+        return flk_card_read(p, s, q, item) && note_unit(p, s, q);
+    if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */
+        return flk_values_piece(p, s, rest, q, &number);
+    if (is_constant(rest, q))
+        return read_constant(p, s, q);
+    c = flk_reader_keep(p, (flk_text_count(rest, ',') + 1) * sizeof *c);
+    while (c && next_item(&rest, &item)) {
+        const point *new = &c[s->n_points];
+
+        if (!item.length && !rest.start)
+            break; /* a comma at the very end */
+        if (!flk_curve_point_read(p, s, item, q, follows_comma(item, s->value), &c[s->n_points++]))
+            return 0;
+        if (new->unit_to_si != c->unit_to_si &&new->has_unit != c->has_unit)
+            return flk_mistake(p->mistakes, s->place,
+                               "either all values of a curve have a unit or none has");
+    }
+    s->curve = c;
+    return note_unit(p, s, q);
+}

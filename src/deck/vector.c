@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** vector.c - forces and points of links from the text of a deck.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+void flk_vector_direction(double angle, double *x, double *y)
+{
+    double quarters = angle / M_PI_2, whole = floor(quarters + 0.5);
+
+    *x = cos(angle);
+    *y = sin(angle);
+    if (fabs(quarters - whole) < 1e-14 && fabs(whole) < 1e6) {
+        static const double exact[4] = {1, 0, -1, 0};
+        int i = (int)whole % 4;
+
+        i = i < 0 ? i + 4 : i;
+        *x = exact[i];
+        *y = exact[(i + 3) % 4];
+    }
+}
+
+static int refuse_components(parser *p, const setting *s, quantity q)
+{
+    return flk_mistake(p->mistakes, s->place, "expected two components, such as %s, not '%t'",
+                       q == QUANTITY_FORCE ? "(43, 25) N" : "(10, 5) mm", s->value);
+}
+
+/* (10, 5) mm */
+static int read_components(parser *p, setting *s, text t, quantity q, point *result)
+{
+    text rest = flk_text_from(t, 1), inside, x;
+    unit u;
+    int i;
+
+    flk_text_split(&rest, ')', &inside);
+    if (!rest.start || flk_text_count(inside, ',') != 1)
+        return refuse_components(p, s, q);
+    if (!flk_values_unit(p, s, rest, q, &u))
+        return 0;
+    result->has_unit = flk_text_trim(rest).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, u);
+    for (i = 0; i < 2; i++) {
+        double number;
+
+        flk_text_split(&inside, ',', &x);
+        if (!flk_values_number(p, s, &x, q, &number))
+            return 0;
+        if (flk_text_trim(x).length)
+            return refuse_components(p, s, q);
+        result->y[i] = flk_unit_to_si(number, u);
+        if (!flk_values_size(p, s, q, result->y[i]))
+            return 0;
+    }
+    return 1;
+}
+
+/* A part of the length of the link: 50 %; 0 if there is no per cent sign. */
+static int read_share(parser *p, setting *s, text t, double *share)
+{
+    t = flk_text_trim(t);
+    if (!t.length || t.start[t.length - 1] != '%')
+        return 0;
+    s->of_length = 1;
+    flk_values_piece(p, s, t, QUANTITY_NUMBER, share);
+    return 1;
+}
+
+/* 10 mm */
+static int read_size(parser *p, setting *s, text t, quantity q, point *result, double *size)
+{
+    text after = t;
+    double number;
+
+    if (q == QUANTITY_LENGTH && read_share(p, s, t, size))
+        return 1;
+    if (!flk_values_piece(p, s, t, q, size))
+        return 0;
+    flk_number_read(&after, &number);
+    result->has_unit = flk_text_trim(after).length > 0;
+    result->unit_to_si = flk_unit_to_si(1, s->unit);
+    return 1;
+}
+
+int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result)
+{
+    text size_text = t, angle_text, before;
+    double size = 0, angle = 0, x, y;
+
+    if (t.length && t.start[0] == '(')
+        return read_components(p, s, t, q, result);
+    if (q == QUANTITY_LENGTH && flk_text_equal(t, "mid")) {
+        s->of_length = 1;
+        result->y[0] = 0.5;
+        result->y[1] = 0;
+        return 1;
+    }
+    if (flk_text_cut_last(t, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
+        return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
+                           s->value);
+    if (!flk_text_cut(t, " at ", &size_text, &angle_text))
+        s->is_bare = 1;
+    else if (!flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
+        return 0;
+    if (!read_size(p, s, size_text, q, result, &size))
+        return 0;
+    flk_vector_direction(angle, &x, &y);
+    result->y[0] = size * x;
+    result->y[1] = size * y;
+    return 1;
+}
+
+/* 1 if there is a comma outside parentheses, in place of (10, 5) mm. */
+static int has_outer_comma(text t)
+{
+    return t.start[0] != '(' && memchr(t.start, ',', t.length) != NULL;
+}
+
+int flk_vector_read(parser *p, setting *s, quantity q)
+{
+    text t = s->value;
+    point vector;
+    double size;
+
+    if (has_outer_comma(t) && flk_number_read(&t, &size) != NUMBER_COMMA) /* 0,5 mm */
+        return flk_mistake(p->mistakes, s->place,
+                           "expected a point, such as 10 mm at 5 deg or (10, 5) mm, not '%t'",
+                           s->value);
+    if (!flk_vector_read_piece(p, s, s->value, q, &vector))
+        return 0;
+    s->si[0] = vector.y[0];
+    s->si[1] = vector.y[1];
+    return 1;
+}
+
+void flk_vector_read_pin(parser *p, setting *s, quantity q)
+{
+    s->word = flk_text_equal(s->value, "origin") ? PIN_ORIGIN
+              : flk_text_equal(s->value, "end")  ? PIN_END
+                                                 : PIN_POINT;
+    if (s->word == PIN_POINT)
+        flk_vector_read(p, s, q);
+}
+
+/* The parts that are not set separately come from the whole vector. */
+void flk_vector_read_parts(parser *p, setting *s, quantity q)
+{
+    double part[PART_NONE], x, y;
+    int i, is_polar = 0;
+
+    part[PART_X] = s->si[0];
+    part[PART_Y] = s->si[1];
+    part[PART_SIZE] = gsl_hypot(s->si[0], s->si[1]);
+    part[PART_ANGLE] = atan2(s->si[1], s->si[0]);
+    for (i = 0; i < PART_NONE; i++) {
+        setting *own = &s->parts[i];
+
+        if (!IS_SET(own))
+            continue;
+        own->value = flk_reader_plain(p, own->value);
+        s->is_bare = 0;
+        if (s->curve)
+            flk_mistake(p->mistakes, own->place, "a curve has no parts that can be varied");
+        if (s->of_length)
+            flk_mistake(p->mistakes, own->place,
+                        "'%t' is a part of the length of the link: give the point in a unit of "
+                        "length before you vary a part of it",
+                        s->value);
+        flk_values_piece(p, own, own->value, i == PART_ANGLE ? QUANTITY_ANGLE : q, &own->si[0]);
+        part[i] = own->si[0];
+        is_polar = i >= PART_SIZE;
+    }
+    flk_vector_direction(part[PART_ANGLE], &x, &y);
+    s->si[0] = is_polar ? part[PART_SIZE] * x : part[PART_X];
+    s->si[1] = is_polar ? part[PART_SIZE] * y : part[PART_Y];
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** motion_pieces.h - the motion of a deck in pieces within which all columns are smooth.
+*/
+#ifndef FOURLINK_MOTION_PIECES_H
+#define FOURLINK_MOTION_PIECES_H
+
+#include "analysis.h"
+
+/* How columns behave at the end of a piece. */
+typedef enum flk_piece_end {
+    FLK_END_PLAIN, /* the motion begins or ends, a load has a corner, links come near to one line */
+    FLK_END_ROOT,  /* the crank is at rest: as the root of the distance */
+    FLK_END_DEAD,  /* dead position: as the root, with poles; no row there */
+    FLK_END_CHANGE,      /* change point: smooth, or a pole; no row there */
+    FLK_END_CHANGE_REST, /* the same with the crank at rest: as the root of the distance */
+    FLK_END_NOWHERE      /* behind the last piece */
+} flk_piece_end;
+
+/* A piece, by the crank angle that the motion has passed since its first row, rad. */
+typedef struct flk_piece {
+    double from, to;
+    flk_piece_end begin, end;
+} flk_piece;
+
+/* The length of a deck's motion, rad. */
+double flk_pieces_length(const flk_analysis *a);
+
+/* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0.  Another length than that of
+** the motion leaves whole periods out; a piece ends after the first of them. */
+int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece);
+
+#endif

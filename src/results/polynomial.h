@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** polynomial.h - a polynomial through points, by divided differences.
+*/
+#ifndef FOURLINK_POLYNOMIAL_H
+#define FOURLINK_POLYNOMIAL_H
+
+#define FLK_POLYNOMIAL_MOST 10
+
+/* Begin with n = 0. */
+typedef struct flk_polynomial {
+    int n;
+    double x[FLK_POLYNOMIAL_MOST], c[FLK_POLYNOMIAL_MOST];
+} flk_polynomial;
+
+/* Add a point; at most FLK_POLYNOMIAL_MOST. */
+void flk_polynomial_add(flk_polynomial *p, double x, double y);
+
+double flk_polynomial_value(const flk_polynomial *p, double x, double *slope);
+
+/* Find where the slope is 0 between two places, by false position (the Illinois rule); returns 0 if the slope
+** has one sign at both. */
+int flk_polynomial_find_flat(const flk_polynomial *p, double low, double high, double *at);
+
+#endif

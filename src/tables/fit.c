@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fit.c - a table that fits a terminal: which columns stand side by side.
+*/
+#include <string.h>
+
+#include "fit.h"
+
+/* Subjects of columns, in the order of their pages. */
+enum { KINEMATICS, FORCES, TORQUES, SUBJECTS };
+
+static int subject_of(const fourlink_value *c)
+{
+    static const char *const of_torques[] = {"torque", "power", "energy"};
+    int i;
+
+    for (i = 0; i < 3; i++)
+        if (strcmp(c->quantity, of_torques[i]) == 0)
+            return TORQUES;
+    if (c->flags & FOURLINK_OF_ROUNDING)
+        return TORQUES; /* the power balance */
+    return c->flags & FOURLINK_OF_FORCES || strcmp(c->quantity, "force") == 0 ? FORCES : KINEMATICS;
+}
+
+/* 1 if two columns are the x and y of one vector. */
+static int is_pair(const fourlink_value *x, const fourlink_value *y)
+{
+    size_t n = strlen(x->name);
+
+    return n > 0 && strlen(y->name) == n && memcmp(x->name, y->name, n - 1) == 0 &&
+           x->name[n - 1] == 'x' && y->name[n - 1] == 'y';
+}
+
+static int is_angle(const sheet *s, unsigned long j)
+{
+    return (s->columns[j].flags & FOURLINK_CRANK_ANGLE) != 0;
+}
+
+unsigned long fit_column(const sheet *s, unsigned long k)
+{
+    unsigned long angle = 0;
+
+    while (angle < s->n_columns && !is_angle(s, angle))
+        angle++;
+    if (s->n_pages == 1 || angle == s->n_columns || k > angle)
+        return k;
+    return k == 0 ? angle : k - 1;
+}
+
+int fit_has_lead(const sheet *s)
+{
+    return is_angle(s, fit_column(s, 0));
+}
+
+int fit_has(const sheet *s, const style *styles, unsigned long j)
+{
+    return styles[j].page == s->page || (s->n_pages > 1 && is_angle(s, j));
+}
+
+/* The pages so far, and what is used of the last one's width. */
+typedef struct filling {
+    const sheet *s;
+    style *styles;
+    size_t first; /* what each page begins with */
+    size_t used;
+    int page;
+} filling;
+
+/* Go on to the next page, unless this one is empty or has so much room. */
+static void make_room(filling *f, size_t width)
+{
+    if (f->used > f->first && f->used + width > f->s->width) {
+        f->page++;
+        f->used = f->first;
+    }
+}
+
+static size_t width_of(const filling *f, int subject)
+{
+    size_t width = 0;
+    unsigned long j;
+
+    for (j = 0; j < f->s->n_columns; j++)
+        if (subject_of(&f->s->columns[j]) == subject && !is_angle(f->s, j))
+            width += f->styles[j].width;
+    return width;
+}
+
+/* Place the columns of a subject; x and y of a vector stay together. */
+static void place(filling *f, int subject)
+{
+    const fourlink_value *columns = f->s->columns;
+    unsigned long n = f->s->n_columns, j;
+
+    make_room(f, width_of(f, subject));
+    for (j = 0; j < n; j++) {
+        size_t width = f->styles[j].width;
+
+        if (subject_of(&columns[j]) != subject || is_angle(f->s, j))
+            continue;
+        if (j + 1 < n && is_pair(&columns[j], &columns[j + 1]))
+            make_room(f, width + f->styles[j + 1].width);
+        make_room(f, width);
+        f->styles[j].page = f->page;
+        f->used += width;
+    }
+}
+
+/* The width that is used on each page: by the crank angle, or by the label of the extremes. */
+static size_t width_of_lead(const sheet *s, const style *styles)
+{
+    unsigned long j;
+
+    for (j = 0; j < s->n_columns; j++)
+        if (is_angle(s, j))
+            return styles[j].width;
+    return sizeof "  at theta2" - 1;
+}
+
+int fit_columns(const sheet *s, style *styles)
+{
+    size_t total = fit_has_lead(s) ? 0 : sizeof "  at theta2" - 1;
+    filling f;
+    unsigned long j;
+    int subject;
+
+    for (j = 0; j < s->n_columns; j++) {
+        styles[j].page = 0;
+        total += styles[j].width;
+    }
+    if (!s->width || total <= s->width)
+        return 1;
+    f.s = s;
+    f.styles = styles;
+    f.used = f.first = width_of_lead(s, styles);
+    f.page = 0;
+    for (subject = KINEMATICS; subject < SUBJECTS; subject++)
+        place(&f, subject);
+    return f.page + 1;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fit.h - a table that fits a terminal: which columns stand side by side.
+*/
+#ifndef FOURLINK_FIT_H
+#define FOURLINK_FIT_H
+
+#include "style.h"
+
+/* Give each column a page, whose columns fit the sheet's width: of kinematics, of forces, of torques, and
+** several of them where they fit.  Returns the number of pages, 1 if there is no width. */
+int fit_columns(const sheet *s, style *styles);
+
+/* The k-th column that is printed, as a number in the deck's list: if there are several pages, the crank angle is
+** the first and stands on each of them. */
+unsigned long fit_column(const sheet *s, unsigned long k);
+
+/* 1 if a column stands on the present page. */
+int fit_has(const sheet *s, const style *styles, unsigned long j);
+
+/* 1 if the first column that is printed is the crank angle. */
+int fit_has_lead(const sheet *s);
+
+#endif

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** style.c - how the numbers of a table's columns are written, so that they are aligned.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/units.h"
+#include "style.h"
+
+#define SAMPLES 200
+
+/* The largest magnitude of each column, in rows spread evenly over the motion; 0 if it is only rounding
+** compared with other columns of the same quantity. */
+static void find_sizes(sheet *s, style *styles)
+{
+    unsigned long n_rows = s->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
+    double of_quantity[QUANTITY_COUNT] = {0};
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+
+    for (j = 0; j < s->n_columns; j++)
+        styles[j].size = 0;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < samples; k++) {
+            double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
+
+            fourlink_results_row(s->results, branches[i],
+                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), s->values,
+                                 NULL, NULL);
+            for (j = 0; j < s->n_columns; j++)
+                if (fabs(s->values[j]) > styles[j].size)
+                    styles[j].size = fabs(s->values[j]);
+        }
+    for (j = 0; j < s->n_columns; j++) {
+        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
+
+        *largest = GSL_MAX_DBL(*largest, styles[j].size);
+    }
+    for (j = 0; j < s->n_columns; j++)
+        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(s->columns[j].quantity)])
+            styles[j].size = 0;
+}
+
+/* The number of decimals that writes every crank angle exactly, if it is small. */
+static int decimals_of_angle(const sheet *s, int otherwise)
+{
+    const fourlink_motion *motion = &s->problem.motion;
+    double last = motion->from, step = 1;
+    fourlink_row row;
+    int decimals;
+
+    if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
+        last = row.angle;
+    for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
+        double x = motion->from * step, y = last * step, z = motion->interval * step;
+
+        if (fabs(x - floor(x + 0.5)) < 1e-9 && fabs(y - floor(y + 0.5)) < 1e-9 &&
+            fabs(z - floor(z + 0.5)) < 1e-9)
+            return decimals;
+    }
+    return otherwise;
+}
+
+static void find_style(const sheet *s, const fourlink_value *c, style *x)
+{
+    char number[FORMAT_SIZE];
+    size_t width;
+
+    x->exponent = x->size > 0 && (x->size < 1e-6 || x->size >= 1e9);
+    x->decimals = s->problem.digits - 1;
+    if (c->flags & FOURLINK_OF_ROUNDING) {
+        x->exponent = 1;
+        x->decimals = 1;
+    } else if (!x->exponent && x->size > 0) {
+        x->decimals -= (int)floor(log10(x->size));
+        if (x->decimals < 0)
+            x->decimals = 0;
+        if (c->flags & FOURLINK_CRANK_ANGLE)
+            x->decimals = decimals_of_angle(s, x->decimals);
+    }
+    if (x->exponent)
+        width = strlen(format_exponent(-1, x->decimals, number));
+    else
+        width = strlen(format_fixed(-x->size, x->decimals, number));
+    if (strlen(c->name) > width)
+        width = strlen(c->name);
+    if (strlen(c->unit) > width)
+        width = strlen(c->unit);
+    x->width = width + 2;
+    x->limit = x->exponent ? 0 : pow(10, (double)x->width - x->decimals - 3) - 1;
+}
+
+/* The text of a cell and its end.  A number that prints as 0 has no sign. */
+static const char *cell_text(double value, const style *x, char out[FORMAT_SIZE], const char **end)
+{
+    const char *c = out + 1;
+
+    if (x->exponent)
+        *end = format_exponent_end(value + 0.0, x->decimals, out); /* -0 + 0 is 0 */
+    else
+        *end = format_fixed_end(value, x->decimals, out);
+    if (out[0] != '-')
+        return out;
+    while (*c == '0' || *c == '.')
+        c++;
+    return c == *end ? out + 1 : out;
+}
+
+void style_put(line *l, double value, const style *x, size_t width)
+{
+    char number[FORMAT_SIZE];
+    const char *end, *cell = cell_text(value, x, number, &end);
+
+    line_right(l, cell, (size_t)(end - cell), width);
+}
+
+void style_find(sheet *s, style *styles)
+{
+    unsigned long j;
+
+    find_sizes(s, styles);
+    for (j = 0; j < s->n_columns; j++)
+        find_style(s, &s->columns[j], &styles[j]);
+}

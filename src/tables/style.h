@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** style.h - how the numbers of a table's columns are written, so that they are aligned.
+*/
+#ifndef FOURLINK_STYLE_H
+#define FOURLINK_STYLE_H
+
+#include "sheet.h"
+
+/* Of a column. */
+typedef struct style {
+    int decimals;
+    int exponent; /* 1: as 1.2e-16 */
+    size_t width;
+    double limit; /* numbers below it fit the width, with a sign and a blank */
+    double size;  /* the largest magnitude of the column */
+    int page;     /* from fit_columns */
+    int has_extreme;
+    fourlink_value extreme; /* the last one found */
+} style;
+
+/* Find the styles of a deck's columns. */
+void style_find(sheet *s, style *styles);
+
+/* Write a number right-aligned in a field; one that prints as 0 has no sign. */
+void style_put(line *l, double value, const style *x, size_t width);
+
+#endif

@@ -1,0 +1,48 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_manual.sh FOURLINK DATA - the examples of fourlink-deck(5): each in a deck of its own, and each section has
+# one.
+. "$(dirname "$0")/../harness.sh"
+manual=$(dirname "$data")/doc/man/fourlink-deck.5
+
+# example.N: the N-th example, as the page shows it; sections: what the page has sections for
+awk '/^\.EX/ {n++; inside = 1; next} /^\.EE/ {inside = 0}
+    inside {gsub(/\\-/, "-"); print > ("example." n)}
+    /^\.SS "/ {print}' "$manual" | grep -o '\[[a-z]*' | sed 's/.//' >sections
+check 'the sections of the page' test "$(wc -l <sections)" -ge 18
+
+# linkage EXAMPLE KIND: a deck of the example, with the sections that it lacks
+linkage() {
+    case $2 in
+    four-bar) set -- "$1" "$2" 'ground 80' 'crank 20' 'coupler 66' 'rocker 56' ;;
+    slider-crank) set -- "$1" "$2" 'crank 50' 'rod 200' ;;
+    *) set -- "$1" "$2" 'ground 300' 'crank 50' ;;
+    esac
+    file=$1
+    grep -q '^mechanism' "$file" || echo "mechanism = $2"
+    shift 2
+    cat "$file"
+    for link; do
+        grep -q "^\[${link% *}\]" "$file" || printf '[%s]\nlength = %s mm\n' ${link% *} ${link#* }
+    done
+    grep -q '^\[motion' "$file" || printf '[motion]\nspeed = 10 rad/s\ninterval = 40 deg\n'
+}
+
+printf 'Angle;Pressure\n0;1\n20,5;32\n180;1,5\n' >card.csv
+for example in example.*; do
+    kind=four-bar
+    grep -Eq '^\[(piston|gas)\]' $example && kind=slider-crank
+    grep -Eq '^\[(slider|lever)\]' $example && kind=inverted-slider-crank
+    linkage $example $kind >$example.deck
+    run 0 -f csv $example.deck
+    quiet
+    run 0 --list $example.deck
+done
+for section in $(sort -u sections); do
+    case $section in misprint | rod) continue ;; esac # as expect and coupler
+    check "an example of [$section]" grep -q "^\[$section[] ]" example.*
+done
+run 0 --check "$(grep -l '^\[expect' example.*.deck)"
+
+finish

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_defaults.c - what a deck leaves unsaid: the branch of an engine, the unit of a speed.
+*/
+#include "outcome.h"
+
+#define SLIDER_CRANK "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n"
+#define INVERTED \
+    "mechanism = inverted-slider-crank\n[crank]\nlength = 50 mm\n[ground]\nlength = 200 mm\n"
+#define GAS "[gas]\nbore = 80 mm\npressure = 2 bar\n"
+
+static void check_branches(const char *contents, int open, int crossed)
+{
+    deck d;
+
+    print_message("%s\n", contents);
+    read_accepted(contents, NULL, &d);
+    assert_int_equal(d.open, open);
+    assert_int_equal(d.crossed, crossed);
+    flk_deck_free(&d);
+}
+
+/* With gas in the cylinder the open branch alone, unless the deck has a word on it. */
+static void test_branch(void **unused)
+{
+    (void)unused;
+    check_branches(SLIDER_CRANK, 1, 1);
+    check_branches(SLIDER_CRANK GAS, 1, 0);
+    check_branches(SLIDER_CRANK GAS "[table]\ndigits = 5\n", 1, 0);
+    check_branches(SLIDER_CRANK GAS "[table]\nbranch = both\n", 1, 1);
+    check_branches(SLIDER_CRANK GAS "[table]\nbranch = crossed\n", 0, 1);
+    check_branches(SLIDER_CRANK GAS "[table]\nbranch = open\n", 1, 0);
+    check_branches(INVERTED, 1, 1);
+    check_branches(INVERTED GAS, 1, 0);
+    check_branches(INVERTED GAS "[table]\nbranch = both\n", 1, 1);
+    /* a force on the piston is no gas */
+    check_branches(SLIDER_CRANK "[load]\nlink = piston\nforce = (-3, 0) N\n", 1, 1);
+}
+
+static void test_speed(void **unused)
+{
+    (void)unused;
+    check_note(SLIDER_CRANK "[motion]\nspeed = 300\n", NULL, 7,
+               "'300' is read as rad/s: write 300 rad/s or 300 rpm");
+    check_note(SLIDER_CRANK "[motion]\nspeed = -1e2\n", NULL, 7,
+               "'-1e2' is read as rad/s: write -1e2 rad/s or -1e2 rpm");
+    check_note(SLIDER_CRANK "[sweep]\nmotion.speed = 100 to 300 in 3\n", NULL, 7,
+               "'100' is read as rad/s: write 100 rad/s or 100 rpm");
+    check_note(SLIDER_CRANK "[motion]\nspeed = 0\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 300 rad/s\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 300rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 300\n[units]\nangular_speed = rpm\n", NULL, 0, NULL);
+    check_note(SLIDER_CRANK "[motion]\nspeed = 300\n[units]\nangular_speed = rad/s\n", NULL, 0,
+               NULL);
+    check_note(SLIDER_CRANK "[sweep]\nmotion.speed = 100 rpm to 300 rpm in 3\n", NULL, 0, NULL);
+    check_mistake(SLIDER_CRANK "[motion]\nspeed = 300 300\n", NULL, 7,
+                  "'300 300': two numbers in place of one; a blank does not separate thousands");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_branch),
+        cmocka_unit_test(test_speed),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

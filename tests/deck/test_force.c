@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_force.c - forces of loads: bare on a piston, as curves over the crank angle; those that are refused.
+*/
+#include "outcome.h"
+
+/* Ten lines; the load is open. */
+#define FOUR_BAR             \
+    "mechanism = four-bar\n" \
+    "[ground]\n"             \
+    "length = 80 mm\n"       \
+    "[coupler]\n"            \
+    "length = 66 mm\n"       \
+    "[rocker]\n"             \
+    "length = 56 mm\n"       \
+    "[crank]\n"              \
+    "length = 20 mm\n"       \
+    "[load F]\n"
+
+/* Seven lines; the load on the piston is open. */
+#define ENGINE                   \
+    "mechanism = slider-crank\n" \
+    "[crank]\n"                  \
+    "length = 50 mm\n"           \
+    "[rod]\n"                    \
+    "length = 200 mm\n"          \
+    "[load F]\n"                 \
+    "link = piston\n"
+
+/* The force at a crank angle. */
+static void check_force(const char *contents, const char *file, double degrees, double x, double y)
+{
+    fourlink_load loads[2];
+    deck d;
+
+    print_message("%s\n", contents);
+    read_accepted(contents, file, &d);
+    assert_int_equal(fourlink_deck_loads(&d, FOURLINK_OPEN, degrees * DEG, loads, NULL),
+                     FOURLINK_OK);
+    assert_near(loads[0].force.x, x, 1e-12 * (1 + fabs(x)));
+    assert_near(loads[0].force.y, y, 1e-12 * (1 + fabs(y)));
+    flk_deck_free(&d);
+}
+
+static void test_bare_on_a_piston(void **unused)
+{
+    (void)unused;
+    check_force(ENGINE "force = -100 N\n", NULL, 30, -100, 0);
+    check_force(ENGINE "force = -100\n[units]\nforce = kN\n", NULL, 30, -1e5, 0);
+    check_force(ENGINE "force = 0 deg 50 N, 90 deg -30 N, 180 deg 20 N\n", NULL, 90, -30, 0);
+    check_force(ENGINE "force = 0 deg 50 N, 90 deg -30 N, 180 deg 20 N\n", NULL, 360, 50, 0);
+    check_force(ENGINE "force = 0 50, 90 -30, 180 20,\n", NULL, 180, 20, 0);
+    check_force(ENGINE "force = file card.txt\n", "# N\n0 50\n90 -30\n", 90, -30, 0);
+    /* a part of it varies */
+    check_force(ENGINE "force = -100 N\n[sweep]\nload F.force.y = 3 N, 4 N\n", NULL, 0, -100, 3);
+    check_force(FOUR_BAR
+                "link = coupler\nat = mid\nforce = 5 N\n[sweep]\nload F.force.angle = 90 deg\n",
+                NULL, 0, 0, 5);
+}
+
+#define LINK "link = coupler\nat = mid\n"
+
+static void test_curves(void **unused)
+{
+    (void)unused;
+    check_force(FOUR_BAR LINK "force = 30 deg (43, 25) N, 90 deg (3, -4) N\n", NULL, 30, 43, 25);
+    check_force(FOUR_BAR LINK "force = 30 deg (43, 25) N, 90 deg (3, -4) N\n", NULL, 90, 3, -4);
+    /* components, between two points at half their difference: the slopes of two points are 0 */
+    check_force(FOUR_BAR LINK "force = 30 deg (43, 25) N, 90 deg (3, -4) N\n", NULL, 60, 23, 10.5);
+    check_force(FOUR_BAR LINK "force = 30 deg 50 N at 90 deg, # up\n   210 deg 50 N at 0 deg\n",
+                NULL, 120, 25, 25);
+    check_force(FOUR_BAR LINK "force = 30 50 at 90, 210 (1, 2)\n", NULL, 210, 1, 2);
+    check_force(FOUR_BAR LINK "force = 30\302\260 50\302\240N at 90\302\260, 210\302\260 "
+                              "(\342\210\2221, 2) N\n",
+                NULL, 210, -1, 2);
+    check_force(FOUR_BAR LINK "force = 0 (1, 2) N, 100 (3, 4) N, 360 deg (1, 2) N\n", NULL, 360, 1,
+                2);
+    /* within its window */
+    check_force(FOUR_BAR LINK "force = 0 (1, 2) N, 90 (3, 4) N\nfrom = 80 deg\nto = 100 deg\n",
+                NULL, 90, 3, 4);
+    check_force(FOUR_BAR LINK "force = 0 (1, 2) N, 90 (3, 4) N\nfrom = 80 deg\nto = 100 deg\n",
+                NULL, 0, 0, 0);
+    /* one force, as ever */
+    check_force(FOUR_BAR LINK "force = (43, 25) N\n", NULL, 30, 43, 25);
+    check_force(FOUR_BAR LINK "force = 50 N at 90 deg\n", NULL, 30, 0, 50);
+    check_force(FOUR_BAR LINK "force = 50 at 90\n", NULL, 30, 0, 50);
+    check_force(ENGINE "force = (3, 4) N\n", NULL, 30, 3, 4);
+}
+
+static void test_refused(void **unused)
+{
+    static const char bare[] = "expected a force with its direction, such as 50 N at 30 deg or "
+                               "(43, 25) N, not '%s'";
+    char message[200];
+
+    (void)unused;
+    sprintf(message, bare, "-100 N");
+    check_mistake(FOUR_BAR LINK "force = -100 N\n", NULL, 13, message);
+    sprintf(message, bare, "0 deg 5 N, 90 deg (3, 4) N");
+    check_mistake(FOUR_BAR LINK "force = 0 deg 5 N, 90 deg (3, 4) N\n", NULL, 13, message);
+    sprintf(message, bare, "file card.txt");
+    check_mistake(FOUR_BAR LINK "force = file card.txt\n", "0 5\n90 6\n", 13, message);
+    check_mistake("mechanism = inverted-slider-crank\n[crank]\nlength = 120 mm\n[ground]\n"
+                  "length = 240 mm\n[load]\nlink = slider\nforce = 3 N\n",
+                  NULL, 8,
+                  "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, not "
+                  "'3 N'");
+    check_mistake(ENGINE "force = 5 m\n", NULL, 8,
+                  "'5 m' is a length; expected a force, such as 50 N");
+    check_mistake(ENGINE "force = 5 %\n", NULL, 8,
+                  "'5 %': per cent of what? expected a force, such as 50 N");
+    check_mistake(ENGINE "force = mid\n", NULL, 8, "expected a force, such as 50 N, not 'mid'");
+    check_mistake(ENGINE "force = 5,5 N\n", NULL, 8, "'5,5 N': a comma as decimal mark: write 5.5");
+    check_mistake(ENGINE "force = 0 deg 5,5 N, 90 deg 3 N\n", NULL, 8,
+                  "'0 deg 5,5 N, 90 deg 3 N': a comma as decimal mark? write a point, and a blank "
+                  "after the comma between two points of a curve");
+    check_mistake(ENGINE "force = 5 N, 6 N\n", NULL, 8,
+                  "expected an angle and a value, such as 20 deg (43, 25) N, not '5 N, 6 N'");
+    check_mistake(ENGINE "force = 0 deg 5 kN, 90 deg 6\n", NULL, 8,
+                  "either all values of a curve have a unit or none has");
+    check_mistake(ENGINE "force = 0 deg (5, 6) kN, 90 deg (6, 7)\n", NULL, 8,
+                  "either all values of a curve have a unit or none has");
+    check_mistake(ENGINE "force = 0 deg (5, 6) N, 90 deg (6, 7 N\n", NULL, 8,
+                  "expected two components, such as (43, 25) N, not '0 deg (5, 6) N, 90 deg (6, 7 "
+                  "N'");
+    check_mistake(ENGINE "force = 0 deg (5, 6) N, 90 deg (6, 7, 8) N\n", NULL, 8,
+                  "expected two components, such as (43, 25) N, not '0 deg (5, 6) N, 90 deg (6, 7, "
+                  "8) N'");
+    check_mistake(ENGINE "force = 0 deg (5, 6) N, 90 deg (6, 7) mm\n", NULL, 8,
+                  "'0 deg (5, 6) N, 90 deg (6, 7) mm' is a length; expected a force, such as 50 N");
+    check_mistake(ENGINE "force = 0 deg (5, 6) N\n", NULL, 8, "a curve needs at least two points");
+    check_mistake(ENGINE "force = 90 deg (5, 6) N, 80 deg (1, 2) N\n", NULL, 8,
+                  "the angles of a curve must increase");
+    check_mistake(
+        ENGINE "force = 0 deg (5, 6) N, 80 deg (1, 2) N, 360 deg (5, 7) N\n", NULL, 8,
+        "the curve is not periodic: one cycle after its first point it has another value");
+    check_mistake(FOUR_BAR "link = coupler\nforce = 0 deg (5, 6) N, 80 deg (1, 2) N\n", NULL, 10,
+                  "the force needs 'at', the point of the link where it acts");
+    check_mistake(FOUR_BAR "link = coupler\ntorque = 0 deg (5, 6) N m, 80 deg (1, 2) N m\n", NULL,
+                  12,
+                  "expected a torque, such as 0.5 N m, not '0 deg (5, 6) N m, 80 deg (1, 2) N m'");
+    check_mistake(ENGINE "force = 0 deg 3 N, 80 deg 4 N\n[sweep]\nload F.force.x = 1 N, 2 N\n",
+                  NULL, 10, "a curve has no parts that can be varied");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bare_on_a_piston),
+        cmocka_unit_test(test_curves),
+        cmocka_unit_test(test_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_extreme_cases.c - extremes of decks whose right values are known.
+*/
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "fourlink.h"
+
+static double extreme(const char *deck, fourlink_branch branch, const char *name)
+{
+    fourlink_results *results;
+    fourlink_source source;
+    fourlink_value value;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck;
+    source.length = strlen(deck);
+    assert_int_equal(fourlink_results_open(&source, 0, &results, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_value(results, name, branch, 0, &value), FOURLINK_OK);
+    fourlink_results_free(results);
+    return value.value;
+}
+
+static void check(const char *deck, fourlink_branch branch, const char *name, double right,
+                  double tolerance)
+{
+    double value = extreme(deck, branch, name);
+
+    if (!(fabs(value - right) <= tolerance) && value != right)
+        fail_msg("%s is %.12g, not %.12g", name, value, right);
+}
+
+#define CRANK_ROCKER                                                                     \
+    "mechanism = four-bar\n[ground]\nlength = 80 mm\n"                                   \
+    "[crank]\nlength = 20 mm\nmass = 0.1 kg\ngyration = 8 mm\ncg = 10 mm\n"              \
+    "[coupler]\nlength = 66 mm\nmass = 0.3 kg\ngyration = 25 mm\ncg = 30 mm at 10 deg\n" \
+    "[rocker]\nlength = 56 mm\nmass = 0.25 kg\ngyration = 20 mm\ncg = 28 mm at -5 deg\n" \
+    "[motion]\ninterval = 40 deg\n"
+
+/* A direction that turns fully goes on to its end. */
+static void test_full_turns(void **state)
+{
+    static const char slow[] = CRANK_ROCKER "speed = 10.5 rad/s\n"
+                                            "[load]\nlink = rocker\ntorque = 0.5 N m\n";
+    static const char fast[] = CRANK_ROCKER "speed = 300 rad/s\n"
+                                            "[load]\nlink = rocker\ntorque = 0.5 N m\n";
+
+    (void)state;
+    check(slow, FOURLINK_CROSSED, "max(Fi3_dir)", 342.723876927, 1e-6);
+    check(slow, FOURLINK_CROSSED, "min(Fi3_dir)", -17.4174074131, 1e-6);
+    check(fast, FOURLINK_OPEN, "max(F23_dir)", 217.914689843, 1e-6);
+    check(fast, FOURLINK_OPEN, "min(F23_dir)", -142.085310157, 1e-6);
+}
+
+/* The corners of a load move no direction that has nothing to do with it. */
+static void test_corners(void **state)
+{
+    static const char deck[] = CRANK_ROCKER
+        "speed = 10.5 rad/s\n"
+        "[load]\nlink = rocker\ntorque = 7 deg 0.5 N m, 178 deg 0.4 N m, 266 deg 0.6 N m\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(Fi2_dir)", 360, 1e-9);
+    check(deck, FOURLINK_OPEN, "min(Fi2_dir)", 0, 1e-9);
+}
+
+/* omega3 of a deltoid goes from 2.5 to 7.5 rad/s through its change point; |alpha3| reaches 25 / sqrt(3). */
+static void test_deltoid(void **state)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = 1 m\n"
+        "[coupler]\nlength = 2 m\n[rocker]\nlength = 2 m\n"
+        "[motion]\nspeed = 10 rad/s\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(omega3)", 7.5, 7.5e-9);
+    check(deck, FOURLINK_OPEN, "min(omega3)", 2.5, 7.5e-9);
+    check(deck, FOURLINK_OPEN, "max(alpha3)", 25 / sqrt(3), 2e-8);
+}
+
+/* A parallelogram with masses: forces grow without end towards its change points. */
+static void test_parallelogram(void **state)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[ground]\nlength = 2 m\n[crank]\nlength = 1 m\nmass = 1 kg\n"
+        "[coupler]\nlength = 2 m\nmass = 1 kg\ncg = 1 m\n[rocker]\nlength = 1 m\nmass = 1 kg\n"
+        "[motion]\nspeed = 10 rad/s\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(F12x)", INFINITY, 0);
+    check(deck, FOURLINK_OPEN, "min(F12x)", -INFINITY, 0);
+    check(deck, FOURLINK_OPEN, "max(Ts)", 9.81, 1e-8);
+}
+
+/* Fsy = weight and inertia of the rod, bounded at the dead positions: its limits. */
+static void test_limits(void **state)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[crank]\nlength = 500 mm\n"
+        "[rod]\nlength = 400 mm\nmass = 1 kg\ncg = 200 mm\ninertia = 0.01 kg m2\n"
+        "[piston]\nmass = 1 kg\n[motion]\nspeed = 10 rad/s\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(Fsy)", 0.38, 4e-8);
+    check(deck, FOURLINK_OPEN, "min(Fsy)", -39.62, 4e-8);
+}
+
+/* A direction that is 0 or 180 deg leaps by half a turn and adds up to no more. */
+static void test_half_turns(void **state)
+{
+    static const char deck[] = "mechanism = slider-crank\n[crank]\nlength = 1\n[rod]\nlength = 3\n"
+                               "[piston]\nmass = 1 kg\n[motion]\nspeed = 10 rad/s\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(Fi4_dir)", 180, 1e-9);
+    check(deck, FOURLINK_OPEN, "min(Fi4_dir)", 0, 1e-9);
+}
+
+/* Time has extremes, and a point's beside an edge of reach. */
+static void test_time_and_edge(void **state)
+{
+    static const char turn[] = CRANK_ROCKER "speed = 10.5 rad/s\n";
+    static const char edge[] =
+        "mechanism = four-bar\n[ground]\nlength = 2\n[crank]\nlength = 1\n[coupler]\nlength = 1\n"
+        "[rocker]\nlength = 0.204\n[point P]\nlink = coupler\nat = (-0.02, -0.38)\n"
+        "[motion]\nspeed = -10 rad/s\nfrom = 134 deg\nto = -143 deg\n";
+
+    (void)state;
+    check(turn, FOURLINK_OPEN, "max(time)", 2 * 3.14159265358979323846 / 10.5, 1e-12);
+    check(turn, FOURLINK_OPEN, "min(time)", 0, 0);
+    check(edge, FOURLINK_CROSSED, "min(P.y)", -0.820561910932, 1e-9);
+}
+
+/* Dips and peaks that are narrow, or end at a corner. */
+static void test_narrow(void **state)
+{
+    static const char reach[] = "mechanism = four-bar\n"
+                                "[ground]\n"
+                                "angle = -6.726812605020285 deg\n"
+                                "length = 1.0320965500849555 m\n"
+                                "[crank]\n"
+                                "mass = 2.570515835766012 kg\n"
+                                "length = 0.764685789204601 m\n"
+                                "inertia = 0.1491458283064716 kg m2\n"
+                                "cg = (0.5390892708412428, -0.0) m\n"
+                                "[coupler]\n"
+                                "mass = 0.5557117208371162 kg\n"
+                                "length = 0.4535513727408943 m\n"
+                                "inertia = 0.004727266227977656 kg m2\n"
+                                "cg = (0.4345463880379983, 0.0) m\n"
+                                "[rocker]\n"
+                                "mass = 1.3237426997854962 kg\n"
+                                "length = 0.7210593716166235 m\n"
+                                "inertia = 0.013011288697305376 kg m2\n"
+                                "cg = (0.13063466333940577, 0.0) m\n"
+                                "[load L0]\n"
+                                "link = coupler\n"
+                                "force = (188.95193064728397, 29.716140891333907) N\n"
+                                "frame = link\n"
+                                "at = (0.26182027905910865, -0.0009757484535074019) m\n"
+                                "[load L1]\n"
+                                "link = coupler\n"
+                                "force = (-30.648814243170705, 241.8378804741011) N\n"
+                                "frame = link\n"
+                                "at = (-0.026098878592215533, 0.26030021844664775) m\n"
+                                "torque = 49.9721459608884 N m\n"
+                                "from = 282.3614960363529 deg\n"
+                                "to = 465.09605162692276 deg\n"
+                                "[gravity]\n"
+                                "acceleration = 9.81 m/s2\n"
+                                "direction = 103.02789512960692 deg\n"
+                                "[motion]\n"
+                                "speed = 3.61906961867345 rad/s\n"
+                                "acceleration = 0.0 rad/s2\n"
+                                "from = 0.0 deg\n"
+                                "cycle = 360.0 deg\n"
+                                "interval = 7.0 deg\n"
+                                "[point P]\n"
+                                "link = coupler\n"
+                                "at = (0.2984467596219258, 0.8451151811896607) m\n"
+                                "[flywheel]\n"
+                                "fluctuation = 0.015490975306669486\n";
+    static const char gas[] =
+        "mechanism = slider-crank\n"
+        "[ground]\n"
+        "angle = -170.78519543292037 deg\n"
+        "offset = 0.06914374696733616 m\n"
+        "[crank]\n"
+        "mass = 4.292412073257868 kg\n"
+        "length = 0.12386927548697044 m\n"
+        "inertia = 0.0031769707008368854 kg m2\n"
+        "cg = (0.023276104537238045, -0.01299981693621622) m\n"
+        "[rod]\n"
+        "mass = 2.1180715059865616 kg\n"
+        "length = 0.27299751626362356 m\n"
+        "inertia = 0.013276796325834948 kg m2\n"
+        "cg = (0.24135202091227353, 0.011113596643165252) m\n"
+        "[piston]\n"
+        "mass = 1.6892417584944353 kg\n"
+        "[gas]\n"
+        "bore = 0.04994834258465638 m\n"
+        "indicator = 26.0 deg 716216.1260691661 Pa, 100.0 deg 2412640.400004365 Pa, 103.0 deg "
+        "1877951.9900782926 Pa, 107.0 deg 2711187.406172421 Pa, 112.0 deg 741769.3855575718 Pa, "
+        "122.0 deg 205591.21365967736 Pa, 214.0 deg 2206371.2997827632 Pa, 218.0 deg "
+        "27079.981173698365 Pa, 263.0 deg 256886.35590783693 Pa, 283.0 deg 163268.15471524614 Pa, "
+        "326.0 deg 771138.9792603072 Pa\n"
+        "[gravity]\n"
+        "acceleration = 9.81 m/s2\n"
+        "direction = -90.0 deg\n"
+        "[motion]\n"
+        "speed = -25.144504814052397 rad/s\n"
+        "acceleration = 0.0 rad/s2\n"
+        "from = 0.0 deg\n"
+        "cycle = 360.0 deg\n"
+        "interval = 7.0 deg\n";
+    static const char tracer[] = "mechanism = four-bar\n"
+                                 "[ground]\n"
+                                 "angle = -29.958244742325093 deg\n"
+                                 "length = 0.3403878587281983 m\n"
+                                 "[crank]\n"
+                                 "mass = 0.6009539169842786 kg\n"
+                                 "length = 0.6722222443670659 m\n"
+                                 "inertia = 0.0583726703547865 kg m2\n"
+                                 "cg = (0.4549897310869442, -0.048149882007173045) m\n"
+                                 "[coupler]\n"
+                                 "mass = 4.28764189654826 kg\n"
+                                 "length = 0.8084188327462166 m\n"
+                                 "inertia = 0.6745832514535792 kg m2\n"
+                                 "cg = (0.27723552038155586, 0.06277057958367287) m\n"
+                                 "[rocker]\n"
+                                 "mass = 2.571727510186647 kg\n"
+                                 "length = 0.4765817929047379 m\n"
+                                 "inertia = 0.07308283473385263 kg m2\n"
+                                 "cg = (0.3409790596145616, -0.0) m\n"
+                                 "[load L0]\n"
+                                 "link = crank\n"
+                                 "force = (37.1773187372217, -67.35946296385669) N\n"
+                                 "frame = ground\n"
+                                 "at = (0.6437915553952994, -0.0011717114863213454) m\n"
+                                 "torque = -7.126751410891707 N m\n"
+                                 "[gravity]\n"
+                                 "acceleration = 0.0 m/s2\n"
+                                 "direction = -90.0 deg\n"
+                                 "[motion]\n"
+                                 "speed = -16.142402803881097 rad/s\n"
+                                 "acceleration = -6.7827815583347695 rad/s2\n"
+                                 "from = 0.0 deg\n"
+                                 "cycle = 360.0 deg\n"
+                                 "interval = 30.0 deg\n"
+                                 "to = -187.55514505904898 deg\n"
+                                 "[point P]\n"
+                                 "link = coupler\n"
+                                 "at = (0.33890783768366717, 0.6604693051180925) m\n"
+                                 "[flywheel]\n"
+                                 "inertia = 22.435025296873096 kg m2\n";
+
+    (void)state;
+    check(reach, FOURLINK_OPEN, "min(F34)", 16.3785567558, 2e-7);
+    check(gas, FOURLINK_CROSSED, "min(F12)", 27.6747598507, 1e-6);
+    check(tracer, FOURLINK_OPEN, "max(P.x)", 0.330205256025, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_full_turns),    cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_deltoid),       cmocka_unit_test(test_parallelogram),
+        cmocka_unit_test(test_limits),        cmocka_unit_test(test_half_turns),
+        cmocka_unit_test(test_time_and_edge), cmocka_unit_test(test_narrow),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
