@@ -64,12 +64,13 @@ static int write_all(sheet *s, const input *in, double *varied)
 }
 
 /* Set up a sheet of designs: of their outputs, or of their rows. */
-static void set_up(sheet *s, const input *in)
+static void set_up(sheet *s, FILE *out, const input *in)
 {
     int has_outputs = in->problem.has_outputs;
 
     memset(s, 0, sizeof *s);
     s->format = in->o->format;
+    s->width = in->o->wide ? 0 : terminal_width(out);
     s->content = has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
     s->problem = in->problem;
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
@@ -129,7 +130,7 @@ int designs_write(FILE *out, const input *in, int *signal_number)
 {
     sheet s;
 
-    set_up(&s, in);
+    set_up(&s, out, in);
     return in->problem.has_statistics && !in->o->parts
                ? write_statistics(&s, out, in, signal_number)
                : run(&s, out, in, signal_number);
