@@ -34,6 +34,8 @@ for deck in "$data"/*.deck "$decks"/gas-engine.deck "$decks"/pump.deck "$decks"/
     done
 done
 
+sweep=$PWD/sweep.deck
+{ cat "$matrix" && printf '[sweep]\ncrank.length = 18 mm, 20 mm\n'; } >"$sweep"
 shows 80 -b open -i '60 deg' "$matrix"
 blocks 3
 holds 'kinematics, forces, torques' '
@@ -42,6 +44,9 @@ holds 'kinematics, forces, torques' '
                 names[3] ~ /F14x +F14y +Ts +residual$/)}'
 holds 'the crank angle in each' '/^ *60 / {n++} END {exit n != 3}'
 holds 'the branch once' '/^# branch/ {n++} END {exit n != 1}'
+shows 80 -b open -i '60 deg' "$sweep"
+fits 80
+check 'rows of a sweep' grep -Eq '^ *60 ' out
 shows 120 -b open -i '60 deg' "$matrix"
 blocks 2
 shows 200 -b open -i '60 deg' "$matrix"
