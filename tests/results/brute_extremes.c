@@ -342,9 +342,23 @@ static int n_changes;
 static row *rows[MOST];
 static size_t n;
 
+static int is_turning[COLUMNS];         /* 1: an angle */
+static unsigned long quantity[COLUMNS]; /* the first column with the same */
+
 static int is_angle(unsigned long c)
 {
-    return strcmp(columns[c].quantity, "angle") == 0;
+    return is_turning[c];
+}
+
+static void list_quantities(void)
+{
+    unsigned long c;
+
+    for (c = 0; c < n_columns; c++) {
+        is_turning[c] = strcmp(columns[c].quantity, "angle") == 0;
+        for (quantity[c] = 0; strcmp(columns[quantity[c]].quantity, columns[c].quantity);)
+            quantity[c]++;
+    }
 }
 
 static double turn_of(unsigned long c)
@@ -396,17 +410,17 @@ static int is_near_edge(double p)
 static void measure_noise(double p, const double *v, double *noise)
 {
     double beside[COLUMNS], ulp = DBL_EPSILON * (fabs(from) * unit + total);
-    unsigned long c, d;
+    double largest[COLUMNS];
+    unsigned long c;
     double before[COLUMNS], h = 1e-6 * edge_distance(p);
     int k;
 
-    for (c = 0; c < n_columns; c++) {
-        noise[c] = 0;
-        for (d = 0; d < n_columns; d++)
-            if (!is_angle(c) && !strcmp(columns[d].quantity, columns[c].quantity) &&
-                fabs(v[d]) * DBL_EPSILON > noise[c] && isfinite(v[d]))
-                noise[c] = fabs(v[d]) * DBL_EPSILON;
-    }
+    memset(largest, 0, sizeof largest);
+    for (c = 0; c < n_columns; c++)
+        if (isfinite(v[c]))
+            largest[quantity[c]] = fmax(largest[quantity[c]], fabs(v[c]));
+    for (c = 0; c < n_columns; c++)
+        noise[c] = is_turning[c] ? 0 : largest[quantity[c]] * DBL_EPSILON;
     for (k = 4; k < n_singular; k++)
         for (c = 0; c < n_columns && fabs(remainder(p - singular[k], 2 * PI)) < 1e-12; c++)
             noise[c] = INFINITY;
@@ -479,7 +493,7 @@ static void add_about(double p, double nearest, int side)
 {
     double d;
 
-    for (d = 0.03; d > nearest; d /= 1.6) {
+    for (d = 0.03; d > nearest; d /= 2) {
         if (side <= 0)
             add(p - d);
         if (side >= 0)
@@ -1179,7 +1193,7 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
                 size[c] = fabs(rows[r]->v[c]) - noise_of(rows[r], c);
     for (c = 0; c < n_columns; c++)
         for (i = 0; i < n_columns; i++)
-            if (!strcmp(columns[i].quantity, columns[c].quantity) && size[i] > scale[c])
+            if (quantity[i] == quantity[c] && size[i] > scale[c])
                 scale[c] = size[i];
     for (c = 0; c < n_columns; c++) {
         const fourlink_value *told[2] = {NULL, NULL};
@@ -1315,6 +1329,7 @@ static void try_deck(void)
     int k;
 
     list_singular();
+    list_quantities();
     for (k = 0; k < 2; k++) {
         branch = k == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         fourlink_results_facts(results, (int)branch, FOURLINK_FACTS_EXTREMES, &facts, &n_facts);
