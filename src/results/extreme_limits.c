@@ -147,17 +147,25 @@ static double coefficient(const double *x, const double *y, int order)
 }
 
 /* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
-#define POLE_SCALE 1
+#define POLE_SCALES 2
 
-static int pole_order(const approach *e, double y[][NODES], int order, double *strength)
+static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
 {
-    for (; order > 0; order--) {
-        double other = coefficient(e->x[POLE_SCALE + 1], y[POLE_SCALE + 1], order);
+    static const int scales[] = {1, 0}; /* the smallest has the most rounding */
+    double here, other;
+    int i, order;
 
-        *strength = coefficient(e->x[POLE_SCALE], y[POLE_SCALE], order);
-        if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
-            return order;
-    }
+    for (i = 0; i < POLE_SCALES; i++)
+        for (order = most; order > 0; order--) {
+            const double *x = e->x[scales[i]], *outer = e->x[scales[i] + 1];
+
+            here = coefficient(x, y[scales[i]], order);
+            other = here != 0 ? coefficient(outer, y[scales[i] + 1], order) : 0;
+            if (here != 0 && fabs(here - other) < 0.1 * fabs(here)) {
+                *strength = here;
+                return order;
+            }
+        }
     *strength = 0;
     return 0;
 }
@@ -229,15 +237,21 @@ static void offer_near(const flk_search *x, flk_tracked *t, const approach *e, d
         flk_search_offer(&t->here[which], which, value, angle, angle);
 }
 
-/* The distance x of a column's first sample from the end of the piece. */
-static double first_sample(const flk_search *x, const double *values, const approach *e)
+/* The number of a column's first sample from the end of the piece. */
+static size_t first_number(const flk_search *x, const double *values, const approach *e)
 {
     size_t i = e->at_end ? x->n - 1 : 0;
-    double away;
 
     while (gsl_isnan(values[i]) && i != (e->at_end ? 0 : x->n - 1))
         i += e->at_end ? (size_t)-1 : 1;
-    away = fabs(flk_search_passed(x, x->s[i]) - e->edge);
+    return i;
+}
+
+/* The distance x of a column's first sample from the end of the piece. */
+static double first_sample(const flk_search *x, const double *values, const approach *e)
+{
+    double away = fabs(flk_search_passed(x, x->s[first_number(x, values, e)]) - e->edge);
+
     return e->is_dead ? sqrt(away) : away;
 }
 
@@ -425,7 +439,8 @@ static double size_inside(const flk_search *x, const double *values)
 static void list_values(const flk_search *x, size_t c, const approach *e, double y[][NODES])
 {
     const flk_tracked *t = &x->columns[c];
-    double near = flk_search_row(x, c)[e->at_end ? x->n - 1 : 0];
+    const double *values = flk_search_row(x, c);
+    double near = values[first_number(x, values, e)];
     int scale, k;
 
     for (scale = 0; scale < SCALES; scale++)
@@ -464,7 +479,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
 {
     flk_tracked *t = &x->columns[c];
     const double *values = flk_search_row(x, c);
-    double near = values[e->at_end ? x->n - 1 : 0], strength, size;
+    double near = values[first_number(x, values, e)], strength, size;
     double y[SCALES][NODES];
     int has_vector_pole;
     vector_pole v;

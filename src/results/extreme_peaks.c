@@ -88,14 +88,20 @@ static void climb(flk_search *x, const flk_tracked *t, int which, double low, do
 static void climb_from_end(flk_search *x, const flk_tracked *t, int which, double low, double high,
                            flk_place *best)
 {
+    double part = 1e-3 * (best->s == low ? high - low : low - high);
+    double nearest = x->closest_line < 0.05 ? 1e-6 : 1e-3;
     flk_place beside;
+    int k;
 
-    beside.s = best->s + 1e-3 * (best->s == low ? high - low : low - high);
-    beside.value = flk_search_value(x, t, beside.s, best->value);
-    if (flk_search_signed(which, beside.value) <= flk_search_signed(which, best->value))
-        return;
-    *best = beside;
-    climb(x, t, which, low, high, best);
+    for (k = 0; k < 4 && fabs(part) >= 0.5 * nearest * (high - low); k++, part /= 10) {
+        beside.s = best->s + part;
+        beside.value = flk_search_value(x, t, beside.s, best->value);
+        if (flk_search_signed(which, beside.value) > flk_search_signed(which, best->value)) {
+            *best = beside;
+            climb(x, t, which, low, high, best);
+            return;
+        }
+    }
 }
 
 /* Improve the place of a peak.  It is flat, so values give its place to the root of the rounding only; the slope

@@ -142,6 +142,8 @@ void flk_search_insert(flk_search *x, size_t i, double s)
     if (behind)
         memmove(x->s + i + 1, x->s + i, behind);
     x->s[i] = s;
+    if (row.at.status == FOURLINK_OK)
+        x->closest_line = GSL_MIN_DBL(x->closest_line, fabs(row.at.state.sine));
     for (c = 0; c < x->n_columns; c++, place += FLK_SEARCH_MOST_SAMPLES) {
         flk_tracked *t = &x->columns[c];
 
@@ -170,6 +172,7 @@ void flk_search_sample(flk_search *x, size_t steps)
     size_t i;
 
     x->n = 0;
+    x->closest_line = 1;
     x->step = step;
     x->a->is_fast = !x->has_noise;
     for (k = HALVINGS; at_begin && k > 0; k--)

@@ -61,6 +61,8 @@ typedef struct flk_search {
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
     double step;      /* of its first samples */
+    double
+        closest_line; /* the least |sin(mu)| of the samples: near 0 columns change within 1e-5 rad */
     int pole_order;   /* of the poles that columns can have at the end at hand */
     size_t n;         /* number of samples */
     double *s;        /* their parameters */

@@ -132,7 +132,7 @@ static void write_four_bar(double unit)
         if (how >= 7)
             set_change_point(d);
         if (how == 9)
-            d[one_of(4)] *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-4, -2));
+            d[one_of(4)] *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-3, -2));
     } while (!can_be_assembled(d));
     write("mechanism = four-bar\n");
     for (i = 0; i < 4; i++) {
@@ -172,7 +172,7 @@ static void write_slider_crank(double unit, double cycle)
         l = r + e;
     }
     if (how == 9)
-        l *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-4, -2));
+        l *= 1 + (seldom(0.5) ? -1 : 1) * pow(10, between(-3, -2));
     write("mechanism = slider-crank\n[ground]\noffset = %.17g m\n", e * unit);
     if (seldom(0.3))
         write("angle = %.17g deg\n", between(-180, 180));
