@@ -543,7 +543,7 @@ static int is_of_crank(const flk_column *c)
 
 int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
 {
-    if (c->link || c->info->form != DIRECTION)
+    if (c->link || (c->info->form != DIRECTION && c->info->form != SIZE))
         return 0;
     *x = number_at(row, c->info->x);
     *y = number_at(row, c->info->y);
@@ -594,6 +594,18 @@ double flk_column_bound(const flk_column *c)
                      x == DERIVED(I13.y) || x == DERIVED(I24.x)))
         return 1e9 * c->scale;
     return GSL_POSINF;
+}
+
+double flk_column_denominator(const flk_column *c, const flk_row *row)
+{
+    const fourlink_state *state = &row->at.state;
+    size_t x = c->info->x;
+
+    if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
+        return state->link[3].k;
+    if (x == DERIVED(I24.x))
+        return 1 - state->link[4].k;
+    return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
 }
 
 quantity flk_column_quantity(const flk_column *c)

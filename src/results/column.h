@@ -54,7 +54,7 @@ const char *flk_column_nearest(const flk_analysis *a, text name);
 /* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
 
-/* The vector whose direction a column is; 0 if it is none. */
+/* The vector whose size or direction a column is, in SI; 0 if it is of none. */
 int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);
 
 /* FOURLINK_OF_CRANK ... */
@@ -66,6 +66,9 @@ int flk_column_need(const flk_column *c);
 /* A column is infinite beyond this magnitude, in its unit: a centre or an advantage that does not exist at a
 ** position. */
 double flk_column_bound(const flk_column *c);
+
+/* The denominator of such a column, which is 0 at its poles. */
+double flk_column_denominator(const flk_column *c, const flk_row *row);
 
 quantity flk_column_quantity(const flk_column *c);
 const char *flk_column_meaning(const flk_column *c);

@@ -40,13 +40,11 @@ static void search_stretch(flk_search *x, size_t steps)
         flk_search_find_limits(x, 1);
     for (c = 0; c < x->n_columns; c++) {
         flk_search_offer_samples(x, &x->columns[c], flk_search_row(x, c));
-        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
+        flk_search_find_poles(x, &x->columns[c]);
     }
     flk_search_resolve_narrow(x);
-    for (c = 0; c < x->n_columns; c++) {
-        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
+    for (c = 0; c < x->n_columns; c++)
         flk_search_refine_peaks(x, &x->columns[c], flk_search_row(x, c));
-    }
 }
 
 static void reset(flk_tracked *t)
@@ -114,7 +112,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     }
 }
 
-/* Tell the corner in place of an angle just inside it, unless a load jumps there. */
+/* Give the angle of a corner in place of one just inside it, unless a load jumps there. */
 static void settle(const flk_search *x, flk_tracked *t, int which)
 {
     flk_found *f = &t->best[which];
@@ -143,7 +141,7 @@ static void give(const flk_found *f, flk_extreme *extreme)
     extreme->angle = f->angle;
 }
 
-/* Angles behind the last gap of a revolution go on to those of its first row, which is its last. */
+/* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
 static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
 {
     size_t c;

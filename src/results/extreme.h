@@ -10,7 +10,7 @@
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
     double
-        value; /* in the column's unit; infinite: unbounded, as velocities are at a dead position */
+        value; /* in the column's unit; infinite: unbounded, such as a speed at a dead position */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } flk_extreme;
 
@@ -32,10 +32,10 @@ typedef struct flk_extremes {
 int flk_extremes_open(flk_extremes *x, size_t most);
 void flk_extremes_close(flk_extremes *x);
 
-/* Ask for a column's, which is not asked for yet. */
+/* Ask for the extremes of a column, before the first of all is found. */
 void flk_extremes_ask(flk_extremes *x, const flk_column *c);
 
-/* The extremes of any column; they last until the next call. */
+/* The extremes of any column; valid until the next call. */
 const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
                                         fourlink_branch branch);
 

@@ -8,37 +8,36 @@
 
 #include "extreme_search.h"
 
-/* 1 if a column grows from a sample towards a place where it is undefined. */
-static int grows(const flk_search *x, const flk_tracked *t, flk_place from, double towards)
+/* The denominator of a column that has poles, at a parameter. */
+static double denominator_at(const flk_search *x, const flk_tracked *t, double s)
 {
-    double outside = 2 * from.s - towards;
+    flk_row row;
 
-    return outside >= x->low && outside <= x->high &&
-           fabs(from.value) > 1.3 * fabs(flk_search_value(x, t, outside, 0));
+    flk_search_compute(x, flk_column_need(t->c), flk_search_passed(x, s), &row);
+    return row.at.status == FOURLINK_OK ? flk_column_denominator(t->c, &row) : GSL_NAN;
 }
 
-/* Between two samples of unlike sign a column that has poles passes through zero or infinity: halving shows
-** which of them, as the magnitude falls or rises.  Close to the pole it can be undefined. */
-static void find_pole(flk_search *x, flk_tracked *t, flk_place low, flk_place high)
+#define BESIDE_POLE 1e-8 /* s */
+
+/* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
+** vanishes with it. */
+static void find_pole(const flk_search *x, flk_tracked *t, double low, double high, double at_low)
 {
+    double s, at, near;
     int k;
 
-    for (k = 0; k < 100; k++) {
-        flk_place at, *same;
-
-        at.s = 0.5 * (low.s + high.s);
-        at.value = flk_search_value(x, t, at.s, 0);
-        if (gsl_isnan(at.value) && !grows(x, t, low, at.s) && !grows(x, t, high, at.s))
-            return;
-        if (!(fabs(at.value) < t->bound)) {
-            flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, at.s);
-            flk_search_offer_at(x, &t->here[1], 1, GSL_NEGINF, at.s);
-            return;
-        }
-        same = (at.value > 0) == (low.value > 0) ? &low : &high;
-        if (k > 2 && !(fabs(at.value) > fabs(same->value)))
-            return;
-        *same = at;
+    for (k = 0; k < 60; k++) {
+        s = 0.5 * (low + high);
+        at = denominator_at(x, t, s);
+        if ((at > 0) == (at_low > 0))
+            low = s;
+        else
+            high = s;
+    }
+    near = fabs(flk_search_value(x, t, low - BESIDE_POLE, 0));
+    if (near > 1.5 * fabs(flk_search_value(x, t, low - 2 * BESIDE_POLE, 0))) {
+        flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, low);
+        flk_search_offer_at(x, &t->here[1], 1, GSL_NEGINF, low);
     }
 }
 
@@ -62,20 +61,22 @@ static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double 
                          corner);
 }
 
-void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
+void flk_search_find_poles(flk_search *x, flk_tracked *t)
 {
-    size_t i, last;
+    double at, before = GSL_NAN;
+    size_t i;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
     find_pole_at_corner(x, t, x->s[0], x->high - x->low);
     find_pole_at_corner(x, t, x->s[x->n - 1], x->low - x->high);
-    for (i = last = 0;
+    for (i = 0;
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
-        if (values[last] * values[i] < 0)
-            find_pole(x, t, flk_search_place(x, values, last), flk_search_place(x, values, i));
-        last = gsl_isnan(values[i]) ? last : i;
+        at = denominator_at(x, t, x->s[i]);
+        if (i > 0 && before * at < 0)
+            find_pole(x, t, x->s[i - 1], x->s[i], before);
+        before = at;
     }
 }
 
@@ -187,6 +188,11 @@ static double rounding_of(const flk_tracked *t, const flk_row *rows)
     return fabs(v[1] - 2 * v[2] + v[3] - (v[0] - 2 * v[2] + v[4]) / 16);
 }
 
+static double size_at(const flk_tracked *t, const flk_row *row)
+{
+    return GSL_MAX_DBL(t->size_here, fabs(flk_column_value(t->c, row)));
+}
+
 /* Where poles cancel, rows close to an end of the piece are rounding: find how far from it. */
 #define CLOSE_ROWS 14
 #define ROUNDING 2e-10 /* of the column's size */
@@ -205,7 +211,7 @@ static void find_rounding(flk_search *x, const approach *e)
         for (c = 0; c < x->n_columns; c++) {
             flk_tracked *t = &x->columns[c];
 
-            if (t->is_rough && !(rounding_of(t, rows) <= ROUNDING * t->size_here)) {
+            if (t->is_rough && !(rounding_of(t, rows) <= ROUNDING * size_at(t, &rows[2]))) {
                 lose(x, c, e->at_end, e->is_dead ? away * away : away);
                 t->is_rough = 0;
             }
@@ -223,6 +229,18 @@ static void offer_near(const flk_search *x, flk_tracked *t, const approach *e, d
         flk_search_offer(&t->here[which], which, value, angle, angle);
 }
 
+/* The distance x of a column's first sample from the end of the piece. */
+static double first_sample(const flk_search *x, const double *values, const approach *e)
+{
+    size_t i = e->at_end ? x->n - 1 : 0;
+    double away;
+
+    while (gsl_isnan(values[i]) && i != (e->at_end ? 0 : x->n - 1))
+        i += e->at_end ? (size_t)-1 : 1;
+    away = fabs(flk_search_passed(x, x->s[i]) - e->edge);
+    return e->is_dead ? sqrt(away) : away;
+}
+
 /* Offer the extremes of a column between the end of the piece and the first of its samples, by the polynomial
 ** that says its limit. */
 #define PARTS 8
@@ -230,14 +248,10 @@ static void offer_near(const flk_search *x, flk_tracked *t, const approach *e, d
 static void offer_flats(const flk_search *x, flk_tracked *t, const double *values,
                         const approach *e, const double *away, const double *y)
 {
-    size_t i = e->at_end ? x->n - 1 : 0, k;
-    double most, slope, at;
+    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), slope, at;
     flk_polynomial p;
+    int k;
 
-    while (values[i] != values[i] && i != (e->at_end ? 0 : x->n - 1))
-        i += e->at_end ? (size_t)-1 : 1;
-    most = fabs(flk_search_passed(x, x->s[i]) - e->edge);
-    most = GSL_MIN_DBL(e->is_dead ? sqrt(most) : most, away[NODES - 1]);
     p.n = 0;
     for (k = 0; k < NODES; k++)
         flk_polynomial_add(&p, away[k], y[k]);
@@ -274,27 +288,121 @@ static limit limit_of(const approach *e, double y[][NODES], int order)
     return best;
 }
 
-/* A direction at a pole of its vector is that of the strengths. */
-static int has_direction(const flk_search *x, const flk_tracked *t, const approach *e,
-                         double *direction)
+/* The vector of a column near a pole: x^order times its components are polynomials. */
+typedef struct vector_pole {
+    int order;
+    double most; /* the polynomials hold up to this x */
+    double strength[2];
+    flk_polynomial u[2];
+} vector_pole;
+
+/* Find the pole of a column's vector; 0 if it has none. */
+static int find_vector_pole(const flk_search *x, const flk_tracked *t, const approach *e,
+                            vector_pole *v)
 {
-    double u[2][SCALES][NODES], strength[2];
-    int scale, k, i, order[2], most;
+    double u[2][SCALES][NODES];
+    int scale, k, i, order[2];
+    limit l;
 
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++)
             if (!flk_column_vector(t->c, &e->rows[scale][k], &u[0][scale][k], &u[1][scale][k]))
                 return 0;
     for (i = 0; i < 2; i++)
-        order[i] = pole_order(e, u[i], x->pole_order, &strength[i]);
-    most = GSL_MAX_INT(order[0], order[1]);
+        order[i] = pole_order(e, u[i], x->pole_order, &v->strength[i]);
+    v->order = GSL_MAX_INT(order[0], order[1]);
+    v->most = GSL_POSINF;
+    for (i = 0; i < 2 && v->order > 0; i++) {
+        l = limit_of(e, u[i], v->order);
+        v->most = GSL_MIN_DBL(v->most, e->x[l.scale][NODES - 1]);
+        v->strength[i] = order[i] < v->order ? 0 : l.value;
+        v->u[i].n = 0;
+        for (k = 0; k < NODES; k++)
+            flk_polynomial_add(&v->u[i], e->x[l.scale][k],
+                               gsl_pow_int(e->x[l.scale][k], v->order) * u[i][l.scale][k]);
+    }
+    return v->order > 0;
+}
+
+/* The column of a vector at a distance x from its pole; a direction is that nearest to `near`. */
+static double near_pole(const flk_tracked *t, const vector_pole *v, double x, double near)
+{
+    double slope, u[2];
+    int i;
+
     for (i = 0; i < 2; i++)
-        if (order[i] < most)
-            strength[i] = 0;
-        else if (most > 0)
-            strength[i] = limit_of(e, u[i], most).value;
-    *direction = atan2(strength[1], strength[0]) * t->c->scale;
-    return most > 0;
+        u[i] = x > 0 ? flk_polynomial_value(&v->u[i], x, &slope) : v->strength[i];
+    if (t->turn > 0)
+        return flk_search_nearest(t, atan2(u[1], u[0]) * t->c->scale, near);
+    return gsl_hypot(u[0], u[1]) / gsl_pow_int(x, v->order) * t->c->scale;
+}
+
+/* The place of the largest value (or smallest: which = 1) between two places, by golden section. */
+static double golden_section(const flk_tracked *t, const vector_pole *v, int which, double low,
+                             double high, double near)
+{
+    static const double part = 0.38196601125010515;
+    double a = low + part * (high - low), b = high - part * (high - low);
+    double at_a = near_pole(t, v, a, near), at_b = near_pole(t, v, b, near);
+    int i;
+
+    for (i = 0; i < 50; i++) {
+        if (flk_search_signed(which, at_a) > flk_search_signed(which, at_b)) {
+            high = b;
+            b = a;
+            at_b = at_a;
+            a = low + part * (high - low);
+            at_a = near_pole(t, v, a, near);
+        } else {
+            low = a;
+            a = b;
+            at_a = at_b;
+            b = high - part * (high - low);
+            at_b = near_pole(t, v, b, near);
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+/* 1 if the row at a distance x from the end has about this value: rounding may hide the rest. */
+static int is_row(const flk_search *x, const flk_tracked *t, const approach *e, double at,
+                  double value)
+{
+    double there;
+    flk_row row;
+
+    flk_search_compute(x, flk_column_need(t->c), passed_near(e, at), &row);
+    there = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        there = flk_search_nearest(t, there, value);
+    return fabs(there - value) <= 1e-4 * GSL_MAX_DBL(fabs(value), t->size_here);
+}
+
+/* Offer the extremes of a column whose vector has a weak pole, between the end of the piece and its first
+** sample, at the distance `most`: there it can turn or shrink on any scale. */
+#define SMALLEST 20 /* halvings of the distance */
+
+static void offer_near_pole(const flk_search *x, flk_tracked *t, const approach *e,
+                            const vector_pole *v, double most, double near)
+{
+    double value[SMALLEST], at;
+    int k, which;
+
+    most = GSL_MIN_DBL(most, v->most);
+    for (k = 0; k < SMALLEST; k++)
+        value[k] = near = near_pole(t, v, most * gsl_pow_int(0.5, k), near);
+    if (t->turn > 0)
+        offer_near(x, t, e, 0, near_pole(t, v, 0, near));
+    for (which = 0; which < 2; which++)
+        for (k = 1; k + 1 < SMALLEST; k++)
+            if (flk_search_signed(which, value[k]) >= flk_search_signed(which, value[k - 1]) &&
+                flk_search_signed(which, value[k]) >= flk_search_signed(which, value[k + 1])) {
+                at = golden_section(t, v, which, most * gsl_pow_int(0.5, k + 1),
+                                    most * gsl_pow_int(0.5, k - 1), value[k]);
+                near = near_pole(t, v, at, value[k]);
+                if (is_row(x, t, e, at, near))
+                    offer_near(x, t, e, at, near);
+            }
 }
 
 /* A column's size in a stretch, whatever it does at the ends. */
@@ -313,15 +421,12 @@ static double size_inside(const flk_search *x, const double *values)
 #define KNOWN 1e-6
 #define EXACT 1e-9
 
-/* Offer what a column has at an end of the piece: its limit, or a pole. */
-static void find_limit(flk_search *x, size_t c, const approach *e)
+/* The values of a column near the end of the piece; of an angle those nearest to its first sample. */
+static void list_values(const flk_search *x, size_t c, const approach *e, double y[][NODES])
 {
-    flk_tracked *t = &x->columns[c];
-    const double *values = flk_search_row(x, c);
-    double near = values[e->at_end ? x->n - 1 : 0], strength, direction, size;
-    double y[SCALES][NODES];
+    const flk_tracked *t = &x->columns[c];
+    double near = flk_search_row(x, c)[e->at_end ? x->n - 1 : 0];
     int scale, k;
-    limit l;
 
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
@@ -329,21 +434,59 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
             if (t->turn > 0)
                 y[scale][k] = flk_search_nearest(t, y[scale][k], near);
         }
+}
+
+/* 1 if the small scale does not know the limit of a column: its rows may be rounding. */
+static int is_rough(const flk_search *x, size_t c, const approach *e)
+{
+    flk_tracked *t = &x->columns[c];
+    double y[SCALES][NODES];
+    limit l;
+
+    if (gsl_finite(t->bound) || t->is_noise || (flk_column_flags(t->c) & FOURLINK_OF_CRANK))
+        return 0;
+    list_values(x, c, e, y);
+    l = limit_of(e, y, 0);
+    t->size_here = l.size;
+    return !(l.scale == 0 && l.error <= 1e-10 * l.size);
+}
+
+static void offer_pole(const flk_search *x, flk_tracked *t, const approach *e, int which)
+{
+    double angle = flk_search_angle(x, e->edge);
+
+    t->has_pole[e->at_end] = 1;
+    flk_search_offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, angle, angle);
+}
+
+/* Offer what a column has at an end of the piece: its limit, or a pole. */
+static void find_limit(flk_search *x, size_t c, const approach *e)
+{
+    flk_tracked *t = &x->columns[c];
+    const double *values = flk_search_row(x, c);
+    double near = values[e->at_end ? x->n - 1 : 0], strength, size;
+    double y[SCALES][NODES];
+    int has_vector_pole;
+    vector_pole v;
+    limit l;
+
+    list_values(x, c, e, y);
+    has_vector_pole = find_vector_pole(x, t, e, &v);
+    if (!(t->turn > 0) && has_vector_pole) {
+        offer_pole(x, t, e, 0);
+        offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
+        return;
+    }
     if (!(t->turn > 0) && pole_order(e, y, x->pole_order, &strength)) {
-        t->has_pole[e->at_end] = 1;
-        k = strength > 0 ? 0 : 1;
-        flk_search_offer(&t->here[k], k, k == 0 ? GSL_POSINF : GSL_NEGINF,
-                         flk_search_angle(x, e->edge), flk_search_angle(x, e->edge));
+        offer_pole(x, t, e, strength > 0 ? 0 : 1);
         return;
     }
     l = limit_of(e, y, 0);
-    t->size_here = l.size;
-    t->is_rough = !gsl_finite(t->bound) && !(l.scale == 0 && l.error <= 1e-10 * l.size);
     size = GSL_MAX_DBL(l.size, size_inside(x, values));
     if (fabs(l.value) <= GSL_MAX_DBL(4 * l.error, EXACT * size))
         l.value = 0; /* of a transmission angle nothing is left */
-    if (!(l.error <= EXACT * size) && t->turn > 0 && has_direction(x, t, e, &direction))
-        offer_near(x, t, e, 0, flk_search_nearest(t, direction, near));
+    if (!(l.error <= EXACT * size) && has_vector_pole)
+        offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
     else if (l.error <= KNOWN * size)
         offer_near(x, t, e, 0, l.value);
     if (l.error <= EXACT * size)
@@ -353,26 +496,26 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
 void flk_search_find_limits(flk_search *x, int at_end)
 {
     flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
-    int is_rough = 0;
+    int rough = 0;
     flk_row at_edge;
     approach e;
     size_t c;
 
-    if (!flk_search_has_limit(kind))
+    if (!flk_search_has_limit(kind) || !x->n)
         return;
     compute_approach(x, at_end, &e);
-    flk_search_compute(x, 0, e.edge, &at_edge);
     x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
+    for (c = 0; c < x->n_columns; c++)
+        rough |= x->columns[c].is_rough = is_rough(x, c, &e);
+    if (rough)
+        find_rounding(x, &e);
+    flk_search_compute(x, 0, e.edge, &at_edge);
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
 
-        t->is_rough = 0;
         if (flk_column_flags(t->c) & FOURLINK_OF_CRANK)
             offer_near(x, t, &e, 0, flk_column_value(t->c, &at_edge));
-        else if (!t->is_noise && x->n > 0)
+        else if (!t->is_noise)
             find_limit(x, c, &e);
-        is_rough |= t->is_rough;
     }
-    if (is_rough)
-        find_rounding(x, &e);
 }

@@ -8,7 +8,7 @@
 
 #include "extreme_search.h"
 
-#define ROUGH 1e-5 /* of the column's size: below it nothing hides between samples */
+#define ROUGH 2e-6 /* of the column's size: below it nothing hides between samples */
 
 double flk_search_size_about(const flk_search *x, const double *values, size_t i)
 {

@@ -35,8 +35,8 @@ static double median(double x, double y, double z)
     return GSL_MAX_DBL(GSL_MIN_DBL(x, y), GSL_MIN_DBL(GSL_MAX_DBL(x, y), z));
 }
 
-/* Samples about a place, closer and closer, until a parabola through three of them says what the row at its top
-** is, or they cannot be told apart: `best` climbs. */
+/* Move `best` up: compute rows on both sides, closer and closer, until the parabola through three of them gives the
+** value of the row at its top, or their values are equal. */
 static void climb(flk_search *x, const flk_tracked *t, int which, double low, double high,
                   flk_place *best)
 {
@@ -98,8 +98,8 @@ static void climb_from_end(flk_search *x, const flk_tracked *t, int which, doubl
     climb(x, t, which, low, high, best);
 }
 
-/* A peak is flat: values tell its place to the root of the rounding only.  The slope of a polynomial through rows
-** close about it tells it better. */
+/* Improve the place of a peak.  It is flat, so values give its place to the root of the rounding only; the slope
+** of a polynomial through rows close about it is more exact. */
 static void sharpen(const flk_search *x, const flk_tracked *t, double low, double high, double size,
                     flk_place *top)
 {
@@ -136,7 +136,8 @@ static void refine(flk_search *x, const flk_tracked *t, const double *values, in
     if (!t->is_noise && low < high) {
         if (through_samples(x, values, i, &p) && flk_polynomial_find_flat(&p, low, high, &top.s)) {
             top.value = flk_search_value(x, t, top.s, best.value);
-            is_good = fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <= 1e-11 * size;
+            is_good = fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <= 1e-11 * size &&
+                      flk_search_signed(which, top.value) >= flk_search_signed(which, best.value);
             if (flk_search_signed(which, top.value) > flk_search_signed(which, best.value))
                 best = top;
         }
@@ -144,7 +145,8 @@ static void refine(flk_search *x, const flk_tracked *t, const double *values, in
             climb_from_end(x, t, which, low, high, &best);
         else if (!is_good)
             climb(x, t, which, low, high, &best);
-        sharpen(x, t, low, high, size, &best);
+        if (!is_good)
+            sharpen(x, t, low, high, size, &best);
     }
     flk_search_offer_at(x, f, which, best.value, best.s);
 }

@@ -12,7 +12,7 @@
 #include "motion_pieces.h"
 #include "polynomial.h"
 
-#define FLK_SEARCH_MOST_SAMPLES 1000 /* of a stretch */
+#define FLK_SEARCH_MOST_SAMPLES 2000 /* of a stretch */
 #define FLK_SEARCH_MARGIN 8    /* a column may reach so many times its roughness beyond a sample */
 #define FLK_SEARCH_CLOSE 1e-12 /* of a value: equal but for rounding */
 
@@ -159,6 +159,6 @@ void flk_search_refine_peaks(flk_search *x, flk_tracked *t, const double *values
 void flk_search_find_limits(flk_search *x, int at_end);
 
 /* Offer the poles of a column between samples and at corners. */
-void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values);
+void flk_search_find_poles(flk_search *x, flk_tracked *t);
 
 #endif

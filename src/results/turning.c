@@ -13,7 +13,7 @@
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
-** and where T crosses Tm, which GSL's root finder tells.
+** and where T crosses Tm, which GSL's root finder gives.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -84,7 +84,7 @@ static double area(moment *m, double from, double to)
     return integrate(m, from, to, 8);
 }
 
-/* The same for GSL's root finder, which tells its error handler of what is not finite. */
+/* The same for GSL's root finder, which would call its error handler for a value that is not finite. */
 static double finite_excess(double theta2, void *data)
 {
     moment *m = data;

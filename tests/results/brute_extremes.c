@@ -479,7 +479,7 @@ static void add_about(double p, double nearest, int side)
 {
     double d;
 
-    for (d = 0.02; d > nearest; d /= 3) {
+    for (d = 0.03; d > nearest; d /= 1.6) {
         if (side <= 0)
             add(p - d);
         if (side >= 0)
@@ -546,6 +546,17 @@ static double corner_beside(double p)
     return nearest;
 }
 
+/* The end of reach, which rows know to the root of the rounding only. */
+static double edge_beside(double p)
+{
+    int k;
+
+    for (k = 4; k < n_singular; k++)
+        if (fabs(remainder(singular[k] - p, 2 * PI)) < 1e-9)
+            return p + remainder(singular[k] - p, 2 * PI);
+    return p;
+}
+
 static double speed_at(double p)
 {
     fourlink_instant instant;
@@ -573,7 +584,7 @@ static void add_edge(const row *with, const row *without)
         else
             in = middle;
     }
-    e->p = is_change ? corner_beside(out) : out;
+    e->p = is_change ? corner_beside(out) : edge_beside(out);
     is_root = !is_change;
     e->is_noise = is_change && fabs(speed_at(e->p)) < 1e-9;
     for (i = 0; i < HALVINGS; i++, s /= 2) {
@@ -614,11 +625,50 @@ static void add_change_point(double theta)
 
 typedef enum verdict { BOUNDED, UNBOUNDED, UNDECIDED } verdict;
 
+/* Neville's scheme at s = 0, for seven values at s halved again and again from number k on. */
+static double neville(const double *y, double *error)
+{
+    double t[7], before = 0;
+    int i, j;
+
+    for (i = 0; i < 7; i++)
+        t[i] = y[i];
+    for (j = 1; j < 7; j++) {
+        before = t[6];
+        for (i = 6; i >= j; i--)
+            t[i] += (t[i] - t[i - 1]) / (pow(2, j) - 1);
+    }
+    *error = fabs(t[6] - before);
+    return t[6];
+}
+
+/* The sign of a pole of any order, however weak; 0 if there is none. */
+static int weak_pole(const double *y)
+{
+    double scaled[HALVINGS], error, most;
+    int order, i, k;
+
+    for (order = 4; order > 0; order--)
+        for (k = 0; k + 7 <= HALVINGS; k++) {
+            double strength;
+
+            most = 0;
+            for (i = 0; i < HALVINGS; i++) {
+                scaled[i] = y[i] * pow(0.16 * pow(0.5, i), order);
+                most = fmax(most, fabs(scaled[i]));
+            }
+            strength = neville(scaled + k, &error);
+            if (fabs(strength) > 1e4 * error && fabs(strength) > 1e-8 * most)
+                return strength > 0 ? 1 : -1;
+        }
+    return 0;
+}
+
 /* Neville's scheme at s = 0, for s halved again and again, on the window of distances where it is surest. */
 static verdict limit_of(const edge *e, unsigned long c, double near, double *limit, double *error)
 {
     double y[HALVINGS], growth[3], turn = turn_of(c);
-    int i, j, k;
+    int i, k;
 
     *limit = *error = NAN;
     if (e->is_noise)
@@ -643,23 +693,21 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
         *limit = y[HALVINGS - 1] > 0 ? INFINITY : -INFINITY;
         return UNBOUNDED;
     }
+    i = is_angle(c) ? 0 : weak_pole(y);
+    if (i) {
+        *limit = i > 0 ? INFINITY : -INFINITY;
+        return UNDECIDED;
+    }
     *error = INFINITY;
     for (k = 0; k + 7 <= HALVINGS; k++) {
-        double t[7], before = 0, rounding = 0;
+        double rounding = 0, doubt, value = neville(y + k, &doubt);
 
-        for (i = 0; i < 7; i++) {
-            t[i] = y[k + i];
+        for (i = 0; i < 7; i++)
             rounding = fmax(rounding, e->noise[k + i][c]);
-        }
-        for (j = 1; j < 7; j++) {
-            before = t[6];
-            for (i = 6; i >= j; i--)
-                t[i] += (t[i] - t[i - 1]) / (pow(2, j) - 1);
-        }
-        rounding = 10 * rounding + fabs(t[6] - before);
-        if (rounding < *error) {
-            *error = rounding;
-            *limit = t[6];
+        doubt += 10 * rounding;
+        if (doubt < *error) {
+            *error = doubt;
+            *limit = value;
         }
     }
     if (is_angle(c) && fabs(y[HALVINGS - 1] - *limit) > 1e-3 * turn)
@@ -1036,6 +1084,16 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
     return d;
 }
 
+/* 1 for a pole that is narrower than the rows: they grow towards it without end. */
+static int is_narrow_pole(unsigned long c, const fourlink_value *f, double size)
+{
+    double p = sense * (f->angle - from) * unit, near[COLUMNS], nearer[COLUMNS];
+
+    return isinf(f->value) && has_bound(c) && !compute(p + 1e-7, near) &&
+           !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
+           fabs(nearer[c]) > 10 * size;
+}
+
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
 {
     kind *k = kind_of(c);
@@ -1051,11 +1109,11 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
     }
     if (isinf(f->value) || isinf(b->value)) {
         unbounded++;
-        if (f->value != b->value)
+        if (f->value != b->value && !is_narrow_pole(c, f, size))
             fail(f, b, "unbounded", INFINITY);
         return;
     }
-    if (size == 0 && f->value == 0)
+    if (size == 0)
         return;
     if (is_angle(c) && !has_first)
         by -= turn_of(c) / size * floor(by * size / turn_of(c) + 0.5);
