@@ -311,6 +311,39 @@ static void test_nothing_to_integrate(void **unused)
     assert_memory_equal(&v, &before, sizeof v);
 }
 
+/* ---- by name elsewhere */
+
+static void test_expectations_and_outputs(void **unused)
+{
+    static const int verdicts[] = {FOURLINK_AGREES, FOURLINK_DIFFERS, FOURLINK_NO_VALUE,
+                                   FOURLINK_NO_VALUE};
+    fourlink_results *r =
+        opened(print("%s[motion]\nspeed = -500 rpm\n[expect]\nrms(omega2) = 500.0 rpm\n"
+                     "mean(omega2) = 500.0 rpm\nmean(mechanical_advantage) = 1\nrms(Tt) = 1 N m\n",
+                     crusher));
+    const fourlink_value *outputs;
+    fourlink_check check;
+    unsigned long n, i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(verdicts); i++) {
+        assert_int_equal(fourlink_results_check(r, i, &check), FOURLINK_OK);
+        assert_int_equal(check.verdict, verdicts[i]);
+        assert_int_equal(check.has_angle, 0);
+    }
+    fourlink_results_free(r);
+    r = opened(print("%s[motion]\nspeed = -500 rpm\n[sweep]\ncrank.length = 40 cm, 50 cm\n"
+                     "output = mean(Ts), rms(F12)\n",
+                     crusher));
+    assert_int_equal(fourlink_results_list(r, FOURLINK_OUTPUTS, &outputs, &n), FOURLINK_OK);
+    assert_int_equal(n, 2);
+    assert_string_equal(outputs[0].name, "mean(Ts)");
+    assert_string_equal(outputs[0].unit, "N.m");
+    assert_string_equal(outputs[1].name, "rms(F12)");
+    assert_string_equal(outputs[1].unit, "N");
+    fourlink_results_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -324,6 +357,7 @@ int main(void)
         cmocka_unit_test(test_one_instant),
         cmocka_unit_test(test_poles),
         cmocka_unit_test(test_nothing_to_integrate),
+        cmocka_unit_test(test_expectations_and_outputs),
     };
 
     return cmocka_run_group_tests(tests, watch_gsl, NULL);
