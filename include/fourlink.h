@@ -64,6 +64,7 @@ extern "C" {
     X(FOURLINK_SINGULAR, 6, "the nine equations have no reliable solution here")                  \
     X(FOURLINK_LOST_IN_ROUNDING, 7, "link lengths too unequal: the position is lost in rounding") \
     X(FOURLINK_NOT_REACHED, 8, "the linkage cannot be assembled at any angle of the motion")      \
+    X(FOURLINK_NO_MEAN, 9, "no mean: the column is unbounded to both sides")                      \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
@@ -1267,11 +1268,11 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
                                      double angle, double *values, fourlink_instant *instant,
                                      fourlink_load *loads);
 
-/* Any number by its name: a column, an extreme of one, or a fact.
+/* Any number by its name: a column, an extreme or mean of one, or a fact.
 **
 ** Given:
 **    results    from fourlink_results_open
-**    name       a column such as Ts; max(Ts), min(Ts); a fact such as mu_min
+**    name       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
 **    angle      of a column: crank angle in the deck's unit; else not used
 ** Returned:
@@ -1284,6 +1285,12 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 ** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar
 **    linkage.
 ** 3) If several facts have one name, the ends of two ranges, this is the first.
+** 4) Mean and rms are taken over the crank angle, not over time, of that part of the deck's motion in
+**    which the linkage can be assembled: (integral of y dtheta2) / c, and the root of (integral of
+**    y^2 dtheta2) / c.  An angle is followed beyond 180 deg.  They are infinite where the integral is:
+**    at a dead position velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms.
+**    If a column is unbounded to both sides, as mechanical_advantage is, the status is
+**    FOURLINK_NO_MEAN.
 */
 FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *name,
                                         fourlink_branch branch, double angle,
@@ -1417,7 +1424,7 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLVAL gives any number by its name.
 **
 ** Given:
-**    NAME       a column such as Ts; max(Ts), min(Ts); a fact such as mu_min
+**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min
 **    IBRNCH     1 open, -1 crossed
 **    ANGLE      of a column: crank angle in the deck's unit; else not used
 ** Returned:

@@ -3,8 +3,9 @@
 #
 # test_readme.sh BUILD_DIR - what README.md and doc/*.md show is what the program prints: every block
 # under a comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers
-# to a few units of their last digit, which may differ between machines.  The first whole program in C
-# of a document is compiled, and is the command "example" of that document.
+# to a few units of their last digit, which may differ between machines.  A block under <!-- > NAME --> is
+# a file for these commands; the lines of one under <!-- run --> are run.  The first whole program in C of a
+# document is compiled, and is the command "example" of that document.
 set -u
 build=$1
 cd "$(dirname "$0")/.." || exit 1
@@ -52,6 +53,10 @@ compile() {
 # compare DOCUMENT FOLDER
 compare() {
   awk -v folder="$2" '
+    /^<!-- > [a-z.]* -->$/ {name = folder "/" $3; inside = wait = 0; next}
+    /^<!-- run -->$/ {name = folder "/run"; inside = wait = 0; next}
+    name && /^```/ {if (opened) {close(name); name = ""} opened = !opened; next}
+    name && opened {print >> name; next}
     /^<!-- \$ .* -->$/ {n++; sub(/^<!-- \$ /, ""); sub(/ -->$/, ""); print > (folder "/command." n); wait = 1; next}
     wait && /^```/ {wait = 0; inside = 1; printf "" > (folder "/expected." n); next}
     inside && /^```/ {inside = 0; next}
@@ -59,18 +64,34 @@ compare() {
   for command in "$2"/command.*; do
     [ -f "$command" ] || continue
     # a failing command is shown too, with its messages
-    PATH=$build:$2:$PATH sh -c "$(cat "$command")" >"$2/actual" 2>&1 </dev/null
+    (cd "$2" && PATH=$build:$2:$PATH sh -c "$(cat "$command")") >"$2/actual" 2>&1 </dev/null
     same "$2/expected.${command##*.}" "$2/actual" >"$2/difference"
     result $? "$1 does not show what is printed by: $(cat "$command")
 $(cat "$2/difference")"
   done
 }
 
+# run DOCUMENT FOLDER: what a reader types, with a teacher's deck, answers, and a student's deck; pictures where
+# gnuplot is installed
+run() {
+  [ -f "$2/run" ] || return 0
+  mkdir "$2/students" && cp data/me3491-exercise-4.deck "$2/teacher.deck" &&
+    cp data/me3491-exercise-4.deck "$2/students/one.deck" &&
+    printf '[expect]\nswing = 49.3 deg\n' >"$2/answers.txt" || exit 1
+  while read -r line; do
+    case $line in *--plot*) command -v gnuplot >"$2/gnuplot" || continue ;; esac
+    (cd "$2" && PATH=$build:$2:$PATH sh -c "$line") >"$2/actual" 2>&1 </dev/null
+    result $? "$1: this fails: $line
+$(tail -n 3 "$2/actual")"
+  done <"$2/run"
+}
+
 for document in README.md doc/*.md; do
   folder=$work/$(basename "$document")
-  mkdir "$folder" || exit 1
+  mkdir "$folder" && ln -s "$PWD/data" "$PWD/tests" "$PWD/doc" "$folder" || exit 1
   compile "$document" "$folder"
   compare "$document" "$folder"
+  run "$document" "$folder"
 done
 for document in README.md doc/library.md; do
   [ -x "$work/$(basename "$document")/example" ]

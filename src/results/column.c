@@ -453,19 +453,30 @@ int flk_column_next_name(text *rest, text *name)
     return name->length > 0;
 }
 
-int flk_column_extreme_of(text name, text *of)
-{
-    int sign;
+static const char *const statistics[] = {"", "max(", "min(", "mean(", "rms("};
 
-    if (name.length < 6 || name.start[name.length - 1] != ')')
-        return 0;
-    sign = memcmp(name.start, "max(", 4) == 0 ? 1 : memcmp(name.start, "min(", 4) == 0 ? -1 : 0;
-    if (sign) {
-        of->start = name.start + 4;
-        of->length = name.length - 5;
-        *of = flk_text_trim(*of);
+flk_statistic flk_column_statistic_of(text name, text *of)
+{
+    int i;
+
+    if (!name.length || name.start[name.length - 1] != ')')
+        return FLK_NONE;
+    for (i = FLK_MAX; i <= FLK_RMS; i++) {
+        size_t length = strlen(statistics[i]);
+
+        if (name.length > length + 1 && memcmp(name.start, statistics[i], length) == 0) {
+            of->start = name.start + length;
+            of->length = name.length - length - 1;
+            *of = flk_text_trim(*of);
+            return (flk_statistic)i;
+        }
     }
-    return sign;
+    return FLK_NONE;
+}
+
+void flk_column_statistic_name(flk_statistic statistic, const char *column, char *name, size_t size)
+{
+    flk_text_join(name, size, statistics[statistic], column, ")", (char *)NULL);
 }
 
 static int is_known(text name)

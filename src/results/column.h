@@ -38,8 +38,15 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c);
 /* The next name in a list separated by commas or blanks; 0 at the end. */
 int flk_column_next_name(text *rest, text *name);
 
-/* The sign and the column's name of max(COLUMN) or min(COLUMN); 0 for another name. */
-int flk_column_extreme_of(text name, text *of);
+/* What a column has over the motion: max(COLUMN) and so on. */
+typedef enum flk_statistic { FLK_NONE, FLK_MAX, FLK_MIN, FLK_MEAN, FLK_RMS } flk_statistic;
+
+/* The statistic that a name asks for, and the column's name; FLK_NONE for another name. */
+flk_statistic flk_column_statistic_of(text name, text *of);
+
+/* Write the name of a statistic, max(COLUMN). */
+void flk_column_statistic_name(flk_statistic statistic, const char *column, char *name,
+                               size_t size);
 
 /* The most similar column name, or null. */
 const char *flk_column_nearest(const flk_analysis *a, text name);

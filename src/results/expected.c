@@ -13,8 +13,9 @@
 
 /* What a name means. */
 typedef struct found {
-    flk_column c; /* a column, or that of an extreme */
-    int is_column, sign;
+    flk_column c; /* a column, or that of a statistic */
+    int is_column;
+    flk_statistic statistic;
     quantity q;
     double value; /* in the deck's unit */
     const fourlink_value *facts;
@@ -45,7 +46,7 @@ static const char *nearest_fact(text name, const fourlink_value *facts, unsigned
     return NULL;
 }
 
-/* Find a column, an extreme of a column, or a fact. */
+/* Find a column, a statistic of a column, or a fact. */
 static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                      fourlink_check *c, found *f)
 {
@@ -54,11 +55,11 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
     text of;
 
     memset(f, 0, sizeof *f);
-    f->sign = flk_column_extreme_of(e->name, &of);
-    if (f->sign && !flk_column_find(a, of, &f->c))
+    f->statistic = flk_column_statistic_of(e->name, &of);
+    if (f->statistic && !flk_column_find(a, of, &f->c))
         return unknown(c, of, flk_column_nearest(a, of));
-    if (f->sign || flk_column_find(a, e->name, &f->c)) {
-        f->is_column = !f->sign;
+    if (f->statistic || flk_column_find(a, e->name, &f->c)) {
+        f->is_column = !f->statistic;
         f->q = flk_column_quantity(&f->c);
         return 1;
     }
@@ -79,7 +80,7 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
     return 1;
 }
 
-/* Find the value of a column at the expected angle, or its extreme; 0 and a message if there is none. */
+/* Find the value of a column at the expected angle, or its statistic; 0 and a message if there is none. */
 static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation *e, found *f,
                        fourlink_check *c)
 {
@@ -87,15 +88,14 @@ static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation 
     double at;
     flk_row row;
 
-    if (f->sign) {
-        const flk_extreme_pair *pair = flk_extremes_of(x, a, &f->c, e->branch);
-        const flk_extreme *extreme = f->sign > 0 ? &pair->max : &pair->min;
+    if (f->statistic) {
+        fourlink_value v;
+        int status = flk_fact_of_statistic(a, x, &f->c, "", e->branch, f->statistic, &v);
 
-        f->value = extreme->value;
-        if (!extreme->is_there)
-            flk_message(c->message, sizeof c->message, "%s",
-                        fourlink_status_text(FOURLINK_NOT_REACHED));
-        return extreme->is_there;
+        if (status != FOURLINK_OK)
+            flk_message(c->message, sizeof c->message, "%s", fourlink_status_text(status));
+        f->value = v.value;
+        return status == FOURLINK_OK;
     }
     if (!e->has_at) {
         flk_message(c->message, sizeof c->message,
@@ -168,7 +168,7 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     }
     u = &a->d->units[f.q];
     c->unit = u->name;
-    if (f.sign && (flk_text_same(e->value, "inf") || flk_text_same(e->value, "-inf"))) {
+    if (f.statistic && (flk_text_same(e->value, "inf") || flk_text_same(e->value, "-inf"))) {
         c->printed = e->value.start[0] == '-' ? GSL_NEGINF : GSL_POSINF;
         c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
         return c->message[0] ? -1 : c->computed == c->printed;

@@ -71,26 +71,6 @@ static void search_piece(flk_search *x, int is_reached)
     }
 }
 
-/* 1 if the linkage can be assembled in the piece. */
-static int is_reached(const flk_search *x)
-{
-    flk_row row;
-
-    flk_search_compute(x, 0, 0.5 * (x->piece.from + x->piece.to), &row);
-    return row.at.status == FOURLINK_OK;
-}
-
-/* Of a motion that repeats the first period and the last are searched. */
-static void skip_periods(flk_search *x)
-{
-    x->period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
-    x->skipped = 0;
-    if (x->length < 3 * x->period)
-        return;
-    x->skipped = x->period * (floor(x->length / x->period) - 2);
-    x->length -= x->skipped;
-}
-
 /* Angles that turn with the crank have turned as often in each period that is skipped. */
 static void skip_turns(flk_search *x)
 {
@@ -112,11 +92,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     x->s = memory;
     x->values = memory + FLK_SEARCH_MOST_SAMPLES;
     x->columns = (flk_tracked *)(void *)(x->values + FLK_SEARCH_MOST_SAMPLES * x->n_columns);
-    x->length = flk_pieces_length(x->a);
-    skip_periods(x);
-    x->from = x->a->d->motion.from;
-    x->end = flk_analysis_end(x->a);
-    x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
+    flk_search_begin(x);
     x->needs = 0;
     x->n = 0;
     memset(x->columns, 0, x->n_columns * sizeof *x->columns);
@@ -134,7 +110,6 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
         x->needs |= flk_column_need(t->c);
         x->has_noise |= t->is_noise;
     }
-    memset(&x->piece, 0, sizeof x->piece);
 }
 
 /* Give the angle of a corner in place of one just inside it, unless a load jumps there. */
@@ -208,7 +183,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
         search_stretch(&x, 0);
     }
     while (flk_pieces_next(a, x.length, x.period, &x.piece)) {
-        int reached = is_reached(&x);
+        int reached = flk_search_is_reached(&x);
 
         search_piece(&x, reached);
         for (c = 0; c < n; c++)

@@ -16,26 +16,61 @@
 #define INSIDE 5e-11         /* rad, from a corner into the piece beside it */
 #define CLOSE_TO_CHANGE 1e-4 /* rad */
 
+/* Of a motion that repeats the first period and the last are searched. */
+static void skip_periods(flk_search *x)
+{
+    x->period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
+    x->skipped = 0;
+    if (x->length < 3 * x->period)
+        return;
+    x->skipped = x->period * (floor(x->length / x->period) - 2);
+    x->length -= x->skipped;
+}
+
+void flk_search_begin(flk_search *x)
+{
+    x->length = flk_pieces_length(x->a);
+    skip_periods(x);
+    x->from = x->a->d->motion.from;
+    x->end = flk_analysis_end(x->a);
+    x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
+    memset(&x->piece, 0, sizeof x->piece);
+}
+
 int flk_search_is_root(flk_piece_end end)
 {
     return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_CHANGE_REST;
 }
 
+double flk_search_share(const flk_search *x, double s)
+{
+    if (flk_search_is_root(x->piece.begin) && flk_search_is_root(x->piece.end))
+        return 0.5 - 0.5 * cos(M_PI * s);
+    return flk_search_is_root(x->piece.begin) ? s * s
+           : flk_search_is_root(x->piece.end) ? s * (2 - s)
+                                              : s;
+}
+
 double flk_search_passed(const flk_search *x, double s)
 {
-    double from = x->piece.from, length = x->piece.to - from, share = s;
+    double from = x->piece.from, length = x->piece.to - from;
 
-    if (flk_search_is_root(x->piece.begin) && flk_search_is_root(x->piece.end))
-        share = 0.5 - 0.5 * cos(M_PI * s);
-    else if (flk_search_is_root(x->piece.begin))
-        share = s * s;
-    else if (flk_search_is_root(x->piece.end))
-        share = s * (2 - s);
     if (s <= 0 && from > 0)
         return from + GSL_MIN_DBL(INSIDE, length / 4);
     if (s >= 1 && x->piece.to < x->length)
         return x->piece.to - GSL_MIN_DBL(INSIDE, length / 4);
-    return from + length * share;
+    return from + length * flk_search_share(x, s);
+}
+
+double flk_search_rate(const flk_search *x, double s)
+{
+    double length = x->piece.to - x->piece.from;
+
+    if (flk_search_is_root(x->piece.begin) && flk_search_is_root(x->piece.end))
+        return length * 0.5 * M_PI * sin(M_PI * s);
+    return flk_search_is_root(x->piece.begin) ? length * 2 * s
+           : flk_search_is_root(x->piece.end) ? length * 2 * (1 - s)
+                                              : length;
 }
 
 double flk_search_angle(const flk_search *x, double passed)
@@ -55,6 +90,14 @@ double flk_search_corner(const flk_search *x, double s)
 void flk_search_compute(const flk_search *x, int needs, double passed, flk_row *row)
 {
     flk_analysis_at_angle(x->a, needs, x->branch, flk_search_angle(x, passed), row);
+}
+
+int flk_search_is_reached(const flk_search *x)
+{
+    flk_row row;
+
+    flk_search_compute(x, 0, 0.5 * (x->piece.from + x->piece.to), &row);
+    return row.at.status == FOURLINK_OK;
 }
 
 double flk_search_leap(const flk_tracked *t, double from, double to)

@@ -71,6 +71,16 @@ typedef struct flk_search {
 
 /* ---- extreme_samples.c */
 
+/* Begin with the motion of x->a; its first piece comes with flk_pieces_next. */
+void flk_search_begin(flk_search *x);
+
+/* 1 if the linkage can be assembled in the piece. */
+int flk_search_is_reached(const flk_search *x);
+
+/* The share of the piece that is passed at a parameter, and its derivative times the length of the piece. */
+double flk_search_share(const flk_search *x, double s);
+double flk_search_rate(const flk_search *x, double s);
+
 /* The angle passed at a parameter of the piece, rad; just inside the piece at its ends.  The crank angle after
 ** such a part of the motion, in the deck's unit; that of the corner if the parameter is at one. */
 double flk_search_passed(const flk_search *x, double s);

@@ -8,6 +8,7 @@
 
 #include "fact.h"
 #include "list.h"
+#include "mean.h"
 #include "mechanics/kind.h"
 #include "turning.h"
 
@@ -214,36 +215,51 @@ static void tell_limits(teller *t)
     }
 }
 
-int flk_fact_of_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
-                        fourlink_branch branch, int sign, fourlink_value *f)
+static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
+                        fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
 {
     const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch);
-    const flk_extreme *e = sign > 0 ? &pair->max : &pair->min;
+    const flk_extreme *e = statistic == FLK_MAX ? &pair->max : &pair->min;
 
     if (!e->is_there)
         return FOURLINK_NOT_REACHED;
-    flk_list_describe(a->d, flk_column_quantity(c), sign > 0 ? "largest value" : "smallest value",
-                      f);
-    f->name = name;
     f->value = e->value;
     f->has_angle = gsl_finite(e->value);
     f->angle = e->angle;
-    f->branch = (int)branch;
     return FOURLINK_OK;
+}
+
+int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
+                          fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
+{
+    static const char *const meanings[] = {"", "largest value", "smallest value",
+                                           "mean over the crank angle",
+                                           "root mean square over the crank angle"};
+    fourlink_value v;
+    int status;
+
+    flk_list_describe(a->d, flk_column_quantity(c), meanings[statistic], &v);
+    v.name = name;
+    v.branch = (int)branch;
+    status = statistic == FLK_MAX || statistic == FLK_MIN
+                 ? find_extreme(a, x, c, branch, statistic, &v)
+                 : flk_mean_find(a, c, branch, statistic, &v.value);
+    if (status == FOURLINK_OK)
+        *f = v;
+    return status;
 }
 
 static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk_column *c,
                           char *names)
 {
-    int sign;
+    flk_statistic statistic;
 
     if (flk_column_flags(c) & FOURLINK_CRANK_ANGLE)
         return;
-    for (sign = 1; sign >= -1; sign -= 2, names += DECK_NAME_SIZE) {
-        flk_text_join(names, DECK_NAME_SIZE, sign > 0 ? "max(" : "min(", c->name, ")",
-                      (char *)NULL);
-        t->n += flk_fact_of_extreme(a, x, c, names, (fourlink_branch)t->branch, sign,
-                                    &t->list[t->n]) == FOURLINK_OK;
+    for (statistic = FLK_MAX; statistic <= FLK_MIN; statistic++, names += DECK_NAME_SIZE) {
+        flk_column_statistic_name(statistic, c->name, names, DECK_NAME_SIZE);
+        t->n += flk_fact_of_statistic(a, x, c, names, (fourlink_branch)t->branch, statistic,
+                                      &t->list[t->n]) == FOURLINK_OK;
     }
 }
 

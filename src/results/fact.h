@@ -19,9 +19,10 @@ const char *flk_fact_nearest(text name);
 /* Describe a fact by name and unit, without its value. */
 void flk_fact_describe(const deck *d, const char *name, fourlink_value *f);
 
-/* The extreme of a column, as a fact of this name; returns FOURLINK_OK or FOURLINK_NOT_REACHED. */
-int flk_fact_of_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
-                        fourlink_branch branch, int sign, fourlink_value *f);
+/* A statistic of a column, as a fact of this name; returns FOURLINK_OK, FOURLINK_NOT_REACHED, or
+** FOURLINK_NO_MEAN. */
+int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
+                          fourlink_branch branch, flk_statistic statistic, fourlink_value *f);
 
 /* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  The
 ** extremes are those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column,

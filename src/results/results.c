@@ -16,29 +16,41 @@
 
 /* ------------------------------------------------------------------------------------------ opening */
 
-/* Check a name in the [sweep] output: a fact or an extreme; a column only if the deck has one instant. */
+/* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one
+** instant. */
 static void check_output(fourlink_results *r, text name, text_place place, mistakes *m)
 {
     text of = name;
-    int sign = flk_column_extreme_of(name, &of);
+    flk_statistic statistic = flk_column_statistic_of(name, &of);
     char nearest[DECK_NAME_SIZE];
     const char *column;
     flk_column c;
 
-    if (flk_column_find(&r->a, of, &c) ? sign || r->d.one_instant : !sign && flk_fact_group(name))
+    if (flk_column_find(&r->a, of, &c) ? statistic || r->d.one_instant
+                                       : !statistic && flk_fact_group(name))
         return;
     column = flk_column_nearest(&r->a, of);
-    if (sign && column)
-        flk_text_join(nearest, sizeof nearest, sign > 0 ? "max(" : "min(", column, ")",
-                      (char *)NULL);
+    if (statistic && column)
+        flk_column_statistic_name(statistic, column, nearest, sizeof nearest);
     flk_mistake(m, place,
                 flk_column_find(&r->a, name, &c)
-                    ? "'%t' has a value in each row: use its max() or min()%h"
-                    : "'%t' is neither a fact nor the max() or min() of a column of this deck%h",
+                    ? "'%t' has a value in each row: use its max(), min(), mean() or rms()%h"
+                    : "'%t' is neither a fact nor the max(), min(), mean() or rms() of a column of "
+                      "this deck%h",
                 name,
-                !sign    ? flk_fact_nearest(name)
-                : column ? nearest
-                         : NULL);
+                !statistic ? flk_fact_nearest(name)
+                : column   ? nearest
+                           : NULL);
+}
+
+/* Ask for the extreme that a name stands for, if it is one. */
+static void ask_extreme(fourlink_results *r, text name)
+{
+    flk_statistic statistic = flk_column_statistic_of(name, &name);
+    flk_column c;
+
+    if ((statistic == FLK_MAX || statistic == FLK_MIN) && flk_column_find(&r->a, name, &c))
+        flk_extremes_ask(&r->extremes, &c);
 }
 
 /* Ask for the extremes that are told together: those of a sweep's outputs, or of the columns; and those that
@@ -46,21 +58,15 @@ static void check_output(fourlink_results *r, text name, text_place place, mista
 static void ask_extremes(fourlink_results *r)
 {
     const flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
-    text name;
-    flk_column c;
     size_t i;
 
     for (i = 0; i < outputs->n; i++)
-        if (flk_column_extreme_of(flk_text_of(outputs->list[i].name), &name) &&
-            flk_column_find(&r->a, name, &c))
-            flk_extremes_ask(&r->extremes, &c);
+        ask_extreme(r, flk_text_of(outputs->list[i].name));
     for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
         if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
             flk_extremes_ask(&r->extremes, &r->columns[i]);
     for (i = 0; i < r->d.n_expectations; i++)
-        if (flk_column_extreme_of(r->d.expectations[i].name, &name) &&
-            flk_column_find(&r->a, name, &c))
-            flk_extremes_ask(&r->extremes, &c);
+        ask_extreme(r, r->d.expectations[i].name);
 }
 
 static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
@@ -68,7 +74,7 @@ static void describe_output(fourlink_results *r, const char *name, fourlink_valu
     text of = flk_text_of(name);
     flk_column c;
 
-    flk_column_extreme_of(of, &of);
+    flk_column_statistic_of(of, &of);
     if (flk_column_find(&r->a, of, &c))
         flk_list_column(&r->d, &c, v);
     else if (flk_fact_group(of))
@@ -490,18 +496,20 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
                            double angle, fourlink_value *value)
 {
     text whole, of;
-    int sign, group;
+    flk_statistic statistic;
     flk_column c;
+    int group;
 
     if (!r || !name || !value)
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
     whole = of = flk_text_of(name);
-    sign = flk_column_extreme_of(whole, &of);
+    statistic = flk_column_statistic_of(whole, &of);
     if (flk_column_find(&r->a, of, &c))
-        return sign ? flk_fact_of_extreme(&r->a, &r->extremes, &c, name, branch, sign, value)
-                    : value_of_column(r, &c, branch, angle, value);
+        return statistic
+                   ? flk_fact_of_statistic(&r->a, &r->extremes, &c, name, branch, statistic, value)
+                   : value_of_column(r, &c, branch, angle, value);
     group = flk_fact_group(whole);
     return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
 }

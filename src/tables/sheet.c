@@ -279,10 +279,13 @@ unsigned long sheet_score(const sheet *s, unsigned long *of)
 /* List all names, each once. */
 static void write_list(sheet *s)
 {
-    static const char *const extremes[][2] = {{"max(COLUMN)", "largest value of any column"},
-                                              {"min(COLUMN)", "smallest value of any column"}};
+    static const char *const statistics[][2] = {
+        {"max(COLUMN)", "largest value of any column"},
+        {"min(COLUMN)", "smallest value of any column"},
+        {"mean(COLUMN)", "mean over the crank angle"},
+        {"rms(COLUMN)", "root mean square over the crank angle"}};
     const fourlink_value *list;
-    fourlink_value extreme;
+    fourlink_value statistic;
     unsigned long n, i, k;
 
     fourlink_results_list(s->results, FOURLINK_ALL_COLUMNS, &list, &n);
@@ -296,12 +299,12 @@ static void write_list(sheet *s)
         if (k == i)
             s->format->fact(s, &list[i]);
     }
-    memset(&extreme, 0, sizeof extreme);
-    extreme.unit = "";
-    for (i = 0; i < 2; i++) {
-        extreme.name = extremes[i][0];
-        extreme.meaning = extremes[i][1];
-        s->format->fact(s, &extreme);
+    memset(&statistic, 0, sizeof statistic);
+    statistic.unit = "";
+    for (i = 0; i < 4; i++) {
+        statistic.name = statistics[i][0];
+        statistic.meaning = statistics[i][1];
+        s->format->fact(s, &statistic);
     }
 }
 

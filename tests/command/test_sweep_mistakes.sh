@@ -64,10 +64,10 @@ bad 0 '[sweep] varies nothing' ''
 bad 0 '[sweep] varies nothing' 'output = swing'
 bad 2 "'crank.length' is given twice" "$good" "$good"
 bad 0 'more than 4e9 designs' 'crank.length = 18 mm to 22 mm in 100000' 'rocker.length = 50 mm to 60 mm in 100000'
-bad 2 "'mu_mn' is neither a fact nor the max() or min() of a column of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
-bad 2 "'max(Tx)' is neither a fact nor the max() or min()" "$good" 'output = max(Tx)'
+bad 2 "'mu_mn' is neither a fact nor the max(), min(), mean() or rms() of a column of this deck; did you mean 'mu_min'?" "$good" 'output = swing, mu_mn'
+bad 2 "'max(Tx)' is neither a fact nor the max(), min(), mean() or rms()" "$good" 'output = max(Tx)'
 for column in mu Ts theta2 time omega2; do # those of the crank, too, have many values
-    bad 2 "'$column' has a value in each row: use its max() or min()" "$good" "output = $column"
+    bad 2 "'$column' has a value in each row: use its max(), min(), mean() or rms()" "$good" "output = $column"
 done
 
 sweep "$good"

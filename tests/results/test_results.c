@@ -83,13 +83,15 @@ static void test_mistakes(void **unused)
         {"[table]\ncolumns = thta3, x\nbranch = both ways\n", 2, 17,
          "unknown column 'thta3'; did you mean 'theta3'?"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = Ts\n", 1, 18,
-         "'Ts' has a value in each row: use its max() or min()"},
+         "'Ts' has a value in each row: use its max(), min(), mean() or rms()"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = max(Tz)\n", 1, 18,
-         "'max(Tz)' is neither a fact nor the max() or min() of a column of this deck; did you "
+         "'max(Tz)' is neither a fact nor the max(), min(), mean() or rms() of a column of this "
+         "deck; did you "
          "mean "
          "'max(Ts)'?"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = mu_mim, swing\n", 1, 18,
-         "'mu_mim' is neither a fact nor the max() or min() of a column of this deck; did you mean "
+         "'mu_mim' is neither a fact nor the max(), min(), mean() or rms() of a column of this "
+         "deck; did you mean "
          "'mu_min'?"},
         {"[sweep]\ncrank.length = 10 mm, 20 mm\noutput = ,\n", 1, 18, "'output' names nothing"},
         {"[coupler]\nmass = 3\n", 1, 16, "[coupler] is given twice; first at line 4"},

@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** mean.c - the mean and the root mean square of a column over the crank angles of a deck's motion.
+**
+**    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
+**
+** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
+** (motion_pieces.c) is integrated by GSL's Gauss-Kronrod rule over the parameter s of extreme_samples.c, in
+** which a root at its end is smooth: at a dead position a velocity grows as 1 / sqrt(distance) and has a mean.
+** A part in which the rule is not exact is halved.  Where that does not end, the integral is infinite.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_math.h>
+
+#include "extreme_search.h"
+#include "mean.h"
+
+#define STEP (M_PI / 18)     /* rad, of a part at first */
+#define MOST_PARTS 1e5       /* of all of the motion, at first */
+#define HALVINGS 2000        /* at most */
+#define EXACT 1e-11          /* error of a part, of itself or of the whole */
+#define ROUNDING 1e-6        /* error that rows can have near a pole */
+#define SHORTEST 1e-10       /* part of a piece that is not halved any more, */
+#define SHORTEST_AT_END 1e-4 /* at an end without a row */
+#define UNBOUNDED 1e-6       /* error, of the whole, that a part so short has only at a pole */
+
+enum { UP = 1, DOWN = 2 };
+
+/* The integrals of 1, y, y^2. */
+typedef struct moments {
+    double of[3];
+} moments;
+
+/* Integrals of magnitudes over a part, and the errors of its integrals, for each power. */
+typedef struct estimate {
+    double size[3], error[3];
+} estimate;
+
+typedef struct means {
+    flk_search x;
+    flk_tracked t;   /* t.last: value from which an angle goes on; NaN: it starts anew */
+    int first, most; /* powers that are integrated */
+    int power;       /* the one at hand */
+    int is_rough;    /* 1: in the part at hand an angle leaps, or a row has no value */
+    int poles;       /* UP, DOWN */
+    int halvings;
+    moments total, here; /* before, and since an angle started anew */
+    double size[3];      /* integrals of magnitudes so far */
+} means;
+
+static double value_at(const means *m, double s)
+{
+    flk_row row;
+
+    flk_search_compute(&m->x, flk_column_need(m->t.c), flk_search_passed(&m->x, s), &row);
+    return flk_column_value(m->t.c, &row);
+}
+
+static double integrand(double s, void *data)
+{
+    means *m = data;
+    double value = value_at(m, s);
+
+    if (gsl_isnan(value)) {
+        m->is_rough = 1;
+        return 0;
+    }
+    if (fabs(value) >= m->t.bound) {
+        m->poles |= value > 0 ? UP : DOWN;
+        return 0;
+    }
+    if (m->t.turn > 0 && !gsl_isnan(m->t.last)) {
+        value = flk_search_nearest(&m->t, value, m->t.last);
+        m->is_rough |= fabs(value - m->t.last) > m->t.turn / 6;
+    }
+    return gsl_pow_int(value, m->power) * flk_search_rate(&m->x, s);
+}
+
+static void add(moments *sum, const moments *more)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        sum->of[k] += more->of[k];
+}
+
+/* The moments of y + by. */
+static void shift(moments *m, double by)
+{
+    m->of[2] += by * (2 * m->of[1] + by * m->of[0]);
+    m->of[1] += by * m->of[0];
+}
+
+/* The moments of n periods, in each of which y is greater by `by` than in the one before. */
+static void repeat(moments *m, double n, double by)
+{
+    double sum = n * (n - 1) / 2, squares = sum * (2 * n - 1) / 3;
+
+    m->of[2] = n * m->of[2] + by * (2 * sum * m->of[1] + by * squares * m->of[0]);
+    m->of[1] = n * m->of[1] + by * sum * m->of[0];
+    m->of[0] *= n;
+}
+
+static void start_anew(means *m, double value)
+{
+    add(&m->total, &m->here);
+    memset(&m->here, 0, sizeof m->here);
+    m->t.restarts |= !gsl_isnan(m->t.last);
+    m->t.last = value;
+}
+
+/* Go on with an angle to a parameter; no row is at some ends. */
+static void follow(means *m, double s)
+{
+    double value;
+
+    if (!(m->t.turn > 0))
+        return;
+    if (s <= 0 && flk_search_has_limit(m->x.piece.begin))
+        s = 1e-3;
+    else if (s >= 1 && flk_search_has_limit(m->x.piece.end))
+        s = 1 - 1e-3;
+    value = value_at(m, s);
+    if (gsl_isnan(value))
+        return;
+    if (gsl_isnan(m->t.last) || flk_search_turns_over(&m->t, m->t.last, value))
+        start_anew(m, value);
+    else
+        m->t.last = flk_search_nearest(&m->t, value, m->t.last);
+}
+
+/* 1 if a part must not be halved. */
+static int is_shortest(const means *m, double from, double to)
+{
+    int at_end = (from <= 0 && flk_search_has_limit(m->x.piece.begin)) ||
+                 (to >= 1 && flk_search_has_limit(m->x.piece.end));
+
+    return to - from < (at_end ? SHORTEST_AT_END : SHORTEST);
+}
+
+/* 1 if the rule is exact for a part, or is not because rows are rounding: then to halve it does not help. */
+static int is_exact(const means *m, const estimate *part, const estimate *both, int k)
+{
+    double error = part->error[k];
+
+    return error <= EXACT * part->size[k] || error <= EXACT * m->size[k] ||
+           (both && error <= ROUNDING * part->size[k] && error > both->error[k] / 8);
+}
+
+/* The signs of a pole in a part. */
+static int signs_of(double integral, double size)
+{
+    return integral > 0.999 * size ? UP : integral < -0.999 * size ? DOWN : UP | DOWN;
+}
+
+/* Integrate the part of a piece between two parameters: a half of `both`, or null. */
+static void integrate(means *m, double from, double to, const estimate *both)
+{
+    double middle = 0.5 * (from + to), spread;
+    int shortest = is_shortest(m, from, to), k;
+    moments part;
+    estimate e;
+    gsl_function f;
+
+    f.function = integrand;
+    f.params = m;
+    memset(&part, 0, sizeof part);
+    part.of[0] = (flk_search_share(&m->x, to) - flk_search_share(&m->x, from)) *
+                 (m->x.piece.to - m->x.piece.from);
+    m->is_rough = 0;
+    for (k = m->first; k <= m->most; k++) {
+        m->power = k;
+        gsl_integration_qk15(&f, from, to, &part.of[k], &e.error[k], &e.size[k], &spread);
+        m->size[k] += e.size[k] - (both ? both->size[k] / 2 : 0);
+        m->is_rough |= !is_exact(m, &e, both, k);
+        if (shortest && m->t.turn <= 0 && e.error[k] > UNBOUNDED * m->size[k])
+            m->poles |= signs_of(part.of[k], e.size[k]);
+    }
+    if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS) {
+        m->halvings++;
+        integrate(m, from, middle, &e);
+        integrate(m, middle, to, &e);
+        return;
+    }
+    add(&m->here, &part);
+    follow(m, to);
+}
+
+static int is_done(const means *m)
+{
+    return m->poles == (UP | DOWN) || (m->poles && m->most == 2);
+}
+
+static void integrate_piece(means *m)
+{
+    double length = m->x.piece.to - m->x.piece.from;
+    double n = 2 + floor(length / GSL_MAX_DBL(STEP, m->x.length / MOST_PARTS)), i;
+
+    follow(m, 0);
+    for (i = 0; i < n && !is_done(m); i++)
+        integrate(m, i / n, (i + 1) / n, NULL);
+}
+
+/* Of a motion that repeats, the first period counts for all that are skipped.  Angles have turned as often in
+** each of them; time and the crank angle go on. */
+static void count_skipped(means *m)
+{
+    const flk_search *x = &m->x;
+    double n = 1 + floor(x->skipped / x->period + 0.5), by = 0;
+    flk_row from, to;
+
+    if (flk_column_flags(m->t.c) & FOURLINK_OF_CRANK) {
+        flk_search_compute(x, 0, 0, &from);
+        flk_search_compute(x, 0, x->period, &to);
+        by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
+    } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
+        by = m->t.turn * floor((m->t.last - m->t.first) / m->t.turn + 0.5);
+    repeat(&m->total, n, 0);
+    repeat(&m->here, n, by);
+    m->t.last += by * (n - 1);
+}
+
+static void integrate_motion(means *m)
+{
+    flk_search *x = &m->x;
+    int has_gap = 0, is_first = 1;
+
+    for (; !is_done(m) && flk_pieces_next(x->a, x->length, x->period, &x->piece); is_first = 0) {
+        if (flk_search_is_reached(x)) {
+            if (is_first) {
+                follow(m, 0);
+                m->t.first = m->t.last;
+            }
+            integrate_piece(m);
+        } else {
+            start_anew(m, GSL_NAN);
+            has_gap = 1;
+        }
+        if (x->skipped > 0 && fabs(x->piece.to - x->period) < 1e-6)
+            count_skipped(m);
+    }
+    /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
+    if (has_gap && m->t.turn > 0 && flk_analysis_is_periodic(x->a) &&
+        !gsl_isnan(m->t.first + m->t.last))
+        shift(&m->here, m->t.turn * floor((m->t.first - m->t.last) / m->t.turn + 0.5));
+    add(&m->total, &m->here);
+}
+
+static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branch branch,
+                  flk_statistic statistic)
+{
+    int flags = flk_column_flags(c);
+
+    memset(m, 0, sizeof *m);
+    m->x.a = a;
+    m->x.branch = branch;
+    flk_search_begin(&m->x);
+    m->t.c = c;
+    if (flk_column_quantity(c) == QUANTITY_ANGLE && !(flags & FOURLINK_OF_CRANK))
+        m->t.turn = flk_unit_from_si(2 * M_PI, a->d->units[QUANTITY_ANGLE].unit);
+    m->t.last = m->t.first = GSL_NAN;
+    m->t.bound = flk_column_bound(c);
+    m->t.is_noise = (flags & FOURLINK_OF_ROUNDING) != 0;
+    m->most = statistic == FLK_MEAN ? 1 : 2;
+    m->first = m->t.turn > 0 || (flags & FOURLINK_OF_CRANK) ? 1 : m->most;
+}
+
+static int of_instant(means *m, flk_statistic statistic, double *mean)
+{
+    double value;
+    flk_row row;
+
+    flk_search_compute(&m->x, flk_column_need(m->t.c), 0, &row);
+    value = flk_column_value(m->t.c, &row);
+    if (row.at.status != FOURLINK_OK && gsl_isnan(value))
+        return row.at.status;
+    *mean = statistic == FLK_MEAN ? value : fabs(value);
+    return FOURLINK_OK;
+}
+
+int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
+                  flk_statistic statistic, double *mean)
+{
+    means m;
+
+    start(&m, a, c, branch, statistic);
+    if (m.x.length <= 0)
+        return of_instant(&m, statistic, mean);
+    a->is_fast = !m.t.is_noise;
+    integrate_motion(&m);
+    a->is_fast = 0;
+    if (statistic == FLK_MEAN && m.poles == (UP | DOWN))
+        return FOURLINK_NO_MEAN;
+    if (!m.poles && !(m.total.of[0] > 0))
+        return FOURLINK_NOT_REACHED;
+    *mean = m.poles == DOWN && statistic == FLK_MEAN ? GSL_NEGINF
+            : m.poles                                ? GSL_POSINF
+            : statistic == FLK_MEAN                  ? m.total.of[1] / m.total.of[0]
+                                                     : sqrt(m.total.of[2] / m.total.of[0]);
+    return FOURLINK_OK;
+}

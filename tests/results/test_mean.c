@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_mean.c - means and root mean squares of columns: by formulas in long double and the trapezoidal rule,
+** by what an integral must be, and where there is none.
+*/
+#include <float.h>
+
+#include "machines.h"
+
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+
+static int status_of(const char *contents, const char *name, fourlink_branch branch,
+                     fourlink_value *v)
+{
+    fourlink_results *r = opened(contents);
+    int status = fourlink_results_value(r, name, branch, 0, v);
+
+    fourlink_results_free(r);
+    return status;
+}
+
+static double value(const char *contents, const char *name, fourlink_branch branch)
+{
+    static char copy[100];
+    fourlink_value v = {0};
+    int status;
+
+    snprintf(copy, sizeof copy, "%s", name);
+    status = status_of(contents, copy, branch, &v);
+    if (status != FOURLINK_OK)
+        fail_msg("%s: %s\n%s", name, fourlink_status_text(status), contents);
+    assert_string_equal(v.name, copy);
+    assert_int_equal(v.has_angle, 0);
+    assert_int_equal(v.branch, (int)branch);
+    return v.value;
+}
+
+static void check_value(const char *contents, const char *name, fourlink_branch branch,
+                        double expected, double tolerance)
+{
+    double found = value(contents, name, branch);
+
+    if (!(fabs(found - expected) <= tolerance))
+        fail_msg("%s, %s = %.17g, expected %.17g\n%s", name, fourlink_branch_text((int)branch),
+                 found, expected, contents);
+}
+
+/* ---- formulas; over a revolution the trapezoidal rule is exact to rounding, but for mu, which has corners */
+
+typedef struct formula {
+    const char *column;
+    own_column *f;
+} formula;
+
+static void check_formulas(const char *contents, const formula *list, size_t n, own o)
+{
+    enum { STEPS = 3600 };
+    size_t i;
+    int k, j;
+
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 2; k++) {
+            long double sum = 0, squares = 0, before = 0;
+            double size, close = strcmp(list[i].column, "mu") == 0 ? 1e-6 : 1e-10;
+
+            o.branch = (int)branches[k];
+            for (j = 0; j < STEPS; j++) {
+                long double y = list[i].f(&o, 2 * PIL * j / STEPS);
+
+                if (strncmp(list[i].column, "theta", 5) == 0) /* from -180 ... 180 deg on */
+                    y -= 360 * floorl((y - before) / 360 + 0.5L);
+                before = y;
+                sum += y;
+                squares += y * y;
+            }
+            size = (double)sqrtl(squares / STEPS);
+            check_value(contents, print("mean(%s)", list[i].column), branches[k],
+                        (double)(sum / STEPS), close * size);
+            check_value(contents, print("rms(%s)", list[i].column), branches[k], size,
+                        close * size);
+        }
+}
+
+static void test_rockers(void **unused)
+{
+    static const formula list[] = {{"theta4", own_theta4}, {"omega3", own_omega3},
+                                   {"omega4", own_omega4}, {"alpha3", own_alpha3},
+                                   {"alpha4", own_alpha4}, {"mu", own_mu}};
+    uint64_t seed = 31;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 12; i++) {
+        own o = random_rocker(&seed);
+
+        check_formulas(four_bar((double)o.a, (double)o.b, (double)o.c, (double)o.d,
+                                revolution((double)o.speed)),
+                       list, COUNT(list), o);
+    }
+}
+
+static void test_engines(void **unused)
+{
+    static const formula list[] = {{"x", own_x},   {"v", own_v},     {"a", own_a},
+                                   {"Ts", own_Ts}, {"phi", own_phi}, {"omega3", own_rod_omega3}};
+    uint64_t seed = 32;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 12; i++) {
+        own o = random_engine(&seed, i % 2);
+
+        o.mass = uniform(&seed, 1, 50);
+        check_formulas(slider_crank((double)o.a, (double)o.b, (double)o.d,
+                                    print("%s[gravity]\nacceleration = 0\n[piston]\n"
+                                          "mass = %.17g kg\n",
+                                          revolution((double)o.speed), (double)o.mass)),
+                       list, COUNT(list), o);
+    }
+}
+
+/* ---- what an integral must be */
+
+static const char crusher[] = "mechanism = four-bar\n"
+                              "[crank]\nlength = 50 cm\nmass = 0.8 kg\ncg = 25 cm\n"
+                              "[coupler]\nlength = 100 cm\nmass = 1 kg\ncg = 50 cm\n"
+                              "[rocker]\nlength = 120 cm\nmass = 1.5 kg\ncg = (78, -8) cm\n"
+                              "[ground]\nlength = 150 cm\n"
+                              "[point P]\nlink = coupler\nat = (30, 40) cm\n"
+                              "[load F]\nlink = rocker\nat = (115, -24) cm\nforce = (-5000, 0) N\n"
+                              "from = 47 deg\nto = 225 deg\n";
+
+static void test_cycles(void **unused)
+{
+    const char *one = print("%s[motion]\nspeed = -500 rpm\ninterval = 7 deg\n", crusher);
+    const char *many =
+        print("%s[motion]\nspeed = -500 rpm\ninterval = 7 deg\nto = -7200 deg\n", crusher);
+    static const char *const zero[] = {"mean(P.vx)", "mean(P.vy)", "mean(P.ax)", "mean(omega4)",
+                                       "mean(alpha3)"};
+    static const char *const same[] = {"mean(Ts)", "rms(Ts)",     "mean(F12)",
+                                       "rms(F14)", "rms(P.v)",    "mean(theta4)",
+                                       "rms(mu)",  "rms(omega2)", "mean(P.ay)"};
+    static fact_list facts;
+    size_t i;
+    int k;
+
+    (void)unused;
+    for (k = 0; k < 2; k++) {
+        facts_of(one, &facts);
+        check_value(one, "mean(Ts)", branches[k], -value_of(&facts, "mean_torque", branches[k]),
+                    1e-7);
+        check_value(one, "mean(omega2)", branches[k], -500 * PI / 30, 1e-12);
+        check_value(one, "rms(omega2)", branches[k], 500 * PI / 30, 1e-12);
+        check_value(one, "mean(theta2)", branches[k], -180, 1e-10);
+        check_value(one, "rms(theta2)", branches[k], 360 / sqrt(3), 1e-10);
+        check_value(many, "mean(theta2)", branches[k], -3600, 1e-9);
+        check_value(many, "rms(theta2)", branches[k], 7200 / sqrt(3), 1e-9);
+        check_value(many, "mean(time)", branches[k], 1.2, 1e-12);
+        for (i = 0; i < COUNT(zero); i++)
+            check_value(one, zero[i], branches[k], 0, 1e-9);
+        for (i = 0; i < COUNT(same); i++) {
+            double once = value(one, same[i], branches[k]);
+
+            check_value(many, same[i], branches[k], once, 1e-9 * fabs(once) + 1e-9);
+        }
+    }
+}
+
+/* The angle of link 4 at the dead position, where crank, coupler and rocker are a triangle with the ground. */
+static double dead_theta4(double *theta2)
+{
+    const double a = 0.3, b = 0.4, c = 0.5, d = 0.75;
+
+    *theta2 = acos((a * a + d * d - (b + c) * (b + c)) / (2 * a * d));
+    return atan2(a * sin(*theta2), a * cos(*theta2) - d);
+}
+
+/* The integral of a velocity is a distance: over a gap with dead positions on both sides, too. */
+static void test_distances(void **unused)
+{
+    const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
+    const char *part = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nto = 30 deg\n");
+    double theta2, swing = 2 * (dead_theta4(&theta2) - PI);
+    int k;
+
+    (void)unused;
+    for (k = 0; k < 2; k++) {
+        fourlink_results *r = opened(part);
+        fourlink_value from, to;
+
+        assert_int_equal(fourlink_results_value(r, "theta4", branches[k], 0, &from), FOURLINK_OK);
+        assert_int_equal(fourlink_results_value(r, "theta4", branches[k], 30, &to), FOURLINK_OK);
+        fourlink_results_free(r);
+        check_value(part, "mean(omega4)", branches[k], 2 * (to.value - from.value) / 30, 1e-10);
+        check_value(gap, "mean(omega4)", branches[k], 2 * swing / (2 * theta2), 1e-8);
+        check_value(gap, "mean(theta2)", branches[k], 180, 1e-9);
+    }
+}
+
+/* An angle goes on over a gap: the mean is that of the range in one piece. */
+static void test_angles_over_a_gap(void **unused)
+{
+    static const char *const names[] = {"mean(theta3)", "mean(theta4)", "mean(mu)"};
+    const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
+    const char *range =
+        four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nfrom = -180 deg\nto = 180 deg\n");
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(names); i++) {
+        double whole = value(range, names[i], FOURLINK_OPEN);
+        double found = value(gap, names[i], FOURLINK_OPEN);
+
+        assert_near(turned(found - whole, 360), 0, 1e-7);
+    }
+}
+
+/* The angles of a drag link turn with the crank. */
+static void test_turning_angles(void **unused)
+{
+    own o = {0.05L, 0.06L, 0.055L, 0.03L, 1, 0, 3, 0, 0, 0};
+    const char *contents =
+        four_bar(0.05, 0.06, 0.055, 0.03, "[motion]\nspeed = 3 rad/s\nto = 2700 deg\n");
+    enum { STEPS = 27000 };
+    long double sum = 0, squares = 0, before = 0;
+    fourlink_results *r = opened(contents);
+    fourlink_value first;
+    int j;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_value(r, "theta4", FOURLINK_OPEN, 0, &first), FOURLINK_OK);
+    fourlink_results_free(r);
+    before = first.value;
+    for (j = 0; j <= STEPS; j++) {
+        long double y = own_theta4(&o, 15 * PIL * j / STEPS);
+        long double weight = j == 0 || j == STEPS ? 0.5L : 1;
+
+        y -= 360 * floorl((y - before) / 360 + 0.5L);
+        before = y;
+        sum += weight * y;
+        squares += weight * y * y;
+    }
+    check_value(contents, "mean(theta4)", FOURLINK_OPEN, (double)(sum / STEPS), 1e-3);
+    check_value(contents, "rms(theta4)", FOURLINK_OPEN, sqrt((double)(squares / STEPS)), 1e-3);
+}
+
+/* From rest omega^2 = 2 alpha theta: its mean is half of the last, that of omega two thirds. */
+static void test_start_from_rest(void **unused)
+{
+    const char *start =
+        four_bar(0.02, 0.066, 0.056, 0.08, "[motion]\nacceleration = 3 rad/s2\nto = 90 deg\n");
+    double last = sqrt(2 * 3 * PI / 2);
+
+    (void)unused;
+    check_value(start, "mean(omega2)", FOURLINK_OPEN, last * 2 / 3, 1e-10);
+    check_value(start, "rms(omega2)", FOURLINK_OPEN, last / sqrt(2), 1e-10);
+    check_value(start, "mean(alpha2)", FOURLINK_OPEN, 3, 1e-12);
+    check_value(start, "mean(time)", FOURLINK_OPEN, last / 3 * 2 / 3, 1e-10);
+}
+
+static void test_one_instant(void **unused)
+{
+    const char *instant = four_bar(0.02, 0.066, 0.056, 0.08,
+                                   "[motion]\nspeed = -3 rad/s\nfrom = 40 deg\nto = 40 deg\n");
+
+    (void)unused;
+    check_value(instant, "mean(omega2)", FOURLINK_OPEN, -3, 0);
+    check_value(instant, "rms(omega2)", FOURLINK_OPEN, 3, 0);
+}
+
+/* ---- where there is none */
+
+static void test_poles(void **unused)
+{
+    const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
+    const char *up = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nto = 150 deg\n");
+    fourlink_value v = {0}, before = v;
+    int k;
+
+    (void)unused;
+    for (k = 0; k < 2; k++) {
+        double sign = k ? -1 : 1;
+
+        assert_true(isfinite(value(up, "mean(omega4)", branches[k])));
+        assert_true(value(up, "rms(omega4)", branches[k]) > DBL_MAX);
+        assert_true(value(up, "rms(alpha4)", branches[k]) > DBL_MAX);
+        assert_true(sign * value(up, "mean(alpha4)", branches[k]) > DBL_MAX);
+        assert_true(value(gap, "rms(omega3)", branches[k]) > DBL_MAX);
+        assert_true(value(crusher, "rms(mechanical_advantage)", branches[k]) > DBL_MAX);
+        assert_int_equal(status_of(crusher, "mean(mechanical_advantage)", branches[k], &v),
+                         FOURLINK_NO_MEAN);
+        assert_int_equal(status_of(crusher, "mean(I13x)", branches[k], &v), FOURLINK_NO_MEAN);
+        assert_memory_equal(&v, &before, sizeof v);
+    }
+}
+
+static void test_nothing_to_integrate(void **unused)
+{
+    const char *never =
+        four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 1 rad/s\nfrom = 120 deg\nto = 200 deg\n");
+    static const char *const wrong[] = {"mean(Tx)", "mean()",  "rms( )",        "mean(Ts",
+                                        "Mean(mu)", "mean mu", "mean(max(mu))", "average(mu)"};
+    fourlink_value v = {0}, before = v;
+    size_t i;
+
+    (void)unused;
+    assert_int_equal(status_of(never, "mean(theta4)", FOURLINK_OPEN, &v), FOURLINK_NOT_REACHED);
+    assert_int_equal(status_of(never, "rms(omega2)", FOURLINK_OPEN, &v), FOURLINK_NOT_REACHED);
+    for (i = 0; i < COUNT(wrong); i++)
+        assert_int_equal(status_of(crusher, wrong[i], FOURLINK_OPEN, &v), FOURLINK_NO_SUCH_NAME);
+    assert_memory_equal(&v, &before, sizeof v);
+}
+
+/* ---- by name elsewhere */
+
+static void test_expectations_and_outputs(void **unused)
+{
+    static const int verdicts[] = {FOURLINK_AGREES, FOURLINK_DIFFERS, FOURLINK_NO_VALUE,
+                                   FOURLINK_NO_VALUE};
+    fourlink_results *r =
+        opened(print("%s[motion]\nspeed = -500 rpm\n[expect]\nrms(omega2) = 500.0 rpm\n"
+                     "mean(omega2) = 500.0 rpm\nmean(mechanical_advantage) = 1\nrms(Tt) = 1 N m\n",
+                     crusher));
+    const fourlink_value *outputs;
+    fourlink_check check;
+    unsigned long n, i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(verdicts); i++) {
+        assert_int_equal(fourlink_results_check(r, i, &check), FOURLINK_OK);
+        assert_int_equal(check.verdict, verdicts[i]);
+        assert_int_equal(check.has_angle, 0);
+    }
+    fourlink_results_free(r);
+    r = opened(print("%s[motion]\nspeed = -500 rpm\n[sweep]\ncrank.length = 40 cm, 50 cm\n"
+                     "output = mean(Ts), rms(F12)\n",
+                     crusher));
+    assert_int_equal(fourlink_results_list(r, FOURLINK_OUTPUTS, &outputs, &n), FOURLINK_OK);
+    assert_int_equal(n, 2);
+    assert_string_equal(outputs[0].name, "mean(Ts)");
+    assert_string_equal(outputs[0].unit, "N.m");
+    assert_string_equal(outputs[1].name, "rms(F12)");
+    assert_string_equal(outputs[1].unit, "N");
+    fourlink_results_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rockers),
+        cmocka_unit_test(test_engines),
+        cmocka_unit_test(test_cycles),
+        cmocka_unit_test(test_distances),
+        cmocka_unit_test(test_angles_over_a_gap),
+        cmocka_unit_test(test_turning_angles),
+        cmocka_unit_test(test_start_from_rest),
+        cmocka_unit_test(test_one_instant),
+        cmocka_unit_test(test_poles),
+        cmocka_unit_test(test_nothing_to_integrate),
+        cmocka_unit_test(test_expectations_and_outputs),
+    };
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}
