@@ -90,7 +90,9 @@ module fourlink
 
   ! Lists, groups of facts, flags of columns, verdicts on printed values.
   integer(c_int), parameter :: fourlink_columns = 1, fourlink_all_columns = 2, &
-    fourlink_inputs = 3, fourlink_variables = 4, fourlink_outputs = 5
+    fourlink_inputs = 3, fourlink_variables = 4, fourlink_outputs = 5, &
+    fourlink_conditions = 6
+  integer(c_int), parameter :: fourlink_above = 1, fourlink_below = 2, fourlink_or_equal = 4
   integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
     fourlink_facts_turning = 4
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
@@ -232,7 +234,7 @@ module fourlink
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits
     integer(c_long) :: n_expected, n_designs, design
-    integer(c_int) :: has_outputs
+    integer(c_int) :: has_outputs, has_statistics
   end type fourlink_problem
 
   type, bind(c) :: fourlink_unit
@@ -304,6 +306,7 @@ module fourlink
     integer(c_int) :: branch
     integer(c_long) :: message_line
     character(kind=c_char) :: message(400)  ! for fourlink_text
+    character(kind=c_char) :: hint(200)     ! the same
   end type fourlink_check
 
   ! A loader of files: give its c_funloc to fourlink_deck_read.
@@ -585,6 +588,13 @@ module fourlink
       integer(c_long), value :: max
       real(c_double), intent(inout) :: values(*)
     end function fourlink_source_design
+
+    integer(c_int) function fourlink_source_neighbours(source, max, low, high) bind(c)
+      import
+      type(fourlink_source), intent(in) :: source
+      integer(c_long), value :: max
+      real(c_double), intent(inout) :: low(*), high(*)
+    end function fourlink_source_neighbours
 
     subroutine fourlink_results_free(results) bind(c)
       import

@@ -501,7 +501,8 @@ typedef struct fourlink_problem {
     unsigned long n_expected;    /* values of [expect] and [misprint] */
     unsigned long n_designs;     /* of its [sweep]; 0: the deck has none */
     unsigned long design;        /* number of this one, from 0 */
-    int has_outputs; /* 1: the [sweep] names outputs, which give a line for each design */
+    int has_outputs;    /* 1: the [sweep] names outputs, which give a line for each design */
+    int has_statistics; /* 1: it asks for statistics of them */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
@@ -526,7 +527,7 @@ typedef struct fourlink_value {
     int has_angle;      /* 1: it belongs to a crank angle */
     double angle;       /* the crank angle, in the deck's unit */
     int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the same on both */
-    int flags;          /* of a column, FOURLINK_OF_CRANK ... */
+    int flags;          /* of a column, FOURLINK_OF_CRANK ...; of a condition, FOURLINK_ABOVE ... */
 } fourlink_value;
 
 enum {
@@ -536,13 +537,18 @@ enum {
     FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
 
+/* A condition: above or below its value, or equal to it. */
+enum { FOURLINK_ABOVE = 1, FOURLINK_BELOW = 2, FOURLINK_OR_EQUAL = 4 };
+
 /* The lists of fourlink_results_list. */
 enum {
     FOURLINK_COLUMNS = 1,     /* the columns that the deck asks for, or the usual ones */
     FOURLINK_ALL_COLUMNS = 2, /* all that it can have */
     FOURLINK_INPUTS = 3,      /* the inputs as the reader understood them */
     FOURLINK_VARIABLES = 4,   /* what its [sweep] varies, with this design's values */
-    FOURLINK_OUTPUTS = 5      /* the outputs that its [sweep] names */
+    FOURLINK_OUTPUTS = 5,     /* the outputs that its [sweep] names */
+    FOURLINK_CONDITIONS =
+        6 /* of the yield of its [sweep]: outputs with limits; `meaning` is the text */
 };
 
 /* Groups of facts, to be added up. */
@@ -607,6 +613,7 @@ typedef struct fourlink_check {
     fourlink_branch branch;
     long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400]; /* FOURLINK_NO_VALUE: why */
+    char hint[200];    /* FOURLINK_DIFFERS: why that may be, or "" */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------
@@ -1176,6 +1183,20 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
 FOURLINK_API int fourlink_source_design(const fourlink_source *source, unsigned long max,
                                         double *values);
 
+/* The neighbours of a design on the grid of its sweep.
+**
+** Given:
+**    source     the deck, with the design's number
+**    max        size of `low` and of `high`
+** Returned:
+**    low, high  for each of the list FOURLINK_VARIABLES, in the deck's units: the values before and
+**               after it in its range; its own value at an end of the range, and in a list
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+*/
+FOURLINK_API int fourlink_source_neighbours(const fourlink_source *source, unsigned long max,
+                                            double *low, double *high);
+
 /* Free results; null is allowed. */
 FOURLINK_API void fourlink_results_free(fourlink_results *results);
 
@@ -1201,10 +1222,10 @@ FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigne
 **
 ** Given:
 **    results    from fourlink_results_open
-**    which      FOURLINK_COLUMNS ... FOURLINK_OUTPUTS
+**    which      FOURLINK_COLUMNS ... FOURLINK_CONDITIONS
 ** Returned:
-**    list       the entries, valid until fourlink_results_free; inputs and variables have their
-**               `value`, columns and outputs have 0
+**    list       the entries, valid until fourlink_results_free; inputs, variables and conditions
+**               have their `value`, columns and outputs have 0
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST

@@ -5,61 +5,14 @@
 ** Every design is a deck of its own, read from the same text.  Its output depends on its number alone, so the
 ** parts joined are the whole, and memory holds one design.
 */
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with SA_RESTART */
-
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
 #include "command.h"
 #include "designs.h"
+#include "interrupt.h"
+#include "tables/statistics.h"
 #include "terminal.h"
-
-static volatile sig_atomic_t stopped_by;
-
-static void on_signal(int number)
-{
-    stopped_by = number;
-}
-
-/* Catch the signals that end a program, or restore the old actions. */
-static void watch_signals(int begin, struct sigaction old[3])
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action;
-    int i;
-
-    memset(&action, 0, sizeof action);
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART; /* finish the line that is being written */
-    sigemptyset(&action.sa_mask);
-    for (i = 0; i < 3; i++)
-        if (!begin)
-            sigaction(signals[i], &old[i], NULL);
-        else if (sigaction(signals[i], NULL, &old[i]) == 0 && old[i].sa_handler != SIG_IGN)
-            sigaction(signals[i], &action, NULL);
-}
-
-/* Progress on a terminal, once a second. */
-typedef struct progress {
-    int is_shown, is_told;
-    time_t start, last;
-} progress;
-
-static void tell_progress(progress *p, unsigned long done, unsigned long of)
-{
-    double share = (double)done / (double)of;
-    time_t now = p->is_shown ? time(NULL) : p->last;
-
-    if (now == p->last || now <= p->start + 1)
-        return;
-    p->last = now;
-    p->is_told = 1;
-    fprintf(stderr, "\rfourlink: %lu of %lu designs, %.0f %%, %.0f s to go    ", done, of,
-            100 * share, difftime(now, p->start) * (1 / share - 1));
-}
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
@@ -101,47 +54,83 @@ static int write_all(sheet *s, const input *in, double *varied)
     progress p;
     int enough = 1;
 
-    p.is_shown = isatty(STDERR_FILENO) && !isatty(fileno(out));
-    p.is_told = 0;
-    p.start = p.last = time(NULL);
-    for (i = from; i < to && enough && !stopped_by && !ferror(out); i++) {
+    progress_begin(&p, out);
+    for (i = from; i < to && enough && !interrupt_signal() && !ferror(out); i++) {
         enough = write_design(s, in, i, varied);
-        tell_progress(&p, i + 1 - from, to - from);
+        progress_tell(&p, i + 1 - from, to - from);
     }
-    if (p.is_told)
-        fprintf(stderr, "\r%75s\r", "");
+    progress_end(&p);
     return enough;
+}
+
+/* Set up a sheet of designs: of their outputs, or of their rows. */
+static void set_up(sheet *s, const input *in)
+{
+    int has_outputs = in->problem.has_outputs;
+
+    memset(s, 0, sizeof *s);
+    s->format = in->o->format;
+    s->content = has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
+    s->problem = in->problem;
+    fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
+    fourlink_results_list(in->results, has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
+                          &s->header, &s->n_header);
+}
+
+/* Go through the designs; returns the exit status. */
+static int run(sheet *s, FILE *out, const input *in, int *signal_number)
+{
+    double *varied = malloc((s->n_variables + 1) * sizeof *varied);
+    int enough = varied != NULL;
+
+    interrupt_watch(1);
+    if (enough) {
+        sheet_begin(s, out, !in->o->parts || in->o->part == 1);
+        enough = write_all(s, in, varied);
+    }
+    interrupt_watch(0);
+    free(varied);
+    *signal_number = interrupt_signal();
+    if (!enough)
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    if (*signal_number)
+        return command_complain("stopped", in->name, "interrupted; run this part again");
+    return s->failed ? EXIT_ROWS : 0;
+}
+
+/* Collect the designs, then write their statistics. */
+static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_number)
+{
+    const fourlink_value *conditions;
+    unsigned long n;
+    statistics x;
+    int status;
+
+    fourlink_results_list(in->results, FOURLINK_CONDITIONS, &conditions, &n);
+    if (!statistics_open(&x, s->header, s->n_header, conditions, n)) {
+        statistics_close(&x);
+        return command_complain("cannot analyse", in->name, "not enough memory");
+    }
+    s->format = &statistics_collector;
+    s->statistics = &x;
+    status = run(s, out, in, signal_number);
+    if (status < EXIT_FILES) {
+        s->format = in->o->format;
+        s->content = SHEET_STATISTICS;
+        s->n_variables = 0;
+        sheet_begin(s, out, 1);
+        statistics_write(s, in->results, &x);
+    }
+    statistics_close(&x);
+    return status;
 }
 
 int designs_write(FILE *out, const input *in, int *signal_number)
 {
-    struct sigaction old[3];
-    double *varied;
     sheet s;
-    int enough;
 
-    memset(&s, 0, sizeof s);
-    s.format = in->o->format;
-    s.content = in->problem.has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
-    s.problem = in->problem;
-    s.width = in->o->wide ? 0 : terminal_width(out);
-    fourlink_results_list(in->results, FOURLINK_VARIABLES, &s.variables, &s.n_variables);
-    fourlink_results_list(in->results,
-                          in->problem.has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS, &s.header,
-                          &s.n_header);
-    varied = malloc((s.n_variables + 1) * sizeof *varied);
-    if (!varied)
-        return command_complain("cannot analyse", in->name, "not enough memory");
-    stopped_by = 0;
-    watch_signals(1, old);
-    sheet_begin(&s, out, !in->o->parts || in->o->part == 1);
-    enough = write_all(&s, in, varied);
-    watch_signals(0, old);
-    free(varied);
-    *signal_number = (int)stopped_by;
-    if (!enough)
-        return command_complain("cannot analyse", in->name, "not enough memory");
-    if (stopped_by)
-        return command_complain("stopped", in->name, "interrupted; run this part again");
-    return s.failed ? EXIT_ROWS : 0;
+    set_up(&s, in);
+    return in->problem.has_statistics && !in->o->parts
+               ? write_statistics(&s, out, in, signal_number)
+               : run(&s, out, in, signal_number);
 }

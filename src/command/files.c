@@ -61,6 +61,13 @@ char *files_read(const char *path, size_t *length)
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
 }
 
+int files_is_folder(const char *path)
+{
+    struct stat s;
+
+    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+}
+
 char *files_beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -102,7 +109,8 @@ static int is_input(const char *output, const options *o)
     for (i = 0; i < o->n_decks; i++)
         if (replaces(output, o->decks[i]))
             return 1;
-    return o->check_file && replaces(output, o->check_file);
+    return (o->check_file && replaces(output, o->check_file)) ||
+           (o->statistics_file && replaces(output, o->statistics_file));
 }
 
 /* Find the folder of a path; returns the file's name in it, or null. */

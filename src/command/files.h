@@ -12,6 +12,9 @@
 char *files_read(const char *path, size_t *length);
 char *files_read_path(const char *path, size_t *length);
 
+/* 1 if a path is that of a folder. */
+int files_is_folder(const char *path);
+
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);
 

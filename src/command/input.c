@@ -51,35 +51,63 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     return f->contents;
 }
 
+/* Keep the first mistake, for the sheet. */
+static void keep_mistake(input *in, const char *file, long at, const char *message)
+{
+    if (at)
+        flk_message(in->refusal, sizeof in->refusal, "%s:%ld: %s", file, at, message);
+    else
+        flk_message(in->refusal, sizeof in->refusal, "%s: %s", file, message);
+}
+
+/* The mistake in the crank angles of --at, or null. */
+static const char *mistake_in_angles(const input *in, char message[400])
+{
+    const char *list = in->o->at;
+    double angle;
+    int status;
+
+    while ((status = expect_next_angle(in->results, &list, &angle, message)) == 1)
+        ;
+    return status ? message : NULL;
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
-static int serves_options(const input *in)
+static int serves_options(input *in)
 {
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
-    char names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
+    char message[400], names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
         why = "nothing to check: no [expect] or [misprint] section";
-        name = o->check_file ? o->check_file : in->name;
+        name = in->source.answers_name ? in->source.answers_name : in->name;
     } else if (o->content == SHEET_MATRIX && !p->has_forces) {
         why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
         why = "--format=paper works for a four-bar only";
+    } else if (o->statistics_file && !p->has_outputs) {
+        why = "--statistics=FILE needs a [sweep] with outputs; the deck has none";
     } else if (!is_sweep && o->parts) {
         why = "--part needs a [sweep]; the deck has none";
     } else if (is_sweep && o->n_decks > 1) {
         why = "a deck with a [sweep] must be the only deck";
     } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
-        why = "--check, --matrix and --summary work for one design, not for a [sweep]";
+        why = "--check, --expect, --matrix and --summary work for one design, not for a [sweep]";
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
                             sheet_formats_of(SHEET_DESIGNS, names), " only", (char *)NULL);
+    } else if ((why = mistake_in_angles(in, message)) != NULL) {
+        command_tell_mistake("--at", 0, why, NULL);
+        return 0;
     }
-    if (why)
-        command_tell_mistake(name, 1, why, NULL);
-    return !why;
+    if (!why)
+        return 1;
+    keep_mistake(in, name, 1, why);
+    command_tell_mistake(name, 1, why, NULL);
+    return 0;
 }
 
 #define MOST_MISTAKES 100
@@ -116,6 +144,7 @@ static int open_results(input *in)
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK) {
+        keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
         status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
@@ -128,33 +157,60 @@ static int open_results(input *in)
     return status;
 }
 
-int input_read(input *in, const char *path, const options *o, const char *answers,
-               size_t answers_length)
+/* Read the text of a deck; returns the exit status. */
+static int read_text(input *in, const char *path)
 {
-    size_t length;
-    int status;
+    static const char too_large[] = "larger than 64 MB: not a deck";
+    size_t length = 0;
 
-    in->o = o;
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && isatty(STDIN_FILENO))
         fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
-    if (!in->text && errno == EFBIG) {
-        command_tell_mistake(in->name, 1, "larger than 64 MB: not a deck", NULL);
-        return EXIT_USAGE;
-    }
-    if (!in->text)
-        return command_complain("cannot read", in->name, strerror(errno));
     in->source.name = in->name;
     in->source.text = in->text;
     in->source.length = (unsigned long)length;
+    if (in->text)
+        return 0;
+    if (errno == EFBIG) {
+        keep_mistake(in, in->name, 1, too_large);
+        command_tell_mistake(in->name, 1, too_large, NULL);
+        return EXIT_USAGE;
+    }
+    keep_mistake(in, in->name, 0, strerror(errno));
+    return command_complain("cannot read", in->name, strerror(errno));
+}
+
+/* Set the answers of a deck; returns the exit status. */
+static int find_answers(input *in, const char *path, const grade_answers *answers)
+{
+    int status = 0;
+
+    in->source.answers_name = in->o->check_file;
+    if (answers->is_folder) {
+        status = grade_read(&in->answers, in->o, path, in->refusal);
+        in->source.answers_name = in->answers.path;
+        answers = &in->answers;
+    }
+    in->source.answers = answers->text;
+    in->source.answers_length = (unsigned long)answers->length;
+    return status;
+}
+
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
+{
+    int status;
+
+    in->o = o;
+    status = read_text(in, path);
+    if (!status)
+        status = find_answers(in, path, answers);
+    if (status)
+        return status;
     in->source.load = load_file;
     in->source.host = in;
     in->source.changes = o->changes;
     in->source.n_changes = (unsigned long)o->n_changes;
-    in->source.answers_name = o->check_file;
-    in->source.answers = answers;
-    in->source.answers_length = (unsigned long)answers_length;
     in->source.design = FOURLINK_ANY_DESIGN;
     status = open_results(in);
     if (status || !in->results)
@@ -179,4 +235,5 @@ void input_close(input *in)
     }
     refuse(in);
     free(in->text);
+    grade_close(&in->answers);
 }

@@ -5,6 +5,8 @@
 #ifndef FOURLINK_INPUT_H
 #define FOURLINK_INPUT_H
 
+#include "base/message.h"
+#include "grade.h"
 #include "options.h"
 
 /* Set it to zero before input_read, and give it to input_close. */
@@ -17,12 +19,13 @@ typedef struct input {
     int names_output;          /* 1: one of them would be written */
     fourlink_results *results; /* null: the deck is not usable */
     fourlink_problem problem;
+    grade_answers answers;      /* its own, of a folder */
+    char refusal[MESSAGE_SIZE]; /* why it is not usable: the first mistake */
 } input;
 
-/* Read a deck; answers that are not null replace its expected values.  Returns the exit status.  Of a [sweep]
-** this reads the first design without mistakes. */
-int input_read(input *in, const char *path, const options *o, const char *answers,
-               size_t answers_length);
+/* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads the
+** first design without mistakes. */
+int input_read(input *in, const char *path, const options *o, const grade_answers *answers);
 
 void input_close(input *in);
 

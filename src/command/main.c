@@ -10,11 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "best.h"
 #include "command.h"
 #include "designs.h"
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
+#include "joined.h"
 #include "output.h"
 #include "terminal.h"
 
@@ -78,6 +80,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
     memset(&s, 0, sizeof s);
     s.format = o->format;
     s.content = o->content;
+    s.at = o->at;
     s.n_decks = (int)o->n_decks;
     s.no_value = tell_no_value;
     s.width = o->wide ? 0 : terminal_width(out);
@@ -86,7 +89,7 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
         return command_complain("cannot start", "", "not enough memory");
     sheet_begin(&s, out, 1);
     for (i = 0; i < o->n_decks; i++) {
-        sheet_write(&s, inputs[i].results, inputs[i].name);
+        sheet_write(&s, inputs[i].results, inputs[i].name, inputs[i].refusal);
         status = command_worse(status, status_of(&s, &inputs[i]));
     }
     free(header);
@@ -101,7 +104,11 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
+    if (o->statistics_file)
+        written = joined_write(out.file, o, o->n_decks ? &inputs[0] : NULL);
+    else if (o->best)
+        written = best_write(out.file, &inputs[0], signal_number);
+    else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
     else
         written = write_decks(out.file, o, inputs);
@@ -111,29 +118,31 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
 static int run(const options *o)
 {
-    input *inputs = calloc(o->n_decks, sizeof *inputs);
+    input *inputs = calloc(o->n_decks + 1, sizeof *inputs);
     int status = 0, usable = 0, signal_number = 0;
-    char *answers = NULL;
-    size_t length = 0, i;
+    grade_answers answers;
+    size_t i;
 
     if (!inputs)
         return command_complain("cannot start", "", "not enough memory");
-    if (o->check_file && (answers = files_read(o->check_file, &length)) == NULL) {
+    status = grade_open(&answers, o);
+    if (status) {
         free(inputs);
-        return command_complain("cannot read", o->check_file, strerror(errno));
+        return status;
     }
     for (i = 0; i < o->n_decks; i++) {
-        status = command_worse(status, input_read(&inputs[i], o->decks[i], o, answers, length));
+        status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable)
+    if (usable || (o->statistics_file && !o->n_decks) ||
+        (o->content == SHEET_CHECK && o->n_decks > 1))
         status = command_worse(status, write_sheet(o, inputs, &signal_number));
     if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
         status = command_worse(status, drawing_write(&inputs[0]));
     for (i = 0; i < o->n_decks; i++)
         input_close(&inputs[i]);
     free(inputs);
-    free(answers);
+    grade_close(&answers);
     if (signal_number) {
         fflush(stdout);
         raise(signal_number); /* so that the caller sees the signal */

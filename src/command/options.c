@@ -25,15 +25,22 @@ const char *const options_help[] = {
     "  -w, --wide                        on a terminal: all columns side by side",
     "  -s, --set=[SECTION[ NAME].]KEY=VALUE",
     "                                    change the deck: --set 'motion.speed=100 rpm'",
-    "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE",
+    "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
+    "                                    or FOLDER/NAME.expect for NAME.deck",
+    "      --expect                      print the values of the deck as answers for --check=FILE",
+    "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
-    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment, "
-    "polar,",
-    "                                    vectors, klein, animation (default for .gif)",
+    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
+    "                                    polar, vectors, klein, animation (default for .gif);",
+    "                                    of a [sweep]: histogram, columns",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
+    "                                    or of a csv FILE that has them",
+    "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
+    "                                    as a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
@@ -44,7 +51,16 @@ const char *const options_help[] = {
     NULL};
 
 /* Stand for the letter of options that have none. */
-enum { PLOT_KIND = 1, PLOT_AT, PLOT_SCRIPT };
+enum {
+    PLOT_KIND = 1,
+    PLOT_AT,
+    PLOT_SCRIPT,
+    EXPECT,
+    AT,
+    STATISTICS,
+    BEST,
+    LAST_WITHOUT_LETTER = BEST
+};
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
 typedef struct option_info {
@@ -63,11 +79,15 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'s', "--set", 1, ""},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
+                                    {EXPECT, "--expect", 0, NULL},
+                                    {AT, "--at", 1, NULL},
                                     {'S', "--summary", 0, NULL},
                                     {'p', "--plot", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {STATISTICS, "--statistics", 2, NULL},
+                                    {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
@@ -101,7 +121,8 @@ static int set_format(options *o, const char *value, char message[400])
 }
 
 /* By sheet_content. */
-static const char *const content_options[] = {"", "--summary", "--check", "--list", "--matrix"};
+static const char *const content_options[] = {"",         "--summary", "--check", "--list",
+                                              "--matrix", "",          "--expect"};
 
 static int set_content(options *o, sheet_content content)
 {
@@ -141,7 +162,7 @@ static int set_plot_kind(options *o, const char *value, char message[400])
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
     flk_message(message, 400,
                 "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
-                "klein or animation, not '%t'%h",
+                "klein, animation, histogram or columns, not '%t'%h",
                 flk_text_of(value), nearest);
     return 0;
 }
@@ -158,17 +179,47 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* Change a key of the deck: `key` ends in "=". */
+static int set_change(options *o, const char *origin, const char *key, const char *value)
+{
+    fourlink_change *change = &o->changes[o->n_changes++];
+
+    change->origin = origin;
+    change->assignment = o->next;
+    o->next += sprintf(o->next, "%s%s", key, value) + 1;
+    return 1;
+}
+
+/* max NAME, min NAME */
+static int set_best(options *o, const char *value, char message[400])
+{
+    text which, name;
+
+    if (!flk_text_cut(flk_text_of(value), " ", &which, &name) || !name.length ||
+        strpbrk(name.start, ", \t") ||
+        (!flk_text_equal(which, "max") && !flk_text_equal(which, "min")))
+        return say(message, "--best must be 'max NAME' or 'min NAME', such as 'max mu_min', not '",
+                   value, "'");
+    o->best = name.start;
+    o->best_is_largest = flk_text_equal(which, "max");
+    return set_change(o, "--best", "sweep.output=", name.start);
+}
+
+static int set_statistics(options *o, const char *value, char message[400])
+{
+    if (value == no_value) {
+        o->n_statistics++;
+        return set_change(o, "--statistics", "sweep.statistics=", "yes");
+    }
+    o->statistics_file = value;
+    return *value || say(message, "--statistics= needs a file name", "", "");
+}
+
 /* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
-    if (info->key) {
-        fourlink_change *change = &o->changes[o->n_changes++];
-
-        change->origin = info->name;
-        change->assignment = o->next;
-        o->next += sprintf(o->next, "%s%s", info->key, value) + 1;
-        return 1;
-    }
+    if (info->key)
+        return set_change(o, info->name, info->key, value);
     switch (info->letter) {
     case 'f':
         return set_format(o, value, message);
@@ -192,6 +243,15 @@ static int set(options *o, const option_info *info, const char *value, char mess
             return say(message, "--check= needs a file name", "", "");
         o->check_file = *value ? value : NULL;
         return set_content(o, SHEET_CHECK);
+    case BEST:
+        return set_best(o, value, message);
+    case STATISTICS:
+        return set_statistics(o, value, message);
+    case EXPECT:
+        return set_content(o, SHEET_EXPECT);
+    case AT:
+        o->at = value;
+        return 1;
     case 'm':
         return set_content(o, SHEET_MATRIX);
     case 'S':
@@ -247,7 +307,7 @@ static int read_short(options *o, const char *word, const char *next, int *used_
 
     while (*++word) {
         for (i = 0; i < TABLE_COUNT; i++)
-            if (table[i].letter == *word && *word > PLOT_SCRIPT)
+            if (table[i].letter == *word && *word > LAST_WITHOUT_LETTER)
                 break;
         letter[1] = *word;
         if (i == TABLE_COUNT)
@@ -294,6 +354,32 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
+/* Check what does not go with statistics, or with the best design. */
+static int check_statistics(const options *o, char message[400])
+{
+    char names[SHEET_FORMAT_NAMES];
+
+    if (o->best && (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics ||
+                    o->plot || o->plot_script || o->n_decks > 1 || o->format != &table_format))
+        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
+    if (o->n_statistics && o->parts)
+        return say(message,
+                   "--statistics needs all designs: join the parts, then use "
+                   "--statistics=FILE",
+                   "", "");
+    if (!o->statistics_file)
+        return 1;
+    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script)
+        return say(message, "--statistics=FILE works alone, or with a deck", "", "");
+    if (o->n_decks > 1)
+        return say(message, "--statistics=FILE takes one deck, not several", "", "");
+    if (o->format->writes & 1 << SHEET_STATISTICS)
+        return 1;
+    flk_message(message, 400, "--statistics can be printed as %s only",
+                sheet_formats_of(SHEET_STATISTICS, names));
+    return 0;
+}
+
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -325,7 +411,12 @@ int options_read(int argc, char **argv, options *o, char message[400])
         }
     }
     if (o->n_contents > 1)
-        return say(message, "use only one of --check, --summary, --matrix and --list", "", "");
+        return say(message, "use only one of --check, --expect, --summary, --matrix and --list", "",
+                   "");
+    if (o->at && o->content != SHEET_EXPECT)
+        return say(message, "--at needs --expect", "", "");
+    if (o->content == SHEET_EXPECT && o->n_decks > 1)
+        return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
         o->format = &table_format;
     if (!(o->format->writes & 1 << o->content)) {
@@ -335,7 +426,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     sheet_formats_of(o->content, names));
         return 0;
     }
-    if (!o->n_decks)
+    if (!check_statistics(o, message))
+        return 0;
+    if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
 }

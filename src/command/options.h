@@ -13,14 +13,19 @@ typedef struct options {
     sheet_content content;
     int n_contents; /* how many were asked for */
     int help, version;
-    int wide;                  /* 1: a table need not fit the terminal */
-    const char *check_file;    /* null: the deck's own expectations */
-    const char *output;        /* null: standard output */
-    unsigned long part, parts; /* --part=K/N; parts 0: not given */
-    const char *plot;          /* the picture's file; null: none */
-    const char *plot_script;   /* the script's file; null: none */
-    plot_request drawing;      /* PLOT_COUNT: no kind is given */
-    fourlink_change *changes;  /* --set, and options that set a key of the deck */
+    int wide;               /* 1: a table need not fit the terminal */
+    const char *check_file; /* null: the deck's own expectations */
+    const char *at;         /* the crank angles of --expect; null: the rows */
+    const char *output;     /* null: standard output */
+    const char *best;       /* the name that --best asks for; null: it was not given */
+    int best_is_largest;
+    const char *statistics_file; /* designs computed before; null: none */
+    int n_statistics;            /* how often --statistics was given without a file */
+    unsigned long part, parts;   /* --part=K/N; parts 0: not given */
+    const char *plot;            /* the picture's file; null: none */
+    const char *plot_script;     /* the script's file; null: none */
+    plot_request drawing;        /* PLOT_COUNT: no kind is given */
+    fourlink_change *changes;    /* --set, and options that set a key of the deck */
     unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;

@@ -173,6 +173,27 @@ void flk_build_table(parser *p)
         p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
 }
 
+/* Answers for a deck that asks for one branch: those of this branch or, if there are none, those of the other
+** as if they were of this one. */
+static void keep_one_branch(deck *d)
+{
+    fourlink_branch asked = d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    int is_given = 0;
+    size_t i, kept = 0;
+
+    if (d->open && d->crossed)
+        return;
+    for (i = 0; i < d->n_expectations; i++)
+        is_given |= d->expectations[i].has_branch && d->expectations[i].branch == asked;
+    for (i = 0; i < d->n_expectations; i++) {
+        if (is_given && d->expectations[i].branch != asked)
+            continue;
+        d->expectations[kept] = d->expectations[i];
+        d->expectations[kept++].branch = asked;
+    }
+    d->n_expectations = kept;
+}
+
 /* Add the printed values of the deck, in the order of its lines. */
 void flk_build_expectations(parser *p)
 {
@@ -209,10 +230,13 @@ void flk_build_expectations(parser *p)
         e->misprint = use->section == SECTION_MISPRINT;
         e->has_at = IS_SET(at) || d->one_instant;
         e->at = IS_SET(at) ? flk_setting_in_unit(p, at, QUANTITY_ANGLE) : d->motion.from;
+        e->has_branch = IS_SET(branch);
         e->branch = branch->word ? (branch->word == BRANCH_OPEN ? FOURLINK_OPEN : FOURLINK_CROSSED)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
     }
+    if (p->expectations_only)
+        keep_one_branch(d);
 }
 
 void flk_build_flywheel(parser *p)

@@ -143,7 +143,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_expected = (unsigned long)d->n_expectations;
     problem->n_designs = d->sweep.n_designs;
     problem->design = d->sweep.design;
-    problem->has_outputs = d->sweep.output.names.length > 0;
+    problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
+    problem->has_statistics = d->sweep.has_statistics;
     return FOURLINK_OK;
 }
 

@@ -60,6 +60,7 @@ typedef struct deck_expectation {
     int misprint; /* 1: known to be wrong */
     int has_at;
     double at; /* crank angle in the deck's unit */
+    int has_branch;
     fourlink_branch branch;
 } deck_expectation;
 
@@ -67,7 +68,8 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    double value; /* in this design, in the deck's unit */
+    double value;     /* in this design, in the deck's unit */
+    double low, high; /* of the neighbours in its range; the value itself at an end, or in a list */
 } deck_variable;
 
 /* [sweep]; a deck without one has no variables. */
@@ -77,6 +79,8 @@ typedef struct deck_sweep {
     unsigned long n_designs;
     unsigned long design; /* which of them this is */
     deck_names output;    /* empty: rows of each design */
+    deck_names yield;     /* its conditions */
+    int has_statistics;
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };

@@ -46,6 +46,7 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, ROCKER_UNIFORM)                                              \
     YES_WORDS(X, ROD_UNIFORM)                                                 \
     YES_WORDS(X, LEVER_UNIFORM)                                               \
+    YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
     BRANCH_WORDS(X, TABLE_BRANCH)                                             \

@@ -3,7 +3,7 @@
 ** sweep.c - [sweep]: the designs of a deck that varies its quantities.
 **
 ** A design is a list of assignments, as --set makes them.  Ranges and lists are combined in all ways; the
-** last changes fastest.  With tolerances, each combination has as many samples as the deck says.  A design
+** last changes fastest.  Quantities in step, joined by &, count as one.  With tolerances, each combination has as many samples as the deck says.  A design
 ** depends on its index alone: its random numbers are the first of a generator seeded with the deck's seed and
 ** the index.
 */
@@ -32,7 +32,9 @@ typedef struct variation {
     double step, size;    /* step of a range, and its larger end, in the unit of the first value */
     double tolerance;     /* in the unit of the nominal value */
     int is_normal;
-    double count; /* of values; 1 for a tolerance */
+    double count;        /* of values; 1 for a tolerance */
+    int piece, n_pieces; /* in step with others: which of the values between the & are its own */
+    unsigned long index; /* of the value of this design */
 } variation;
 
 static text next_item(text *rest)
@@ -41,6 +43,34 @@ static text next_item(text *rest)
 
     flk_text_split(rest, ',', &item);
     return flk_text_trim(item);
+}
+
+/* The piece of a text between its &, from 0; nothing if it has fewer. */
+static text piece_of(text t, int i)
+{
+    text piece = {"", 0};
+
+    while (flk_text_split(&t, '&', &piece) && i > 0)
+        i--;
+    piece = flk_text_trim(piece);
+    piece.length = i > 0 ? 0 : piece.length;
+    return piece;
+}
+
+static int count_pieces(text t)
+{
+    text piece;
+    int n = 0;
+
+    while (flk_text_split(&t, '&', &piece))
+        n++;
+    return n;
+}
+
+/* A value of a list, or the variation's piece of it. */
+static text own_piece(const variation *v, text item)
+{
+    return v->n_pieces > 1 ? piece_of(item, v->piece) : item;
 }
 
 static int read(parser *p, const variation *v, text t, quantity_value *value)
@@ -171,15 +201,27 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
     return 1;
 }
 
+/* One value of a list, the first of which is `first`. */
+static int read_item(parser *p, const variation *v, text first, text item)
+{
+    text own = own_piece(v, item);
+    quantity_value value;
+
+    if (v->n_pieces > 1 && count_pieces(item) != v->n_pieces)
+        return flk_mistake(p->mistakes, v->place,
+                           "expected %ld values in step, such as 18 mm & 60 mm, not '%t'",
+                           (long)v->n_pieces, item);
+    return read(p, v, own, &value) && units_agree(p, v, own_piece(v, first), own);
+}
+
 /* A, B, C; only the first design reads all of them, because a list can be long. */
 static int read_list(parser *p, variation *v, unsigned long design)
 {
     text rest = v->value, first = next_item(&rest), item = first;
-    quantity_value value;
 
     v->form = VARY_LIST;
     for (;;) {
-        if (design == 0 && (!read(p, v, item, &value) || !units_agree(p, v, first, item)))
+        if (design == 0 && !read_item(p, v, first, item))
             return 0;
         v->count++;
         if (!rest.start)
@@ -196,6 +238,8 @@ static int read_variation(parser *p, unsigned long design, variation *v)
     text before, after;
     size_t i;
 
+    if (v->n_pieces > 1)
+        return read_list(p, v, design);
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
         if (flk_text_cut(v->value, signs[i], &before, &after))
             return read_tolerance(p, before, after, v);
@@ -270,7 +314,7 @@ static text value_at(parser *p, const variation *v, unsigned long i, const gsl_r
         do
             item = next_item(&rest);
         while (i-- > 0);
-        return item;
+        return own_piece(v, item);
     }
     x = v->form == VARY_RANGE ? rounded(v->first.number + (double)i * v->step, v->size)
                               : v->first.number + draw(v, rng);
@@ -290,6 +334,10 @@ static int find_quantity(parser *p, variation *v)
     setting *s;
     int is_vector;
 
+    if (!v->name.length)
+        return flk_mistake(p->mistakes, v->place,
+                           "expected a quantity before and after '&', such as "
+                           "'crank.length & coupler.length'");
     if (!memchr(v->name.start, '.', v->name.length))
         return flk_mistake(
             p->mistakes, v->place,
@@ -358,38 +406,94 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
                     "30 mm step 2 mm'");
 }
 
+/* Read one line of [sweep], whose quantities are varied together; returns the number of its values, 0 if it has
+** mistakes. */
+static double read_line(parser *p, variation *list, const named_value *named, unsigned long design)
+{
+    deck_sweep *sweep = &p->d->sweep;
+    text value = flk_reader_plain(p, named->value);
+    int n = count_pieces(named->name), i;
+    double count = 0;
+
+    for (i = 0; i < n; i++) {
+        variation *v = &list[sweep->n_variables];
+
+        memset(v, 0, sizeof *v);
+        v->name = piece_of(named->name, i);
+        v->value = value;
+        v->place = named->place;
+        v->piece = i;
+        v->n_pieces = n;
+        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
+            return 0;
+        sweep->n_variables++;
+        count = v->count;
+    }
+    return count;
+}
+
 /* Read the lines of [sweep]; returns the number of designs. */
 static double read_variations(parser *p, variation *list, double samples, unsigned long design,
                               int *has_tolerance)
 {
     deck_sweep *sweep = &p->d->sweep;
-    double designs = samples;
+    double designs = samples, count;
     size_t i;
 
     for (i = 0; i < p->n_named && !p->out_of_memory; i++) {
-        const named_value *named = &p->named[i];
-        variation *v = &list[sweep->n_variables];
-
-        if (p->uses[named->use].section != SECTION_SWEEP)
+        if (p->uses[p->named[i].use].section != SECTION_SWEEP)
             continue;
-        memset(v, 0, sizeof *v);
-        v->name = named->name;
-        v->value = flk_reader_plain(p, named->value);
-        v->place = named->place;
-        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
-            continue;
-        designs *= v->count;
-        *has_tolerance |= v->form == VARY_TOLERANCE;
-        sweep->n_variables++;
+        count = read_line(p, list, &p->named[i], design);
+        designs *= count > 0 ? count : 1;
+        *has_tolerance |= count > 0 && list[sweep->n_variables - 1].form == VARY_TOLERANCE;
     }
     return designs;
 }
 
+/* The number of quantities that [sweep] may name. */
+static size_t most_variations(const parser *p)
+{
+    size_t n = 1, i;
+
+    for (i = 0; i < p->n_named; i++)
+        if (p->uses[p->named[i].use].section == SECTION_SWEEP)
+            n += (size_t)count_pieces(p->named[i].name);
+    return n;
+}
+
+/* The digits of a combination's number: the last quantity changes fastest. */
+static void number_values(variation *list, size_t n, unsigned long combination)
+{
+    unsigned long count;
+    size_t i;
+
+    for (i = n; i-- > 0;) {
+        count = (unsigned long)list[i].count;
+        list[i].index = combination % count;
+        if (list[i].piece == 0)
+            combination /= count;
+    }
+}
+
+/* The values of the neighbours in a range, in the deck's unit. */
+static void find_neighbours(parser *p, const variation *v, deck_variable *variable)
+{
+    const unit *u = &p->d->units[v->q].unit;
+    unsigned long last = (unsigned long)v->count - 1;
+
+    variable->low = variable->high = variable->value;
+    if (v->form != VARY_RANGE)
+        return;
+    if (v->index > 0)
+        read_in(p, v, value_at(p, v, v->index - 1, NULL), u, &variable->low);
+    if (v->index < last)
+        read_in(p, v, value_at(p, v, v->index + 1, NULL), u, &variable->high);
+}
+
 /* Make the assignments of a design, and its variables in the deck's units. */
-static void assign(parser *p, const variation *list, double samples, unsigned long design)
+static void assign(parser *p, variation *list, double samples, unsigned long design)
 {
     deck_sweep *sweep = &p->d->sweep;
-    unsigned long rest = design / (unsigned long)samples, step = 1;
     size_t i;
     generator g;
 
@@ -397,24 +501,38 @@ static void assign(parser *p, const variation *list, double samples, unsigned lo
         p->out_of_memory = 1;
         return;
     }
-    for (i = 1; i < sweep->n_variables; i++)
-        step *= (unsigned long)list[i].count;
-    /* digits of the design's number: the last changes fastest */
+    number_values(list, sweep->n_variables, design / (unsigned long)samples);
     for (i = 0; i < sweep->n_variables && !p->out_of_memory; i++) {
         const variation *v = &list[i];
         deck_variable *variable = &sweep->variables[i];
-        unsigned long count = (unsigned long)v->count;
-        text value = value_at(p, v, rest / step % count, &g.rng);
+        text value = value_at(p, v, v->index, &g.rng);
 
-        if (i + 1 < sweep->n_variables)
-            step /= (unsigned long)list[i + 1].count;
         variable->name = v->name;
         variable->q = v->q;
         variable->value = 0;
         if (!read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
             continue;
+        find_neighbours(p, v, variable);
         flk_setting_assign(p, v->place, v->name, value);
     }
+}
+
+/* What each design gives.  A yield is a statistic, unless there are to be none. */
+static void read_outputs(parser *p)
+{
+    deck_sweep *sweep = &p->d->sweep;
+    const setting *output = flk_setting_find(p, KEY_SWEEP_OUTPUT),
+                  *yield = flk_setting_find(p, KEY_SWEEP_YIELD),
+                  *statistics = flk_setting_find(p, KEY_SWEEP_STATISTICS);
+
+    sweep->output.names = output->value;
+    sweep->output.place = output->place;
+    sweep->yield.names = yield->value;
+    sweep->yield.place = yield->place;
+    sweep->has_statistics = IS_SET(statistics) ? statistics->word : IS_SET(yield);
+    if (sweep->has_statistics && !IS_SET(output) && !IS_SET(yield))
+        flk_mistake(p->mistakes, statistics->place,
+                    "statistics need 'output = NAME, ...' in [sweep]");
 }
 
 void flk_sweep_read(parser *p, unsigned long design)
@@ -434,8 +552,8 @@ void flk_sweep_read(parser *p, unsigned long design)
     flk_values_read_section(p, use);
     s = flk_setting_find(p, KEY_SWEEP_SAMPLES);
     samples = s->si[0] > 0 ? s->si[0] : 1;
-    list = flk_reader_keep(p, (p->n_named + 1) * sizeof *list);
-    sweep->variables = flk_reader_keep(p, (p->n_named + 1) * sizeof *sweep->variables);
+    list = flk_reader_keep(p, most_variations(p) * sizeof *list);
+    sweep->variables = flk_reader_keep(p, most_variations(p) * sizeof *sweep->variables);
     if (!list || !sweep->variables)
         return;
     keys = p->mistakes->count;
@@ -450,7 +568,5 @@ void flk_sweep_read(parser *p, unsigned long design)
         assign(p, list, samples, design);
     }
     p->lacks_values = p->mistakes->count > before;
-    s = flk_setting_find(p, KEY_SWEEP_OUTPUT);
-    sweep->output.names = s->value;
-    sweep->output.place = s->place;
+    read_outputs(p);
 }

@@ -127,16 +127,22 @@ static void lay_out(picture *p, FILE *out)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
-    int rows = info->rows ? info->rows : p->n_branches;
+    int rows = info->rows ? info->rows : p->n_branches, columns = info->columns;
+    const fourlink_value *outputs;
+    unsigned long n;
     double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0;
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
+    if (info->needs & PLOT_SWEEP) {
+        fourlink_results_list(p->results, FOURLINK_OUTPUTS, &outputs, &n);
+        columns = n > 1 ? info->columns : 1;
+        rows = ((int)n + columns - 1) / columns;
+    }
     if (info->needs & PLOT_DRAWING)
         beside = (lines_beside(p, is_vectors) + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
                  height;
-    canvas_open(&p->on, out, is_text, info->columns, rows, info->width, height,
-                beside > 0 ? beside : 0);
+    canvas_open(&p->on, out, is_text, columns, rows, info->width, height, beside > 0 ? beside : 0);
 }
 
 static void put_terminal(const canvas *c, const plot_request *request)
@@ -180,8 +186,8 @@ static const char *const style_of_pen[PEN_COUNT] = {
 static void put_head(const picture *p, const char *deck_name, const char *held)
 {
     const canvas *c = &p->on;
+    int is_sweep = (plot_table[p->request->kind].needs & PLOT_SWEEP) != 0, i;
     char rest[200];
-    int i;
 
     fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
             plot_names[p->request->kind], fourlink_version());
@@ -200,8 +206,10 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
           c->out);
     canvas_name(c, p->problem.title[0] ? p->problem.title : deck_name, deck_name,
                 flk_text_join(rest, sizeof rest,
-                              p->problem.n_designs ? ", first design of its sweep" : "", held,
-                              "  |  fourlink ", fourlink_version(), (char *)NULL));
+                              is_sweep               ? ", all designs of its sweep"
+                              : p->problem.n_designs ? ", first design of its sweep"
+                                                     : "",
+                              held, "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
 /* Returns 0, for the caller to return. */
@@ -335,6 +343,8 @@ static const char *missing(const picture *p)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction needs a slider-crank";
+    if ((needs & PLOT_SWEEP) && (!p->problem.n_designs || !p->problem.has_outputs))
+        return "this picture needs a [sweep] with outputs; the deck has none";
     if ((needs & PLOT_DRAWING) && (p->problem.n_loads - p->problem.n_gas_loads > PICTURE_LOADS ||
                                    p->problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
@@ -392,6 +402,7 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
 
     memset(&p, 0, sizeof p);
     p.request = request;
+    p.source = source;
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
     close_deck(&p);
     return written;

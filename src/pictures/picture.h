@@ -13,27 +13,31 @@
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
 ** A|B the first */
-#define PLOT_LIST(X)                                                                        \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
-      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")       \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS, \
-      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                        \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,    \
-      picture_turning, NULL)                                                                \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,      \
-      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"    \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                     \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)              \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)              \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL)
+#define PLOT_LIST(X)                                                                              \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)              \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,             \
+      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")             \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,       \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                              \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,          \
+      picture_turning, NULL)                                                                      \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,            \
+      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"          \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                           \
+    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)                    \
+    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                    \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL) \
+    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,    \
+      NULL)                                                                                       \
+    X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_columns, NULL)
 
 enum {
     PLOT_FORCES_OF_DECK = 1,
     PLOT_SLIDER_CRANK = 2,
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
-    PLOT_ANGLE_AXIS = 16
+    PLOT_ANGLE_AXIS = 16,
+    PLOT_SWEEP = 32 /* a panel for each output of the sweep */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
@@ -77,6 +81,7 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
 /* A picture in the making. */
 typedef struct picture {
     const plot_request *request;
+    const fourlink_source *source;
     canvas on;
     fourlink_results *results;
     const fourlink_deck *deck;

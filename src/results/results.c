@@ -6,15 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/quantity.h"
+#include "condition.h"
 #include "expected.h"
 #include "fact.h"
+#include "hint.h"
 #include "results.h"
 #include "turning.h"
 
 /* ------------------------------------------------------------------------------------------ opening */
 
 /* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one instant. */
-static void check_output(fourlink_results *r, text name, mistakes *m)
+static void check_output(fourlink_results *r, text name, text_place place, mistakes *m)
 {
     text of = name;
     flk_statistic statistic = flk_column_statistic_of(name, &of);
@@ -28,7 +31,7 @@ static void check_output(fourlink_results *r, text name, mistakes *m)
     column = flk_column_nearest(&r->a, of);
     if (statistic && column)
         flk_column_statistic_name(statistic, column, nearest, sizeof nearest);
-    flk_mistake(m, r->d.sweep.output.place,
+    flk_mistake(m, place,
                 flk_column_find(&r->a, name, &c)
                     ? "'%t' has a value in each row: use its max(), min(), mean() or rms()%h"
                     : "'%t' is neither a fact nor the max(), min(), mean() or rms() of a column of "
@@ -53,11 +56,11 @@ static void ask_extreme(fourlink_results *r, text name)
 ** are expected. */
 static void ask_extremes(fourlink_results *r)
 {
-    text rest = r->d.sweep.output.names, name;
+    const flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
     size_t i;
 
-    while (rest.start && flk_column_next_name(&rest, &name))
-        ask_extreme(r, name);
+    for (i = 0; i < outputs->n; i++)
+        ask_extreme(r, flk_text_of(outputs->list[i].name));
     for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
         if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
             flk_extremes_ask(&r->extremes, &r->columns[i]);
@@ -80,31 +83,88 @@ static void describe_output(fourlink_results *r, const char *name, fourlink_valu
 
 #define MOST_OUTPUTS 64
 
+/* Add an output, or find it; null and a mistake if there are too many. */
+static const fourlink_value *add_output(fourlink_results *r, text name, text_place place,
+                                        int is_new)
+{
+    flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
+    char *copy = r->names + DECK_NAME_SIZE * outputs->n;
+    fourlink_value *output = &outputs->list[outputs->n];
+    unsigned long i;
+
+    for (i = 0; i < outputs->n && !is_new; i++)
+        if (flk_text_same(name, outputs->list[i].name))
+            return &outputs->list[i];
+    if (outputs->n == MOST_OUTPUTS) {
+        flk_mistake(&r->d.mistakes, place, "more than 64 outputs");
+        return NULL;
+    }
+    check_output(r, name, place, &r->d.mistakes);
+    memset(output, 0, sizeof *output);
+    describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), output);
+    outputs->n++;
+    return output;
+}
+
 static void list_outputs(fourlink_results *r)
 {
+    text_place place = r->d.sweep.output.place;
     text rest = r->d.sweep.output.names, name;
-    flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
-    mistakes *m = &r->d.mistakes;
 
-    while (rest.start && flk_column_next_name(&rest, &name)) {
-        char *copy = r->names + DECK_NAME_SIZE * outputs->n;
-
-        if (outputs->n == MOST_OUTPUTS) {
-            flk_mistake(m, r->d.sweep.output.place, "more than 64 outputs");
+    while (rest.start && flk_column_next_name(&rest, &name))
+        if (!add_output(r, name, place, 1))
             return;
-        }
-        check_output(r, name, m);
-        describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), &outputs->list[outputs->n++]);
+    if (r->d.sweep.output.names.start && !r->lists[FOURLINK_OUTPUTS].n)
+        flk_mistake(&r->d.mistakes, place, "'output' names nothing");
+}
+
+/* Add a condition of the yield; its name is an output too.  Returns 0 if there are too many. */
+static int add_condition(fourlink_results *r, const flk_condition *c)
+{
+    flk_list *list = &r->lists[FOURLINK_CONDITIONS];
+    text_place place = r->d.sweep.yield.place;
+    const fourlink_value *output = add_output(r, c->name, place, 0);
+    char message[MESSAGE_SIZE];
+    quantity_value limit;
+    fourlink_value *v;
+    quantity q;
+
+    if (!output || list->n == MOST_OUTPUTS)
+        return 0;
+    if (!output->quantity)
+        return 1; /* not known: already reported */
+    q = flk_quantity_find(output->quantity);
+    if (!flk_quantity_read(c->limit, c->limit, q, r->d.units[q].unit, &limit, message))
+        return flk_mistake(&r->d.mistakes, place, "%s", message) + 1;
+    v = &list->list[list->n];
+    *v = *output;
+    v->value = flk_unit_from_si(limit.si, r->d.units[q].unit);
+    v->flags = c->flags;
+    v->meaning = flk_text_copy(c->whole, r->names + DECK_NAME_SIZE * (MOST_OUTPUTS + list->n++),
+                               DECK_NAME_SIZE);
+    return 1;
+}
+
+static void list_conditions(fourlink_results *r)
+{
+    text rest = r->d.sweep.yield.names;
+    flk_condition c;
+    int status = 0;
+
+    while (rest.start && (status = flk_condition_next(&rest, &c)) != 0) {
+        if (status < 0)
+            flk_mistake(&r->d.mistakes, r->d.sweep.yield.place,
+                        "expected a condition, such as mu_min > 40 deg, not '%t'", c.whole);
+        else if (!add_condition(r, &c))
+            return;
     }
-    if (r->d.sweep.output.names.start && !outputs->n)
-        flk_mistake(m, r->d.sweep.output.place, "'output' names nothing");
 }
 
 /* Allocate all lists in one piece, after the facts; 0 if out of memory. */
 static int take_memory(fourlink_results *r)
 {
     size_t columns = flk_column_limit(&r->d), inputs = flk_list_input_limit(&r->d);
-    size_t variables = r->d.sweep.n_variables, size[FOURLINK_OUTPUTS + 1], total = 0;
+    size_t variables = r->d.sweep.n_variables, size[FOURLINK_CONDITIONS + 1], total = 0;
     fourlink_value *next;
     int i;
 
@@ -112,13 +172,13 @@ static int take_memory(fourlink_results *r)
     size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
     size[FOURLINK_INPUTS] = inputs;
     size[FOURLINK_VARIABLES] = variables;
-    size[FOURLINK_OUTPUTS] = MOST_OUTPUTS;
-    for (i = 0; i <= FOURLINK_OUTPUTS; i++)
+    size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
+    for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
     r->columns = malloc(columns * sizeof *r->columns);
-    r->names = malloc((MOST_OUTPUTS + variables + inputs + 2 * columns) * DECK_NAME_SIZE);
+    r->names = malloc((2 * MOST_OUTPUTS + variables + inputs + 2 * columns) * DECK_NAME_SIZE);
     r->facts = next = malloc(total * sizeof *next);
-    for (i = 0; next && i <= FOURLINK_OUTPUTS; next += size[i++])
+    for (i = 0; next && i <= FOURLINK_CONDITIONS; next += size[i++])
         r->lists[i].list = next;
     return r->columns && r->names && r->facts && flk_turning_open(&r->a) &&
            flk_extremes_open(&r->extremes, columns);
@@ -140,9 +200,10 @@ static int open_deck(fourlink_results *r)
         r->needs |= flk_column_need(&r->columns[i]);
     }
     list_outputs(r);
+    list_conditions(r);
     ask_extremes(r);
     flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES],
-                       r->names + MOST_OUTPUTS * DECK_NAME_SIZE);
+                       r->names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE);
     return 1;
 }
 
@@ -240,6 +301,24 @@ int fourlink_source_design(const fourlink_source *source, unsigned long max, dou
     return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
 }
 
+int fourlink_source_neighbours(const fourlink_source *source, unsigned long max, double *low,
+                               double *high)
+{
+    deck d;
+    size_t i;
+    int status;
+
+    if (!source || !source->text || !low || !high)
+        return FOURLINK_NULL;
+    status = flk_deck_read(source, &d);
+    for (i = 0; i < d.sweep.n_variables && i < max; i++) {
+        low[i] = d.sweep.variables[i].low;
+        high[i] = d.sweep.variables[i].high;
+    }
+    flk_deck_free(&d);
+    return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
+}
+
 void fourlink_results_free(fourlink_results *r)
 {
     if (!r)
@@ -264,7 +343,7 @@ const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
 static void fill(fourlink_results *r, int which)
 {
     flk_list *list = &r->lists[which];
-    size_t names = MOST_OUTPUTS + r->d.sweep.n_variables;
+    size_t names = 2 * MOST_OUTPUTS + r->d.sweep.n_variables;
 
     if (which == FOURLINK_ALL_COLUMNS)
         flk_list_columns(&r->a, list);
@@ -286,7 +365,7 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
 {
     if (!r || !list || !n)
         return FOURLINK_NULL;
-    if (which < FOURLINK_COLUMNS || which > FOURLINK_OUTPUTS)
+    if (which < FOURLINK_COLUMNS || which > FOURLINK_CONDITIONS)
         return FOURLINK_NO_SUCH_LIST;
     if (!r->lists[which].n)
         fill(r, which);
@@ -309,7 +388,7 @@ int fourlink_results_facts(fourlink_results *r, int branch, int groups,
         return FOURLINK_NULL;
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
-    names = MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
+    names = 2 * MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
     *n = flk_fact_list(&r->a, &r->extremes, branch, groups, r->columns, r->n_columns, r->facts,
                        r->names + names * DECK_NAME_SIZE);
     *facts = r->facts;
@@ -456,5 +535,7 @@ int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check 
     if (i >= r->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
     flk_expected_compare(&r->a, &r->extremes, &r->d.expectations[i], r->facts, check);
+    if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
+        flk_hint_find(r, check);
     return FOURLINK_OK;
 }

@@ -14,10 +14,10 @@ struct fourlink_results {
     flk_extremes extremes;
     flk_column *columns; /* the columns that the deck asks for */
     size_t n_columns;
-    int needs;                            /* what these columns need */
-    flk_list lists[FOURLINK_OUTPUTS + 1]; /* by FOURLINK_COLUMNS ... */
-    fourlink_value *facts;                /* room for all facts of flk_fact_list */
-    char *names;                          /* names of inputs, outputs and variables; of extremes */
+    int needs;                               /* what these columns need */
+    flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
+    fourlink_value *facts;                   /* room for all facts of flk_fact_list */
+    char *names; /* names of inputs, outputs and variables; of extremes */
 };
 
 #endif

@@ -47,7 +47,15 @@ static void begin(sheet *s)
         return;
     }
     if (s->content == SHEET_CHECK) {
-        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance\r\n");
+        line_put(&s->l, "file,line,result,name,theta2,branch,unit,printed,computed,tolerance,score,"
+                        "of,note\r\n");
+        return;
+    }
+    if (s->content == SHEET_STATISTICS) {
+        line_put(&s->l,
+                 "name,unit,branch,count,mean,std_dev,min,5 %s,25 %s,50 %s,75 %s,95 %s,max,"
+                 "yield,low,high\r\n",
+                 "%", "%", "%", "%", "%");
         return;
     }
     for (i = 0; i < s->n_variables; i++)
@@ -136,10 +144,13 @@ static void put_check(sheet *s, const fourlink_check *c)
     line_text(&s->l, ",", 1);
     if (c->words[0] || c->verdict == FOURLINK_NO_VALUE) {
         put_words(&s->l, c->words);
-        line_put(&s->l, ",\r\n");
+        line_put(&s->l, ",");
     } else {
-        line_put(&s->l, "%17g,%17g\r\n", c->computed, c->tolerance);
+        line_put(&s->l, "%17g,%17g", c->computed, c->tolerance);
     }
+    line_put(&s->l, ",,,");
+    put_words(&s->l, c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
+    line_text(&s->l, "\r\n", 2);
 }
 
 static void put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -160,6 +171,18 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
     line_text(&s->l, "\r\n", 2);
 }
 
+/* The last line of a deck's comparisons is its score. */
+static void close_deck(sheet *s)
+{
+    unsigned long score, of;
+
+    if (s->content != SHEET_CHECK)
+        return;
+    score = sheet_score(s, &of);
+    put_labels(s);
+    line_put(&s->l, ",,score,,,,,,,,%lu,%lu,\r\n", score, of);
+}
+
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
 static void refuse(sheet *s, const char *why)
 {
@@ -168,27 +191,65 @@ static void refuse(sheet *s, const char *why)
 
     if (!s->design) {
         put_labels(s);
-        line_put(&s->l, ",,%s,,,,,,,\r\n", why);
+        line_put(&s->l, ",,bad deck,,,,,,,,0,,");
+        put_words(&s->l, why);
+        line_text(&s->l, "\r\n", 2);
     }
     for (i = 0; i < n; i++)
         put_design(s, branches[i], NULL, why);
 }
 
+/* A comma and a number; nothing after it if it is not defined. */
+static void put_next(sheet *s, double value)
+{
+    line_text(&s->l, ",", 1);
+    if (!gsl_isnan(value))
+        line_number(&s->l, value, DIGITS);
+}
+
+static void put_statistic(sheet *s, const sheet_statistic *x)
+{
+    int i;
+
+    put_words(&s->l, x->output->name);
+    line_put(&s->l, ",%s,%s,%lu", x->output->unit, fourlink_branch_text((int)x->branch), x->count);
+    put_next(s, x->mean);
+    put_next(s, x->deviation);
+    put_next(s, x->least);
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        put_next(s, x->quantiles[i]);
+    put_next(s, x->most);
+    line_put(&s->l, ",,,\r\n");
+}
+
+static void put_yield(sheet *s, const sheet_yield *y)
+{
+    put_words(&s->l, y->condition);
+    line_put(&s->l, ",%s,%s,%lu,,,,,,,,,", "%", fourlink_branch_text((int)y->branch), y->designs);
+    put_next(s, y->percent);
+    put_next(s, y->low);
+    put_next(s, y->high);
+    line_text(&s->l, "\r\n", 2);
+}
+
 const sheet_format csv_format = {
-    "csv",                                                                        /* name */
-    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS, /* writes */
-    begin,                                                                        /* begin */
-    open_deck,                                                                    /* open */
-    NULL,                                                                         /* column */
-    put_fact,                                                                     /* fact */
-    NULL,                                                                         /* block */
-    put_row,                                                                      /* row */
-    NULL,                                                                         /* end_block */
-    put_check,                                                                    /* check */
-    put_design,                                                                   /* design */
-    refuse,                                                                       /* refuse */
-    NULL,                                                                         /* close */
-    sizeof(long),                                                                 /* layout_size */
-    0,                                                                            /* is_by_angle */
-    0                                                                             /* is_brief */
+    "csv", /* name */
+    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK | 1 << SHEET_DESIGNS |
+        1 << SHEET_STATISTICS, /* writes */
+    begin,                     /* begin */
+    open_deck,                 /* open */
+    NULL,                      /* column */
+    put_fact,                  /* fact */
+    NULL,                      /* block */
+    put_row,                   /* row */
+    NULL,                      /* end_block */
+    put_check,                 /* check */
+    put_design,                /* design */
+    refuse,                    /* refuse */
+    close_deck,                /* close */
+    sizeof(long),              /* layout_size */
+    0,                         /* is_by_angle */
+    0,                         /* is_brief */
+    put_statistic,             /* statistic */
+    put_yield                  /* yield */
 };

@@ -176,6 +176,8 @@ static void open_deck(sheet *s)
 
     put_labels(s);
     put_text(&s->l, "title", s->problem.title);
+    if (s->content == SHEET_STATISTICS)
+        return;
     put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
     if (s->content == SHEET_LIST)
         return;
@@ -264,7 +266,15 @@ static void put_check(sheet *s, const fourlink_check *c)
     put_number(&s->l, is_number ? c->tolerance : GSL_NAN);
     if (c->message[0])
         put_text(&s->l, "message", c->message);
+    if (c->hint[0])
+        put_text(&s->l, "hint", c->hint);
     line_text(&s->l, "}", 1);
+}
+
+static void put_score(sheet *s, unsigned long score)
+{
+    put_name(&s->l, "score", 0);
+    put_number(&s->l, (double)score);
 }
 
 /* The first line of a sheet of designs describes its variables and outputs. */
@@ -315,34 +325,92 @@ static void refuse(sheet *s, const char *why)
     if (n)
         return;
     put_labels(s);
-    put_text(&s->l, "status", why);
+    if (s->design) {
+        put_text(&s->l, "status", why);
+    } else {
+        put_text(&s->l, "status", "bad deck");
+        put_score(s, 0);
+        put_text(&s->l, "message", why);
+    }
     line_put(&s->l, "}\n");
 }
 
 static void close_deck(sheet *s)
 {
     int is_in_rows = s->content == SHEET_ROWS;
+    unsigned long score, of;
 
     put_newline(s);
+    if (s->content == SHEET_CHECK) {
+        end_list(s);
+        score = sheet_score(s, &of);
+        put_score(s, score);
+        put_name(&s->l, "of", 0);
+        put_number(&s->l, (double)of);
+    }
     line_put(&s->l, is_in_rows ? "]}" : "");
     line_put(&s->l, s->list ? "]}\n" : "}\n");
 }
 
+static void put_named_number(line *l, const char *name, double value)
+{
+    put_name(l, name, 0);
+    put_number(l, value);
+}
+
+static void put_statistic(sheet *s, const sheet_statistic *x)
+{
+    static const char *const shares[SHEET_QUANTILES] = {"5 %", "25 %", "50 %", "75 %", "95 %"};
+    int i;
+
+    put_item(s, "statistics");
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "name", 1);
+    put_string(&s->l, x->output->name);
+    put_text(&s->l, "unit", x->output->unit);
+    put_text(&s->l, "branch", fourlink_branch_text((int)x->branch));
+    put_named_number(&s->l, "count", (double)x->count);
+    put_named_number(&s->l, "mean", x->mean);
+    put_named_number(&s->l, "std_dev", x->deviation);
+    put_named_number(&s->l, "min", x->least);
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        put_named_number(&s->l, shares[i], x->quantiles[i]);
+    put_named_number(&s->l, "max", x->most);
+    line_text(&s->l, "}", 1);
+}
+
+static void put_yield(sheet *s, const sheet_yield *y)
+{
+    put_item(s, "yield");
+    line_text(&s->l, "{", 1);
+    put_name(&s->l, "condition", 1);
+    put_string(&s->l, y->condition);
+    put_text(&s->l, "branch", fourlink_branch_text((int)y->branch));
+    put_named_number(&s->l, "designs", (double)y->designs);
+    put_named_number(&s->l, "passed", (double)y->passed);
+    put_named_number(&s->l, "yield", y->percent);
+    put_named_number(&s->l, "low", y->low);
+    put_named_number(&s->l, "high", y->high);
+    line_text(&s->l, "}", 1);
+}
+
 const sheet_format json_format = {
-    "json",                                               /* name */
-    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX), /* writes */
-    begin,                                                /* begin */
-    open_deck,                                            /* open */
-    put_column,                                           /* column */
-    put_fact,                                             /* fact */
-    put_block,                                            /* block */
-    put_row,                                              /* row */
-    NULL,                                                 /* end_block */
-    put_check,                                            /* check */
-    put_design,                                           /* design */
-    refuse,                                               /* refuse */
-    close_deck,                                           /* close */
-    0,                                                    /* layout_size */
-    0,                                                    /* is_by_angle */
-    0                                                     /* is_brief */
+    "json",                                                                     /* name */
+    (1 << SHEET_CONTENT_COUNT) - 1 - (1 << SHEET_MATRIX) - (1 << SHEET_EXPECT), /* writes */
+    begin,                                                                      /* begin */
+    open_deck,                                                                  /* open */
+    put_column,                                                                 /* column */
+    put_fact,                                                                   /* fact */
+    put_block,                                                                  /* block */
+    put_row,                                                                    /* row */
+    NULL,                                                                       /* end_block */
+    put_check,                                                                  /* check */
+    put_design,                                                                 /* design */
+    refuse,                                                                     /* refuse */
+    close_deck,                                                                 /* close */
+    0,                                                                          /* layout_size */
+    0,                                                                          /* is_by_angle */
+    0,                                                                          /* is_brief */
+    put_statistic,                                                              /* statistic */
+    put_yield                                                                   /* yield */
 };

@@ -70,5 +70,7 @@ const sheet_format paper_format = {
     NULL,            /* close */
     0,               /* layout_size */
     1,               /* is_by_angle */
-    0                /* is_brief */
+    0,               /* is_brief */
+    NULL,            /* statistic */
+    NULL             /* yield */
 };

@@ -266,6 +266,16 @@ static void write_checks(sheet *s)
     }
 }
 
+unsigned long sheet_score(const sheet *s, unsigned long *of)
+{
+    int i;
+
+    *of = 0;
+    for (i = 0; i < 5; i++)
+        *of += s->checks[i];
+    return s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT];
+}
+
 /* List all names, each once. */
 static void write_list(sheet *s)
 {
@@ -356,6 +366,9 @@ static void write_content(sheet *s)
     case SHEET_MATRIX:
         matrix_write(s);
         break;
+    case SHEET_EXPECT:
+        expect_write(s);
+        break;
     case SHEET_ROWS:
     default:
         write_rows(s);
@@ -364,12 +377,12 @@ static void write_content(sheet *s)
         s->format->close(s);
 }
 
-void sheet_write(sheet *s, fourlink_results *results, const char *deck_name)
+void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
 {
     s->deck_name = s->n_decks > 1 ? deck_name : NULL;
     if (!results) {
         if (s->content == SHEET_CHECK && s->deck_name)
-            s->format->refuse(s, "bad deck");
+            s->format->refuse(s, why);
         line_end(&s->l);
         return;
     }

@@ -20,7 +20,9 @@ typedef enum sheet_content {
     SHEET_CHECK,
     SHEET_LIST,
     SHEET_MATRIX,
-    SHEET_DESIGNS, /* a line for each design of a sweep */
+    SHEET_DESIGNS,    /* a line for each design of a sweep */
+    SHEET_EXPECT,     /* values for --check */
+    SHEET_STATISTICS, /* of the outputs of a sweep */
     SHEET_CONTENT_COUNT
 } sheet_content;
 
@@ -33,6 +35,7 @@ typedef struct sheet {
     sheet_content content;
     int n_decks;         /* if several, each shows its name */
     unsigned long width; /* of the terminal; 0: the table need not fit one */
+    const char *at;      /* SHEET_EXPECT: the crank angles of --at; null: the rows */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
@@ -45,11 +48,12 @@ typedef struct sheet {
     const char *angle_unit;
     const fourlink_value *columns, *variables;
     unsigned long n_columns, n_variables;
-    unsigned long design;    /* of a sweep, from 1; 0: not a sweep */
-    const double *varied;    /* the values of its variables */
-    double *values;          /* of a row */
-    fourlink_load *loads;    /* of a row */
-    void *layout;            /* of the format */
+    unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
+    const double *varied;          /* the values of its variables */
+    struct statistics *statistics; /* of the sweep; null: none */
+    double *values;                /* of a row */
+    fourlink_load *loads;          /* of a row */
+    void *layout;                  /* of the format */
     int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
     unsigned long n_written; /* decks or designs */
     const char *list;        /* for the format: the list that is open, or null */
@@ -76,10 +80,28 @@ typedef struct sheet_output {
     fourlink_value v;
 } sheet_output;
 
+#define SHEET_QUANTILES 5
+
+/* Statistics of one output on one branch; NaN: not defined. */
+typedef struct sheet_statistic {
+    const fourlink_value *output;
+    fourlink_branch branch;
+    unsigned long count;
+    double mean, deviation, least, most;
+    double quantiles[SHEET_QUANTILES]; /* 5, 25, 50, 75, 95 per cent */
+} sheet_statistic;
+
+/* How many designs meet a condition. */
+typedef struct sheet_yield {
+    const char *condition;
+    fourlink_branch branch;
+    unsigned long passed, designs;
+    double percent, low, high; /* 95 per cent interval, in per cent */
+} sheet_yield;
+
 /* How a format writes the parts of a sheet.  `begin`, `open`, `fact`, `block`, `end_block` and `close` may be
-** null.  The
-** others may be null if the format does not write their contents: `row` for rows, `check` and `refuse` for
-** comparisons, `column` for lists, `design` and `refuse` for sweeps. */
+** null.  The others may be null if the format does not write their contents: `row` for rows, `check` and `refuse`
+** for comparisons, `column` for lists, `design` and `refuse` for sweeps, `statistic` and `yield` for statistics. */
 typedef struct sheet_format {
     const char *name;
     int writes;              /* the contents it can write, 1 << SHEET_ROWS ... */
@@ -99,6 +121,8 @@ typedef struct sheet_format {
                            at the end of a revolution */
     int is_brief;    /* 1: rows without numbers, one after the other for the same reason, are one;
                            in a summary a fact that is the same on both branches is there once */
+    void (*statistic)(sheet *s, const sheet_statistic *x); /* of SHEET_STATISTICS */
+    void (*yield)(sheet *s, const sheet_yield *y);         /* the same */
 } sheet_format;
 
 /* The formats, each in its own file. */
@@ -119,8 +143,8 @@ char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES]);
 ** variables.  `has_head` is 0 for a part that continues another. */
 void sheet_begin(sheet *s, FILE *out, int has_head);
 
-/* Write a deck; null results mean a deck with mistakes. */
-void sheet_write(sheet *s, fourlink_results *results, const char *deck_name);
+/* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
+void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
 
 /* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
 ** the values of its variables.  If results are null, write the reason on the branches of `first`. */
@@ -141,11 +165,22 @@ void sheet_write_gap(sheet *s);
 /* Give the deck's inputs to a function of the format. */
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 
+/* How many values of this deck agree, or are misprints as expected; and of how many. */
+unsigned long sheet_score(const sheet *s, unsigned long *of);
+
 /* Write where the crank comes to rest, if it does. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
 /* Write the nine equations for each row. */
 void matrix_write(sheet *s);
+
+/* Take the next crank angle, in the deck's unit, off a list separated by commas.  1; 0 at the end of the list;
+** -1 and a message if it is no angle, or one that the motion does not reach. */
+int expect_next_angle(fourlink_results *results, const char **list, double *angle,
+                      char message[400]);
+
+/* Write the deck's values as [expect] sections: for each row, or for the crank angles of s->at. */
+void expect_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);

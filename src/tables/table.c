@@ -182,5 +182,7 @@ const sheet_format table_format = {
     table_close,                    /* close */
     sizeof(style),                  /* layout_size */
     0,                              /* is_by_angle */
-    1                               /* is_brief */
+    1,                              /* is_brief */
+    table_put_statistic,            /* statistic */
+    table_put_yield                 /* yield */
 };

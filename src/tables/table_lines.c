@@ -26,6 +26,10 @@ void table_put_head(sheet *s)
         line_put(&s->l, "%-18s %-8s %-60s in the sources\n", "column", "unit", "meaning");
     if (s->content == SHEET_CHECK || s->content == SHEET_LIST)
         return;
+    if (s->content == SHEET_STATISTICS) {
+        head_put_title(s);
+        return;
+    }
     if (s->content == SHEET_SUMMARY)
         summary_put_inputs(s);
     else
@@ -64,19 +68,25 @@ void table_put_check(sheet *s, const fourlink_check *c)
         line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
     if (c->has_angle)
         line_put(&s->l, " at %9g %s", c->angle, s->angle_unit);
-    line_put(&s->l, ", %s\n", fourlink_branch_text((int)c->branch));
+    line_put(&s->l, c->hint[0] ? ", %s; hint: %s\n" : ", %s\n",
+             fourlink_branch_text((int)c->branch), c->hint);
 }
 
-/* Write the counts of this deck's comparisons. */
+/* Write the counts of this deck's comparisons, and its score. */
 void table_close(sheet *s)
 {
     static const fourlink_verdict order[] = {FOURLINK_AGREES, FOURLINK_MISPRINT, FOURLINK_DIFFERS,
                                              FOURLINK_NO_MISPRINT, FOURLINK_NO_VALUE};
+    unsigned long score, of;
     int i;
 
-    for (i = 0; s->content == SHEET_CHECK && i < 5; i++)
+    if (s->content != SHEET_CHECK)
+        return;
+    score = sheet_score(s, &of);
+    for (i = 0; i < 5; i++)
         line_put(&s->l, "%s%s: %lu%s", i ? ", " : "# ", sheet_verdicts[order[i]],
                  s->checks[order[i]], i < 4 ? "" : "\n");
+    line_put(&s->l, "# score: %lu of %lu\n", score, of);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */
@@ -185,8 +195,12 @@ void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outp
 
 void table_refuse(sheet *s, const char *why)
 {
-    if (!s->design)
+    if (!s->design) {
+        sheet_write_gap(s);
+        line_put(&s->l, "# bad deck: %s\n# score: 0\n", why);
+        s->n_written++;
         return;
+    }
     if (s->content == SHEET_ROWS)
         sheet_write_gap(s);
     table_put_design_comment(s);

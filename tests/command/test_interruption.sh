@@ -48,6 +48,24 @@ for signal in INT TERM; do
     check 'none is left out' awk -F, 'NR > 1 && ($1 != int(NR / 2) || NF != 6) {bad = 1} END {exit bad + 0}' got
 done
 
+# statistics, and the search of the best design
+for option in --statistics "--best=max swing"; do
+    echo old >files/result
+    "$fourlink" "$option" -o files/result t.deck 2>err &
+    pid=$!
+    sleep 0.5
+    kill -TERM $pid
+    (sleep 5; kill -9 $pid) 2>/dev/null &
+    guard=$!
+    wait $pid 2>/dev/null
+    status=$?
+    kill $guard 2>/dev/null
+    check "$option, ended by SIGTERM: $status" test $status -eq 143
+    only_file files result
+    check 'the old file is untouched' test "$(cat files/result)" = old
+    says 'stopped t.deck: interrupted'
+done
+
 # progress
 if command -v script >/dev/null; then
     script -qec "timeout 2.5 '$fourlink' -f csv -o files/result t.deck" typed </dev/null >shown 2>&1
@@ -66,6 +84,7 @@ quiet
 sweep 'crank.length = 18 mm to 22 mm in 100000' 'output = swing'
 if (ulimit -v 65536 && "$fourlink" --version >out) 2>err; then
     check '100,000 designs in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -f csv t.deck | wc -l | grep -q "^ *200001$"' "$fourlink"
+    check 'their statistics in 64 MB' sh -c 'ulimit -v 65536 && exec "$0" -f csv --statistics t.deck | grep -q "^swing,deg,open,100000,"' "$fourlink"
 fi
 
 if command -v valgrind >/dev/null && valgrind -q "$fourlink" --version >out 2>err && [ ! -s err ]; then # not all read clang's symbols

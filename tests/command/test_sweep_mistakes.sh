@@ -92,6 +92,6 @@ done
 printf '[expect]\nmu_min = 58\n' >answers
 run 2 --check=answers t.deck
 nothing
-says 't.deck:1: error: --check, --matrix and --summary work for one design'
+says 't.deck:1: error: --check, --expect, --matrix and --summary work for one design'
 
 finish

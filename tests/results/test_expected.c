@@ -38,6 +38,13 @@ static fourlink_results *checked(const char *contents, taken *t)
     return r;
 }
 
+/* A hint is for what differs. */
+static void check_hint(const fourlink_check *c)
+{
+    if (c->hint[0])
+        assert_int_equal(c->verdict, FOURLINK_DIFFERS);
+}
+
 /* The check of a deck that has a single expectation, which can be compared. */
 static fourlink_check one_check(const char *contents)
 {
@@ -51,6 +58,7 @@ static fourlink_check one_check(const char *contents)
     assert_true(strlen(t.list[0].unit) < sizeof unit_name);
     t.list[0].unit = strcpy(unit_name, t.list[0].unit); /* it is the deck's */
     t.list[0].file = NULL;
+    check_hint(&t.list[0]);
     fourlink_results_free(r);
     return t.list[0];
 }

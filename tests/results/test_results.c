@@ -43,6 +43,10 @@ static void test_null_pointers(void **unused)
     assert_int_equal(fourlink_source_design(NULL, 1, &x), FOURLINK_NULL);
     assert_int_equal(fourlink_source_design(&none, 1, &x), FOURLINK_NULL);
     assert_int_equal(fourlink_source_design(&source, 1, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_neighbours(NULL, 1, &x, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_neighbours(&none, 1, &x, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_neighbours(&source, 1, NULL, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_source_neighbours(&source, 1, &x, NULL), FOURLINK_NULL);
     assert_null(fourlink_results_deck(NULL));
     fourlink_results_free(NULL);
     assert_int_equal(fourlink_results_list(NULL, FOURLINK_COLUMNS, &list, &n), FOURLINK_NULL);
@@ -285,7 +289,7 @@ static void test_no_design_in_order(void **unused)
 
 static void test_lists_that_are_not_there(void **unused)
 {
-    static const int which[] = {0, -1, 6, 1000};
+    static const int which[] = {0, -1, FOURLINK_CONDITIONS + 1, 1000};
     fourlink_results *r = opened(linkage(""));
     const fourlink_value *list = NULL;
     unsigned long n = 77;

@@ -109,7 +109,7 @@ lines out 2
 objects 2
 run 2 -f json -C "$matrix" "$decks/bad.deck"
 lines out 2
-every 'a deck with mistakes' '.[0].checks != null and .[1].status == "bad deck" and (.[1] | keys) == ["deck", "status"]'
+every 'a deck with mistakes' '.[0].checks != null and .[1].status == "bad deck" and .[1].score == 0 and (.[1].message | startswith("'"$decks"'/bad.deck:")) and .[0].score == .[0].of'
 
 # ----------------------------------------------------------------------------------------- designs
 

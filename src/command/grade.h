@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** grade.h - the answers that decks are checked against.
+*/
+#ifndef FOURLINK_GRADE_H
+#define FOURLINK_GRADE_H
+
+#include "options.h"
+
+/* The answers of --check: a file, or one of a folder for each deck. */
+typedef struct grade_answers {
+    int is_folder;
+    char *path; /* of the file that was read */
+    char *text; /* null: there is none */
+    size_t length;
+} grade_answers;
+
+/* Open what --check names, if it names something.  Prints a failure and returns the exit status. */
+int grade_open(grade_answers *a, const options *o);
+
+/* Read FOLDER/NAME.expect for NAME.deck.  Returns the exit status, and the reason of a failure in `why`. */
+int grade_read(grade_answers *a, const options *o, const char *deck, char why[400]);
+
+void grade_close(grade_answers *a);
+
+#endif

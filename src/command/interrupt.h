@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** interrupt.h - long work: signals that stop it, and its progress.
+*/
+#ifndef FOURLINK_INTERRUPT_H
+#define FOURLINK_INTERRUPT_H
+
+#include <stdio.h>
+#include <time.h>
+
+/* Catch the signals that end a program, or restore the old actions. */
+void interrupt_watch(int begin);
+
+/* The signal that came since then; 0: none. */
+int interrupt_signal(void);
+
+/* Progress on a terminal, once a second. */
+typedef struct progress {
+    int is_shown, is_told;
+    time_t start, last;
+} progress;
+
+/* It is not shown if the output is on the terminal too. */
+void progress_begin(progress *p, FILE *out);
+void progress_tell(progress *p, unsigned long done, unsigned long of);
+void progress_end(const progress *p);
+
+#endif

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** hint.c - why an expected value may differ from the computed one: its sign, a unit, the branch, the row.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/message.h"
+#include "hint.h"
+
+#define RPM (2 * M_PI / 60) /* rad/s */
+#define DEG (M_PI / 180)    /* rad */
+
+/* computed / expected, and what that suggests */
+static const struct {
+    double factor;
+    const char *words;
+} factor_table[] = {
+    {1 / RPM, "the computed value is 60/(2 pi) times the expected one: rad/s for rpm?"},
+    {RPM, "the computed value is 2 pi/60 times the expected one: rpm for rad/s?"},
+    {1 / (RPM * RPM), "the computed value is (60/(2 pi))^2 times the expected one: rad/s for rpm?"},
+    {RPM * RPM, "the computed value is (2 pi/60)^2 times the expected one: rpm for rad/s?"},
+    {1 / DEG, "the computed value is 180/pi times the expected one: degrees and radians?"},
+    {DEG, "the computed value is pi/180 times the expected one: degrees and radians?"},
+    {1e3, "the computed value is 1000 times the expected one: a unit such as m for mm?"},
+    {1e-3, "the computed value is 1/1000 of the expected one: a unit such as mm for m?"}};
+
+#define FACTORS (sizeof factor_table / sizeof factor_table[0])
+
+/* 1 if a value would have agreed; `turn` is 0, or a turn of an angle in its unit. */
+static int agrees(const fourlink_check *c, double value, double turn)
+{
+    double difference = value - c->printed;
+
+    if (!gsl_finite(c->printed))
+        return value == c->printed;
+    if (turn > 0)
+        difference -= turn * floor(difference / turn + 0.5);
+    return fabs(difference) <= c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);
+}
+
+/* The hint of a factor, or null. */
+static const char *hint_of_factor(const fourlink_check *c)
+{
+    size_t i;
+
+    if (fabs(c->printed) <= 2 * c->tolerance)
+        return NULL; /* every small number would agree */
+    for (i = 0; i < FACTORS; i++)
+        if (agrees(c, c->computed / factor_table[i].factor, 0))
+            return factor_table[i].words;
+    return NULL;
+}
+
+/* 1 if the value elsewhere would have agreed. */
+static int agrees_at(fourlink_results *r, const fourlink_check *c, fourlink_branch branch,
+                     double angle, double turn)
+{
+    fourlink_value v;
+
+    return fourlink_results_value(r, c->name, branch, angle, &v) == FOURLINK_OK && !v.words &&
+           agrees(c, v.value, turn);
+}
+
+/* The neighbouring row whose value is the expected one. */
+static void hint_of_row(fourlink_results *r, fourlink_check *c, double turn)
+{
+    fourlink_problem problem;
+    int side;
+
+    fourlink_deck_problem(fourlink_results_deck(r), &problem);
+    for (side = -1; side <= 1 && !c->hint[0]; side += 2) {
+        double angle = c->angle + side * problem.motion.interval;
+
+        if (agrees_at(r, c, c->branch, angle, turn))
+            flk_message(c->hint, sizeof c->hint,
+                        "%s is the value of the neighbouring row, theta2 = %g", c->printed_text,
+                        angle);
+    }
+}
+
+void flk_hint_find(fourlink_results *r, fourlink_check *c)
+{
+    fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
+    fourlink_value here;
+    const char *words;
+    double turn;
+    int is_opposite, is_other;
+
+    if (fourlink_results_value(r, c->name, c->branch, c->angle, &here) != FOURLINK_OK)
+        return;
+    turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
+    is_opposite = agrees(c, -c->computed, turn);
+    is_other = agrees_at(r, c, other, c->angle, turn);
+    words = hint_of_factor(c);
+    if (is_opposite && !is_other)
+        flk_message(c->hint, sizeof c->hint, "the sign is the opposite");
+    else if (is_other)
+        flk_message(c->hint, sizeof c->hint, "%s%s is the %s branch's value",
+                    is_opposite ? "the sign is the opposite, and " : "", c->printed_text,
+                    fourlink_branch_text((int)other));
+    else if (words)
+        flk_message(c->hint, sizeof c->hint, "%s", words);
+    else if (c->has_angle)
+        hint_of_row(r, c, turn);
+}

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** hint.h - why an expected value may differ from the computed one.
+*/
+#ifndef FOURLINK_HINT_H
+#define FOURLINK_HINT_H
+
+#include "fourlink.h"
+
+/* Set check->hint if the difference is a typical one; `check` holds two numbers that differ. */
+void flk_hint_find(fourlink_results *r, fourlink_check *check);
+
+#endif

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** expect.c - a deck's values as [expect] sections, for --check.
+**
+** A value without a tolerance agrees within half of its last digit.  All values of a column have the same last
+** digit, chosen so that this is 0.05 to 0.5 per cent of the column's largest value: near its zeros a column is
+** not asked for more than elsewhere.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/quantity.h"
+#include "sheet.h"
+
+/* How the values of a column are written. */
+typedef struct style {
+    double size;  /* the column's largest magnitude */
+    int decimals; /* of value / 10^exponent */
+    int exponent;
+} style;
+
+/* rad: nearer to a dead position values say nothing about the size of a column. */
+#define SOUND 0.17
+#define SAMPLES 200
+
+int expect_next_angle(fourlink_results *results, const char **list, double *angle,
+                      char message[400])
+{
+    const fourlink_deck *deck = fourlink_results_deck(results);
+    text rest, item;
+    quantity_value value;
+    fourlink_unit own;
+    unit bare;
+
+    if (!*list)
+        return 0;
+    rest = flk_text_of(*list);
+    flk_text_split(&rest, ',', &item);
+    *list = rest.start;
+    item = flk_text_trim(item);
+    fourlink_deck_unit(deck, "angle", &own);
+    bare.up = own.up;
+    bare.down = own.down;
+    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
+    if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, message))
+        return -1;
+    *angle = flk_unit_from_si(value.si, bare);
+    if (fourlink_results_at(results, FOURLINK_OPEN, *angle, NULL, NULL, NULL) !=
+        FOURLINK_NO_SUCH_ANGLE)
+        return 1;
+    flk_message(message, 400, "the motion does not reach theta2 = %t", item);
+    return -1;
+}
+
+/* Not the crank angle, which is `at`; not the time, which an angle can have twice; not rounding. */
+static int is_asked(const fourlink_value *column)
+{
+    return !(column->flags & (FOURLINK_CRANK_ANGLE | FOURLINK_OF_ROUNDING)) &&
+           strcmp(column->quantity, "time") != 0;
+}
+
+/* The largest magnitude of each column in rows spread over the motion, away from dead positions. */
+static void find_sizes(sheet *s, style *styles)
+{
+    unsigned long n = s->problem.n_rows, samples = n < SAMPLES ? n : SAMPLES, k, j;
+    fourlink_branch branches[2];
+    int n_branches = sheet_branches(s, branches), i;
+    fourlink_instant now;
+
+    for (i = 0; i < n_branches; i++)
+        for (k = 0; k < samples; k++) {
+            unsigned long row =
+                samples > 1 ? (unsigned long)((double)k * (double)(n - 1) / (double)(samples - 1))
+                            : 0;
+
+            if (fourlink_results_row(s->results, branches[i], row, s->values, &now, NULL) ||
+                now.state.mu < SOUND)
+                continue;
+            for (j = 0; j < s->n_columns; j++)
+                if (gsl_finite(s->values[j]))
+                    styles[j].size = GSL_MAX_DBL(styles[j].size, fabs(s->values[j]));
+        }
+}
+
+/* A column that is 0 but for rounding has the size of the others of its quantity. */
+static void level_sizes(const sheet *s, style *styles)
+{
+    double of_quantity[QUANTITY_COUNT] = {0};
+    unsigned long j;
+
+    for (j = 0; j < s->n_columns; j++) {
+        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
+
+        *largest = GSL_MAX_DBL(*largest, styles[j].size);
+    }
+    for (j = 0; j < s->n_columns; j++) {
+        double largest = of_quantity[flk_quantity_find(s->columns[j].quantity)];
+
+        if (styles[j].size <= 1e-12 * largest)
+            styles[j].size = largest;
+    }
+}
+
+static void find_style(style *x)
+{
+    double size = x->size > 0 ? x->size : 1;
+
+    x->decimals = (int)ceil(-log10(0.01 * size) - 1e-9);
+    x->exponent = x->decimals < 0 || size < 1e-4 ? 3 * (int)floor(log10(size) / 3) : 0;
+    x->decimals += x->exponent;
+}
+
+static void put_value(sheet *s, const fourlink_value *column, const style *x, double value)
+{
+    char number[FORMAT_SIZE], *digit;
+
+    if (!gsl_finite(value)) {
+        line_put(&s->l, "# %s is %s here\n", column->name,
+                 gsl_isnan(value) ? "not defined" : "unbounded");
+        return;
+    }
+    format_fixed(value / pow(10, x->exponent), x->decimals, number);
+    for (digit = number + 1; *digit == '0' || *digit == '.'; digit++)
+        ;
+    line_put(&s->l, "%s = %s", column->name, number + (number[0] == '-' && !*digit));
+    if (x->exponent)
+        line_put(&s->l, "e%s", format_fixed(x->exponent, 0, number));
+    line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);
+}
+
+static void put_section(sheet *s, fourlink_branch branch, double angle, int status)
+{
+    const style *styles = s->layout;
+    unsigned long j;
+
+    if (status != FOURLINK_OK) {
+        line_put(&s->l, "\n# at %15g %s, %s: %s\n", angle, s->angle_unit,
+                 fourlink_branch_text((int)branch), fourlink_status_text(status));
+        s->failed++;
+        return;
+    }
+    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", angle, s->angle_unit,
+             fourlink_branch_text((int)branch));
+    for (j = 0; j < s->n_columns; j++)
+        if (is_asked(&s->columns[j]))
+            put_value(s, &s->columns[j], &styles[j], s->values[j]);
+}
+
+static void write_angles(sheet *s, fourlink_branch branch)
+{
+    const char *list = s->at;
+    char message[400];
+    double angle;
+    int status;
+
+    while (expect_next_angle(s->results, &list, &angle, message) == 1) {
+        status = fourlink_results_at(s->results, branch, angle, s->values, NULL, NULL);
+        put_section(s, branch, angle, status);
+    }
+}
+
+/* A revolution at constant speed ends with its first row again. */
+static void write_rows(sheet *s, fourlink_branch branch)
+{
+    const fourlink_motion *motion = &s->problem.motion;
+    int ends_meet = s->problem.one_revolution && !s->range.stops && motion->run_up <= 0 &&
+                    (motion->acceleration == 0 || motion->hold);
+    unsigned long n = s->problem.n_rows, k;
+    fourlink_instant now;
+    int status;
+
+    for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
+        status = fourlink_results_row(s->results, branch, k, s->values, &now, NULL);
+        put_section(s, branch, now.row.angle, status);
+    }
+}
+
+void expect_write(sheet *s)
+{
+    style *styles = s->layout;
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+    unsigned long j;
+
+    memset(styles, 0, s->n_columns * sizeof *styles);
+    find_sizes(s, styles);
+    level_sizes(s, styles);
+    for (j = 0; j < s->n_columns; j++)
+        find_style(&styles[j]);
+    line_put(&s->l,
+             "# Values agree within half of their last digit.  For another tolerance add a line "
+             "such as\n# 'tolerance = 1 %s' to a section.\n",
+             "%");
+    for (i = 0; i < n; i++)
+        if (s->at)
+            write_angles(s, branches[i]);
+        else
+            write_rows(s, branches[i]);
+}

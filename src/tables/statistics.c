@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** statistics.c - statistics of the outputs of a sweep, and its yield.
+**
+** Moments need no memory; quantiles need the values, 8 bytes for each design, branch and output.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+
+#include "base/text.h"
+#include "statistics.h"
+
+static int index_of(fourlink_branch branch)
+{
+    return branch == FOURLINK_CROSSED;
+}
+
+int statistics_open(statistics *x, const fourlink_value *outputs, unsigned long n_outputs,
+                    const fourlink_value *conditions, unsigned long n_conditions)
+{
+    memset(x, 0, sizeof *x);
+    x->outputs = outputs;
+    x->n_outputs = n_outputs;
+    x->conditions = conditions;
+    x->n_conditions = n_conditions;
+    x->samples = calloc(2 * n_outputs + 1, sizeof *x->samples);
+    x->passed = calloc(2 * (n_conditions + 1), sizeof *x->passed);
+    return x->samples && x->passed;
+}
+
+void statistics_close(statistics *x)
+{
+    unsigned long i;
+
+    for (i = 0; x->samples && i < 2 * x->n_outputs; i++)
+        free(x->samples[i].values);
+    free(x->samples);
+    free(x->passed);
+}
+
+/* The mean and the sum of squares one value further (B. P. Welford, Technometrics 4, 1962). */
+static void add_moments(statistics_sample *sample, double value)
+{
+    double before = value - sample->mean;
+
+    sample->finite++;
+    sample->mean += before / (double)sample->finite;
+    sample->squares += before * (value - sample->mean);
+}
+
+static int add_value(statistics_sample *sample, double value)
+{
+    if (sample->n == sample->capacity) {
+        size_t capacity = sample->capacity ? 2 * sample->capacity : 64;
+        double *more = realloc(sample->values, capacity * sizeof *more);
+
+        if (!more)
+            return 0;
+        sample->values = more;
+        sample->capacity = capacity;
+    }
+    sample->values[sample->n++] = value;
+    if (gsl_finite(value))
+        add_moments(sample, value);
+    else if (value > 0)
+        sample->above++;
+    else
+        sample->below++;
+    return 1;
+}
+
+/* The value of a condition's output; NaN if there is none. */
+static double value_of(const statistics *x, const fourlink_value *condition, const double *values)
+{
+    unsigned long i;
+
+    for (i = 0; values && i < x->n_outputs; i++)
+        if (strcmp(x->outputs[i].name, condition->name) == 0)
+            return values[i];
+    return GSL_NAN;
+}
+
+/* A NaN meets no condition. */
+static int meets(const fourlink_value *condition, double value)
+{
+    double limit = condition->value;
+
+    return ((condition->flags & FOURLINK_ABOVE) && value > limit) ||
+           ((condition->flags & FOURLINK_BELOW) && value < limit) ||
+           ((condition->flags & FOURLINK_OR_EQUAL) && value == limit);
+}
+
+void statistics_add(statistics *x, fourlink_branch branch, const double *values)
+{
+    int of = index_of(branch), all = 1;
+    unsigned long *passed = x->passed + (unsigned long)of * (x->n_conditions + 1), i;
+
+    x->designs[of]++;
+    for (i = 0; values && i < x->n_outputs; i++)
+        if (!gsl_isnan(values[i]) &&
+            !add_value(&x->samples[(unsigned long)of * x->n_outputs + i], values[i]))
+            x->out_of_memory = 1;
+    for (i = 0; i < x->n_conditions; i++) {
+        int is_met = meets(&x->conditions[i], value_of(x, &x->conditions[i], values));
+
+        passed[i] += is_met ? 1 : 0;
+        all &= is_met;
+    }
+    passed[x->n_conditions] += all ? 1 : 0;
+}
+
+void statistics_add_words(statistics *x, fourlink_branch branch, unsigned long output)
+{
+    x->samples[(unsigned long)index_of(branch) * x->n_outputs + output].has_words = 1;
+}
+
+/* --------------------------------------------------------------------------- designs of a sheet */
+
+static void add_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
+                       const char *why)
+{
+    double values[SHEET_OUTPUTS];
+    unsigned long i;
+
+    (void)why;
+    for (i = 0; i < s->n_header; i++) {
+        if (outputs[i].has_value && outputs[i].v.words)
+            statistics_add_words(s->statistics, branch, i);
+        values[i] = outputs[i].has_value && !outputs[i].v.words ? outputs[i].v.value : GSL_NAN;
+    }
+    statistics_add(s->statistics, branch, values);
+    s->out_of_memory |= s->statistics->out_of_memory;
+}
+
+static void add_refused(sheet *s, const char *why)
+{
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+
+    (void)why;
+    for (i = 0; i < n; i++)
+        statistics_add(s->statistics, branches[i], NULL);
+}
+
+const sheet_format statistics_collector = {
+    "",                 /* name */
+    1 << SHEET_DESIGNS, /* writes */
+    NULL,               /* begin */
+    NULL,               /* open */
+    NULL,               /* column */
+    NULL,               /* fact */
+    NULL,               /* block */
+    NULL,               /* row */
+    NULL,               /* end_block */
+    NULL,               /* check */
+    add_design,         /* design */
+    add_refused,        /* refuse */
+    NULL,               /* close */
+    0,                  /* layout_size */
+    0,                  /* is_by_angle */
+    0,                  /* is_brief */
+    NULL,               /* statistic */
+    NULL                /* yield */
+};
+
+/* ------------------------------------------------------------------------------------- results */
+
+/* A quantile of sorted values by linear interpolation between them, the first being that of 0, the last that
+** of 1. */
+static double quantile(const double *sorted, size_t n, double share)
+{
+    double place = share * (double)(n - 1), below = floor(place);
+    size_t i = (size_t)below;
+
+    return place == below || sorted[i] == sorted[i + 1]
+               ? sorted[i]
+               : sorted[i] + (place - below) * (sorted[i + 1] - sorted[i]);
+}
+
+/* With unbounded values the mean is unbounded too. */
+static void summarise(statistics_sample *sample, sheet_statistic *to)
+{
+    static const double shares[SHEET_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
+    size_t i;
+
+    to->count = (unsigned long)sample->n;
+    to->mean = to->deviation = to->least = to->most = GSL_NAN;
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        to->quantiles[i] = GSL_NAN;
+    if (!sample->n)
+        return;
+    gsl_sort(sample->values, 1, sample->n);
+    to->least = sample->values[0];
+    to->most = sample->values[sample->n - 1];
+    for (i = 0; i < SHEET_QUANTILES; i++)
+        to->quantiles[i] = quantile(sample->values, sample->n, shares[i]);
+    if (!sample->above && !sample->below) {
+        to->mean = sample->mean;
+        if (sample->n > 1)
+            to->deviation = sqrt(sample->squares / (double)(sample->n - 1));
+    } else if (!sample->above || !sample->below) {
+        to->mean = sample->above ? GSL_POSINF : GSL_NEGINF;
+    }
+}
+
+/* (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927). */
+void statistics_interval(unsigned long passed, unsigned long n, double *low, double *high)
+{
+    static const double z = 1.959963984540054; /* 97.5 per cent of the normal distribution */
+    double size = (double)n, p = (double)passed / size, scale = 1 + z * z / size;
+    double middle = (p + z * z / (2 * size)) / scale;
+    double half = z * sqrt(p * (1 - p) / size + z * z / (4 * size * size)) / scale;
+
+    *low = passed == 0 ? 0 : middle - half;
+    *high = passed == n ? 1 : middle + half;
+}
+
+static void write_yield(sheet *s, const statistics *x, fourlink_branch branch,
+                        const char *condition, unsigned long passed)
+{
+    sheet_yield y;
+
+    y.condition = condition;
+    y.branch = branch;
+    y.designs = x->designs[index_of(branch)];
+    y.passed = passed;
+    y.percent = 100 * (double)passed / (double)y.designs;
+    statistics_interval(passed, y.designs, &y.low, &y.high);
+    y.low *= 100;
+    y.high *= 100;
+    s->format->yield(s, &y);
+}
+
+static void write_branch(sheet *s, statistics *x, fourlink_branch branch)
+{
+    unsigned long of = (unsigned long)index_of(branch), i;
+    sheet_statistic to;
+
+    if (!x->designs[of])
+        return;
+    for (i = 0; i < x->n_outputs; i++) {
+        statistics_sample *sample = &x->samples[of * x->n_outputs + i];
+
+        if (sample->has_words && !sample->n)
+            continue;
+        to.output = &x->outputs[i];
+        to.branch = branch;
+        summarise(sample, &to);
+        s->format->statistic(s, &to);
+    }
+}
+
+static void write_yields(sheet *s, const statistics *x, fourlink_branch branch)
+{
+    unsigned long of = (unsigned long)index_of(branch), i;
+    const unsigned long *passed = x->passed + of * (x->n_conditions + 1);
+
+    if (!x->designs[of])
+        return;
+    for (i = 0; i < x->n_conditions; i++)
+        write_yield(s, x, branch, x->conditions[i].meaning, passed[i]);
+    if (x->n_conditions > 1)
+        write_yield(s, x, branch, "all conditions", passed[i]);
+}
+
+void statistics_write(sheet *s, fourlink_results *results, statistics *x)
+{
+    s->content = SHEET_STATISTICS;
+    s->statistics = x;
+    s->results = results;
+    s->design = 0;
+    s->n_written = 0;
+    s->list = NULL;
+    s->format->open(s);
+    write_branch(s, x, FOURLINK_OPEN);
+    write_branch(s, x, FOURLINK_CROSSED);
+    write_yields(s, x, FOURLINK_OPEN);
+    write_yields(s, x, FOURLINK_CROSSED);
+    if (s->format->close)
+        s->format->close(s);
+    line_end(&s->l);
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** statistics.h - statistics of the outputs of a sweep, and its yield.
+*/
+#ifndef FOURLINK_STATISTICS_H
+#define FOURLINK_STATISTICS_H
+
+#include "sheet.h"
+
+/* The values of one output on one branch. */
+typedef struct statistics_sample {
+    unsigned long finite, above, below; /* how many are finite, inf, -inf */
+    double mean, squares; /* of the finite ones; sum of squares of their differences from it */
+    double *values;       /* all */
+    size_t n, capacity;
+    int has_words; /* 1: some are words, which have no statistics */
+} statistics_sample;
+
+/* Of a sweep, one after the other. */
+typedef struct statistics {
+    const fourlink_value *outputs, *conditions;
+    unsigned long n_outputs, n_conditions;
+    statistics_sample *samples; /* by branch and output */
+    unsigned long designs[2];   /* by branch: open, crossed */
+    unsigned long *passed;      /* by branch and condition; after these, all conditions */
+    int out_of_memory;
+} statistics;
+
+/* Begin; the lists stay the caller's.  Returns 0 if out of memory. */
+int statistics_open(statistics *x, const fourlink_value *outputs, unsigned long n_outputs,
+                    const fourlink_value *conditions, unsigned long n_conditions);
+void statistics_close(statistics *x);
+
+/* Add a design on a branch: its values by output, NaN for none; null: it has no values at all. */
+void statistics_add(statistics *x, fourlink_branch branch, const double *values);
+
+/* Note that an output on a branch is words. */
+void statistics_add_words(statistics *x, fourlink_branch branch, unsigned long output);
+
+/* A format that writes nothing and adds the designs of a sheet to s->statistics. */
+extern const sheet_format statistics_collector;
+
+/* Write them as a sheet of their own, which the caller has begun.  `results` may be null. */
+void statistics_write(sheet *s, fourlink_results *results, statistics *x);
+
+/* The interval that holds the true share of successes with 95 per cent probability, by E. B. Wilson. */
+void statistics_interval(unsigned long passed, unsigned long n, double *low, double *high);
+
+#endif

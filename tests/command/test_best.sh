@@ -1,0 +1,143 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_best.sh FOURLINK DATA - --best: the best design of a sweep, refined, as a deck that can be run.
+. "$(dirname "$0")/sweeps.sh"
+
+# best WHICH ARGUMENT...: best.deck is the best design of t.deck, and `value` what its first line says
+best() {
+    which=$1
+    shift
+    run 0 --best="$which" "$@" t.deck
+    quiet
+    cp out best.deck
+    value=$(sed -n '1s/.* = \([^ ,]*\).*/\1/p' best.deck)
+    check "no sweep: $which" none '^\[sweep\]' best.deck
+}
+# gives NAME BRANCH VALUE TOLERANCE: best.deck has this value
+gives() {
+    run 0 -S -f csv -b "$2" best.deck
+    check "$1 of the best deck: $(grep "^$1," out)" awk -F, -v name="$1" -v x="$3" -v e="$4" '
+        $1 == name {d = $2 - x; ok = d * d <= e * e} END {exit !ok}' out
+}
+
+# closed form: mu_min is at crank angle 0 for the crank of
+# a crank-rocker, and 45 deg if (d - a)^2 = b^2 + c^2 - 2 b c cos(45 deg)
+sweep 'crank.length = 5 mm to 40 mm step 5 mm' 'yield = mu_min >= 45 deg' 'output = max(Ts)'
+best 'max swing' -b open
+crank=$(awk 'BEGIN {pi = atan2(0, -1); printf "%.9f", 0.08 - sqrt(0.066 ^ 2 + 0.056 ^ 2 - 2 * 0.066 * 0.056 * cos(pi / 4))}')
+check "the crank at the limit: $crank" awk -v x="$crank" '/^\[/ {on = $0 == "[crank]"} on && /^length/ {d = $3 - x; ok = d * d < 1e-18} END {exit !ok}' best.deck
+gives mu_min open 45 1e-4
+gives swing open "$value" 1e-3
+# better than each design of the grid that is allowed
+run 0 -f csv -b open -s sweep.output=swing -s sweep.statistics=no t.deck
+check 'better than the grid' awk -F, -v best="$value" 'NR > 1 {sub(/\r/, ""); if ($5 >= 45 && $4 > best + 1e-3) bad = 1; n++} END {exit bad || n != 8}' out
+
+# a smooth minimum between designs, of two quantities: each partial derivative is 0 there
+sweep 'coupler.length = 60 mm to 75 mm step 5 mm' 'rocker.length = 50 mm to 70 mm step 10 mm' 'output = mu_min'
+best 'max mu_min'
+at_best=$value
+b=$(awk '/^\[/ {on = $0 == "[coupler]"} on && /^length/ {print $3}' best.deck)
+c=$(awk '/^\[/ {on = $0 == "[rocker]"} on && /^length/ {print $3}' best.deck)
+for change in "coupler.length=$(awk "BEGIN {print $b * 1.0005}") m" "coupler.length=$(awk "BEGIN {print $b * 0.9995}") m" \
+    "rocker.length=$(awk "BEGIN {print $c * 1.0005}") m" "rocker.length=$(awk "BEGIN {print $c * 0.9995}") m"; do
+    case $change in # an end of the box may be the best
+    coupler.length=0.07[5-9]* | coupler.length=0.059* | rocker.length=0.04* | rocker.length=0.07*) continue ;;
+    esac
+    run 0 -S -f csv -b open -s "$change" best.deck
+    check "nothing is better nearby: $change" awk -F, -v best="$at_best" '$1 == "mu_min" {ok = $2 <= best + 1e-3} END {exit !ok}' out
+done
+
+# min, a list that is not refined, quantities in step, other parts of the deck
+sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm' 'output = mu_min'
+best 'min max(omega4)' -b open
+check 'of a list' grep -q '^speed = 10 rad/s$' best.deck
+check 'in step, crank' awk '/^\[/ {on = $0 == "[crank]"} on && $0 == "length = 0.018 m" {ok = 1} END {exit !ok}' best.deck
+check 'in step, coupler' awk '/^\[/ {on = $0 == "[coupler]"} on && $0 == "length = 0.06 m" {ok = 1} END {exit !ok}' best.deck
+check 'the branch of the option' awk '/^\[/ {on = $0 == "[table]"} on && $0 == "branch = open" {ok = 1} END {exit !ok}' best.deck
+check 'all else stays' test "$(sed 's/^\(length\|speed\|branch\) = .*//' best.deck | sed '1d;/^$/d')" = \
+    "$(sed 's/^\(length\|speed\) = .*//' single.deck | sed '/^$/d')"
+run 0 -f csv -S best.deck
+gives 'max(omega4)' open "$value" 1e-4
+
+# parts of vectors; comments, several lines, sections and keys that the deck does not have
+cat >t.deck <<'DECK'
+title = Parts   # of vectors
+mechanism = four-bar
+[Ground]
+length = 80 mm
+[sweep]
+load.force.angle = 0 deg to 180 deg step 30 deg
+point P.at.x = 10 mm to 30 mm step 10 mm
+coupler.cg.y = 0 mm, 5 mm
+motion.speed = 10 rad/s, 20 rad/s # and what follows
+gravity.acceleration = 0 m/s2, 9.81 m/s2
+
+[crank]
+length = 20 mm   ; short
+[coupler]
+length = 66 mm
+mass = 0.3 kg
+[rocker]
+length = 56 mm
+[load]
+link = rocker
+force = 5 N at 30 deg
+at = 30 mm
+torque = 0 deg 0 N m, # a curve
+  90 deg 0.1 N m,
+  180 deg 0 N m
+[point P]
+link = coupler
+at = (20, 10) mm
+DECK
+best 'max max(Ts)' -b open
+gives 'max(Ts)' open "$value" 1e-5
+for line in '# The best design of t.deck: max max(Ts) = '"$value"' N.m, open branch.' 'title = Parts   # of vectors' \
+    'length = 20 mm   ; short' '  90 deg 0.1 N m,' '[motion]' '[gravity]' 'torque = 0 deg 0 N m, # a curve'; do
+    check "the line '$line'" grep -qxF -e "$line" best.deck
+done
+check 'a vector' grep -Eq '^force = \(-?[0-9.e-]+, -?[0-9.e-]+\) N$' best.deck
+check 'a point' grep -Eq '^at = \(0\.0[123][0-9]*, 0\.01\) m$' best.deck
+check 'a centre of mass' grep -Eq '^cg = \(0, (0|0\.005)\) m$' best.deck
+best 'max max(Ts)' -b open -s 'load.torque=0.2 N m'
+check 'a curve of several lines is replaced' none '90 deg' best.deck
+gives 'max(Ts)' open "$value" 1e-5
+best 'max max(Ts)' -s 'load.torque=0.2 N m' -s 'load.torque=0.3 N m' -o best.out 2>/dev/null || :
+check 'the last change counts' test "$(grep -c '^torque = 0.3 N m' best.out)" -eq 1
+printf '\357\273\277title = T\r\nmechanism = four-bar\r\n[ground]\r\nlength = 80 mm\r\n[crank]\r\nlength = 20 mm\r\n[coupler]\r\nlength = 66 mm\r\n[rocker]\r\nlength = 56 mm\r\n[motion]\r\nspeed = 1 rad/s\r\n[sweep]\r\ncrank.length = 10 mm, 20 mm' >t.deck
+best 'max swing'
+gives swing crossed "$value" 1e-3
+# blanks that do not break
+nb=$(printf '\302\240')
+sweep 'load W.torque = 1 N m, 2 N m' "crank.length${nb}&${nb}coupler.length = 18${nb}mm${nb}& 60 mm, 20 mm & 66${nb}mm"
+sed -i "s/^\[load W\]/[load${nb}W]/; s/^torque = .*/&${nb}# a comment/" t.deck
+best 'max max(Ts)' -b open
+gives 'max(Ts)' open "$value" 1e-5
+check 'the section is found' none '^\[load W\]' best.deck
+check 'the comment is found' grep -qx "torque = [12] N[.]m${nb}# a comment" best.deck
+
+# what is refused
+sweep 'crank.length = 18 mm, 20 mm'
+for which in swing 'largest swing' 'max' 'max swing, mu_min' 'max swing mu_min' ''; do
+    usage "--best must be 'max NAME' or 'min NAME'" --best="$which" t.deck
+done
+run 2 --best='max swng' t.deck
+nothing
+says "--best: error: 'swng' is neither a fact nor the max(), min(), mean() or rms() of a column of this deck; did you mean 'swing'?"
+run 2 --best='max Ts' t.deck
+says "'Ts' has a value in each row"
+run 2 --best='max swing' single.deck
+says '--best: error: [sweep] varies nothing'
+for other in --summary --check --part=1/2 --format=csv --plot=p.svg --statistics --statistics=t.csv single.deck; do
+    usage '--best prints a deck' --best='max swing' $other t.deck
+done
+run 1 --best='max type' t.deck
+nothing
+says '--best: error: no design has a value of type'
+run 1 --best='max swing' -s 'sweep.yield=mu_min > 89 deg' t.deck
+says 'no design has a value of swing and meets the yield'
+run 1 --best='max stroke' t.deck
+says 'no design has a value of stroke'
+
+finish

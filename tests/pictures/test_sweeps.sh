@@ -1,0 +1,86 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_sweeps.sh FOURLINK DATA - pictures of a sweep: histograms, and outputs over the quantity that it varies.
+. "$(dirname "$0")/../command/sweeps.sh"
+
+# block NAME: the lines of a block of data in the script t.gp
+block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" t.gp | sed '1d;$d'; }
+
+sweep 'coupler.length = 66 mm +- 1 mm' 'samples = 60' 'output = mu_min, max(Ts), type'
+run 0 -f csv t.deck
+mv out designs
+run 0 --plot-script=t.gp --plot-kind=histogram t.deck
+quiet
+for column in 4 5; do
+    for branch in open crossed; do
+        block "o$((column - 4))_$branch" >bins
+        check "bins of column $column, $branch" awk -v c=$column -v branch=$branch -F'[, ]' '
+            NR == FNR {x[FNR] = $1; n[FNR] = $2; bins = FNR; next}
+            FNR == 1 {half = (x[2] - x[1]) / 2; next}
+            $3 == branch {v = $c; sub(/\r/, "", v); for (k = bins; k > 1 && v < x[k] - half; k--); m[k]++; sum++}
+            END {for (k = 1; k <= bins; k++) if (m[k] != n[k] + 0) {off += m[k] > n[k] ? m[k] - n[k] : n[k] - m[k]}
+                 exit bins < 5 || sum != 60 || off > 2}' bins designs # a value on an edge may round to either side
+    done
+done
+check 'words have no histogram' none 'o2_' t.gp
+
+sweep 'motion.speed = 10 rad/s, 20 rad/s' 'crank.length & coupler.length = 18 mm & 60 mm, 20 mm & 66 mm, 22 mm & 70 mm' \
+    'output = mu_min, max(Ts)'
+run 0 -f csv -b open t.deck
+tr -d '\r' <out >designs
+run 0 --plot-script=t.gp --plot-kind=columns -b open t.deck
+quiet
+for k in 0 1; do
+    block "o${k}_open" >points
+    check 'a curve for each speed' test "$(sed '/./!d' points | wc -l)" -eq 6 -a "$(grep -c '^$' points)" -eq 1
+    check "the points of output $k" awk -v c=$((6 + k)) '
+        NR == FNR {if (NF) {n++; x[n] = $1; y[n] = $2}; next}
+        FNR > 1 {split($0, w, ","); m++; if ((w[3] - x[m]) ^ 2 > 1e-20 || (w[c] - y[m]) ^ 2 > 1e-16) bad = 1}
+        END {exit bad || n != m || n != 6}' points designs
+done
+check 'over the crank' grep -q 'set xlabel "crank.length (m)"' t.gp
+check 'lines' grep -q 'with linespoints' t.gp
+# designs in no order are points; a design without a value is a gap
+sweep 'coupler.length = 66 mm, 62 mm, 70 mm' 'output = mu_min'
+run 0 --plot-script=t.gp --plot-kind=columns -b open t.deck
+check 'points' grep -q 'with points' t.gp
+sweep 'crank.length = 10 mm to 30 mm step 10 mm' 'coupler.length = 60 mm to 64 mm step 2 mm' 'output = swing'
+run 0 --plot-script=t.gp --plot-kind=columns -b open -s 'sweep.crank.length = 10 mm, 40 mm' t.deck
+check 'what does not swing has no point' test "$(block o0_open | sed '/./!d' | wc -l)" -eq 3
+
+if command -v gnuplot >/dev/null; then
+    for kind in histogram columns; do
+        for ending in svg txt; do
+            run 0 --plot=p.$ending --plot-kind=$kind t.deck
+            quiet
+            check "$kind as $ending" test -s p.$ending
+        done
+        check "the output is named" grep -q 'swing (deg)' p.svg
+    done
+    # one value
+    sweep 'motion.speed = 10 rad/s, 20 rad/s' 'output = mu_min'
+    for kind in histogram columns; do
+        run 0 --plot=p.svg --plot-kind=$kind t.deck
+        quiet
+    done
+fi
+
+# what is refused
+for kind in histogram columns; do
+    run 2 --plot-script=t.gp --plot-kind=$kind single.deck
+    says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'
+    sweep 'crank.length = 18 mm, 20 mm'
+    run 2 --plot-script=t.gp --plot-kind=$kind t.deck
+    says 'needs a [sweep] with outputs'
+    sweep 'crank.length = 18 mm, 20 mm' 'output = type'
+    run 2 --plot-script=t.gp --plot-kind=$kind t.deck
+    says 'no design of the [sweep] has a number to draw'
+done
+sweep 'crank.length = 18 mm' 'output = mu_min'
+run 2 --plot-script=t.gp --plot-kind=columns t.deck
+says 'the [sweep] has a single design'
+run 0 --plot-script=t.gp --plot-kind=histogram t.deck
+usage "did you mean 'histogram'?" --plot=p.svg --plot-kind=histogramm t.deck
+
+finish

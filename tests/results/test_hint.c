@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_hint.c - answers for a deck of one branch, and why a value may differ.
+*/
+#include "machines.h"
+
+#define OK FOURLINK_AGREES
+#define DIFFERS FOURLINK_DIFFERS
+
+#define COUNT(table) (sizeof table / sizeof table[0])
+
+/* An engine of n = l / r, in millimetres; 8 lines. */
+static char *engine(double rod, const char *expectations)
+{
+    return print("mechanism = slider-crank\n[units]\nlength = mm\n[crank]\nlength = 100\n[rod]\n"
+                 "length = %.17g\n\n%s",
+                 rod, expectations);
+}
+
+static char *alvi(const char *expectations)
+{
+    return four_bar(0.020, 0.066, 0.056, 0.080,
+                    print("[motion]\nspeed = 10.5 rad/s\n%s", expectations));
+}
+
+static int open_with_answers(const char *contents, const char *answers, fourlink_results **r,
+                             fourlink_mistake *mistake)
+{
+    fourlink_source source = deck_source(contents);
+
+    source.answers_name = "y.expect";
+    source.answers = answers;
+    source.answers_length = (unsigned long)strlen(answers);
+    return fourlink_results_open(&source, 1, r, mistake, NULL);
+}
+
+/* A deck that asks for one branch is checked on that one. */
+static void test_answers_for_one_branch(void **unused)
+{
+    static const struct {
+        const char *answers, *branch;
+        unsigned long n;
+        fourlink_branch on;
+        fourlink_verdict verdict; /* of the first */
+    } cases[] = {
+        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
+         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = -125.2 deg\n",
+         "open", 1, FOURLINK_OPEN, OK},
+        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
+         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = 103.8 deg\n",
+         "crossed", 1, FOURLINK_CROSSED, DIFFERS},
+        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\nomega4 = 1 rad/s\n", "crossed",
+         2, FOURLINK_CROSSED, DIFFERS},
+        {"[expect]\nat = 40 deg\ntheta4 = 103.8 deg\n", "crossed", 1, FOURLINK_CROSSED, DIFFERS},
+        {"[expect]\nat = 40 deg\nbranch = open\ntheta4 = 103.8 deg\n"
+         "[expect]\nat = 40 deg\nbranch = crossed\ntheta4 = 103.8 deg\n",
+         "both", 2, FOURLINK_OPEN, OK}};
+    fourlink_mistake mistake;
+    fourlink_results *r;
+    fourlink_check check;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        assert_int_equal(open_with_answers(alvi(print("[table]\nbranch = %s\n", cases[i].branch)),
+                                           cases[i].answers, &r, &mistake),
+                         FOURLINK_OK);
+        assert_int_equal(problem_of(r).n_expected, cases[i].n);
+        assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+        assert_int_equal(check.branch, cases[i].on);
+        assert_int_equal(check.verdict, cases[i].verdict);
+        if (cases[i].verdict == DIFFERS)
+            assert_string_equal(check.hint, "103.8 deg is the open branch's value");
+        fourlink_results_free(r);
+    }
+}
+
+static void test_hints(void **unused)
+{
+    static const struct {
+        const char *expectation, *hint;
+    } cases[] = {{"[expect]\nn = -3.0\n", "the sign is the opposite"},
+                 {"[expect]\nstroke = 200 m\n",
+                  "the computed value is 1/1000 of the expected one: a unit such as mm for m?"},
+                 {"[expect]\nstroke = 0.200 mm\n",
+                  "the computed value is 1000 times the expected one: a unit such as m for mm?"},
+                 {"[expect]\nstroke = 0.0 mm\n", ""}, /* half of its digit holds a thousandth */
+                 {"[expect]\nstroke = 210 mm\n", ""},
+                 {"[misprint]\nn = -3.0\n", ""},
+                 {"[expect]\nn = 3.0\n", ""},
+                 {"[expect]\ntype = double rocker\n", ""}};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < COUNT(cases); i++) {
+        fourlink_results *r = opened(engine(300, cases[i].expectation));
+        fourlink_check check;
+
+        assert_int_equal(fourlink_results_check(r, 0, &check), FOURLINK_OK);
+        assert_string_equal(check.hint, cases[i].hint);
+        fourlink_results_free(r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_answers_for_one_branch),
+        cmocka_unit_test(test_hints),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
