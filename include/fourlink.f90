@@ -34,6 +34,7 @@ module fourlink
     fourlink_singular = 6, &
     fourlink_lost_in_rounding = 7, &
     fourlink_not_reached = 8, &
+    fourlink_no_mean = 9, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &

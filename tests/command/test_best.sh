@@ -124,7 +124,7 @@ for which in swing 'largest swing' 'max' 'max swing, mu_min' 'max swing mu_min' 
 done
 run 2 --best='max swng' t.deck
 nothing
-says "--best: error: 'swng' is neither a fact nor the max() or min() of a column of this deck; did you mean 'swing'?"
+says "--best: error: 'swng' is neither a fact nor the max(), min(), mean() or rms() of a column of this deck; did you mean 'swing'?"
 run 2 --best='max Ts' t.deck
 says "'Ts' has a value in each row"
 run 2 --best='max swing' single.deck
