@@ -597,7 +597,8 @@ double flk_column_bound(const flk_column *c)
     size_t x = c->info->x;
 
     if (!c->link && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
-                     x == DERIVED(I13.y) || x == DERIVED(I24.x)))
+                     x == DERIVED(I13.y) || x == DERIVED(I24.x) ||
+                     x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY)))
         return 1e9 * c->scale;
     return GSL_POSINF;
 }
@@ -609,6 +610,8 @@ double flk_column_denominator(const flk_column *c, const flk_row *row)
 
     if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
         return state->link[3].k;
+    if (x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY))
+        return state->link[2].axis.x;
     if (x == DERIVED(I24.x))
         return 1 - state->link[4].k;
     return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;

@@ -22,7 +22,6 @@
 #include "extreme_search.h"
 
 #define LEAST_SAMPLES 12 /* of a piece */
-#define STRETCH 400      /* a stretch begins with so many at the most */
 #define MOST_STEPS 1e6   /* of all of the motion */
 
 static void search_stretch(flk_search *x, size_t steps)
@@ -61,7 +60,7 @@ static void search_piece(flk_search *x, int is_reached)
     size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
 
     steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
-    stretches = (steps + STRETCH - 1) / STRETCH;
+    stretches = (steps + FLK_SEARCH_MOST_STEPS - 1) / FLK_SEARCH_MOST_STEPS;
     for (i = 0; i < x->n_columns; i++)
         reset(&x->columns[i]);
     for (i = 0; i < stretches; i++) {

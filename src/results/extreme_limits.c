@@ -147,25 +147,18 @@ static double coefficient(const double *x, const double *y, int order)
 }
 
 /* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
-#define POLE_SCALES 2
+#define POLE_SCALE 1
 
-static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
+static int pole_order(const approach *e, double y[][NODES], int order, double *strength)
 {
-    static const int scales[] = {1, 0}; /* the smallest has the most rounding */
-    double here, other;
-    int i, order;
+    double other;
 
-    for (i = 0; i < POLE_SCALES; i++)
-        for (order = most; order > 0; order--) {
-            const double *x = e->x[scales[i]], *outer = e->x[scales[i] + 1];
-
-            here = coefficient(x, y[scales[i]], order);
-            other = here != 0 ? coefficient(outer, y[scales[i] + 1], order) : 0;
-            if (here != 0 && fabs(here - other) < 0.1 * fabs(here)) {
-                *strength = here;
-                return order;
-            }
-        }
+    for (; order > 0; order--) {
+        *strength = coefficient(e->x[POLE_SCALE], y[POLE_SCALE], order);
+        other = coefficient(e->x[POLE_SCALE + 1], y[POLE_SCALE + 1], order);
+        if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
+            return order;
+    }
     *strength = 0;
     return 0;
 }
@@ -493,6 +486,8 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         return;
     }
     if (!(t->turn > 0) && pole_order(e, y, x->pole_order, &strength)) {
+        if (fabs(y[0][0]) > fabs(y[0][NODES - 1]))
+            strength = y[0][0]; /* the closest rows, if they grow, know the sign best */
         offer_pole(x, t, e, strength > 0 ? 0 : 1);
         return;
     }

@@ -8,7 +8,9 @@
 
 #include "extreme_search.h"
 
-#define ROUGH 2e-6 /* of the column's size: below it nothing hides between samples */
+#define MOST_HALVED 100 /* so many within a first step */
+#define NARROWEST 1e-4  /* of the first step: closer peaks are climbed from the best sample */
+#define ROUGH 2e-6      /* of the column's size: below it nothing hides between samples */
 
 double flk_search_size_about(const flk_search *x, const double *values, size_t i)
 {
@@ -106,9 +108,10 @@ static int hides(const flk_search *x, size_t i)
 /* Halve the step before number i. */
 static void halve(flk_search *x, size_t i)
 {
-    size_t c;
+    size_t c, first = (size_t)((x->s[i - 1] - x->low) / x->step);
 
-    if (x->n >= FLK_SEARCH_MOST_SAMPLES || x->s[i] - x->s[i - 1] < 1e-12)
+    if (x->halved[first > FLK_SEARCH_MOST_STEPS ? FLK_SEARCH_MOST_STEPS : first]++ > MOST_HALVED ||
+        x->n >= FLK_SEARCH_MOST_SAMPLES || x->s[i] - x->s[i - 1] < NARROWEST * x->step)
         return;
     flk_search_insert(x, i, 0.5 * (x->s[i - 1] + x->s[i]));
     for (c = 0; c < x->n_columns; c++) {

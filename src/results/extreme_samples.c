@@ -216,6 +216,7 @@ void flk_search_sample(flk_search *x, size_t steps)
 
     x->n = 0;
     x->closest_line = 1;
+    memset(x->halved, 0, sizeof x->halved);
     x->step = step;
     x->a->is_fast = !x->has_noise;
     for (k = HALVINGS; at_begin && k > 0; k--)

@@ -13,6 +13,7 @@
 #include "polynomial.h"
 
 #define FLK_SEARCH_MOST_SAMPLES 2000 /* of a stretch */
+#define FLK_SEARCH_MOST_STEPS 400    /* with which it begins */
 #define FLK_SEARCH_MARGIN 8    /* a column may reach so many times its roughness beyond a sample */
 #define FLK_SEARCH_CLOSE 1e-12 /* of a value: equal but for rounding */
 
@@ -65,8 +66,9 @@ typedef struct flk_search {
         closest_line; /* the least |sin(mu)| of the samples: near 0 columns change within 1e-5 rad */
     int pole_order;   /* of the poles that columns can have at the end at hand */
     size_t n;         /* number of samples */
-    double *s;        /* their parameters */
-    double *values;   /* FLK_SEARCH_MOST_SAMPLES for each column; NaN: no value */
+    int halved[FLK_SEARCH_MOST_STEPS + 1]; /* samples added within each first step */
+    double *s;                             /* their parameters */
+    double *values; /* FLK_SEARCH_MOST_SAMPLES for each column; NaN: no value */
 } flk_search;
 
 /* ---- extreme_samples.c */

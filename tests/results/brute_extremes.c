@@ -975,7 +975,8 @@ static int has_bound(unsigned long c)
     const char *name = columns[c].name;
 
     return !strcmp(name, "mechanical_advantage") || !strcmp(name, "I13x") ||
-           !strcmp(name, "I13y") || !strcmp(name, "I24x");
+           !strcmp(name, "I13y") || !strcmp(name, "I24x") || !strcmp(name, "klein_IX") ||
+           !strcmp(name, "klein_IY");
 }
 
 static int has_pole(unsigned long c)
@@ -1105,7 +1106,7 @@ static int is_narrow_pole(unsigned long c, const fourlink_value *f, double size)
 
     return isinf(f->value) && has_bound(c) && !compute(p + 1e-7, near) &&
            !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
-           fabs(nearer[c]) > 10 * size;
+           fabs(nearer[c]) > 1e-4 * size;
 }
 
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
