@@ -186,6 +186,11 @@ void canvas_key(const canvas *c)
                  1 + line / c->box_height);
 }
 
+void canvas_note(const canvas *c, int line, const char *words)
+{
+    canvas_print(c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", words, -line);
+}
+
 void canvas_grid(const canvas *c)
 {
     fputs(c->is_text ? "unset grid\n" : "set grid lt 1 lw 0.5 lc rgb '#DDDDDD'\n", c->out);

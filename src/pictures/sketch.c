@@ -272,8 +272,7 @@ static void put_margin(const sketch *s)
     for (i = 0; i < s->n_curves; i++)
         in_key += s->curve_title[i][0] != '\0';
     for (i = 0; i < s->n_notes; i++)
-        canvas_print(s->c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", s->notes[i],
-                     -i - (in_key ? in_key + 1 : 0));
+        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 

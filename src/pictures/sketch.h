@@ -74,6 +74,10 @@ void sketch_open(sketch *s, canvas *c, double size);
 extern const sketch_box sketch_nothing;
 void sketch_grow(sketch_box *b, double x, double y);
 
+/* 1 if two boxes overlap; if the line from p to q crosses a box. */
+int sketch_overlap(const sketch_box *x, const sketch_box *y);
+int sketch_crosses(const sketch_box *b, fourlink_vector p, fourlink_vector q);
+
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
 
