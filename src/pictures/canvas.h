@@ -17,6 +17,7 @@
 typedef struct canvas {
     FILE *out;
     int is_text;
+    double turn; /* rad: drawings are turned by this angle, so that gravity acts downwards */
     int columns, rows, next;      /* of panels; the next panel */
     double width, height;         /* of the picture, in pixels */
     double below;                 /* pixels under each panel */

@@ -143,17 +143,17 @@ static void draw_moments(sketch *s, const construction *k)
 
 static void put_values(sketch *s, const picture *p, const fourlink_klein *lengths, int has_mass)
 {
-    put_length(s, p, "OM =", lengths->OM);
-    put_length(s, p, "BM =", lengths->BM);
-    put_length(s, p, "BQ =", lengths->BQ);
-    put_length(s, p, "QN =", lengths->QN);
-    put_length(s, p, "ON =", lengths->ON);
+    put_length(s, p, "OM", lengths->OM);
+    put_length(s, p, "BM", lengths->BM);
+    put_length(s, p, "BQ", lengths->BQ);
+    put_length(s, p, "QN", lengths->QN);
+    put_length(s, p, "ON", lengths->ON);
     if (gsl_finite(lengths->IX))
-        put_length(s, p, "IX =", lengths->IX);
+        put_length(s, p, "IX", lengths->IX);
     if (gsl_finite(lengths->IY))
-        put_length(s, p, "IY =", lengths->IY);
+        put_length(s, p, "IY", lengths->IY);
     if (has_mass)
-        figure_note(s, p, "FT =", lengths->FT, QUANTITY_FORCE);
+        figure_note(s, p, "FT", lengths->FT, QUANTITY_FORCE);
     sketch_note(s, "v = omega2 OM");
     sketch_note(s, "omega3 = omega2 BM / BC");
     sketch_note(s, "alpha2 = 0: a = omega2^2 ON");

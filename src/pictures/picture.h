@@ -13,27 +13,29 @@
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
 ** A|B the first */
-#define PLOT_LIST(X)                                                                        \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)        \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,       \
-      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")       \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS, \
-      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                        \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,    \
-      picture_turning, NULL)                                                                \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,      \
-      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"    \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                     \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)              \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)              \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL)
+#define PLOT_LIST(X)                                                                               \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL) \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,              \
+      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")              \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,        \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                               \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,           \
+      picture_turning, NULL)                                                                       \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
+      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                            \
+    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)                     \
+    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
+      picture_animation, NULL)
 
 enum {
     PLOT_FORCES_OF_DECK = 1,
     PLOT_SLIDER_CRANK = 2,
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
-    PLOT_ANGLE_AXIS = 16
+    PLOT_ANGLE_AXIS = 16,
+    PLOT_FILLED = 32 /* as high as its drawing */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
@@ -116,9 +118,15 @@ double picture_si(const picture *p, quantity q, double value);
 
 /* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
-char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
+char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
-/* "NAME VALUE UNIT" of a value in SI units. */
+/* Subscripts, in UTF-8. */
+#define SUB_1 "\342\202\201"
+#define SUB_2 "\342\202\202"
+#define SUB_3 "\342\202\203"
+#define SUB_4 "\342\202\204"
+
+/* "NAME = VALUE UNIT" or "VALUE UNIT" of a value in SI units. */
 #define PICTURE_WORDS 120
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);

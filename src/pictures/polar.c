@@ -82,7 +82,7 @@ static void put_angle(const picture *p, frame *f, double x, double y, double ang
     f->x[f->n] = x;
     f->y[f->n++] = y;
     canvas_print(&p->on, "set label %q at %.8g,%.8g %s front tc lt %d offset %d,%s\n",
-                 picture_mark(p, angle, mark), x, y, canvas_side(side), line, side,
+                 picture_mark(p, angle, 4, mark), x, y, canvas_side(side), line, side,
                  y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
 }
 

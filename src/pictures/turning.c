@@ -175,7 +175,7 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
                  "set label %q at %.8g,%.8g center front boxed\n",
                  angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
     room_take(&d->r, sketch_at(x, y), name);
-    flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, number),
+    flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, 4, number),
                   (char *)NULL);
     canvas_note(&d->p->on, line, words);
 }
@@ -233,7 +233,7 @@ static void put_titles(const diagram *d)
     const picture *p = d->p;
 
     picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, words);
-    picture_words(p, DELTA_E " =", d->t.energy_fluctuation, QUANTITY_ENERGY, other);
+    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, other);
     flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
                   (char *)NULL);
     canvas_titles(&p->on, title, d->sense > 0 ? "theta2" : "-theta2, turned clockwise",

@@ -307,7 +307,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     if (b->link == FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
     if (p->slot && b->link != FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M43" : "M34", b->first,
+        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
                           b->slides ? -r->now.forces.M34 : r->now.forces.M34);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I alpha", b->G, -inertia * alpha);

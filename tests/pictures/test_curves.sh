@@ -138,7 +138,7 @@ compare mechanism 2 b 181 15 crossed P.x P.y
 equal a
 equal b
 run 0 --plot=x.svg --plot-at='250 deg' "$fourbar"
-shows x.svg 'open, theta2 = 250 deg' 'crossed, theta2 = 250 deg'
+shows x.svg 'open, θ₂ = 250°' 'crossed, θ₂ = 250°'
 
 csv theta2,x,v,a,omega3,F12,F34,N,Ts "$engine"
 curves engine-motion.svg >curves
@@ -162,7 +162,7 @@ energies() {
     words "$1" | awk -v branch="$2" -v E="$fluctuation" -v T="$mean" '
         function off(x, y, e) {x -= y; if (x < 0) x = -x; return !(x <= e)}
         /: mean / {
-            split($0, w, /: mean | N\.m, ΔE = | J/)
+            split($0, w, /: mean = | N\.m, ΔE = | J/)
             if (w[1] == branch) {mean = w[2]; given = w[3]}}
         END {exit off(mean, T, 1e-4 * (T < 0 ? -T : T) + 1e-9) || off(given, E, 1e-4 * E)}' || return 1
     "$fourlink" --plot-script=t.gp --plot-kind=turning-moment --branch=$2 "$3" >/dev/null

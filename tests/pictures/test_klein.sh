@@ -13,7 +13,7 @@ for angle in 20 140 300; do
         quiet
         "$fourlink" --format=csv --branch=$branch --set="motion.at=$angle deg" \
             --columns=klein_OM,klein_ON,klein_BM,klein_BQ,klein_QN,klein_IX,klein_IY,klein_FT,v,a,omega2 "$engine" >csv
-        arrows k.gp nohead | grep "^Klein's construction, $branch, theta2 = $angle deg	" >arrows
+        arrows k.gp nohead | grep "^Klein's construction, $branch, θ₂ = $angle°	" >arrows
         set -- $(awk -F '\t' -v s=$side '$2 == 4 {split($3, p, " "); print s * p[1], p[2], p[3], p[4]}' arrows)
         near "ON: $where" "$1" "$(number klein_ON)" 1e-5
         near "N is on the line of stroke: $where" "$2" 0 0

@@ -18,8 +18,8 @@ arrow() {
     awk -F '\t' -v panel="$1" -v k="$2" '$1 == panel && $2 != "note" && ++n == k {split($3, p, " ")
         printf "%.9g %.9g %.9g %.9g\n", p[3] - p[1], p[4] - p[2], p[3], p[4]}' arrows
 }
-note() { awk -F '\t' -v panel="$1" -v name="$2" '$1 == panel && $2 == "note" && index($3, name " ") == 1 {
-    split(substr($3, length(name) + 2), w, " "); print w[1]}' arrows; }
+note() { awk -F '\t' -v panel="$1" -v name="$2" '$1 == panel && $2 == "note" && index($3, name " = ") == 1 {
+    split(substr($3, length(name) + 4), w, " "); print w[1]}' arrows; }
 
 for deck in "$fourbar" "$engine"; do
     case $deck in
@@ -46,12 +46,12 @@ for deck in "$fourbar" "$engine"; do
             set -- $(arrow 'forces on the crank' 1)
             near "F12x: $where" "$1" "$(number F12x)" 1e-5
             near "F12y: $where" "$2" "$(number F12y)" 1e-5
-            near "F12: $where" "$(note 'forces on the crank' F12)" "$(number F12)" 1e-4
+            near "F12: $where" "$(note 'forces on the crank' F₁₂)" "$(number F12)" 1e-4
             set -- $(arrow 'forces on the crank' 2)
             near "F32 = -F23: $where" "$1" "$(number F23x | awk '{print -$1}')" 1e-5
             for link in $links; do
                 [ $link = crank ] || near "F34 on the $link: $where" \
-                    "$(note "forces on the $link" $([ $link = coupler ] || [ $link = rod ] && echo F43 || echo F34))" \
+                    "$(note "forces on the $link" $([ $link = coupler ] || [ $link = rod ] && echo F₄₃ || echo F₃₄))" \
                     "$(number F34)" 1e-4
             done
             near "Ts: $where" "$(note 'free body of the crank' Ts)" "$(number Ts)" 1e-4
@@ -91,7 +91,7 @@ done
 check 'the arrows of a load bear its name' grep -q '^forces on the piston	note	gas ' arrows
 run 0 --plot-script=v.gp --plot-kind=vectors "$fourbar"
 check 'a load by its name' grep -q '^set label .push. at' v.gp
-check 'the weights' grep -q '^set label .W3 2.943 N. at' v.gp
+check 'the weights' grep -q '^set label .W₃ = 2.943 N. at' v.gp
 
 # --- the piston's box, and the body out to a centre of mass that is off the line
 run 0 --plot-script=v.gp --plot-kind=vectors "$engine"
