@@ -352,6 +352,37 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     return p->loads || refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
 }
 
+/* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
+static int both_in(text line)
+{
+    text key, value;
+
+    if (!flk_text_cut(line, "=", &key, &value) || key.length < 6 ||
+        !flk_text_equal(flk_text_from(key, key.length - 6), "branch"))
+        return -1;
+    if (!flk_text_split(&value, '#', &key))
+        return 0;
+    return flk_text_equal(flk_text_trim(key), "both");
+}
+
+/* 1 if the deck or a change asks for both branches. */
+static int asks_for_both(const fourlink_source *source)
+{
+    text rest, line;
+    int both = 0, here;
+    unsigned long i;
+
+    rest.start = source->text;
+    rest.length = source->length;
+    while (flk_text_split(&rest, '\n', &line))
+        if ((here = both_in(line)) >= 0)
+            both = here;
+    for (i = 0; i < source->n_changes; i++)
+        if ((here = both_in(flk_text_of(source->changes[i].assignment))) >= 0)
+            both = here;
+    return both;
+}
+
 static int has_column(const picture *p, text name)
 {
     const fourlink_value *list;
@@ -492,6 +523,7 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
 
     memset(&p, 0, sizeof p);
     p.request = request;
+    p.wants_both = asks_for_both(source);
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
     close_deck(&p);
     return written;

@@ -90,6 +90,7 @@ typedef struct picture {
     int slot;   /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
+    int wants_both; /* 1: both were asked for, not only not excluded */
     fourlink_range range;
     double end; /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];

@@ -30,6 +30,7 @@ void room_open(room *r, const canvas *on, double x_min, double x_max, double y_m
     r->y_scale = r->height / (y_max - y_min);
     r->n_points = r->n_texts = 0;
     r->starts = 1;
+    r->rings = RINGS;
 }
 
 static fourlink_vector pixels(const room *r, double x, double y)
@@ -105,17 +106,19 @@ static int try_place(const room *r, fourlink_vector middle, const char *words, d
     return 1;
 }
 
-int room_find(room *r, fourlink_vector at, int side, int keeps_clear, const char *words,
+int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
               fourlink_vector *middle)
 {
     double least = keeps_clear ? COST_OF_CURVE : FORBIDDEN, half = canvas_width_of(words) / 2;
+    double wanted = dx == 0 && dy == 0 ? M_PI / 2 : atan2(dy * r->y_scale, dx * r->x_scale);
     fourlink_vector from = pixels(r, at.x, at.y), best = from, next;
-    int ring, i, found = side == 0 && try_place(r, from, words, 0, &least);
+    int ring, i, found = dx == 0 && dy == 0 && try_place(r, from, words, 0, &least);
 
-    for (ring = 0; ring < RINGS; ring++)
+    for (ring = 0; ring < r->rings; ring++)
         for (i = 0; i < DIRECTIONS; i++) {
-            double off = 2 * M_PI * i / DIRECTIONS, angle = (side < 0 ? -1 : 1) * M_PI / 2 + off;
-            double gap = GAP + RING * ring, cost = 2 * ring + 1.5 * (1 - cos(off)) + (side == 0);
+            double off = 2 * M_PI * i / DIRECTIONS, angle = wanted + off;
+            double gap = GAP + RING * ring,
+                   cost = 2 * ring + 1.5 * (1 - cos(off)) + (dx == 0 && dy == 0);
 
             next = sketch_beside(from, (gap + half) * cos(angle), (gap + HALF_LINE) * sin(angle));
             if (try_place(r, next, words, cost, &least)) {

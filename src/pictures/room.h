@@ -15,6 +15,7 @@ typedef struct room {
     double x_min, y_min, x_scale, y_scale; /* pixels for a unit */
     double width, height;
     int n_points, n_texts, starts; /* starts: the next point begins a curve */
+    int rings;                     /* how far from its place a text may go */
     fourlink_vector point[ROOM_POINTS];
     unsigned char is_start[ROOM_POINTS];
     sketch_box text[ROOM_TEXTS];
@@ -30,10 +31,10 @@ void room_break(room *r);
 /* Keep the box of a text whose middle is at a place of the panel. */
 void room_take(room *r, fourlink_vector middle, const char *words);
 
-/* Find the middle of a text near a place: on it (side 0), or preferably above (1) or below it (-1); and keep
-** its box.  Returns 0 if there is no place inside the panel and apart from other texts, or, with
+/* Find the middle of a text near a place: preferably on it (dx and dy 0), or in the direction (dx, dy); and
+** keep its box.  Returns 0 if there is no place inside the panel and apart from other texts, or, with
 ** `keeps_clear`, apart from all curves. */
-int room_find(room *r, fourlink_vector at, int side, int keeps_clear, const char *words,
+int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
               fourlink_vector *middle);
 
 #endif

@@ -153,7 +153,7 @@ static void put_areas(diagram *d)
             continue;
         at = centroid(d, from, to);
         picture_words(d->p, "", energy, QUANTITY_ENERGY, words);
-        if (!room_find(&d->r, at, 0, 0, words, &middle))
+        if (!room_find(&d->r, at, 0, 0, 0, words, &middle))
             continue;
         canvas_print(&d->p->on, "set label %q at %.8g,%.8g center front boxed\n", words, middle.x,
                      middle.y);

@@ -5,7 +5,8 @@
 . "$(dirname "$0")/pictures.sh"
 
 needs_gnuplot
-pictures_of "$fourbar" mechanism motion forces turning-moment polar
+pictures_of "$fourbar" mechanism motion forces turning-moment
+run 0 --plot=coupler-point-polar.svg --plot-kind=polar --branch=both "$fourbar"
 pictures_of "$engine" motion forces turning-moment
 
 # curves SVG: "PANEL<tab>NUMBER<tab>INDEX<tab>X<tab>Y<tab>DX<tab>DY" of each point of each curve, in the

@@ -35,7 +35,7 @@ shows coupler-point-motion.svg open crossed 'theta2 (deg)' 'theta3 (deg)' 'theta
     'omega4 (rad/s)' 'alpha3 (rad/s2)' 'alpha4 (rad/s2)'
 shows coupler-point-forces.svg open crossed F12 F23 F34 F14 Ts 'force (N)' 'Ts (N.m)' 'theta2 (deg)'
 shows coupler-point-turning-moment.svg 'theta2 (deg)' 'turning moment -Ts (N.m)' -Ts mean above below
-shows coupler-point-polar.svg open crossed 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
+shows coupler-point-polar.svg open '30° apart' 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
     'F43_across (N)' 'F34_along (N)' 'F14_along (N)' 'F14_across (N)' "F14, ground on rocker, in the rocker's axes"
 shows coupler-point-vectors.svg 'open, θ₂ = 60°' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
@@ -45,7 +45,32 @@ shows engine-mechanism.svg 'open, θ₂ = 60°' 'x (mm)' 'path of C' gas N F₁�
 shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s2)' 'theta3 (deg)' 'omega3 (rad/s)' 'alpha3 (rad/s2)'
 shows engine-forces.svg F12 F23 F34 N Ts 'force (N)' 'Ts (N.m)'
 shows engine-turning-moment.svg 'turning moment -Ts (N.m)' mean
-shows engine-polar.svg 'F12_along (N)' 'F43_across (N)' open crossed
+shows engine-polar.svg 'F12_along (N)' 'F43_across (N)' open
+# polar: one branch unless both are asked for
+check 'polar: not asked for the crossed branch' none '>crossed<' coupler-point-polar.svg
+run 0 --plot=x.svg --plot-kind=polar --branch=both "$fourbar"
+shows x.svg open crossed
+run 0 --plot=x.svg --plot-kind=polar --branch=crossed "$fourbar"
+shows x.svg crossed
+check 'polar: not asked for the open branch' none '>open<' x.svg
+{
+    cat "$fourbar"
+    printf '[table]\nbranch = both # of them\n'
+} >both.deck
+run 0 --plot=x.svg --plot-kind=polar both.deck
+shows x.svg open crossed
+# the load of the crusher jumps twice: its curves have two dashed lines from end to end; an arrow leads the way
+run 0 --plot=x.svg --plot-kind=polar "$data/me3491-exercise-4.deck"
+shows x.svg open jump '30° apart' -90° -180°
+run 0 --plot-script=x.gp --plot-kind=polar "$data/me3491-exercise-4.deck"
+check 'two jumps of each pin force' awk '/_jumps << EOD/ {on = 1; n = 0; next} on && /^EOD/ {on = 0; if (n != 4) bad = 1; panels++}
+    on && NF == 2 {n++} END {exit !(panels == 6 && !bad)}' x.gp
+check 'the direction of travel' test "$(grep -c '^set arrow .* head filled .* fixed' x.gp)" -eq 6
+check 'the force jumps by the load' awk '/^\$F14_open_jumps/ {on = 1; next} /^EOD/ {on = 0}
+    on && NF == 2 {if (++n % 2) {x = $1; y = $2} else {d = sqrt(($1 - x) ^ 2 + ($2 - y) ^ 2); if (d < 500 || d > 6000) bad = 1}}
+    END {exit !(n == 4 && !bad)}' x.gp
+run 0 --plot-script=x.gp --plot-kind=polar "$fourbar"
+check 'a steady load does not jump' none '_jumps' x.gp
 shows engine-vectors.svg 'velocity polygon' 'free body of the rod' 'free body of the piston' 'forces on the piston' gas aC
 shows engine-klein.svg "Klein's construction, open, θ₂ = 60°" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
 check 'the engine has no rocker' none rocker engine-vectors.svg
