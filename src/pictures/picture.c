@@ -502,7 +502,9 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
 
     if (why)
         return refuse(mistake, "--plot-kind", why, "");
-    if (p->problem.one_instant && (info->needs & PLOT_RANGE))
+    p->instant = p->problem.motion.from;
+    p->has_instant = p->problem.one_instant && (info->needs & PLOT_RANGE);
+    if (p->has_instant)
         held =
             p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
     if ((info->values || held[0]) && !reopen(p, source, info->values, mistake))

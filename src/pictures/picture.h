@@ -92,7 +92,9 @@ typedef struct picture {
     int n_branches;
     int wants_both; /* 1: both were asked for, not only not excluded */
     fourlink_range range;
-    double end; /* the last crank angle of the motion, in the deck's unit */
+    int has_instant; /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;  /* its crank angle, in the deck's unit */
+    double end;      /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
     const fourlink_value *columns; /* the columns of its kind that the deck has */
     unsigned long n_columns;
