@@ -139,7 +139,7 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = picture_si(p, q, sketch_round(picture_value(p, q, largest) / 2.5));
-    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.12 * s->size);
+    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
     fourlink_vector to = sketch_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];
 

@@ -40,7 +40,7 @@ static const struct {
 } file_table[] = {
     {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
     {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 noenhanced"},
+    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,10' fontscale 1 noenhanced"},
     {".txt", "dumb nofeed size %d,%d noenhanced"},
     {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
 

@@ -24,7 +24,7 @@
     X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
       "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
       "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                            \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)                     \
+    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL)                     \
     X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
       picture_animation, NULL)

@@ -297,16 +297,17 @@ void sketch_key(sketch *s, pen p, const char *meaning)
 /* Values and key are to the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
-    double width = CANVAS_LETTER;
+    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : NARROW;
     int i;
 
     for (i = 0; i < s->n_notes; i++)
-        width = GSL_MAX_DBL(width, canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
+        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
     for (i = 0; i < s->n_curves; i++)
         if (s->curve_title[i][0])
-            width = GSL_MAX_DBL(width, canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
+            width =
+                GSL_MAX_DBL(width, narrow * canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
     for (i = 0; i < s->n_meanings; i++)
-        width = GSL_MAX_DBL(width, canvas_width_of(s->meanings[i]) + 7 * CANVAS_LETTER);
+        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->meanings[i]) + 7 * CANVAS_LETTER);
     return width;
 }
 
@@ -337,16 +338,32 @@ static void put_labels(const sketch *s)
     }
 }
 
-/* Put tics with the same step on both axes, far enough apart for their numbers. */
+/* A step of tics, far enough apart for their numbers, and smaller if there would be fewer than two. */
+static double step_of(double step, double middle, double size)
+{
+    int i;
+
+    for (i = 0; i < 6; i++) {
+        double low = middle - size / 2, high = middle + size / 2;
+
+        if (floor(high / step) - ceil(low / step) >= 1)
+            break;
+        step = sketch_round(0.4 * step);
+    }
+    return step;
+}
+
 static void put_axes(const sketch *s)
 {
     double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
     double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
+    double step = sketch_round(TICS * CANVAS_LETTER * s->scale);
+
     canvas_print(s->c,
-                 "set format '%%g'; set tics %.7g\n"
+                 "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
                  "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
-                 sketch_round(TICS * CANVAS_LETTER * s->scale), x - width / 2, x + width / 2,
+                 step_of(step, x, width), step_of(step, y, height), x - width / 2, x + width / 2,
                  y - height / 2, y + height / 2);
 }
 
