@@ -24,6 +24,7 @@ static const struct plot_info {
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define LONGEST_NAME 24 /* letters, next to a value */
+#define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
 /* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
@@ -214,6 +215,10 @@ static void lay_out(picture *p, FILE *out)
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
+    p->has_inset = p->slides && p->design->link[FOURLINK_CRANK].length <
+                                    SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
+    if (p->request->kind == PLOT_KLEIN && p->has_inset)
+        rows = 2;
     lines = info->needs & PLOT_DRAWING ? lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
         height =

@@ -25,7 +25,7 @@
       "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
       "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                            \
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL)                     \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
+    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
       picture_animation, NULL)
 
@@ -85,9 +85,10 @@ typedef struct picture {
     fourlink_problem problem;
     const fourlink_mechanism *mechanism; /* of the problem */
     const fourlink_design *design;
-    int kind;   /* of the design */
-    int slides; /* 1: link 4 slides on the ground */
-    int slot;   /* not 0: link 3 slides on link 4 */
+    int kind;      /* of the design */
+    int slides;    /* 1: link 4 slides on the ground */
+    int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
+    int slot;      /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
     int wants_both; /* 1: both were asked for, not only not excluded */

@@ -138,7 +138,7 @@ static fourlink_vector on_circle(fourlink_vector centre, double radius, double a
 /* Drawn as a polygon: gnuplot's circles cannot be dashed. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
-    int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
+    int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
     fourlink_vector last = on_circle(centre, radius, from), next;
 
     for (i = 1; i <= n; i++) {
@@ -297,7 +297,7 @@ void sketch_key(sketch *s, pen p, const char *meaning)
 /* Values and key are to the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
-    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : NARROW;
+    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
     int i;
 
     for (i = 0; i < s->n_notes; i++)
