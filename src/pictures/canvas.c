@@ -12,7 +12,7 @@
 
 #define HEAD (4 * CANVAS_LINE)      /* title and source */
 #define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
-#define LEFT (10.5 * CANVAS_LETTER) /* numbers and name of the y axis */
+#define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 

@@ -41,7 +41,7 @@ static const struct {
 } file_table[] = {
     {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
     {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,10' fontscale 1 noenhanced"},
+    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
     {".txt", "dumb nofeed size %d,%d noenhanced"},
     {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
 
@@ -178,32 +178,48 @@ static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at
                 sin(turn) * place.x + cos(turn) * place.y);
 }
 
-/* The height of a panel of this width, in which the mechanism fills the axes. */
-static double height_of_drawing(const picture *p, double width)
+/* The room that the mechanism needs on a branch. */
+static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
 {
-    double turn = turn_of(p), border, height;
     fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
     sketch_box b = sketch_nothing;
     fourlink_instant now;
+    double turn = turn_of(p);
     const char *name;
     unsigned long i;
-    int branch, k, link;
+    int k, link;
 
-    for (branch = 0; branch < p->n_branches; branch++)
-        for (k = 0; k <= OUTLINE_STEPS; k++) {
-            if (picture_state(p, p->branches[branch], k, OUTLINE_STEPS, &now) != FOURLINK_OK)
-                continue;
-            for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-                grow(&b, turn, link, &origin, &now.state);
-            grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
-            for (i = 0; i < p->problem.n_points; i++) {
-                fourlink_deck_point(p->deck, i, &name, &link, &at);
-                grow(&b, turn, link, &at, &now.state);
-            }
+    for (k = 0; k <= OUTLINE_STEPS; k++) {
+        if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
+            continue;
+        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+            grow(&b, turn, link, &origin, &now.state);
+        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
+        for (i = 0; i < p->problem.n_points; i++) {
+            fourlink_deck_point(p->deck, i, &name, &link, &at);
+            grow(&b, turn, link, &at, &now.state);
         }
-    border = 0.35 * GSL_MAX_DBL(b.x_max - b.x_min, b.y_max - b.y_min);
-    height = (width - BESIDE) * (b.y_max - b.y_min + border) / (b.x_max - b.x_min + border);
-    return GSL_MIN_DBL(GSL_MAX_DBL(height + ABOVE_AND_BELOW, LOWEST), HIGHEST);
+    }
+    return b;
+}
+
+/* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
+static double height_of_drawing(const picture *p, double width)
+{
+    double highest = LOWEST, x, y, border;
+    int i;
+
+    for (i = 0; i < p->n_branches; i++) {
+        sketch_box b = box_of_motion(p, p->branches[i]);
+
+        x = b.x_max - b.x_min;
+        y = b.y_max - b.y_min;
+        border = 0.35 * GSL_MAX_DBL(x, y);
+        if (x > 0 && y >= 0)
+            highest = GSL_MAX_DBL(highest,
+                                  (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
+    }
+    return GSL_MIN_DBL(highest, HIGHEST);
 }
 
 static void lay_out(picture *p, FILE *out)

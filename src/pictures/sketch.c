@@ -301,7 +301,7 @@ static double width_of_margin(const sketch *s)
     int i;
 
     for (i = 0; i < s->n_notes; i++)
-        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
+        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
     for (i = 0; i < s->n_curves; i++)
         if (s->curve_title[i][0])
             width =
