@@ -39,23 +39,23 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
     figure_pins pins = figure_place(p, &r->now.state);
 
     if (by == FOURLINK_GROUND && on == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F12", pins.A, f->F12x, f->F12y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_2, pins.A, f->F12x, f->F12y);
     else if (by == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F23", pins.B, f->F23x, f->F23y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_2 SUB_3, pins.B, f->F23x, f->F23y);
     else if (by == FOURLINK_COUPLER && on == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F32", pins.B, -f->F23x, -f->F23y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_2, pins.B, -f->F23x, -f->F23y);
     else if (by == FOURLINK_COUPLER)
-        arrow_add(arrows, PEN_FORCE, "F34", pins.C, f->F34x, f->F34y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_4, pins.C, f->F34x, f->F34y);
     else if (by == FOURLINK_FOLLOWER)
-        arrow_add(arrows, PEN_FORCE, "F43", pins.C, -f->F34x, -f->F34y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_4 SUB_3, pins.C, -f->F34x, -f->F34y);
     else
-        arrow_add(arrows, PEN_FORCE, p->slides ? "N" : "F14", p->slides ? pins.C : pins.D, f->F14x,
-                  f->F14y);
+        arrow_add(arrows, PEN_FORCE, p->slides ? "N" : "F" SUB_1 SUB_4, p->slides ? pins.C : pins.D,
+                  f->F14x, f->F14y);
 }
 
 void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link)
 {
-    static const char *const weights[5] = {"", "", "W2", "W3", "W4"};
+    static const char *const weights[5] = {"", "", "W" SUB_2, "W" SUB_3, "W" SUB_4};
     const fourlink_link *body = &p->design->link[link];
     const fourlink_state *state = &r->now.state;
     const fourlink_vector *axis = &state->link[link].axis;
@@ -139,10 +139,12 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
     double bar = picture_si(p, q, sketch_round(picture_value(p, q, largest) / 2.5));
-    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.08 * s->size);
+    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
     fourlink_vector to = sketch_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];
 
+    sketch_turn(s, 0);
     sketch_arrow(s, PEN_CONSTRUCTION, from, to);
     sketch_text(s, to, 0.7, 0, picture_words(p, "", bar, q, words));
+    sketch_turn(s, 1);
 }

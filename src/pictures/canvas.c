@@ -10,9 +10,9 @@
 #include "base/format.h"
 #include "base/text.h"
 
-#define HEAD (4 * CANVAS_LINE)    /* title and source */
-#define CANVAS_WORDS 1200         /* bytes of a title; a letter may have four */
-#define LEFT (12 * CANVAS_LETTER) /* numbers and name of the y axis */
+#define HEAD (4 * CANVAS_LINE)      /* title and source */
+#define CANVAS_WORDS 1200           /* bytes of a title; a letter may have four */
+#define LEFT (11.5 * CANVAS_LETTER) /* numbers and name of the y axis */
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
@@ -184,6 +184,11 @@ void canvas_key(const canvas *c)
 
     canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
                  1 + line / c->box_height);
+}
+
+void canvas_note(const canvas *c, int line, const char *words)
+{
+    canvas_print(c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", words, -line);
 }
 
 void canvas_grid(const canvas *c)

@@ -17,6 +17,7 @@
 typedef struct canvas {
     FILE *out;
     int is_text;
+    double turn; /* rad: drawings are turned by this angle, so that gravity acts downwards */
     int columns, rows, next;      /* of panels; the next panel */
     double width, height;         /* of the picture, in pixels */
     double below;                 /* pixels under each panel */
@@ -45,6 +46,9 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
 
 /* Put the key in a line above the axes. */
 void canvas_key(const canvas *c);
+
+/* Put a line of text to the right of the axes, line 0 at their top. */
+void canvas_note(const canvas *c, int line, const char *words);
 
 /* Put grid lines, except on a text terminal, where they would hide the curves. */
 void canvas_grid(const canvas *c);

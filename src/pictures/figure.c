@@ -14,6 +14,8 @@
 #define PISTON_X 0.055
 #define PISTON_Y 0.035
 
+#define THETA "\316\270" /* the Greek letter, in UTF-8 */
+
 double figure_length(const picture *p, double si)
 {
     return picture_value(p, QUANTITY_LENGTH, si);
@@ -228,22 +230,42 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
         sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
 }
 
+/* Draw the outline of a link with tracer points. */
+static void put_points(sketch *s, const picture *p, const fourlink_state *state, int link)
+{
+    fourlink_vector corners[SKETCH_CORNERS], at;
+    unsigned long i;
+    const char *name;
+    int n = 0, on;
+
+    for (i = 0; i < p->problem.n_points; i++) {
+        at = tracer(p, state, i, &name, &on);
+        if (on == link)
+            corners[n++] = at;
+    }
+    if (n == 0)
+        return;
+    corners[n++] = figure_point(p, state->link[link].origin);
+    corners[n++] = end_of(p, state, link);
+    sketch_hull(s, (pen)link, corners, n);
+}
+
 static void put_links(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
     unsigned long i;
+    const char *name;
     int link;
 
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        put_points(s, p, state, link);
+    figure_outline(s, p, state, PEN_OF_LINK);
     for (i = 0; i < p->problem.n_points; i++) {
-        const char *name;
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
-        sketch_line(s, (pen)link, figure_point(p, state->link[link].origin), at);
-        if (link != FOURLINK_FOLLOWER || !p->slides)
-            sketch_line(s, (pen)link, end_of(p, state, link), at);
+        sketch_dot(s, at);
         sketch_text(s, at, 0.8, 0.8, name);
     }
-    figure_outline(s, p, state, PEN_OF_LINK);
     if (!p->slides)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
@@ -302,23 +324,22 @@ static void put_angle(sketch *s, const picture *p, fourlink_vector at, double an
     sketch_line(s, PEN_CONSTRUCTION, at, sketch_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
     flk_text_join(words, sizeof words, name, " = ",
-                  picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), number), (char *)NULL);
+                  picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), 4, number),
+                  (char *)NULL);
     sketch_note(s, words);
     sketch_text(s, sketch_beside(at, radius * cos(half), radius * sin(half)), 0.5,
                 sin(half) >= 0 ? 0.4 : -0.4, name);
 }
 
-#define THETA "\316\270" /* the Greek letter, and subscripts, in UTF-8 */
-
 static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
 {
     figure_pins pins = figure_place(p, state);
 
-    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA "\342\202\202");
+    put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA SUB_2);
     if (!p->slot || p->design->angle != 0)
-        put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA "\342\202\203");
+        put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA SUB_3);
     if (!p->slides)
-        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA "\342\202\204");
+        put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
 }
 
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q)
@@ -330,11 +351,33 @@ void figure_note(sketch *s, const picture *p, const char *name, double si, quant
 
 void figure_slope(sketch *s, const picture *p)
 {
-    fourlink_vector g = p->design->gravity;
-    double slope = atan2(-g.x, -g.y);
+    double slope = p->on.turn;
+    char words[PICTURE_MARK + 20], number[PICTURE_MARK];
 
-    if (fabs(slope) >= 1e-9 && (g.x != 0 || g.y != 0))
-        figure_note(s, p, "x rises at", slope, QUANTITY_ANGLE);
+    if (slope == 0)
+        return;
+    picture_mark(p, picture_value(p, QUANTITY_ANGLE, slope), 4, number);
+    sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, (char *)NULL));
+}
+
+void figure_gravity(sketch *s, const picture *p)
+{
+    const fourlink_design *d = p->design;
+    double left = s->drawn.x_min - 0.05 * s->size, top = s->drawn.y_max;
+    fourlink_vector to = sketch_at(left, top - 0.12 * s->size), axis;
+
+    sketch_turn(s, 0);
+    if ((d->gravity.x != 0 || d->gravity.y != 0) &&
+        (d->link[2].mass > 0 || d->link[3].mass > 0 || d->link[4].mass > 0)) {
+        sketch_arrow(s, PEN_LOAD, sketch_at(left, top), to);
+        sketch_text(s, to, -1, 0.5, "g");
+    }
+    sketch_turn(s, 1);
+    if (p->on.turn == 0)
+        return;
+    axis = sketch_at(0.2 * s->size, 0);
+    sketch_arrow(s, PEN_CONSTRUCTION, sketch_at(0, 0), axis);
+    sketch_text(s, axis, 1, 0, "x");
 }
 
 void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int has_angles)
@@ -356,11 +399,12 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
     const char *name = "C";
     fourlink_vector at;
     char title[80];
+    int p_of = !is_tracer ? PEN_CONSTRUCTION : i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
 
     if (is_tracer)
         fourlink_deck_point(p->deck, i, &name, &link, &at);
     flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
-    sketch_curve(s, is_tracer ? PEN_PATH : PEN_CONSTRUCTION, title);
+    sketch_curve(s, (pen)p_of, title);
     for (k = 0; k <= STEPS; k++) {
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK) {
             if (until && fabs(now.row.angle - from) > fabs(*until - from) * (1 + 1e-12))
@@ -388,10 +432,9 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const dou
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200], number[FORMAT_SIZE];
+    char title[200 + PICTURE_MARK], number[PICTURE_MARK];
 
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", theta2 = ", format_general(now->row.angle, 7, number), " ",
-                  p->units[QUANTITY_ANGLE].name, (char *)NULL);
+                  ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number), (char *)NULL);
     sketch_close(s, title, p->units[QUANTITY_LENGTH].name);
 }

@@ -49,8 +49,11 @@ void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_v
 /* Put a name and its value, given in SI units, beside the drawing. */
 void figure_note(sketch *s, const picture *p, const char *name, double si, quantity q);
 
-/* Put the slope of the line of stroke, or of AD, beside the drawing, if it is not 0. */
+/* Put the angle by which the x axis rises beside the drawing, if it is not 0. */
 void figure_slope(sketch *s, const picture *p);
+
+/* Draw the direction of gravity, if a link has weight, and the x axis, if it rises. */
+void figure_gravity(sketch *s, const picture *p);
 
 /* Draw the paths of C and of the tracer points over the motion, up to the crank angle `until`, in the deck's
 ** unit. */

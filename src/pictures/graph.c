@@ -81,42 +81,73 @@ static int behind_gap(const picture *p, fourlink_branch branch, int y, double tu
 {
     double values[PICTURE_COLUMNS];
     fourlink_instant now;
-    int k;
+    int k, gap = 0;
 
     if (!(turn > 0) || !is_periodic(p) || !sound_sample(p, branch, 0, values, &now))
         return -1;
     *last = values[y];
     for (k = GRAPH_STEPS; k >= 0; k--) {
-        if (!sound_sample(p, branch, k, values, &now))
-            return k + 1;
+        if (!sound_sample(p, branch, k, values, &now)) {
+            if (++gap > 1)
+                return k + 2;
+            continue;
+        }
+        gap = 0;
         *last = go_on(values[y], *last, turn);
     }
     return -1;
 }
 
-int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-              graph_extent *e)
+/* What is smaller is rounding: a motion of the crank alone is the measure. */
+static double rounding_of(const picture *p, int y)
+{
+    double length = p->design->link[FOURLINK_CRANK].length, omega = p->problem.motion.speed;
+    const char *of = p->columns[y].quantity;
+    double size;
+
+    if (strcmp(of, "angular_speed") == 0)
+        size = picture_value(p, QUANTITY_ANGULAR_SPEED, omega);
+    else if (strcmp(of, "angular_acceleration") == 0)
+        size = picture_value(p, QUANTITY_ANGULAR_ACCELERATION, omega * omega);
+    else if (strcmp(of, "speed") == 0)
+        size = picture_value(p, QUANTITY_SPEED, omega * length);
+    else if (strcmp(of, "acceleration") == 0)
+        size = picture_value(p, QUANTITY_ACCELERATION, omega * omega * length);
+    else
+        return 0;
+    return 1e-12 * fabs(size);
+}
+
+void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
+               graph_extent *e, graph_line *line)
 {
     int is_angle = strcmp(p->columns[y].quantity, "angle") == 0;
     double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0;
-    double last = GSL_NAN, behind = GSL_NAN, values[PICTURE_COLUMNS];
-    int k, n = 0, from = behind_gap(p, branch, y, turn, &behind);
+    double last = GSL_NAN, behind = GSL_NAN, values[PICTURE_COLUMNS], rounding = rounding_of(p, y);
+    int k, gap = 0, from = behind_gap(p, branch, y, turn, &behind);
     fourlink_instant now;
 
     fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
+    line->n_points = 0;
     for (k = 0; k <= GRAPH_STEPS; k++) {
+        line->x[k] = line->y[k] = GSL_NAN;
         if (!sound_sample(p, branch, k, values, &now)) {
             putc('\n', p->on.out);
-            last = GSL_NAN; /* after a gap an angle starts anew */
+            if (++gap > 1) /* of a change point alone an angle goes on */
+                last = GSL_NAN;
             continue;
         }
         last = go_on(values[y], k == from ? behind : last, turn);
+        gap = 0;
+        if (fabs(last) < rounding)
+            last = 0;
+        line->x[k] = values[x];
+        line->y[k] = last;
         graph_extend(e, last, now.state.mu);
         canvas_print(&p->on, "%.8g %.8g\n", values[x], last);
-        n++;
+        line->n_points++;
     }
     fputs("EOD\n", p->on.out);
-    return n;
 }
 
 /* In degrees the steps are parts of a turn. */

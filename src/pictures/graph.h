@@ -30,10 +30,16 @@ int graph_column(const picture *p, const char *name);
 int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
                  fourlink_instant *now);
 
-/* Write two columns over the motion as $NAME_BRANCH, with breaks where the linkage cannot be assembled.
-** Returns the number of points. */
-int graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-              graph_extent *e);
+/* A curve as it is drawn; y is NaN in its gaps. */
+typedef struct graph_line {
+    double x[GRAPH_STEPS + 1], y[GRAPH_STEPS + 1];
+    int n_points; /* that are not in a gap */
+} graph_line;
+
+/* Write column y over column x as $NAME_BRANCH, with breaks where the linkage cannot be assembled.  Angles are
+** followed past half a turn; what is rounding becomes 0. */
+void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
+               graph_extent *e, graph_line *line);
 
 /* The step of the numbers on the axis of crank angles, which depends on the width of the panel. */
 double graph_angle_step(const picture *p, double span);

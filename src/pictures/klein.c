@@ -20,6 +20,11 @@
 
 #include "figure.h"
 
+/* Greek letters and the power, in UTF-8. */
+#define OMEGA "\317\211"
+#define ALPHA "\316\261"
+#define SQUARE "\302\262"
+
 typedef struct construction {
     fourlink_vector O, B, C, M, Q, N;
     fourlink_vector K, L;             /* the intersections of the circles */
@@ -91,29 +96,37 @@ static void put_length(sketch *s, const picture *p, const char *name, double len
     figure_note(s, p, name, is_rounding ? 0 : length, QUANTITY_LENGTH);
 }
 
-/* Draw the lines, and put each letter on the side away from the middle of the rod. */
-static void draw_lines(sketch *s, const construction *k, double rod)
+/* An angle, less whole turns: from -pi to pi. */
+static double remainder_of_turn(double angle)
+{
+    return angle - 2 * M_PI * floor(angle / (2 * M_PI) + 0.5);
+}
+
+/* Draw the lines at the crank, and put each letter on the side away from the middle of the rod. */
+static void draw_crank(sketch *s, const construction *k, double rod)
 {
     fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
+    double BM = gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y);
+    double of_K = atan2(k->K.y - middle.y, k->K.x - middle.x);
+    double of_B = atan2(k->B.y - middle.y, k->B.x - middle.x), side = 0;
 
-    sketch_arc(s, PEN_CONSTRUCTION, k->B, gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y), 0, 2 * M_PI);
-    sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
+    sketch_arc(s, PEN_CONSTRUCTION, k->B, BM, 0, 2 * M_PI);
+    if (k->meet)
+        side = fabs(remainder_of_turn(of_K - of_B)) * 1.2;
+    sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, of_B - side, of_B + side);
     if (k->meet)
         sketch_line(s, PEN_CONSTRUCTION, k->K, k->L);
     sketch_line(s, PEN_CONSTRUCTION, k->O, k->N);
     sketch_line(s, PEN_CONSTRUCTION, k->B, k->M);
     sketch_line(s, PEN_CRANK, k->O, k->B);
-    sketch_line(s, PEN_COUPLER, k->B, k->C);
     sketch_line(s, PEN_RESULT, k->O, k->M);
     sketch_line(s, PEN_RESULT, k->B, k->Q);
     sketch_line(s, PEN_RESULT, k->Q, k->N);
     sketch_line(s, PEN_FOLLOWER, k->N, k->O);
     sketch_pin(s, k->O);
     sketch_pin(s, k->B);
-    sketch_pin(s, k->C);
     figure_letter(s, k->O, middle, k->B, "O");
     figure_letter(s, k->B, middle, k->O, "B");
-    figure_letter(s, k->C, middle, middle, "C");
     figure_letter(s, k->M, middle, k->O, "M");
     figure_letter(s, k->Q, k->N, k->C, "Q");
     figure_letter(s, k->N, k->Q, k->Q, "N");
@@ -121,6 +134,42 @@ static void draw_lines(sketch *s, const construction *k, double rod)
         figure_letter(s, k->K, k->L, k->L, "K");
         figure_letter(s, k->L, k->K, k->K, "L");
     }
+}
+
+/* Draw the whole: the rod with its circle, the slider on its line of stroke, the ground. */
+static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
+                       const construction *k, double rod)
+{
+    fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
+    double overhang = 0.12 * s->size * (k->C.x < 0 ? -1 : 1);
+
+    figure_frame(s, p, state);
+    sketch_line(s, PEN_CONSTRUCTION, sketch_at(-overhang, k->C.y),
+                sketch_at(k->C.x + overhang, k->C.y));
+    sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
+    sketch_line(s, PEN_COUPLER, k->B, k->C);
+    draw_crank(s, k, rod);
+    figure_piston(s, PEN_FOLLOWER, k->C, &state->link[FOURLINK_FOLLOWER].axis);
+    sketch_pin(s, k->C);
+    figure_letter(s, k->C, middle, middle, "C");
+}
+
+/* Draw the crank enlarged, with the beginning of the rod. */
+static void put_inset(picture *p, const construction *k, double rod)
+{
+    double crank = figure_length(p, p->design->link[FOURLINK_CRANK].length);
+    double x = (k->C.x - k->B.x) / rod, y = (k->C.y - k->B.y) / rod;
+    sketch s;
+
+    sketch_open(&s, &p->on, 2 * crank);
+    sketch_line(&s, PEN_COUPLER, k->B, sketch_beside(k->B, 0.8 * crank * x, 0.8 * crank * y));
+    draw_crank(&s, k, rod);
+    if (k->is_near) {
+        sketch_line(&s, PEN_CONSTRUCTION, k->B, k->N);
+        sketch_line(&s, PEN_FORCE, k->g, k->O);
+        figure_letter(&s, k->g, k->O, k->B, "g");
+    }
+    sketch_close(&s, "at the crank, enlarged", p->units[QUANTITY_LENGTH].name);
 }
 
 static void draw_moments(sketch *s, const construction *k)
@@ -141,27 +190,42 @@ static void draw_moments(sketch *s, const construction *k)
     figure_letter(s, k->G, k->X, k->B, "G");
 }
 
-static void put_values(sketch *s, const picture *p, const fourlink_klein *lengths, int has_mass)
+/* Put what is read from the lengths. */
+static void put_readings(sketch *s, const picture *p, const fourlink_state *state,
+                         const fourlink_klein *lengths)
 {
-    put_length(s, p, "OM =", lengths->OM);
-    put_length(s, p, "BM =", lengths->BM);
-    put_length(s, p, "BQ =", lengths->BQ);
-    put_length(s, p, "QN =", lengths->QN);
-    put_length(s, p, "ON =", lengths->ON);
-    if (gsl_finite(lengths->IX))
-        put_length(s, p, "IX =", lengths->IX);
-    if (gsl_finite(lengths->IY))
-        put_length(s, p, "IY =", lengths->IY);
-    if (has_mass)
-        figure_note(s, p, "FT =", lengths->FT, QUANTITY_FORCE);
-    sketch_note(s, "v = omega2 OM");
-    sketch_note(s, "omega3 = omega2 BM / BC");
-    sketch_note(s, "alpha2 = 0: a = omega2^2 ON");
-    sketch_note(s, "alpha3 = omega2^2 QN / BC");
-    if (has_mass)
-        sketch_note(s, "FT IB = F_C IY - W_C IX");
+    double omega = state->link[FOURLINK_CRANK].omega, square = omega * omega;
+    double rod = p->design->link[FOURLINK_COUPLER].length;
+
+    figure_note(s, p, "v = " OMEGA SUB_2 " OM", omega * lengths->OM, QUANTITY_SPEED);
+    figure_note(s, p, OMEGA SUB_3 " = " OMEGA SUB_2 " BM / BC", omega * lengths->BM / rod,
+                QUANTITY_ANGULAR_SPEED);
+    figure_note(s, p, "a = " OMEGA SUB_2 SQUARE " ON", square * lengths->ON, QUANTITY_ACCELERATION);
+    figure_note(s, p, ALPHA SUB_3 " = " OMEGA SUB_2 SQUARE " QN / BC", square * lengths->QN / rod,
+                QUANTITY_ANGULAR_ACCELERATION);
+    if (state->link[FOURLINK_CRANK].alpha != 0)
+        sketch_note(s, "a and " ALPHA SUB_3 " for " ALPHA SUB_2 " = 0");
     sketch_note(s, "v and a are positive away");
     sketch_note(s, "from the inner dead centre");
+}
+
+static void put_values(sketch *s, const picture *p, const fourlink_state *state,
+                       const fourlink_klein *lengths, int has_mass)
+{
+    put_length(s, p, "OM", lengths->OM);
+    put_length(s, p, "BM", lengths->BM);
+    put_length(s, p, "BQ", lengths->BQ);
+    put_length(s, p, "QN", lengths->QN);
+    put_length(s, p, "ON", lengths->ON);
+    put_readings(s, p, state, lengths);
+    if (gsl_finite(lengths->IX))
+        put_length(s, p, "IX", lengths->IX);
+    if (gsl_finite(lengths->IY))
+        put_length(s, p, "IY", lengths->IY);
+    if (has_mass) {
+        figure_note(s, p, "FT", lengths->FT, QUANTITY_FORCE);
+        sketch_note(s, "FT IB = F_C IY - W_C IX");
+    }
     figure_slope(s, p);
 }
 
@@ -171,6 +235,7 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     fourlink_instant now;
     construction k;
     sketch s;
+    double rod = figure_length(p, p->design->link[FOURLINK_COUPLER].length);
     int status = picture_position(p, branch, &now, NULL);
 
     if (status == FOURLINK_OK)
@@ -180,10 +245,12 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     construct(p, &now.state, &lengths, &k);
     construct_moments(p, &now.state, &lengths, &k);
     figure_open(&s, p, branch, 0);
-    draw_lines(&s, &k, figure_length(p, p->design->link[FOURLINK_COUPLER].length));
+    draw_whole(&s, p, &now.state, &k, rod);
     if (k.is_near)
         draw_moments(&s, &k);
-    put_values(&s, p, &lengths, k.has_mass);
+    put_values(&s, p, &now.state, &lengths, k.has_mass);
     figure_close(&s, p, &now, "Klein's construction, ");
+    if (p->has_inset)
+        put_inset(p, &k, rod);
     return NULL;
 }

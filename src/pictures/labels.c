@@ -43,7 +43,7 @@ static sketch_box drawn(const sketch *s)
     return b;
 }
 
-static int overlap(const sketch_box *x, const sketch_box *y)
+int sketch_overlap(const sketch_box *x, const sketch_box *y)
 {
     return x->x_min < y->x_max && y->x_min < x->x_max && x->y_min < y->y_max && y->y_min < x->y_max;
 }
@@ -62,12 +62,18 @@ static int clip(double p, double d, double low, double high, double *from, doubl
     return *from < *to;
 }
 
+int sketch_crosses(const sketch_box *b, fourlink_vector p, fourlink_vector q)
+{
+    double from = 0, to = 1;
+
+    return clip(p.x, q.x - p.x, b->x_min, b->x_max, &from, &to) &&
+           clip(p.y, q.y - p.y, b->y_min, b->y_max, &from, &to);
+}
+
 static int covers(const sketch *s, const sketch_box *b, const sketch_obstacle *o)
 {
-    double from = 0, to = 1, x = o->from.x / s->scale, y = o->from.y / s->scale;
-
-    return clip(x, o->to.x / s->scale - x, b->x_min, b->x_max, &from, &to) &&
-           clip(y, o->to.y / s->scale - y, b->y_min, b->y_max, &from, &to);
+    return sketch_crosses(b, sketch_at(o->from.x / s->scale, o->from.y / s->scale),
+                          sketch_at(o->to.x / s->scale, o->to.y / s->scale));
 }
 
 static int leaves(const sketch *s, const sketch_box *b)
@@ -88,7 +94,7 @@ static double cost_of(const sketch *s, int k)
     for (i = 0; i < k; i++) {
         sketch_box other = box_of(s, &s->labels[i]);
 
-        cost += overlap(&b, &other) ? 100 : 0;
+        cost += sketch_overlap(&b, &other) ? 100 : 0;
     }
     for (i = 0; i < s->n_obstacles; i++)
         cost += covers(s, &b, &s->obstacles[i]) ? s->obstacles[i].weight : 0;

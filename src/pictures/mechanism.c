@@ -15,9 +15,13 @@
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
+    static const char *const words[][2] = {{"1 ground, 2 crank,", "3 coupler, 4 rocker"},
+                                           {"1 ground, 2 crank,", "3 rod, 4 piston"},
+                                           {"1 ground, 2 crank,", "3 slider, 4 lever"}};
+    const char *const *names = words[p->slides ? 1 : p->slot ? 2 : 0];
     arrow_list arrows;
     double scale;
-    int link;
+    int link, i;
 
     arrows.n = 0;
     for (link = FOURLINK_GROUND; link < FOURLINK_FOLLOWER; link++)
@@ -33,6 +37,13 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link);
     arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, r->now.forces.Ts);
+    sketch_key(s, PEN_FORCE, "pin force, i on j");
+    for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
+        ;
+    if (i < arrows.n)
+        sketch_key(s, PEN_LOAD, "load or weight");
+    sketch_note(s, names[0]);
+    sketch_note(s, names[1]);
 }
 
 /* Draw rows spread over the motion in grey. */
@@ -61,7 +72,7 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
             figure_pins pins = figure_place(p, &now.state);
 
             figure_outline(s, p, &now.state, PEN_OTHER);
-            figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, letter));
+            figure_letter(s, pins.B, pins.A, pins.A, picture_mark(p, now.row.angle, 4, letter));
         } else {
             format_general(now.row.angle, 12, number);
             sketch_note(s, flk_text_join(words, sizeof words, number,
@@ -86,6 +97,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_draw(&s, p, &r.now.state, 1);
     if (p->problem.has_forces)
         draw_forces(&s, p, &r);
+    figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");
     return NULL;
 }

@@ -2,8 +2,11 @@
 **
 ** picture.c - pictures of a deck, as gnuplot scripts: what all kinds share.
 */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <gsl/gsl_math.h>
 
 #include "base/quantity.h"
 #include "picture.h"
@@ -21,7 +24,16 @@ static const struct plot_info {
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define LONGEST_NAME 24 /* letters, next to a value */
+#define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
+
+/* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
+** its limits; and the steps in which the motion is measured. */
+#define BESIDE 330
+#define ABOVE_AND_BELOW 110
+#define LOWEST 330
+#define HIGHEST 600 /* two of them are a page */
+#define OUTLINE_STEPS 72
 
 /* By plot_file, with width and height. */
 static const struct {
@@ -29,7 +41,7 @@ static const struct {
 } file_table[] = {
     {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
     {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,8' fontscale 1 noenhanced"},
+    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
     {".txt", "dumb nofeed size %d,%d noenhanced"},
     {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
 
@@ -56,24 +68,46 @@ double picture_si(const picture *p, quantity q, double value)
     return value * p->units[q].up / p->units[q].down;
 }
 
-char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK])
+char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK])
 {
     const char *name = p->units[QUANTITY_ANGLE].name;
     int is_deg = strcmp(name, "deg") == 0;
     char number[FORMAT_SIZE];
 
-    return flk_text_join(out, PICTURE_MARK, format_general(angle, 4, number),
+    if (fabs(angle) < 1e-9)
+        angle = 0; /* rounding, and -0 */
+    return flk_text_join(out, PICTURE_MARK, format_general(angle, digits, number),
                          is_deg ? "\302\260" : " ", is_deg ? "" : name, (char *)NULL);
+}
+
+/* The prefix of a value that is too large or too small to be read without one, divided by it; "" if it has
+** none, or if its unit takes none. */
+static const char *find_prefix(const char *unit_name, double *value)
+{
+    static const char *const units[] = {"N", "N.m", "J", "W", "Pa", "m", "m/s", "m/s2", NULL};
+    static const char *const prefixes[] = {"n", "\302\265", "m", "", "k", "M", "G", "T"};
+    double size = fabs(*value);
+    int i, power;
+
+    for (i = 0; units[i] && strcmp(units[i], unit_name) != 0; i++)
+        ;
+    if (!units[i] || !(size < 1e-3 || size >= 1e5) || !(size >= 1e-9 && size < 1e15))
+        return "";
+    power = (int)floor(log10(size * (1 + 1e-12)) / 3);
+    *value /= pow(1000, power);
+    return prefixes[power + 3];
 }
 
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS])
 {
     char number[FORMAT_SIZE], fitting[PICTURE_WORDS];
+    double value = picture_value(p, q, si);
+    const char *prefix = find_prefix(p->units[q].name, &value);
 
     name = canvas_shorten(name, LONGEST_NAME, 0, fitting, sizeof fitting);
-    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " " : "",
-                         format_general(picture_value(p, q, si), 5, number), " ", p->units[q].name,
+    return flk_text_join(out, PICTURE_WORDS, name, name[0] ? " = " : "",
+                         format_general(value, 5, number), " ", prefix, p->units[q].name,
                          (char *)NULL);
 }
 
@@ -103,24 +137,89 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
     return status == FOURLINK_OK ? FOURLINK_OK : first;
 }
 
-/* The largest number of lines beside a drawing: angles, forces, torques, and paths in the key; for free
-** bodies, of each link. */
+/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of each
+** link. */
 static int lines_beside(const picture *p, int each_link)
 {
     int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n = p->problem.n_loads - p->problem.n_gas_loads;
+    unsigned long i, n_own = p->problem.n_loads - p->problem.n_gas_loads;
     const char *name;
 
     fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < p->problem.n_loads; i++) {
         fourlink_deck_load(p->deck, i, &name, &has_torque);
-        lines[p->loads[i].link] += has_torque ? 2 : 1;
+        lines[i < n_own ? p->loads[i].link : FOURLINK_FOLLOWER] += has_torque ? 2 : 1;
     }
     for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
-        sum += lines[link];
+        sum += lines[link] + (p->design->link[link].mass > 0);
         most = lines[link] > most ? lines[link] : most;
     }
-    return each_link ? 7 + most : 16 + sum + (int)p->problem.n_points;
+    if (p->problem.has_forces)
+        sum += 9; /* pin forces, torque, and what the arrows mean */
+    return each_link ? 7 + most : 8 + sum + (int)p->problem.n_points;
+}
+
+/* The angle by which the x axis rises, rad: drawings are turned by it. */
+static double turn_of(const picture *p)
+{
+    fourlink_vector g = p->design->gravity;
+    double slope = g.x != 0 || g.y != 0 ? atan2(-g.x, -g.y) : 0;
+
+    return fabs(slope) < 1e-9 ? 0 : slope;
+}
+
+static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at,
+                 const fourlink_state *state)
+{
+    fourlink_vector place = {0, 0};
+
+    fourlink_point(state, link, at, &place, NULL, NULL);
+    sketch_grow(b, cos(turn) * place.x - sin(turn) * place.y,
+                sin(turn) * place.x + cos(turn) * place.y);
+}
+
+/* The room that the mechanism needs on a branch. */
+static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
+{
+    fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
+    sketch_box b = sketch_nothing;
+    fourlink_instant now;
+    double turn = turn_of(p);
+    const char *name;
+    unsigned long i;
+    int k, link;
+
+    for (k = 0; k <= OUTLINE_STEPS; k++) {
+        if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
+            continue;
+        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+            grow(&b, turn, link, &origin, &now.state);
+        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
+        for (i = 0; i < p->problem.n_points; i++) {
+            fourlink_deck_point(p->deck, i, &name, &link, &at);
+            grow(&b, turn, link, &at, &now.state);
+        }
+    }
+    return b;
+}
+
+/* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
+static double height_of_drawing(const picture *p, double width)
+{
+    double highest = LOWEST, x, y, border;
+    int i;
+
+    for (i = 0; i < p->n_branches; i++) {
+        sketch_box b = box_of_motion(p, p->branches[i]);
+
+        x = b.x_max - b.x_min;
+        y = b.y_max - b.y_min;
+        border = 0.35 * GSL_MAX_DBL(x, y);
+        if (x > 0 && y >= 0)
+            highest = GSL_MAX_DBL(highest,
+                                  (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
+    }
+    return GSL_MIN_DBL(highest, HIGHEST);
 }
 
 static void lay_out(picture *p, FILE *out)
@@ -130,7 +229,7 @@ static void lay_out(picture *p, FILE *out)
     int rows = info->rows ? info->rows : p->n_branches, columns = info->columns;
     const fourlink_value *outputs;
     unsigned long n;
-    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0;
+    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
@@ -139,10 +238,18 @@ static void lay_out(picture *p, FILE *out)
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
     }
-    if (info->needs & PLOT_DRAWING)
-        beside = (lines_beside(p, is_vectors) + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) -
-                 height;
+    p->has_inset = p->slides && p->design->link[FOURLINK_CRANK].length <
+                                    SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
+    if (p->request->kind == PLOT_KLEIN && p->has_inset)
+        rows = 2;
+    lines = info->needs & PLOT_DRAWING ? lines_beside(p, is_vectors) : 0;
+    if (info->needs & PLOT_FILLED && !is_text)
+        height =
+            floor(GSL_MAX_DBL(height_of_drawing(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
+    else if (info->needs & PLOT_DRAWING)
+        beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
     canvas_open(&p->on, out, is_text, columns, rows, info->width, height, beside > 0 ? beside : 0);
+    p->on.turn = turn_of(p);
 }
 
 static void put_terminal(const canvas *c, const plot_request *request)
@@ -183,6 +290,22 @@ static const char *const style_of_pen[PEN_COUNT] = {
     "lw 1.5 lc rgb '#777777'"         /* other positions */
 };
 
+/* Each path has its own colour and dashes. */
+static void put_styles(const canvas *c)
+{
+    static const char *const colours[] = {"CC79A7", "56B4E9", "009E73",
+                                          "E69F00", "0072B2", "000000"};
+    static const char *const dashes[] = {"1",          "(10,5)",        "(3,3)",
+                                         "(10,4,2,4)", "(6,2,2,2,2,2)", "(2,6)"};
+    int i;
+
+    for (i = 1; i < PEN_COUNT; i++)
+        fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
+    for (i = 1; i <= PEN_PATHS - PEN_COUNT; i++)
+        fprintf(c->out, "set style line %d lw 1.5 dt %s lc rgb '#%s'\n", PEN_COUNT - 1 + i,
+                dashes[(i + i / 6) % 6], colours[i % 6]);
+}
+
 static void put_head(const picture *p, const char *deck_name, const char *held)
 {
     const canvas *c = &p->on;
@@ -193,8 +316,7 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
             plot_names[p->request->kind], fourlink_version());
     fputs("set encoding utf8\n", c->out);
     put_terminal(c, p->request);
-    for (i = 1; i < PEN_COUNT; i++)
-        fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
+    put_styles(c);
     fputs("set linetype 1 lw 2 dt 1 lc rgb '#0072B2'\n"
           "set linetype 2 lw 2 dt (10,5) lc rgb '#D55E00'\n"
           "set linetype 3 lw 2 dt (3,3) lc rgb '#009E73'\n"
@@ -258,6 +380,37 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
     return p->loads || refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+}
+
+/* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
+static int both_in(text line)
+{
+    text key, value;
+
+    if (!flk_text_cut(line, "=", &key, &value) || key.length < 6 ||
+        !flk_text_equal(flk_text_from(key, key.length - 6), "branch"))
+        return -1;
+    if (!flk_text_split(&value, '#', &key))
+        return 0;
+    return flk_text_equal(flk_text_trim(key), "both");
+}
+
+/* 1 if the deck or a change asks for both branches. */
+static int asks_for_both(const fourlink_source *source)
+{
+    text rest, line;
+    int both = 0, here;
+    unsigned long i;
+
+    rest.start = source->text;
+    rest.length = source->length;
+    while (flk_text_split(&rest, '\n', &line))
+        if ((here = both_in(line)) >= 0)
+            both = here;
+    for (i = 0; i < source->n_changes; i++)
+        if ((here = both_in(flk_text_of(source->changes[i].assignment))) >= 0)
+            both = here;
+    return both;
 }
 
 static int has_column(const picture *p, text name)
@@ -381,7 +534,9 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
 
     if (why)
         return refuse(mistake, "--plot-kind", why, "");
-    if (p->problem.one_instant && (info->needs & PLOT_RANGE))
+    p->instant = p->problem.motion.from;
+    p->has_instant = p->problem.one_instant && (info->needs & PLOT_RANGE);
+    if (p->has_instant)
         held =
             p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
     if ((info->values || held[0]) && !reopen(p, source, info->values, mistake))
@@ -403,6 +558,7 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     memset(&p, 0, sizeof p);
     p.request = request;
     p.source = source;
+    p.wants_both = asks_for_both(source);
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
     close_deck(&p);
     return written;

@@ -13,22 +13,23 @@
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
 ** A|B the first */
-#define PLOT_LIST(X)                                                                              \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING, picture_mechanism, NULL)              \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,             \
-      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")             \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,       \
-      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                              \
-    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,          \
-      picture_turning, NULL)                                                                      \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,            \
-      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"          \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                           \
-    X(VECTORS, "vectors", 3, 3, 550, 400, PLOT_DRAWING, picture_vectors, NULL)                    \
-    X(KLEIN, "klein", 1, 1, 1100, 640, PLOT_SLIDER_CRANK, picture_klein, NULL)                    \
-    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE, picture_animation, NULL) \
-    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,    \
-      NULL)                                                                                       \
+#define PLOT_LIST(X)                                                                               \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL) \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,              \
+      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")              \
+    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,        \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                               \
+    X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,           \
+      picture_turning, NULL)                                                                       \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
+      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                            \
+    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL)                     \
+    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
+    X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
+      picture_animation, NULL)                                                                     \
+    X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
+      NULL)                                                                                        \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_columns, NULL)
 
 enum {
@@ -37,7 +38,8 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32 /* a panel for each output of the sweep */
+    PLOT_SWEEP = 32, /* a panel for each output of the sweep */
+    PLOT_FILLED = 64 /* as high as its drawing */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
@@ -88,13 +90,17 @@ typedef struct picture {
     fourlink_problem problem;
     const fourlink_mechanism *mechanism; /* of the problem */
     const fourlink_design *design;
-    int kind;   /* of the design */
-    int slides; /* 1: link 4 slides on the ground */
-    int slot;   /* not 0: link 3 slides on link 4 */
+    int kind;      /* of the design */
+    int slides;    /* 1: link 4 slides on the ground */
+    int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
+    int slot;      /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
+    int wants_both; /* 1: both were asked for, not only not excluded */
     fourlink_range range;
-    double end; /* the last crank angle of the motion, in the deck's unit */
+    int has_instant; /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;  /* its crank angle, in the deck's unit */
+    double end;      /* the last crank angle of the motion, in the deck's unit */
     fourlink_unit units[QUANTITY_COUNT];
     const fourlink_value *columns; /* the columns of its kind that the deck has */
     unsigned long n_columns;
@@ -121,9 +127,15 @@ double picture_si(const picture *p, quantity q, double value);
 
 /* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
-char *picture_mark(const picture *p, double angle, char out[PICTURE_MARK]);
+char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
-/* "NAME VALUE UNIT" of a value in SI units. */
+/* Subscripts, in UTF-8. */
+#define SUB_1 "\342\202\201"
+#define SUB_2 "\342\202\202"
+#define SUB_3 "\342\202\203"
+#define SUB_4 "\342\202\204"
+
+/* "NAME = VALUE UNIT" or "VALUE UNIT" of a value in SI units. */
 #define PICTURE_WORDS 120
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);

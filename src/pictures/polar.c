@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** polar.c - pin forces as curves in the axes of their links, as in bearing-load diagrams, which show where a
-** bearing wears.  Marks show the crank angle.
+** bearing wears.  Dots show the crank angle, an arrow the direction, dashes the jumps of loads.
 */
 #include <math.h>
 #include <string.h>
@@ -9,126 +9,308 @@
 #include <gsl/gsl_math.h>
 
 #include "graph.h"
-#include "sketch.h"
+#include "room.h"
 
-#define MARKS 12
-#define LETTERED 3 /* every third mark has its angle beside it */
-#define MOST_LETTERED (2 * MARKS / LETTERED)
+#define MOST_DOTS 26
+#define RINGS 4                    /* an angle stands beside its dot */
+#define LETTERED 3                 /* every third dot has its angle beside it */
+#define BORDER (5 * CANVAS_LETTER) /* around the curve, for the angles */
+
+/* A step larger than this fraction of the curve may be a jump: it is halved so many times, and is one if
+** more than this fraction of it remains. */
+#define LARGE 0.02
+#define HALVINGS 20
+#define REMAINS 0.5
+
+#define MOST_JUMPS 40
 
 /* A pin force: the columns of its components. */
 typedef struct bearing {
+    const picture *p;
     char name[8];
     int x, y;
+    sketch_box box; /* of the curves */
+    double scale;   /* of a pixel */
+    room r;
 } bearing;
 
-/* A drawing with equal scales on both axes, and its texts. */
-typedef struct frame {
-    sketch_box box;
-    double scale; /* of a pixel */
-    double x[MOST_LETTERED], y[MOST_LETTERED];
-    int n;
-} frame;
+/* A jump, in the step after a sample. */
+typedef struct jump {
+    fourlink_vector from, to;
+} jump;
+
+/* A curve on its way. */
+typedef struct course {
+    int i; /* of the branch */
+    jump jumps[MOST_JUMPS];
+    int n_jumps, n_points;
+    fourlink_vector tail, head; /* its longest step, which shows the direction */
+    double longest;
+} course;
+
+/* The force at a crank angle; 0 if the linkage cannot be assembled there. */
+static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
+{
+    double values[PICTURE_COLUMNS];
+    fourlink_instant now;
+
+    if (fourlink_results_at(b->p->results, b->p->branches[i], angle, values, &now, NULL) !=
+            FOURLINK_OK ||
+        now.state.mu < 1e-3)
+        return 0;
+    *F = sketch_at(values[b->x], values[b->y]);
+    return 1;
+}
 
 /* Find the room for the curves, and for the origin, where the force is 0. */
-static void find_frame(const picture *p, const bearing *b, frame *f)
+static void find_box(bearing *b)
 {
     graph_extent ex = graph_nothing, ey = graph_nothing;
     double values[PICTURE_COLUMNS];
     fourlink_instant now;
     int i, k, cut;
 
-    for (i = 0; i < p->n_branches; i++)
+    for (i = 0; i < b->p->n_branches; i++)
         for (k = 0; k <= GRAPH_STEPS; k++)
-            if (graph_sample(p, p->branches[i], k, values, &now)) {
+            if (graph_sample(b->p, b->p->branches[i], k, values, &now)) {
                 graph_extend(&ex, values[b->x], now.state.mu);
                 graph_extend(&ey, values[b->y], now.state.mu);
             }
     cut = graph_is_cut(&ex) || graph_is_cut(&ey);
-    memset(f, 0, sizeof *f);
-    sketch_grow(&f->box, cut ? ex.sound_low : ex.low, cut ? ey.sound_low : ey.low);
-    sketch_grow(&f->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
+    b->box = sketch_nothing;
+    sketch_grow(&b->box, 0, 0);
+    sketch_grow(&b->box, cut ? ex.sound_low : ex.low, cut ? ey.sound_low : ey.low);
+    sketch_grow(&b->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
 }
 
-static void put_frame(const canvas *on, frame *f)
+/* Set ranges with equal scales, and mark the origin. */
+static void put_axes(bearing *b)
 {
-    const sketch_box *b = &f->box;
-    double border = 6 * CANVAS_LETTER, width, height; /* for the angles */
+    const canvas *on = &b->p->on;
+    const sketch_box *box = &b->box;
+    double x = (box->x_min + box->x_max) / 2, y = (box->y_min + box->y_max) / 2, width, height;
 
-    f->scale = GSL_MAX_DBL((b->x_max - b->x_min) / (on->box_width - 2 * border),
-                           (b->y_max - b->y_min) / (on->box_height - 2 * border));
-    if (f->scale == 0)
-        f->scale = 1 / on->box_width;
-    width = f->scale * on->box_width;
-    height = f->scale * on->box_height;
-    canvas_print(on, "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n",
-                 (b->x_min + b->x_max - width) / 2, (b->x_min + b->x_max + width) / 2,
-                 (b->y_min + b->y_max - height) / 2, (b->y_min + b->y_max + height) / 2,
-                 sketch_round(8 * CANVAS_LETTER * f->scale));
+    b->scale = GSL_MAX_DBL((box->x_max - box->x_min) / (on->box_width - 2 * BORDER),
+                           (box->y_max - box->y_min) / (on->box_height - 2 * BORDER));
+    if (b->scale == 0)
+        b->scale = 1 / on->box_width;
+    width = b->scale * on->box_width;
+    height = b->scale * on->box_height;
+    canvas_print(on,
+                 "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n"
+                 "set label \"\" at 0,0 point pt 6 ps 1.2 lc rgb 'black' front\n",
+                 x - width / 2, x + width / 2, y - height / 2, y + height / 2,
+                 sketch_round(8 * CANVAS_LETTER * b->scale));
+    room_open(&b->r, on, x - width / 2, x + width / 2, y - height / 2, y + height / 2);
+    b->r.rings = RINGS;
+    room_point(&b->r, x - width / 2, 0);
+    room_point(&b->r, x + width / 2, 0);
+    room_break(&b->r);
+    room_point(&b->r, 0, y - height / 2);
+    room_point(&b->r, 0, y + height / 2);
+    room_break(&b->r);
 }
 
-/* Put a crank angle beside the curve, in its colour, unless another is there. */
-static void put_angle(const picture *p, frame *f, double x, double y, double angle, int line)
+static double distance(fourlink_vector p, fourlink_vector q)
 {
-    const sketch_box *b = &f->box;
-    int side = x > (b->x_min + b->x_max) / 2 ? 1 : -1, i;
-    char mark[PICTURE_MARK];
-
-    if (x < b->x_min || x > b->x_max || y < b->y_min || y > b->y_max)
-        return;
-    for (i = 0; i < f->n; i++)
-        if (fabs(x - f->x[i]) < 5 * CANVAS_LETTER * f->scale &&
-            fabs(y - f->y[i]) < CANVAS_LINE * f->scale)
-            return;
-    f->x[f->n] = x;
-    f->y[f->n++] = y;
-    canvas_print(&p->on, "set label %q at %.8g,%.8g %s front tc lt %d offset %d,%s\n",
-                 picture_mark(p, angle, mark), x, y, canvas_side(side), line, side,
-                 y > (b->y_min + b->y_max) / 2 ? "0.4" : "-0.4");
+    return gsl_hypot(q.x - p.x, q.y - p.y);
 }
 
-/* Write the crank angles along the curve of branch i, as $NAME_BRANCH_marks. */
-static void put_marks(const picture *p, int i, const bearing *b, frame *f)
+/* Look for a jump between two angles; 1 if there is one, with its ends. */
+static int find_jump(const bearing *b, int i, double low, double high, jump *found)
 {
-    const int step = GRAPH_STEPS / MARKS;
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
+    double step = distance(found->from, found->to), size, middle;
+    fourlink_vector F;
     int k;
 
-    fprintf(p->on.out, "$%s_%s_marks << EOD\n", b->name, fourlink_branch_text(p->branches[i]));
-    for (k = 0; k < MARKS; k++)
-        if (graph_sample(p, p->branches[i], k * step, values, &now))
-            canvas_print(&p->on, "%.8g %.8g\n", values[b->x], values[b->y]);
-    fputs("EOD\n", p->on.out);
-    for (k = 0; k < MARKS; k += LETTERED)
-        if (graph_sample(p, p->branches[i], k * step, values, &now))
-            put_angle(p, f, values[b->x], values[b->y], now.row.angle, i + 1);
+    size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
+    if (step < LARGE * size)
+        return 0;
+    for (k = 0; k < HALVINGS; k++) {
+        middle = (low + high) / 2;
+        if (!force_at(b, i, middle, &F))
+            return 0;
+        if (distance(found->from, F) > distance(F, found->to)) {
+            high = middle;
+            found->to = F;
+        } else {
+            low = middle;
+            found->from = F;
+        }
+    }
+    return distance(found->from, found->to) > REMAINS * step;
 }
 
-static int put_polar(picture *p, const bearing *b, const char *title)
+static void put_point(bearing *b, fourlink_vector F)
 {
-    int i, points[2];
-    graph_extent e = graph_nothing;
-    frame f;
+    canvas_print(&b->p->on, "%.8g %.8g\n", F.x, F.y);
+    room_point(&b->r, F.x, F.y);
+}
+
+static void put_gap(bearing *b)
+{
+    putc('\n', b->p->on.out);
+    room_break(&b->r);
+}
+
+/* Go on from one sample to the next. */
+static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlink_vector F)
+{
+    jump found;
+
+    found.from = last;
+    found.to = F;
+    if (c->n_jumps < MOST_JUMPS && find_jump(b, c->i, picture_angle(b->p, k - 1, GRAPH_STEPS),
+                                             picture_angle(b->p, k, GRAPH_STEPS), &found)) {
+        put_point(b, found.from);
+        put_gap(b);
+        put_point(b, found.to);
+        c->jumps[c->n_jumps++] = found;
+    } else if (distance(last, F) > c->longest) {
+        c->longest = distance(last, F);
+        c->tail = last;
+        c->head = F;
+    }
+}
+
+/* Write the curve of branch i as $NAME_BRANCH, with breaks at its jumps. */
+static void put_curve(bearing *b, int i, course *c)
+{
+    fourlink_vector F, last = {0, 0};
+    int k, was_there = 0;
+
+    c->i = i;
+    c->n_jumps = c->n_points = 0;
+    c->longest = 0;
+    fprintf(b->p->on.out, "$%s_%s << EOD\n", b->name, fourlink_branch_text(b->p->branches[i]));
+    for (k = 0; k <= GRAPH_STEPS; k++) {
+        if (!force_at(b, i, picture_angle(b->p, k, GRAPH_STEPS), &F)) {
+            put_gap(b);
+            was_there = 0;
+            continue;
+        }
+        if (was_there)
+            put_step(b, c, k, last, F);
+        put_point(b, F);
+        last = F;
+        was_there = 1;
+        c->n_points++;
+    }
+    fputs("EOD\n", b->p->on.out);
+    room_break(&b->r);
+}
+
+static void put_jumps(bearing *b, const course *c)
+{
+    int k;
+
+    if (c->n_jumps == 0)
+        return;
+    fprintf(b->p->on.out, "$%s_%s_jumps << EOD\n", b->name,
+            fourlink_branch_text(b->p->branches[c->i]));
+    for (k = 0; k < c->n_jumps; k++) {
+        put_point(b, c->jumps[k].from);
+        put_point(b, c->jumps[k].to);
+        put_gap(b);
+    }
+    fputs("EOD\n", b->p->on.out);
+}
+
+/* The steps of the dots, in degrees. */
+static int step_of_dots(const picture *p)
+{
+    double span =
+        fabs(p->end - p->problem.motion.from) / picture_value(p, QUANTITY_ANGLE, M_PI / 180);
+
+    return span > 90.0001 ? 30 : span > 30.0001 ? 10 : 2;
+}
+
+/* Put a crank angle beside the curve, on the side away from the middle. */
+static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
+{
+    fourlink_vector middle;
+    char mark[PICTURE_MARK];
+
+    picture_mark(b->p, angle, 4, mark);
+    if (room_find(&b->r, F, F.x - (b->box.x_min + b->box.x_max) / 2,
+                  F.y - (b->box.y_min + b->box.y_max) / 2, 1, mark, &middle))
+        canvas_print(&b->p->on, "set label %q at %.8g,%.8g center front tc lt %d\n", mark, middle.x,
+                     middle.y, line);
+}
+
+/* Write the places of the dots as $NAME_BRANCH_dots. */
+static void put_dots(bearing *b, int i)
+{
+    const picture *p = b->p;
+    double from = p->problem.motion.from, sense = p->end < from ? -1 : 1;
+    double step = sense * picture_value(p, QUANTITY_ANGLE, step_of_dots(p) * M_PI / 180);
+    double first = step * ceil(from / step - 1e-9), angles[MOST_DOTS];
+    fourlink_vector F[MOST_DOTS];
+    int k, n = 0, n_dots = 0;
+
+    fprintf(p->on.out, "$%s_%s_dots << EOD\n", b->name, fourlink_branch_text(p->branches[i]));
+    for (k = 0; k < MOST_DOTS && (first + k * step - p->end) * sense < 1e-9 * fabs(step); k++)
+        if (force_at(b, i, first + k * step, &F[n_dots])) {
+            canvas_print(&p->on, "%.8g %.8g\n", F[n_dots].x, F[n_dots].y);
+            angles[n_dots++] = first + k * step;
+        }
+    fputs("EOD\n", p->on.out);
+    for (; n < n_dots; n++)
+        if (n % LETTERED == 0 && !(n && distance(F[n], F[0]) < 1e-6 * b->scale))
+            put_angle(b, angles[n], F[n], i + 1);
+}
+
+static void put_arrow(const bearing *b, const course *c)
+{
+    if (c->longest > 0)
+        canvas_print(&b->p->on,
+                     "set arrow from %.8g,%.8g to %.8g,%.8g head filled size graph 0.05,18 fixed "
+                     "front lt %d dt 1\n",
+                     c->tail.x, c->tail.y, c->head.x, c->head.y, c->i + 1);
+}
+
+static void plot(picture *p, const bearing *b, const course *c, int is_last)
+{
+    const char *branch = fourlink_branch_text(p->branches[c->i]);
+    FILE *out = p->on.out;
+
+    graph_plot(p, p->branches[c->i], b->name, c->i + 1);
+    fprintf(out, "'%s'", branch);
+    if (c->n_jumps)
+        fprintf(out, ", $%s_%s_jumps using 1:2 with lines lt %d lw 1 dt (3,3) title '%s'", b->name,
+                branch, c->i + 1, is_last ? "jump" : "");
+    fprintf(out, ", $%s_%s_dots using 1:2 with points pt 7 ps 0.5 lc rgb 'black' title '", b->name,
+            branch);
+    if (is_last)
+        fprintf(out, "%d\302\260 apart", step_of_dots(p));
+    fputs("'", out);
+}
+
+static int put_polar(picture *p, bearing *b, const char *title)
+{
+    course c[2];
+    int i;
 
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
     canvas_key(&p->on);
+    fputs("set key samplen 2 width -1\n", p->on.out);
     canvas_titles(&p->on, title, p->columns[b->x].name, p->columns[b->x].unit,
                   p->columns[b->y].name, p->columns[b->y].unit);
-    find_frame(p, b, &f);
-    put_frame(&p->on, &f);
+    b->p = p;
+    find_box(b);
+    put_axes(b);
+    for (i = 0; i < p->n_branches; i++) {
+        put_curve(b, i, &c[i]);
+        put_jumps(b, &c[i]);
+        put_arrow(b, &c[i]);
+    }
     for (i = 0; i < p->n_branches; i++)
-        if ((points[i] = graph_put(p, p->branches[i], b->name, b->x, b->y, &e)) > 0)
-            put_marks(p, i, b, &f);
+        if (c[i].n_points)
+            put_dots(b, i);
     for (i = 0; i < p->n_branches; i++)
-        if (points[i]) {
-            const char *branch = fourlink_branch_text(p->branches[i]);
-
-            graph_plot(p, p->branches[i], b->name, i + 1);
-            fprintf(p->on.out,
-                    "'%s', $%s_%s_marks using 1:2 with points pt 7 ps 0.5 lc rgb 'black'", branch,
-                    b->name, branch);
-        }
+        if (c[i].n_points)
+            plot(p, b, &c[i], i == p->n_branches - 1 || !c[1].n_points);
     putc('\n', p->on.out);
     return p->on.curves;
 }
@@ -169,6 +351,8 @@ const char *picture_polar(picture *p, fourlink_branch branch)
     size_t i;
 
     (void)branch;
+    if (!p->wants_both)
+        p->n_branches = 1;
     canvas_grid(&p->on);
     fprintf(p->on.out,
             "set format '%%g'; set size ratio -1\n"

@@ -14,6 +14,7 @@
 /* As fractions of the drawing's size: the height of a letter, and */
 #define LETTER 0.028
 #define PIN 0.4
+#define DOT 0.15
 #define SUPPORT 1.3
 #define HATCH 0.65
 
@@ -36,10 +37,26 @@ void sketch_grow(sketch_box *b, double x, double y)
     b->y_max = y > b->y_max ? y : b->y_max;
 }
 
-void sketch_include(sketch *s, fourlink_vector p)
+static fourlink_vector turned(const sketch *s, fourlink_vector p)
+{
+    return sketch_at(s->cosine * p.x - s->sine * p.y, s->sine * p.x + s->cosine * p.y);
+}
+
+static void include(sketch *s, fourlink_vector p)
 {
     if (!s->is_fixed)
         sketch_grow(&s->drawn, p.x, p.y);
+}
+
+void sketch_include(sketch *s, fourlink_vector p)
+{
+    include(s, turned(s, p));
+}
+
+void sketch_turn(sketch *s, int is_turned)
+{
+    s->cosine = is_turned ? cos(s->c->turn) : 1;
+    s->sine = is_turned ? sin(s->c->turn) : 0;
 }
 
 fourlink_vector sketch_at(double x, double y)
@@ -72,6 +89,7 @@ void sketch_open(sketch *s, canvas *c, double size)
     s->size = size;
     s->letter = LETTER;
     s->drawn = sketch_nothing;
+    sketch_turn(s, 1);
     fputs("unset arrow; unset label; unset object\n", s->c->out);
 }
 
@@ -89,8 +107,10 @@ static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, do
 
 static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
 {
-    sketch_include(s, from);
-    sketch_include(s, to);
+    from = turned(s, from);
+    to = turned(s, to);
+    include(s, from);
+    include(s, to);
     canvas_print(s->c, "set arrow from %.7g,%.7g to %.7g,%.7g %s ls %d\n", from.x, from.y, to.x,
                  to.y, kind, (int)p);
     if (p != PEN_GHOST)
@@ -118,7 +138,7 @@ static fourlink_vector on_circle(fourlink_vector centre, double radius, double a
 /* Drawn as a polygon: gnuplot's circles cannot be dashed. */
 void sketch_arc(sketch *s, pen p, fourlink_vector centre, double radius, double from, double to)
 {
-    int n = 1 + (int)(fabs(to - from) / (M_PI / 30)), i;
+    int n = 8 + (int)(fabs(to - from) / (M_PI / 30)), i;
     fourlink_vector last = on_circle(centre, radius, from), next;
 
     for (i = 1; i <= n; i++) {
@@ -140,14 +160,26 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
     }
 }
 
+/* Draw a disc of this colour, as a text's obstacle. */
+static void put_disc(sketch *s, fourlink_vector at, double radius, const char *colour)
+{
+    at = turned(s, at);
+    include(s, at);
+    add_disc(s, at, radius);
+    canvas_print(s->c,
+                 "set object circle at %.7g,%.7g size %.7g front fc rgb '%s' fs solid border "
+                 "lc rgb 'black' lw 1.5\n",
+                 at.x, at.y, radius, colour);
+}
+
+void sketch_dot(sketch *s, fourlink_vector at)
+{
+    put_disc(s, at, DOT * s->letter * s->size, "black");
+}
+
 void sketch_pin(sketch *s, fourlink_vector at)
 {
-    sketch_include(s, at);
-    add_disc(s, at, PIN * s->letter * s->size);
-    canvas_print(s->c,
-                 "set object circle at %.7g,%.7g size %.7g front fc rgb 'white' fs solid border "
-                 "lc rgb 'black' lw 1.5\n",
-                 at.x, at.y, PIN * s->letter * s->size);
+    put_disc(s, at, PIN * s->letter * s->size, "white");
 }
 
 void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, double sign)
@@ -161,13 +193,15 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     sketch_label *new = &s->labels[s->n_labels];
+    fourlink_vector side = turned(s, sketch_at(dx, dy));
 
-    sketch_include(s, at);
+    at = turned(s, at);
+    include(s, at);
     if (s->n_labels == SKETCH_LABELS)
         return;
     new->at = at;
-    new->dx = dx;
-    new->dy = dy;
+    new->dx = side.x;
+    new->dy = side.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
     s->n_labels++;
@@ -184,7 +218,8 @@ void sketch_centre(sketch *s, fourlink_vector at)
     double r = 0.7 * PIN * s->letter * s->size;
     int i;
 
-    sketch_include(s, at);
+    at = turned(s, at);
+    include(s, at);
     add_disc(s, at, r);
     for (i = 0; i < 4; i++)
         canvas_print(
@@ -225,7 +260,8 @@ void sketch_curve(sketch *s, pen p, const char *title)
 
 void sketch_point(sketch *s, fourlink_vector at)
 {
-    sketch_include(s, at);
+    at = turned(s, at);
+    include(s, at);
     if (s->n_points % OBSTACLE == 0) {
         if (s->n_points > 0)
             add_obstacle(s, s->last, at, 1);
@@ -250,30 +286,40 @@ void sketch_end(sketch *s)
         s->n_curves--;
 }
 
+void sketch_key(sketch *s, pen p, const char *meaning)
+{
+    if (s->n_meanings == SKETCH_MEANINGS)
+        return;
+    s->meaning_pen[s->n_meanings] = p;
+    s->meanings[s->n_meanings++] = meaning;
+}
+
 /* Values and key are to the right of the axes. */
 static double width_of_margin(const sketch *s)
 {
-    double width = CANVAS_LETTER;
+    double width = CANVAS_LETTER, narrow = s->c->is_text ? 1 : 0.95;
     int i;
 
     for (i = 0; i < s->n_notes; i++)
-        width = GSL_MAX_DBL(width, canvas_width_of(s->notes[i]) + 2 * CANVAS_LETTER);
+        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
     for (i = 0; i < s->n_curves; i++)
         if (s->curve_title[i][0])
-            width = GSL_MAX_DBL(width, canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
+            width =
+                GSL_MAX_DBL(width, narrow * canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
+    for (i = 0; i < s->n_meanings; i++)
+        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->meanings[i]) + 7 * CANVAS_LETTER);
     return width;
 }
 
 /* Put the key, and the notes below it. */
 static void put_margin(const sketch *s)
 {
-    int in_key = 0, i;
+    int in_key = s->n_meanings, i;
 
     for (i = 0; i < s->n_curves; i++)
         in_key += s->curve_title[i][0] != '\0';
     for (i = 0; i < s->n_notes; i++)
-        canvas_print(s->c, "set label %q at graph 1.02, graph 1 offset 0,%d left\n", s->notes[i],
-                     -i - (in_key ? in_key + 1 : 0));
+        canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
 }
 
@@ -292,16 +338,32 @@ static void put_labels(const sketch *s)
     }
 }
 
-/* Put tics with the same step on both axes, far enough apart for their numbers. */
+/* A step of tics, far enough apart for their numbers, and smaller if there would be fewer than two. */
+static double step_of(double step, double middle, double size)
+{
+    int i;
+
+    for (i = 0; i < 6; i++) {
+        double low = middle - size / 2, high = middle + size / 2;
+
+        if (floor(high / step) - ceil(low / step) >= 1)
+            break;
+        step = sketch_round(0.4 * step);
+    }
+    return step;
+}
+
 static void put_axes(const sketch *s)
 {
     double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
     double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
+    double step = sketch_round(TICS * CANVAS_LETTER * s->scale);
+
     canvas_print(s->c,
-                 "set format '%%g'; set tics %.7g\n"
+                 "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
                  "set xrange [%.7g:%.7g]\nset yrange [%.7g:%.7g]\n",
-                 sketch_round(TICS * CANVAS_LETTER * s->scale), x - width / 2, x + width / 2,
+                 step_of(step, x, width), step_of(step, y, height), x - width / 2, x + width / 2,
                  y - height / 2, y + height / 2);
 }
 
@@ -315,7 +377,10 @@ static void put_curves(const sketch *s)
                 (int)s->curve_pen[i]);
         canvas_print(s->c, s->curve_title[i][0] ? "title %q" : "notitle", s->curve_title[i]);
     }
-    fputs(s->n_curves ? "\n" : "NaN notitle\n", s->c->out);
+    for (i = 0; i < s->n_meanings; i++)
+        canvas_print(s->c, "%sNaN with lines ls %d title %q", s->n_curves + i ? ", \\\n     " : "",
+                     (int)s->meaning_pen[i], s->meanings[i]);
+    fputs(s->n_curves + s->n_meanings ? "\n" : "NaN notitle\n", s->c->out);
 }
 
 void sketch_close(sketch *s, const char *title, const char *unit_name)
@@ -329,7 +394,8 @@ void sketch_close(sketch *s, const char *title, const char *unit_name)
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);
-    canvas_titles(s->c, title, "x", unit_name, "y", unit_name);
+    canvas_titles(s->c, title, s->c->turn != 0 ? "horizontal" : "x", unit_name,
+                  s->c->turn != 0 ? "vertical" : "y", unit_name);
     put_axes(s);
     put_curves(s);
 }

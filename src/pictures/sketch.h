@@ -22,14 +22,17 @@ typedef enum pen {
     PEN_CONSTRUCTION, /* auxiliary lines */
     PEN_RESULT,       /* the result of a construction */
     PEN_OTHER,        /* other positions */
-    PEN_COUNT
+    PEN_COUNT,        /* from here: the paths of further points */
+    PEN_PATHS = PEN_COUNT + 23
 } pen;
 
 #define SKETCH_CURVES 32
+#define SKETCH_CORNERS 40
 #define SKETCH_NOTES 120
 #define SKETCH_LABELS 120
 #define SKETCH_OBSTACLES 2000
 #define SKETCH_WORDS 100
+#define SKETCH_MEANINGS 4
 
 typedef struct sketch_box {
     double x_min, x_max, y_min, y_max;
@@ -52,11 +55,12 @@ typedef struct sketch_obstacle {
 
 typedef struct sketch {
     canvas *c;
-    sketch_box drawn; /* the drawing so far */
-    int is_fixed;     /* 1: it does not grow */
-    double size;      /* of the whole */
-    double letter;    /* height of a letter, a fraction of the size */
-    double scale;     /* unit of length for a pixel, when closed */
+    sketch_box drawn;    /* the drawing so far */
+    int is_fixed;        /* 1: it does not grow */
+    double size;         /* of the whole */
+    double letter;       /* height of a letter, a fraction of the size */
+    double scale;        /* unit of length for a pixel, when closed */
+    double cosine, sine; /* of the angle by which it is turned */
     int n_notes, n_labels, n_obstacles, n_curves;
     char notes[SKETCH_NOTES][SKETCH_WORDS];
     sketch_label labels[SKETCH_LABELS];
@@ -65,20 +69,36 @@ typedef struct sketch {
     int n_points, is_empty; /* of the present curve */
     pen curve_pen[SKETCH_CURVES];
     char curve_title[SKETCH_CURVES][80]; /* in the key; "": not in it */
+    pen meaning_pen[SKETCH_MEANINGS];
+    const char *meanings[SKETCH_MEANINGS]; /* in the key, of lines that are no curves */
+    int n_meanings;
 } sketch;
 
 /* Begin a drawing of about this size in the next panel. */
 void sketch_open(sketch *s, canvas *c, double size);
 
+/* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
+void sketch_turn(sketch *s, int is_turned);
+
 /* An empty box; enlarge a box so that it contains a place. */
 extern const sketch_box sketch_nothing;
 void sketch_grow(sketch_box *b, double x, double y);
+
+/* 1 if two boxes overlap; if the line from p to q crosses a box. */
+int sketch_overlap(const sketch_box *x, const sketch_box *y);
+int sketch_crosses(const sketch_box *b, fourlink_vector p, fourlink_vector q);
 
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
 
 void sketch_line(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
 void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to);
+
+/* Draw the convex hull of up to SKETCH_CORNERS points, which are sorted. */
+void sketch_hull(sketch *s, pen p, fourlink_vector *points, int n);
+
+/* Draw a point. */
+void sketch_dot(sketch *s, fourlink_vector at);
 
 /* Draw a pin; its radius is a fraction of the drawing's size. */
 void sketch_pin(sketch *s, fourlink_vector at);
@@ -109,6 +129,9 @@ void sketch_curve(sketch *s, pen p, const char *title);
 void sketch_point(sketch *s, fourlink_vector at);
 void sketch_break(sketch *s);
 void sketch_end(sketch *s);
+
+/* Put a line of this pen and its meaning into the key. */
+void sketch_key(sketch *s, pen p, const char *meaning);
 
 /* Finish the drawing, with axes of equal scale around it. */
 void sketch_close(sketch *s, const char *title, const char *unit_name);

@@ -1,149 +1,293 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** turning.c - the turning moment over a cycle, its mean, and the areas between them.
+** turning.c - the turning moment over a cycle in the sense of rotation, its mean, and the areas between them.
 */
 #include <math.h>
 
 #include <gsl/gsl_math.h>
 
 #include "graph.h"
+#include "room.h"
 
 #define AREA_STEPS 100 /* of an area */
+#define ROOM 0.16      /* above and below the curve, for the labels of E max and E min */
+#define MARGIN 27      /* letters at the right of the axes */
 
-/* N m, -Ts at an angle of the cycle; NaN if the linkage cannot be assembled there. */
-static double moment_at(const picture *p, fourlink_branch branch, double theta2)
+#define DELTA_E "\316\224E" /* with the Greek letter, in UTF-8 */
+
+/* The turning moment of a branch, in the deck's units and as drawn: angles grow with the motion from 0, and
+** a moment is positive in the sense of rotation. */
+typedef struct diagram {
+    const picture *p;
+    fourlink_branch branch;
+    fourlink_turning t;
+    int sense; /* -1: clockwise */
+    double cycle, mean, low, high;
+    double moment[GRAPH_STEPS + 1]; /* NaN if the linkage cannot be assembled there */
+    room r;
+} diagram;
+
+/* The crank angle in rad at an angle of the diagram. */
+static double theta2_at(const diagram *d, double angle)
 {
+    double si = picture_si(d->p, QUANTITY_ANGLE, angle);
+
+    return d->sense > 0 ? si : d->p->problem.cycle - si;
+}
+
+static double moment_at(const diagram *d, double angle)
+{
+    const picture *p = d->p;
     fourlink_forces forces;
     fourlink_state state;
     fourlink_crank crank;
 
-    crank.theta2 = theta2;
+    crank.theta2 = theta2_at(d, angle);
     crank.omega2 = p->problem.motion.speed;
     crank.alpha2 = 0;
-    if (fourlink_deck_loads(p->deck, branch, theta2, p->loads, NULL) != FOURLINK_OK ||
-        fourlink_analyse(p->mechanism, branch, &crank, p->loads, p->problem.n_loads, &state,
+    if (fourlink_deck_loads(p->deck, d->branch, crank.theta2, p->loads, NULL) != FOURLINK_OK ||
+        fourlink_analyse(p->mechanism, d->branch, &crank, p->loads, p->problem.n_loads, &state,
                          &forces) != FOURLINK_OK)
         return GSL_NAN;
-    return -forces.Ts;
+    return picture_value(p, QUANTITY_TORQUE, -d->sense * forces.Ts);
 }
 
-/* An angle of the cycle as drawn: a clockwise crank goes from 0 to -cycle. */
-static double cycle_angle(const picture *p, double theta2)
+/* Area k in the order of the motion, with its ends as drawn; its energy in J. */
+static double find_area(const diagram *d, int k, double *from, double *to)
 {
-    if (p->problem.motion.speed < 0)
-        theta2 -= p->problem.cycle;
-    return picture_value(p, QUANTITY_ANGLE, theta2);
+    const fourlink_area *area = &d->t.area[d->sense > 0 ? k : d->t.n_areas - 1 - k];
+    double cycle = d->p->problem.cycle, first = area->from, last = area->to;
+
+    if (d->sense < 0) {
+        first = cycle - area->to;
+        last = cycle - area->from;
+    }
+    *from = picture_value(d->p, QUANTITY_ANGLE, first);
+    *to = picture_value(d->p, QUANTITY_ANGLE, last);
+    return area->energy;
 }
 
-/* Where the turning moment is farthest from its mean in an area, as drawn. */
-static fourlink_vector find_peak(const picture *p, fourlink_branch branch,
-                                 const fourlink_area *area, double mean)
+static void sample(diagram *d)
 {
-    fourlink_vector peak = {0, 0};
-    double farthest = -1;
     int k;
 
-    for (k = 0; k <= AREA_STEPS; k++) {
-        double theta2 = area->from + (area->to - area->from) * k / AREA_STEPS;
-        double T = moment_at(p, branch, theta2);
+    d->low = d->high = d->mean;
+    for (k = 0; k <= GRAPH_STEPS; k++) {
+        double T = d->moment[k] = moment_at(d, d->cycle * k / GRAPH_STEPS);
 
-        if (fabs(T - mean) > farthest) {
-            farthest = fabs(T - mean);
-            peak.x = cycle_angle(p, theta2);
-            peak.y = picture_value(p, QUANTITY_TORQUE, T);
+        if (T < d->low)
+            d->low = T;
+        if (T > d->high)
+            d->high = T;
+    }
+    if (!(d->high > d->low))
+        d->high = d->low + 1;
+}
+
+/* Set the ranges of the axes, and what no text should cover: the curve, and the mean. */
+static void put_axes(diagram *d)
+{
+    double border = (d->high - d->low) * ROOM / (1 - 2 * ROOM);
+    const canvas *on = &d->p->on;
+    int k;
+
+    canvas_print(on, "set xrange [0:%.8g]\nset yrange [%.8g:%.8g]\nset xtics %.6g\nmean = %.17g\n",
+                 d->cycle, d->low - border, d->high + border, graph_angle_step(d->p, d->cycle),
+                 d->mean);
+    room_open(&d->r, on, 0, d->cycle, d->low - border, d->high + border);
+    for (k = 0; k <= GRAPH_STEPS; k++)
+        if (gsl_isnan(d->moment[k]))
+            room_break(&d->r);
+        else
+            room_point(&d->r, d->cycle * k / GRAPH_STEPS, d->moment[k]);
+    room_break(&d->r);
+    room_point(&d->r, 0, d->mean);
+    room_point(&d->r, d->cycle, d->mean);
+}
+
+/* The centroid of an area. */
+static fourlink_vector centroid(const diagram *d, double from, double to)
+{
+    double sum = 0, x = 0, y = 0, angle, excess;
+    int k;
+
+    for (k = 0; k < AREA_STEPS; k++) {
+        angle = from + (to - from) * (k + 0.5) / AREA_STEPS;
+        excess = moment_at(d, angle) - d->mean;
+        if (gsl_isnan(excess))
+            continue;
+        sum += excess;
+        x += angle * excess;
+        y += excess * excess / 2;
+    }
+    return sum != 0 ? sketch_at(x / sum, d->mean + y / sum) : sketch_at((from + to) / 2, d->mean);
+}
+
+static double clamp(double x, double low, double high)
+{
+    return GSL_MIN_DBL(GSL_MAX_DBL(x, low), high);
+}
+
+/* Draw a line from the edge of a text to its place, unless it stands on it. */
+static void put_leader(const diagram *d, fourlink_vector middle, double half, fourlink_vector to)
+{
+    double w = half / d->r.x_scale, h = CANVAS_LINE / 2 / d->r.y_scale;
+    double x = clamp(to.x, middle.x - w, middle.x + w), y = clamp(to.y, middle.y - h, middle.y + h);
+
+    if (x != to.x || y != to.y)
+        canvas_print(&d->p->on, "set arrow from %.8g,%.8g to %.8g,%.8g nohead ls %d front\n", x, y,
+                     to.x, to.y, PEN_GROUND);
+}
+
+/* Put the energies of the areas on their centroids, or beside them with a line to them. */
+static void put_areas(diagram *d)
+{
+    double from, to, energy;
+    char words[PICTURE_WORDS];
+    fourlink_vector at, middle;
+    int k;
+
+    for (k = 0; k < d->t.n_areas; k++) {
+        energy = find_area(d, k, &from, &to);
+        if (fabs(energy) < 0.02 * d->t.energy_fluctuation)
+            continue;
+        at = centroid(d, from, to);
+        picture_words(d->p, "", energy, QUANTITY_ENERGY, words);
+        if (!room_find(&d->r, at, 0, 0, 0, words, &middle))
+            continue;
+        canvas_print(&d->p->on, "set label %q at %.8g,%.8g center front boxed\n", words, middle.x,
+                     middle.y);
+        put_leader(d, middle, canvas_width_of(words) / 2, at);
+    }
+}
+
+/* Mark where the flywheel has its largest or its smallest energy. */
+static void put_mark(diagram *d, double angle, const char *name, int line)
+{
+    char words[PICTURE_WORDS], number[PICTURE_MARK];
+    double half = canvas_width_of(name) / 2 / d->r.x_scale;
+    double y = d->r.y_min + (d->r.height - CANVAS_LINE) / d->r.y_scale;
+    double x = clamp(angle, half, d->cycle - half);
+
+    canvas_print(&d->p->on,
+                 "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
+                 "set label \"\" at %.8g,%.8g point pt 7 ps 0.8 lc rgb 'black' front\n"
+                 "set label %q at %.8g,%.8g center front boxed\n",
+                 angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
+    room_take(&d->r, sketch_at(x, y), name);
+    flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, 4, number),
+                  (char *)NULL);
+    canvas_note(&d->p->on, line, words);
+}
+
+/* The energy grows from 0 at the beginning of the cycle by each area; the extremes lie between areas. */
+static void put_extremes(diagram *d)
+{
+    double E = 0, least = 0, greatest = 0, from, to, at_least = 0, at_greatest = 0;
+    int k;
+
+    if (d->t.n_areas < 2 || d->t.n_areas == FOURLINK_AREAS)
+        return;
+    for (k = 0; k < d->t.n_areas; k++) {
+        E += find_area(d, k, &from, &to);
+        if (E > greatest + 1e-9 * d->t.energy_fluctuation) {
+            greatest = E;
+            at_greatest = to;
+        }
+        if (E < least - 1e-9 * d->t.energy_fluctuation) {
+            least = E;
+            at_least = to;
         }
     }
-    return peak;
+    put_mark(d, at_greatest, "E max", 6);
+    put_mark(d, at_least, "E min", 7);
 }
 
-/* Put the energies of the areas, each above or below its curve, unless it would overlap the one before it. */
-static void put_areas(const picture *p, fourlink_branch branch, const fourlink_turning *t)
+/* Put the coefficients to the right of the axes. */
+static void put_coefficients(const diagram *d)
 {
-    double pixel = picture_value(p, QUANTITY_ANGLE, p->problem.cycle) / p->on.box_width;
-    double free_from[2] = {GSL_NEGINF, GSL_NEGINF}, first = cycle_angle(p, 0), half;
-    char words[PICTURE_WORDS];
-    fourlink_vector peak;
-    int k, is_above;
+    static const char *const names[] = {"of energy", "of speed"};
+    const canvas *on = &d->p->on;
+    char words[PICTURE_WORDS], number[FORMAT_SIZE];
+    double value;
+    int i;
 
-    for (k = 0; k < t->n_areas; k++) {
-        const fourlink_area *area = &t->area[k];
-
-        if (fabs(area->energy) < 0.02 * t->energy_fluctuation)
-            continue;
-        peak = find_peak(p, branch, area, t->mean_torque);
-        is_above = (area->energy > 0) == (p->problem.motion.speed > 0);
-        half =
-            pixel * canvas_width_of(picture_words(p, "", area->energy, QUANTITY_ENERGY, words)) / 2;
-        peak.x = GSL_MAX_DBL(peak.x, first + half);
-        peak.x = GSL_MIN_DBL(peak.x, first + pixel * p->on.box_width - half);
-        if (peak.x - half < free_from[is_above])
-            continue;
-        free_from[is_above] = peak.x + half;
-        canvas_print(&p->on, "set label %q at %.8g,%.8g center front offset 0,%d\n", words, peak.x,
-                     peak.y, is_above ? 1 : -1);
+    canvas_note(on, 0, "coefficient of fluctuation");
+    for (i = 0; i < 2; i++) {
+        value = i ? d->t.fluctuation : d->t.energy_coefficient;
+        if (i ? value <= 0 : !d->t.has_coefficient)
+            flk_text_join(words, sizeof words, names[i], i ? ": no flywheel" : ": mean 0",
+                          (char *)NULL);
+        else
+            flk_text_join(words, sizeof words, names[i], " ", format_general(value, 4, number),
+                          (char *)NULL);
+        canvas_note(on, 1 + i, words);
     }
+    canvas_note(on, 4, "above the mean the");
+    canvas_note(on, 5, "flywheel takes up energy");
 }
 
-static void put_moment(const picture *p, fourlink_branch branch)
+static void put_titles(const diagram *d)
 {
+    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[200];
+    const picture *p = d->p;
+
+    picture_words(p, "mean", d->sense * d->t.mean_torque, QUANTITY_TORQUE, words);
+    picture_words(p, DELTA_E, d->t.energy_fluctuation, QUANTITY_ENERGY, other);
+    flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
+                  (char *)NULL);
+    canvas_titles(&p->on, title, d->sense > 0 ? "theta2" : "-theta2, turned clockwise",
+                  p->units[QUANTITY_ANGLE].name,
+                  d->sense > 0 ? "turning moment -Ts" : "turning moment Ts, clockwise",
+                  p->units[QUANTITY_TORQUE].name);
+}
+
+/* Fill the areas, except on a text terminal. */
+static void plot_moment(const diagram *d)
+{
+    const char *branch = fourlink_branch_text(d->branch);
+    const canvas *on = &d->p->on;
     int k;
 
-    fprintf(p->on.out, "$turning_%s << EOD\n", fourlink_branch_text(branch));
-    for (k = 0; k <= GRAPH_STEPS; k++) {
-        double theta2 = p->problem.cycle * k / GRAPH_STEPS, T = moment_at(p, branch, theta2);
-
-        if (!gsl_isnan(T))
-            canvas_print(&p->on, "%.8g %.8g\n", cycle_angle(p, theta2),
-                         picture_value(p, QUANTITY_TORQUE, T));
-    }
-    fputs("EOD\n", p->on.out);
-}
-
-/* Fill the areas, except on a text terminal.  A clockwise crank gives energy to the flywheel while the moment
-** is below its mean. */
-static void plot_moment(const canvas *on, const char *branch, int is_clockwise)
-{
-    fprintf(on->out, "plot $turning_%s using 1:2 ", branch);
+    fprintf(on->out, "$turning_%s << EOD\n", branch);
+    for (k = 0; k <= GRAPH_STEPS; k++)
+        if (!gsl_isnan(d->moment[k]))
+            canvas_print(on, "%.8g %.8g\n", d->cycle * k / GRAPH_STEPS, d->moment[k]);
+    fprintf(on->out, "EOD\nplot $turning_%s using 1:2 ", branch);
     if (!on->is_text)
-        fprintf(on->out,
-                "with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' title 'above"
-                "%s', \\\n"
-                "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
-                "title 'below%s', \\\n"
-                "     '' using 1:2 ",
-                is_clockwise ? ": energy given up" : "", is_clockwise ? ": energy taken up" : "");
+        fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' "
+              "title 'above', \\\n"
+              "     '' using 1:2 with filledcurves below y=mean fs pattern 4 lc rgb '#E69F00' "
+              "title 'below', \\\n"
+              "     '' using 1:2 ",
+              on->out);
     fprintf(on->out,
-            "with lines lt %s title '-Ts', \\\n"
+            "with lines lt %s title '%s', \\\n"
             "     mean with lines lt 2 title 'mean'\n",
-            on->is_text ? "1" : "4 dt 1");
+            on->is_text ? "1" : "4 dt 1", d->sense > 0 ? "-Ts" : "Ts");
 }
 
 const char *picture_turning(picture *p, fourlink_branch branch)
 {
-    const char *name = fourlink_branch_text(branch), *torque = p->units[QUANTITY_TORQUE].name;
-    double mean, cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
-    int is_clockwise = p->problem.motion.speed < 0;
-    char words[PICTURE_WORDS], other[PICTURE_WORDS], title[200];
-    fourlink_turning t;
+    diagram d;
 
-    if (fourlink_results_turning(p->results, branch, &t) != FOURLINK_OK)
+    if (fourlink_results_turning(p->results, branch, &d.t) != FOURLINK_OK)
         return "the turning moment needs a crank that turns fully, at constant speed";
-    mean = picture_value(p, QUANTITY_TORQUE, t.mean_torque);
-    fputs("unset label\n", p->on.out);
-    canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
+    d.p = p;
+    d.branch = branch;
+    d.sense = p->problem.motion.speed < 0 ? -1 : 1;
+    d.cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
+    d.mean = picture_value(p, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
+    fputs("unset label; unset arrow\n", p->on.out);
+    canvas_panel(&p->on, 3, MARGIN * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    picture_words(p, "mean", t.mean_torque, QUANTITY_TORQUE, words);
-    picture_words(p, "fluctuation of energy", t.energy_fluctuation, QUANTITY_ENERGY, other);
-    flk_text_join(title, sizeof title, name, ": ", words, ", ", other, (char *)NULL);
-    canvas_titles(&p->on, title, "theta2", p->units[QUANTITY_ANGLE].name, "turning moment -Ts",
-                  torque);
-    canvas_print(&p->on,
-                 "set xrange [0:%.8g]\nset offsets graph 0, graph 0, graph 0.15, graph 0.15\n"
-                 "set xtics %.6g\nmean = %.17g\n",
-                 is_clockwise ? -cycle : cycle, graph_angle_step(p, cycle), mean);
-    put_areas(p, branch, &t);
-    put_moment(p, branch);
-    plot_moment(&p->on, name, is_clockwise);
+    sample(&d);
+    put_titles(&d);
+    put_axes(&d);
+    put_coefficients(&d);
+    put_extremes(&d);
+    put_areas(&d);
+    plot_moment(&d);
     return NULL;
 }

@@ -55,6 +55,13 @@ static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink
     return sketch_beside(from, v.x, v.y);
 }
 
+static const char *all_zero(quantity q)
+{
+    return q == QUANTITY_SPEED          ? "all velocities are zero"
+           : q == QUANTITY_ACCELERATION ? "all accelerations are zero"
+                                        : "all forces are zero";
+}
+
 static void find_size(polygon *g)
 {
     int i, n = g->sides.n;
@@ -78,6 +85,8 @@ static void draw_sides(polygon *g)
     int i;
 
     find_size(g);
+    if (arrow_largest(&g->sides) == 0)
+        sketch_text(&g->s, zero, 0, 1, all_zero(g->q));
     for (i = 0; i < g->sides.n; i++) {
         const arrow *x = &g->sides.list[i];
         fourlink_vector to = end_of(x);
@@ -102,7 +111,46 @@ static void draw_sides(polygon *g)
 /* Put the letter of a corner away from the middle. */
 static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 {
-    sketch_text(&g->s, at, at.x - g->middle.x, at.y - g->middle.y, letter);
+    if (arrow_largest(&g->sides) > 0)
+        sketch_text(&g->s, at, at.x - g->middle.x, at.y - g->middle.y, letter);
+}
+
+/* Put the image of a point of a link, which ends its velocity or acceleration from the pole. */
+static void put_image(polygon *g, const fourlink_state *state, int link, const fourlink_vector *at,
+                      const char *letter)
+{
+    fourlink_vector v, a, end;
+
+    fourlink_point(state, link, at, NULL, &v, &a);
+    end = g->q == QUANTITY_SPEED ? v : a;
+    end = sketch_at(picture_value(g->p, g->q, end.x), picture_value(g->p, g->q, end.y));
+    sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
+    sketch_dot(&g->s, end);
+    put_letter(g, end, letter);
+}
+
+/* Put the images of centres of mass and of tracer points. */
+static void put_images(polygon *g, const fourlink_state *state)
+{
+    static const char *const letters[][5] = {{"", "", "g" SUB_2, "g" SUB_3, "g" SUB_4},
+                                             {"", "", "g'" SUB_2, "g'" SUB_3, "g'" SUB_4}};
+    const char *name, *mark = g->q == QUANTITY_SPEED ? "" : "'";
+    fourlink_vector at;
+    unsigned long i;
+    char letter[80];
+    int link;
+
+    if (arrow_largest(&g->sides) == 0)
+        return;
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        if (g->p->design->link[link].mass > 0)
+            put_image(g, state, link, &g->p->design->link[link].cg,
+                      letters[g->q != QUANTITY_SPEED][link]);
+    for (i = 0; i < g->p->problem.n_points; i++) {
+        fourlink_deck_point(g->p->deck, i, &name, &link, &at);
+        put_image(g, state, link, &at,
+                  flk_text_join(letter, sizeof letter, name, mark, (char *)NULL));
+    }
 }
 
 /* The motion of pin C, the end of link 3. */
@@ -139,6 +187,7 @@ static void put_sliding(picture *p, const fourlink_state *state)
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
     put_letter(&g, b4, "b4");
+    put_images(&g, state);
     sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
 }
 
@@ -156,6 +205,7 @@ static void put_velocities(picture *p, const fourlink_state *state)
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
     put_letter(&g, c, "c");
+    put_images(&g, state);
     sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
 }
 
@@ -192,6 +242,7 @@ static void put_coriolis(picture *p, const fourlink_state *state)
     put_letter(&g, zero, "o'");
     put_letter(&g, b, "b'");
     put_letter(&g, b4, "b4'");
+    put_images(&g, state);
     sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
 }
 
@@ -214,6 +265,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     put_letter(&g, zero, "o'");
     put_letter(&g, b, "b'");
     put_letter(&g, c, "c'");
+    put_images(&g, state);
     sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
 }
 
@@ -301,16 +353,20 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     sketch_open(&s, &p->on, 1.4 * size);
     s.letter = LETTER;
     draw_body(&s, p, r, b);
-    if (largest > 0)
+    if (largest > 0) {
         arrow_draw(&b->forces, &s, p, 0.8 * size / largest);
+        arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * size / largest, largest);
+    } else {
+        sketch_note(&s, all_zero(QUANTITY_FORCE));
+    }
     arrow_draw_load_torques(&s, p, r, b->link);
     if (b->link == FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
     if (p->slot && b->link != FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M43" : "M34", b->first,
+        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
                           b->slides ? -r->now.forces.M34 : r->now.forces.M34);
     if (alpha != 0 && inertia > 0)
-        arrow_draw_torque(&s, p, PEN_RESULT, "-I alpha", b->G, -inertia * alpha);
+        arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);
     flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, b->link),
                   (char *)NULL);
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);

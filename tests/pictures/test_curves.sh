@@ -5,7 +5,8 @@
 . "$(dirname "$0")/pictures.sh"
 
 needs_gnuplot
-pictures_of "$fourbar" mechanism motion forces turning-moment polar
+pictures_of "$fourbar" mechanism motion forces turning-moment
+run 0 --plot=coupler-point-polar.svg --plot-kind=polar --branch=both "$fourbar"
 pictures_of "$engine" motion forces turning-moment
 
 # curves SVG: "PANEL<tab>NUMBER<tab>INDEX<tab>X<tab>Y<tab>DX<tab>DY" of each point of each curve, in the
@@ -138,7 +139,7 @@ compare mechanism 2 b 181 15 crossed P.x P.y
 equal a
 equal b
 run 0 --plot=x.svg --plot-at='250 deg' "$fourbar"
-shows x.svg 'open, theta2 = 250 deg' 'crossed, theta2 = 250 deg'
+shows x.svg 'open, θ₂ = 250°' 'crossed, θ₂ = 250°'
 
 csv theta2,x,v,a,omega3,F12,F34,N,Ts "$engine"
 curves engine-motion.svg >curves
@@ -162,7 +163,7 @@ energies() {
     words "$1" | awk -v branch="$2" -v E="$fluctuation" -v T="$mean" '
         function off(x, y, e) {x -= y; if (x < 0) x = -x; return !(x <= e)}
         /: mean / {
-            split($0, w, /: mean | N\.m, fluctuation of energy | J/)
+            split($0, w, /: mean = | N\.m, ΔE = | J/)
             if (w[1] == branch) {mean = w[2]; given = w[3]}}
         END {exit off(mean, T, 1e-4 * (T < 0 ? -T : T) + 1e-9) || off(given, E, 1e-4 * E)}' || return 1
     "$fourlink" --plot-script=t.gp --plot-kind=turning-moment --branch=$2 "$3" >/dev/null
@@ -180,6 +181,24 @@ for branch in open crossed; do
     check "energies of the four-bar, $branch" energies coupler-point-turning-moment.svg $branch "$fourbar"
     check "energies of the engine, $branch" energies engine-turning-moment.svg $branch "$engine"
 done
+# clockwise: the cycle from 0 to 360 deg, and a moment that drives in the sense of rotation is positive
+run 0 --plot=clockwise.svg --plot-kind=turning-moment "$data/me3491-exercise-4.deck"
+curves clockwise.svg >curves
+"$fourlink" --format=csv --interval='30 deg' --columns=theta2,Ts "$data/me3491-exercise-4.deck" |
+    awk -F, 'BEGIN {OFS = ","} NR > 1 {$2 = -$2} 1' >csv
+compare clockwise 3 a 721 60 open theta2 Ts
+shows clockwise.svg '-theta2, turned clockwise (deg)' '2237.1 J' '-2282.3 J' 'E max' 'E min' \
+    'E max at 159.5°' 'E min at 292.8°' 'of energy 0.578' 'of speed: no flywheel'
+run 0 --plot-script=t.gp --plot-kind=turning-moment "$data/me3491-exercise-4.deck"
+# above FILE: each energy that is above 0 stands above the mean, the others below it; on their centroids at least two
+above() {
+    awk '/^mean = / {mean = $3}
+        /^set label .* J. at / {split($6, p, ","); E = substr($3, 2) + 0; if ((E > 0) != (p[2] + 0 > mean + 0)) bad = 1; if (E > 2000 || E < -2000) n++}
+        END {exit !(n == 2 && !bad)}' "$1"
+}
+check 'a clockwise crank gives out energy above the mean' above t.gp
+sed 's/^mean = .*/mean = 1e9/' t.gp >wrong.gp
+check 'energies on the wrong side are seen' not above wrong.gp
 check 'the energies of another branch are others' not energies coupler-point-turning-moment.svg open "$engine"
 
 finish

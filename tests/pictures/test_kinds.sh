@@ -29,32 +29,57 @@ for deck in "$fourbar" "$engine"; do
         shows $picture "$(sed -n 's/^title *= *//p' "$deck")" "$deck  |  fourlink $version"
     done
 done
-shows coupler-point-mechanism.svg 'open, theta2 = 60 deg' 'crossed, theta2 = 60 deg' 'x (mm)' 'y (mm)' 'path of C' \
-    'path of P' A B C D P F12 F23 F34 F14 push W2 W3 W4 Ts 'push 12 N' 'W3 2.943 N' 'θ₂ = 60°'
+shows coupler-point-mechanism.svg 'open, θ₂ = 60°' 'crossed, θ₂ = 60°' 'x (mm)' 'y (mm)' 'path of C' \
+    'path of P' A B C D P F₁₂ F₂₃ F₃₄ F₁₄ push W₂ W₃ W₄ Ts g 'push = 12 N' 'W₃ = 2.943 N' 'pin force, i on j' 'load or weight' '1 ground, 2 crank,' '3 coupler, 4 rocker' 'θ₂ = 60°'
 shows coupler-point-motion.svg open crossed 'theta2 (deg)' 'theta3 (deg)' 'theta4 (deg)' 'omega3 (rad/s)' \
     'omega4 (rad/s)' 'alpha3 (rad/s2)' 'alpha4 (rad/s2)'
 shows coupler-point-forces.svg open crossed F12 F23 F34 F14 Ts 'force (N)' 'Ts (N.m)' 'theta2 (deg)'
 shows coupler-point-turning-moment.svg 'theta2 (deg)' 'turning moment -Ts (N.m)' -Ts mean above below
-shows coupler-point-polar.svg open crossed 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
+shows coupler-point-polar.svg open '30° apart' 'F12_along (N)' 'F12_across (N)' 'F32_along (N)' 'F23_along (N)' \
     'F43_across (N)' 'F34_along (N)' 'F14_along (N)' 'F14_across (N)' "F14, ground on rocker, in the rocker's axes"
-shows coupler-point-vectors.svg 'open, theta2 = 60 deg' 'velocity polygon' 'acceleration polygon' \
+shows coupler-point-vectors.svg 'open, θ₂ = 60°' 'velocity polygon' 'acceleration polygon' \
     'free body of the crank' 'free body of the coupler' 'free body of the rocker' 'forces on the crank' \
     'forces on the coupler' 'forces on the rocker' vB vC vCB aBn aCBn aCBt aCn aCt '-m aG' 'x (m/s)' 'y (m/s2)' \
     'x (N)' 'x (mm)' push
-shows engine-mechanism.svg 'open, theta2 = 60 deg' 'x (mm)' 'path of C' gas N F12 F23 F34 Ts 'gas 20774 N' 'θ₃ = -16.78°'
+shows engine-mechanism.svg 'open, θ₂ = 60°' 'x (mm)' 'path of C' gas N F₁₂ F₂₃ F₃₄ Ts 'gas = 20774 N' 'θ₃ = -16.78°'
 shows engine-motion.svg open crossed 'x (mm)' 'v (m/s)' 'a (m/s2)' 'theta3 (deg)' 'omega3 (rad/s)' 'alpha3 (rad/s2)'
 shows engine-forces.svg F12 F23 F34 N Ts 'force (N)' 'Ts (N.m)'
 shows engine-turning-moment.svg 'turning moment -Ts (N.m)' mean
-shows engine-polar.svg 'F12_along (N)' 'F43_across (N)' open crossed
+shows engine-polar.svg 'F12_along (N)' 'F43_across (N)' open
+# polar: one branch unless both are asked for
+check 'polar: not asked for the crossed branch' none '>crossed<' coupler-point-polar.svg
+run 0 --plot=x.svg --plot-kind=polar --branch=both "$fourbar"
+shows x.svg open crossed
+run 0 --plot=x.svg --plot-kind=polar --branch=crossed "$fourbar"
+shows x.svg crossed
+check 'polar: not asked for the open branch' none '>open<' x.svg
+{
+    cat "$fourbar"
+    printf '[table]\nbranch = both # of them\n'
+} >both.deck
+run 0 --plot=x.svg --plot-kind=polar both.deck
+shows x.svg open crossed
+# the load of the crusher jumps twice: its curves have two dashed lines from end to end; an arrow leads the way
+run 0 --plot=x.svg --plot-kind=polar "$data/me3491-exercise-4.deck"
+shows x.svg open jump '30° apart' -90° -180°
+run 0 --plot-script=x.gp --plot-kind=polar "$data/me3491-exercise-4.deck"
+check 'two jumps of each pin force' awk '/_jumps << EOD/ {on = 1; n = 0; next} on && /^EOD/ {on = 0; if (n != 4) bad = 1; panels++}
+    on && NF == 2 {n++} END {exit !(panels == 6 && !bad)}' x.gp
+check 'the direction of travel' test "$(grep -c '^set arrow .* head filled .* fixed' x.gp)" -eq 6
+check 'the force jumps by the load' awk '/^\$F14_open_jumps/ {on = 1; next} /^EOD/ {on = 0}
+    on && NF == 2 {if (++n % 2) {x = $1; y = $2} else {d = sqrt(($1 - x) ^ 2 + ($2 - y) ^ 2); if (d < 500 || d > 6000) bad = 1}}
+    END {exit !(n == 4 && !bad)}' x.gp
+run 0 --plot-script=x.gp --plot-kind=polar "$fourbar"
+check 'a steady load does not jump' none '_jumps' x.gp
 shows engine-vectors.svg 'velocity polygon' 'free body of the rod' 'free body of the piston' 'forces on the piston' gas aC
-shows engine-klein.svg "Klein's construction, open, theta2 = 60 deg" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
+shows engine-klein.svg "Klein's construction, open, θ₂ = 60°" O B C M Q N K L 'OM = 152.52 mm' 'x (mm)'
 check 'the engine has no rocker' none rocker engine-vectors.svg
 
 # --- the other kinds of file
 run 0 --plot=x.png "$fourbar"
 quiet
 magic x.png 8 '137 80 78 71 13 10 26 10'
-check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 48'
+check "x.png: width and height $(bytes x.png 16 8)" test "$(bytes x.png 16 8)" = '0 0 3 132 0 0 4 248'
 check 'x.png: its end' test "$(tail -c 8 x.png | head -c 4)" = IEND
 run 0 --plot=x.PDF --branch=open "$fourbar"
 quiet
@@ -72,7 +97,7 @@ mv out table
 run 0 --plot=x.txt "$fourbar"
 quiet
 same out table
-for text in 'Crank-rocker with a coupler point' 'coupler-point.deck' 'open, theta2 = 60 deg' 'path of P' 'F12'; do
+for text in 'Crank-rocker with a coupler point' 'coupler-point.deck' 'open, θ₂ = 60°' 'path of P' 'F₁₂'; do
     check "x.txt: $text" grep -qF -e "$text" x.txt
 done
 tr -d '\f' <x.txt >x.lines # gnuplot begins its page with a form feed
@@ -98,8 +123,43 @@ fi
 
 # --- a line of stroke that is not level
 run 0 --plot=x.svg "$data/dfa-example-2-vertical.deck"
-shows x.svg 'x rises at 90 deg'
+shows x.svg 'x rises at 90°' 'horizontal (m)' 'vertical (m)' g x 'F₁₂ = 131.13 kN' '100 kN'
 check 'a level line of stroke' none 'x rises' engine-mechanism.svg
+check 'axes of a level line of stroke' none 'horizontal' engine-mechanism.svg
+# turned TAN SCRIPT: the pins A, B and C as in the level engine, turned by an angle with this tangent
+pins() { sed -n 's/^set object circle at \([^ ]*\) .*fc rgb .white. fs solid border lc rgb .black. lw 1.5/\1/p' "$1" | tail -n 3; }
+run 0 --plot-script=x.gp --branch=open "$engine"
+pins x.gp >level
+run 0 --plot-script=x.gp --branch=open --set='ground.angle=30 deg' "$engine"
+pins x.gp >risen
+check 'the engine stands as it is inclined' awk -F, 'NR == FNR {x[FNR] = $1; y[FNR] = $2; next}
+    {c = sqrt(0.75); X = c * x[FNR] - 0.5 * y[FNR]; Y = 0.5 * x[FNR] + c * y[FNR]; n++
+        if ($1 - X > 1e-3 || X - $1 > 1e-3 || $2 - Y > 1e-3 || Y - $2 > 1e-3) bad = 1; if (Y > 50) high = 1}
+    END {exit !(n == 3 && high && !bad)}' level risen
+check 'gravity acts downwards' awk '/^set arrow .* ls 8$/ {split($4, a, ","); split($6, b, ","); if (a[1] == b[1] && a[2] > b[2]) down++}
+    END {exit !down}' x.gp
+run 0 --plot-script=x.gp --set=gravity.acceleration=0 --branch=open "$fourbar"
+check 'no gravity' none '^set label "g"' x.gp
+
+# --- a link with several points has one outline, and each path its own style
+{
+    cat "$fourbar"
+    for at in '10, 30' '50, 30' '30, 5' '40, -20' '60, 10' '20, 12' '25, -9' '33, 8'; do
+        n=$((${n:-0} + 1))
+        printf '[point Q%s]\nlink = coupler\nat = (%s) mm\n' $n "$at"
+    done
+} >nine.deck
+run 0 --plot-script=x.gp --branch=open nine.deck
+check "paths of nine points: $(sed -n 's/.*with lines ls \([0-9]*\) title "path of.*/\1/p' x.gp | sort -u | wc -l) styles" \
+    test "$(sed -n 's/.*with lines ls \([0-9]*\) title "path of.*/\1/p' x.gp | sort -u | wc -l)" -eq 10
+check "the outline of the coupler: $(grep -c ' nohead ls 3$' x.gp) lines" \
+    awk '/ nohead ls 3$/ {if (n++ && $4 != last) jumps++; last = $6} END {exit !(n >= 4 && n <= 9 && jumps <= 1)}' x.gp
+
+# --- numbers with prefixes
+run 0 --plot=x.svg --branch=open --set='load push.force=(0.3, 0.4) MN' "$fourbar"
+shows x.svg 'push = 500 kN'
+run 0 --plot=x.svg --branch=open --set='load push.force=(0.0003, 0.0004) N' "$fourbar"
+shows x.svg 'push = 500 µN'
 
 # --- several positions: the forces are on the first, which is thick
 run 0 --plot-script=x.gp --branch=open --plot-at='40 deg, 100 deg, 200 deg' "$fourbar"

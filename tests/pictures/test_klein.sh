@@ -11,9 +11,15 @@ for angle in 20 140 300; do
         side=$([ $branch = open ] && echo 1 || echo -1)
         run 0 --plot-script=k.gp --plot-kind=klein --plot-at="$angle deg" --branch=$branch "$engine"
         quiet
+        arrows k.gp nohead >all
         "$fourlink" --format=csv --branch=$branch --set="motion.at=$angle deg" \
-            --columns=klein_OM,klein_ON,klein_BM,klein_BQ,klein_QN,klein_IX,klein_IY,klein_FT,v,a,omega2 "$engine" >csv
-        arrows k.gp nohead | grep "^Klein's construction, $branch, theta2 = $angle deg	" >arrows
+            --columns=klein_OM,klein_ON,klein_BM,klein_BQ,klein_QN,klein_IX,klein_IY,klein_FT,v,a,omega2,omega3,alpha3 "$engine" >csv
+        for reading in v a omega3 alpha3; do
+            short=$(echo $reading | sed 's/omega3/ω₃/; s/alpha3/α₃/')
+            near "$reading as read from the drawing: $where" "$(awk -F '\t' -v name="$short = " '$2 == "note" && index($3, name) == 1 {
+                sub(/.* = /, "", $3); print $3 + 0}' all)" "$(number $reading)" 1e-4
+        done
+        arrows k.gp nohead | grep "^Klein's construction, $branch, θ₂ = $angle°	" >arrows
         set -- $(awk -F '\t' -v s=$side '$2 == 4 {split($3, p, " "); print s * p[1], p[2], p[3], p[4]}' arrows)
         near "ON: $where" "$1" "$(number klein_ON)" 1e-5
         near "N is on the line of stroke: $where" "$2" 0 0
@@ -40,5 +46,24 @@ for angle in 20 140 300; do
         done
     done
 done
+
+# --- the line of stroke, the slider in its guide, the ground; the crank enlarged where it is small beside the rod
+run 0 --plot-script=k.gp --plot-kind=klein --branch=open --set='ground.offset=60 mm' "$engine"
+arrows k.gp nohead | grep "^Klein's construction" >whole
+check 'the line of stroke' awk -F '\t' '$2 == 9 {split($3, p, " "); if (p[2] == 60 && p[4] == 60 && p[3] - p[1] > 450) n++} END {exit n != 1}' whole
+check 'the slider' test "$(awk -F '\t' '$2 == 4' whole | wc -l)" -eq 5
+check 'the support and the guide' test "$(awk -F '\t' '$2 == 1' whole | wc -l)" -eq 5
+arrows k.gp nohead | grep '^at the crank, enlarged' >inset
+for pen in 2 4 7 10; do
+    awk -F '\t' -v pen=$pen '$2 == pen {print $3}' inset >small
+    awk -F '\t' -v pen=$pen '$2 == pen {print $3}' whole >large
+    check "the inset has lines of pen $pen" test -s small
+    check "the inset and the whole agree, pen $pen" awk 'NR == FNR {seen[$0] = 1; next} !($0 in seen) {bad = 1} END {exit bad}' large small
+done
+check 'the inset is larger' awk '/^set xrange/ {r = $3; gsub(/[][]/, "", r); split(r, p, ":"); size[++n] = p[2] - p[1]} END {exit !(n == 2 && size[2] < 0.6 * size[1])}' k.gp
+run 1 --plot-script=k.gp --plot-kind=klein --branch=open --set='rod.length=150 mm' "$engine"
+check 'a crank as long as the rod is not enlarged' none 'enlarged' k.gp
+run 0 --plot-script=k.gp --plot-kind=klein --branch=open --set='motion.acceleration=5 rad/s2' "$engine"
+check 'with an acceleration it is said what the construction leaves out' grep -q '^set label "a and α₃ for α₂ = 0"' k.gp
 
 finish

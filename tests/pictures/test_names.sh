@@ -79,7 +79,7 @@ for name in "o'clock" 'a"b' '<F&G>' '%s%n' 'a\' '`touch-pwned`' '_^{}@' 'θ'; do
     run 0 --plot=x.svg t.deck
     quiet
     svg x.svg
-    shows x.svg "$name" "$name 12 N"
+    shows x.svg "$name" "$name = 12 N"
 done
 long_title >long.deck
 run 0 --plot=x.svg long.deck

@@ -72,7 +72,7 @@ awk '1; END {for (i = 0; i < 36; i++) printf "[load L%d]\nlink = coupler\nat = %
 run 0 --plot=x.svg --branch=open many.deck
 height=$(sed -n 's/.*<svg *.*height="\([0-9]*\)".*/\1/p; s/^ *width="[0-9]*" height="\([0-9]*\)".*/\1/p' x.svg | head -n 1)
 check "values of many loads are in the picture of height $height" \
-    test "$(texts x.svg | awk -v h="$height" '$5 ~ /^L[0-9]+$/ && $7 == "N" && $2 < h {n++} END {print n}')" -eq 36
+    test "$(texts x.svg | awk -v h="$height" '$5 ~ /^L[0-9]+$/ && $8 == "N" && $2 < h {n++} END {print n}')" -eq 36
 inside x.svg
 check "many loads: $(head -n 3 outside)" inside x.svg
 

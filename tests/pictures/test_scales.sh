@@ -44,7 +44,35 @@ done
 
 # --- numbers of extremes: a maximum's above it, a minimum's below; the areas' have the digits of the title
 run 0 --plot-script=x.gp --plot-kind=motion "$fourbar"
-check 'extremes' awk '/^set label .* pt 7/ {split($NF, o, ","); above += o[2] > 0; below += o[2] < 0; if ($3 ~ /^"-0"$/) bad = 1}
+check 'extremes' awk '/^set label "" .* pt 7/ {split($5, o, ","); next}
+    /^set label .* tc lt/ {split($5, p, ","); above += p[2] > o[2]; below += p[2] < o[2]; if ($3 ~ /^"-0"$/) bad = 1}
     END {exit !(above >= 6 && below >= 6 && !bad)}' x.gp
+
+# --- zeros are 0, and angles go on through half a turn and through a change point
+parallelogram="--set=crank.length=40mm --set=coupler.length=80mm --set=rocker.length=40mm"
+run 1 --plot-script=x.gp --plot-kind=motion $parallelogram "$fourbar"
+check 'no number of rounding' none '^set label "[^"]*\(e-\|"-0"\)' x.gp
+check 'a zero of rounding is 0' awk '/^\$alpha[34]_open/ {on = 1; next} /^EOD/ {on = 0} on && NF == 2 {n++; if ($2 != 0) bad = 1} END {exit !(n > 1400 && !bad)}' x.gp
+follows() { # follows NAME: the curve has no step of more than 20 deg
+    awk -v name="$1" 'index($0, "$" name " ") == 1 {on = 1; n = 0; next} /^EOD/ {on = 0}
+        on && NF == 2 {if (n++ && ($2 - y > 20 || y - $2 > 20)) bad = 1; y = $2; m++} END {exit !(m > 700 && !bad)}' x.gp
+}
+check 'a rocker through a change point' follows theta4_open
+check 'its other branch' follows theta4_crossed
+run 0 --plot-script=x.gp --plot-kind=motion --set='ground.length=20 mm' --set='crank.length=60 mm' --set='motion.speed=-100 rpm' "$fourbar"
+for name in theta3_open theta3_crossed theta4_open theta4_crossed; do
+    check "a drag link: $name" follows $name
+done
+check 'a drag link turns round' awk '/^\$theta4_open/ {on = 1; next} /^EOD/ {on = 0} on && NF == 2 {if (!n++) first = $2; last = $2}
+    END {d = first - last - 360; exit !(d < 1e-3 && d > -1e-3)}' x.gp
+
+# --- the instant of the deck in the picture of its cycle
+run 0 --plot-script=x.gp --plot-kind=motion "$data/me3491-example-1.deck"
+check 'the instant is marked' test "$(grep -c '^set arrow from 40,graph 0 to 40,graph 1 nohead' x.gp)" -eq 6
+check 'the instant is named' test "$(grep -c '^set label "θ₂ = 40°"' x.gp)" -eq 6
+run 0 --plot-script=x.gp --plot-kind=forces --branch=open --set='motion.at=40 deg' --set='motion.speed=-30 rad/s' "$fourbar"
+check 'the instant of a clockwise cycle' test "$(grep -c '^set arrow from -320,graph 0 to -320,graph 1 nohead' x.gp)" -eq 2
+run 0 --plot-script=x.gp --plot-kind=motion "$fourbar"
+check 'no instant of a range' none 'graph 0 to' x.gp
 
 finish

@@ -18,8 +18,8 @@ arrow() {
     awk -F '\t' -v panel="$1" -v k="$2" '$1 == panel && $2 != "note" && ++n == k {split($3, p, " ")
         printf "%.9g %.9g %.9g %.9g\n", p[3] - p[1], p[4] - p[2], p[3], p[4]}' arrows
 }
-note() { awk -F '\t' -v panel="$1" -v name="$2" '$1 == panel && $2 == "note" && index($3, name " ") == 1 {
-    split(substr($3, length(name) + 2), w, " "); print w[1]}' arrows; }
+note() { awk -F '\t' -v panel="$1" -v name="$2" '$1 == panel && $2 == "note" && index($3, name " = ") == 1 {
+    split(substr($3, length(name) + 4), w, " "); print w[1]}' arrows; }
 
 for deck in "$fourbar" "$engine"; do
     case $deck in
@@ -46,12 +46,12 @@ for deck in "$fourbar" "$engine"; do
             set -- $(arrow 'forces on the crank' 1)
             near "F12x: $where" "$1" "$(number F12x)" 1e-5
             near "F12y: $where" "$2" "$(number F12y)" 1e-5
-            near "F12: $where" "$(note 'forces on the crank' F12)" "$(number F12)" 1e-4
+            near "F12: $where" "$(note 'forces on the crank' F₁₂)" "$(number F12)" 1e-4
             set -- $(arrow 'forces on the crank' 2)
             near "F32 = -F23: $where" "$1" "$(number F23x | awk '{print -$1}')" 1e-5
             for link in $links; do
                 [ $link = crank ] || near "F34 on the $link: $where" \
-                    "$(note "forces on the $link" $([ $link = coupler ] || [ $link = rod ] && echo F43 || echo F34))" \
+                    "$(note "forces on the $link" $([ $link = coupler ] || [ $link = rod ] && echo F₄₃ || echo F₃₄))" \
                     "$(number F34)" 1e-4
             done
             near "Ts: $where" "$(note 'free body of the crank' Ts)" "$(number Ts)" 1e-4
@@ -91,7 +91,53 @@ done
 check 'the arrows of a load bear its name' grep -q '^forces on the piston	note	gas ' arrows
 run 0 --plot-script=v.gp --plot-kind=vectors "$fourbar"
 check 'a load by its name' grep -q '^set label .push. at' v.gp
-check 'the weights' grep -q '^set label .W3 2.943 N. at' v.gp
+check 'the weights' grep -q '^set label .W₃ = 2.943 N. at' v.gp
+
+# --- images of centres of mass and of tracer points: thin lines from the pole that end in their motion
+"$fourlink" --format=csv --branch=open --set='motion.at=20 deg' --columns=P.vx,P.vy,P.ax,P.ay,G3.vx,G3.vy,G3.ax,G3.ay "$fourbar" >csv
+run 0 --plot-script=v.gp --plot-kind=vectors --plot-at='20 deg' --branch=open "$fourbar"
+arrows v.gp nohead >lines
+image() { # image PANEL X Y: one of its thin lines from 0 ends there
+    awk -F '\t' -v panel="$1" -v x="$2" -v y="$3" 'function near(a, b) {b -= a; return b < 1e-4 * size && -b < 1e-4 * size}
+        BEGIN {size = sqrt(x * x + y * y)}
+        $1 == panel && $2 == 9 {split($3, p, " "); if (p[1] == 0 && p[2] == 0 && near(p[3], x) && near(p[4], y)) found = 1}
+        END {exit !(size > 0 && found)}' lines
+}
+for point in P G3; do
+    check "the velocity of $point" image 'velocity polygon' "$(number $point.vx)" "$(number $point.vy)"
+    check "the acceleration of $point" image 'acceleration polygon' "$(number $point.ax)" "$(number $point.ay)"
+done
+check 'the velocity is not the acceleration' not image 'velocity polygon' "$(number P.ax)" "$(number P.ay)"
+for letter in g₂ g₃ g₄ P "g'₂" "g'₃" "g'₄" "P'"; do
+    check "the letter $letter" grep -qF "set label \"$letter\" at" v.gp
+done
+
+# --- each panel has two tics on each axis, and free bodies have a scale of forces
+tics() { # tics SCRIPT: of each panel that is a drawing
+    awk 'function few(low, high, step,  n) {n = int(high / step + 1e6) - int(low / step + 1e6); return n < 2}
+        /^set format .*xtics/ {gsub(";", ""); x = $6; y = $9}
+        /^set [xy]range \[/ {r = $3; gsub(/[][]/, "", r); split(r, p, ":"); panels++
+            if (few(p[1], p[2], $2 == "xrange" ? x : y)) bad = 1}
+        END {exit !(panels == 18 && !bad)}' "$1"
+}
+for angle in 0 60 130 200 299; do
+    for deck in "$fourbar" "$engine"; do
+        run 0 --plot-script=v.gp --plot-kind=vectors --plot-at="$angle deg" --branch=open "$deck"
+        check "two tics at $angle deg of $(basename "$deck")" tics v.gp
+    done
+done
+sed 's/xtics [^;]*/xtics 1e9/' v.gp >wrong.gp
+check 'too few tics are seen' not tics wrong.gp
+arrows v.gp | awk -F '\t' '/^free body/ && $2 == 9' >scales
+check "scales of forces: $(wc -l <scales)" test "$(wc -l <scales)" -eq 3
+
+# --- nothing moves and nothing acts
+run 0 --plot-script=v.gp --plot-kind=vectors --set=motion.speed=0 --set=gravity.acceleration=0 --set='load push.force=(0, 0) N' "$fourbar"
+check 'all forces are zero' test "$(grep -c '^set label "all forces are zero"' v.gp)" -eq 6
+check 'all velocities are zero' grep -q '^set label "all velocities are zero"' v.gp
+check 'all accelerations are zero' grep -q '^set label "all accelerations are zero"' v.gp
+run 0 --plot-script=v.gp --plot-kind=vectors "$fourbar"
+check 'not all is zero' none 'are zero' v.gp
 
 # --- the piston's box, and the body out to a centre of mass that is off the line
 run 0 --plot-script=v.gp --plot-kind=vectors "$engine"

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** room.c - places for texts among the curves of a panel.
+**
+** A text is tried on its place or around it, in 16 directions at growing distances, and goes where it costs
+** least: it may not leave the panel or cover another text, and should not cover a curve.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "room.h"
+
+#define DIRECTIONS 16
+#define RINGS 6
+#define GAP 6.0   /* pixels, from a place to its text */
+#define RING 12.0 /* pixels, from ring to ring */
+#define HALF_LINE (0.5 * CANVAS_LINE)
+
+#define COST_OF_CURVE 100
+#define FORBIDDEN 10000
+
+void room_open(room *r, const canvas *on, double x_min, double x_max, double y_min, double y_max)
+{
+    r->x_min = x_min;
+    r->y_min = y_min;
+    r->width = on->box_width;
+    r->height = on->box_height;
+    r->x_scale = r->width / (x_max - x_min);
+    r->y_scale = r->height / (y_max - y_min);
+    r->n_points = r->n_texts = 0;
+    r->starts = 1;
+    r->rings = RINGS;
+}
+
+static fourlink_vector pixels(const room *r, double x, double y)
+{
+    return sketch_at((x - r->x_min) * r->x_scale, (y - r->y_min) * r->y_scale);
+}
+
+void room_point(room *r, double x, double y)
+{
+    if (r->n_points == ROOM_POINTS)
+        return;
+    r->point[r->n_points] = pixels(r, x, y);
+    r->is_start[r->n_points++] = (unsigned char)r->starts;
+    r->starts = 0;
+}
+
+void room_break(room *r)
+{
+    r->starts = 1;
+}
+
+static sketch_box box_of(fourlink_vector middle, const char *words)
+{
+    double half = canvas_width_of(words) / 2;
+    sketch_box b;
+
+    b.x_min = middle.x - half;
+    b.x_max = middle.x + half;
+    b.y_min = middle.y - HALF_LINE;
+    b.y_max = middle.y + HALF_LINE;
+    return b;
+}
+
+void room_take(room *r, fourlink_vector middle, const char *words)
+{
+    if (r->n_texts < ROOM_TEXTS)
+        r->text[r->n_texts++] = box_of(pixels(r, middle.x, middle.y), words);
+}
+
+static int covers_curve(const room *r, const sketch_box *b)
+{
+    int i;
+
+    for (i = 0; i < r->n_points; i++)
+        if (sketch_crosses(b, r->point[r->is_start[i] ? i : i - 1], r->point[i]))
+            return 1;
+    return 0;
+}
+
+static double cost_of(const room *r, const sketch_box *b)
+{
+    int i;
+
+    if (b->x_min < 0 || b->y_min < 0 || b->x_max > r->width || b->y_max > r->height)
+        return FORBIDDEN;
+    for (i = 0; i < r->n_texts; i++)
+        if (sketch_overlap(b, &r->text[i]))
+            return FORBIDDEN;
+    return covers_curve(r, b) ? COST_OF_CURVE : 0;
+}
+
+/* Try a place; returns 1 if it is better than those before. */
+static int try_place(const room *r, fourlink_vector middle, const char *words, double cost,
+                     double *least)
+{
+    sketch_box b = box_of(middle, words);
+
+    if (cost < *least)
+        cost += cost_of(r, &b);
+    if (cost >= *least)
+        return 0;
+    *least = cost;
+    return 1;
+}
+
+int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear, const char *words,
+              fourlink_vector *middle)
+{
+    double least = keeps_clear ? COST_OF_CURVE : FORBIDDEN, half = canvas_width_of(words) / 2;
+    double wanted = dx == 0 && dy == 0 ? M_PI / 2 : atan2(dy * r->y_scale, dx * r->x_scale);
+    fourlink_vector from = pixels(r, at.x, at.y), best = from, next;
+    int ring, i, found = dx == 0 && dy == 0 && try_place(r, from, words, 0, &least);
+
+    for (ring = 0; ring < r->rings; ring++)
+        for (i = 0; i < DIRECTIONS; i++) {
+            double off = 2 * M_PI * i / DIRECTIONS, angle = wanted + off;
+            double gap = GAP + RING * ring,
+                   cost = 2 * ring + 1.5 * (1 - cos(off)) + (dx == 0 && dy == 0);
+
+            next = sketch_beside(from, (gap + half) * cos(angle), (gap + HALF_LINE) * sin(angle));
+            if (try_place(r, next, words, cost, &least)) {
+                best = next;
+                found = 1;
+            }
+        }
+    if (!found || r->n_texts == ROOM_TEXTS)
+        return 0;
+    r->text[r->n_texts++] = box_of(best, words);
+    middle->x = r->x_min + best.x / r->x_scale;
+    middle->y = r->y_min + best.y / r->y_scale;
+    return 1;
+}
