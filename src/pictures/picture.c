@@ -309,7 +309,7 @@ static void put_styles(const canvas *c)
 static void put_head(const picture *p, const char *deck_name, const char *held)
 {
     const canvas *c = &p->on;
-    int is_sweep = (plot_table[p->request->kind].needs & PLOT_SWEEP) != 0, i;
+    int is_sweep = (plot_table[p->request->kind].needs & PLOT_SWEEP) != 0;
     char rest[200];
 
     fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
