@@ -545,8 +545,8 @@ int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double
 {
     if (c->link || (c->info->form != DIRECTION && c->info->form != SIZE))
         return 0;
-    *x = number_at(row, c->info->x);
-    *y = number_at(row, c->info->y);
+    *x = row->at.status == FOURLINK_OK ? number_at(row, c->info->x) : GSL_NAN;
+    *y = row->at.status == FOURLINK_OK ? number_at(row, c->info->y) : GSL_NAN;
     return 1;
 }
 
