@@ -6,10 +6,10 @@
 **
 ** Each deck is opened with all columns, on both branches.  Its extremes are compared with those of thousands of
 ** rows, denser towards all places where something happens, the best of them refined on rows.  An extreme is right
-** if no row is better and the row at its angle has its value, both within 1e-9 of the column's size (those within
-** 1e-8 are counted).  At the
-** edges of reach and at change points, where there is no row, limits are found by halving the distance.
-** What the rows cannot decide is counted as undecided.  Decks that fail are left as brute-SEED-NUMBER.deck.
+** if no row is better and the row at its angle has its value, both within 1e-9 of the column's size; those within
+** 1e-8 are counted.  At the edges of reach and at change points, where there is no row, limits are found by halving
+** the distance.  What the rows cannot decide, as their rounding is larger, is counted as undecided.  Decks that
+** fail are left as brute-SEED-NUMBER.deck.
 */
 #include <float.h>
 #include <math.h>
