@@ -149,6 +149,27 @@ static double difference(double x, double y, quantity q, double turn)
     return q == QUANTITY_ANGLE ? d - turn * floor(d / turn + 0.5) : d;
 }
 
+/* The sign of inf or -inf, with a unit or without; 0 for another text. */
+static int infinite_sign(text value, quantity q, unit usual)
+{
+    int sign = value.length > 0 && value.start[0] == '-' ? -1 : 1;
+    char one[40], message[MESSAGE_SIZE];
+    quantity_value v;
+
+    if (sign < 0) {
+        value.start++;
+        value.length--;
+    }
+    if (value.length < 3 || memcmp(value.start, "inf", 3) != 0 || value.length > 30 ||
+        (value.length > 3 && value.start[3] != ' '))
+        return 0;
+    one[0] = '1';
+    memcpy(one + 1, value.start + 3, value.length - 3);
+    one[value.length - 2] = '\0';
+    value = flk_text_of(one);
+    return flk_quantity_read(value, value, q, usual, &v, message) ? sign : 0;
+}
+
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
 static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
                    fourlink_value *facts, fourlink_check *c)
@@ -157,6 +178,7 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     const deck_unit *u;
     double tolerance, turn;
     unsigned long i;
+    int infinite;
     found f;
 
     if (!find_name(a, e, facts, c, &f))
@@ -168,8 +190,9 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     }
     u = &a->d->units[f.q];
     c->unit = u->name;
-    if (f.statistic && (flk_text_same(e->value, "inf") || flk_text_same(e->value, "-inf"))) {
-        c->printed = e->value.start[0] == '-' ? GSL_NEGINF : GSL_POSINF;
+    infinite = f.is_column || f.statistic ? infinite_sign(e->value, f.q, u->unit) : 0;
+    if (infinite) {
+        c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
         c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
         return c->message[0] ? -1 : c->computed == c->printed;
     }

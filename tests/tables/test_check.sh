@@ -152,4 +152,38 @@ done
 check 'two positions' test "$(sed -n 's/^theta4 = //p' change-point.deck | sort -u | wc -l)" -eq 2
 run 0 --check change-point.deck
 
+# an unbounded value is inf or -inf, with its unit or without
+cat >parallelogram.deck <<'DECK'
+mechanism = four-bar
+[ground]
+length = 2 m
+[crank]
+length = 1 m
+mass = 1 kg
+[coupler]
+length = 2 m
+mass = 1 kg
+[rocker]
+length = 1 m
+mass = 1 kg
+cg = 0.5 m
+[motion]
+speed = 10 rad/s
+[table]
+branch = open
+DECK
+for value in inf 'inf N'; do
+    { cat parallelogram.deck && printf '[expect]\nmax(F12x) = %s\nmin(F12x) = -%s\n' "$value" "$value"; } >inf.deck
+    run 0 --check inf.deck
+done
+for value in '-inf N' '5 N'; do
+    { cat parallelogram.deck && printf '[expect]\nmax(F12x) = %s\n' "$value"; } >inf.deck
+    run 1 --check inf.deck
+done
+for value in inf5 'inf m' infinity; do
+    { cat parallelogram.deck && printf '[expect]\nmax(F12x) = %s\n' "$value"; } >inf.deck
+    run 2 --check inf.deck
+    check "a mistake: $value" grep -q 'inf.deck:[0-9]*: error: ' err
+done
+
 finish
