@@ -196,7 +196,6 @@ static double size_at(const flk_tracked *t, const flk_row *row)
 
 /* Where poles cancel, rows close to an end of the piece are rounding: find how far from it. */
 #define CLOSE_ROWS 14
-#define ROUNDING 2e-10 /* of the column's size */
 
 static void find_rounding(flk_search *x, const approach *e)
 {
@@ -212,7 +211,7 @@ static void find_rounding(flk_search *x, const approach *e)
         for (c = 0; c < x->n_columns; c++) {
             flk_tracked *t = &x->columns[c];
 
-            if (t->is_rough && !(rounding_of(t, rows) <= ROUNDING * size_at(t, &rows[2]))) {
+            if (t->is_rough && !(rounding_of(t, rows) <= t->rounding * size_at(t, &rows[2]))) {
                 lose(x, c, e->at_end, e->is_dead ? away * away : away);
                 t->is_rough = 0;
             }
@@ -444,6 +443,11 @@ static void list_values(const flk_search *x, size_t c, const approach *e, double
         }
 }
 
+/* Of a column's size: rounding for which rows are left out, where the polynomial stands for them; and where it does
+** not, as at a weak pole. */
+#define TINY 2e-10
+#define MOST_ROUNDING 1e-6
+
 /* 1 if the small scale does not know the limit of a column: its rows may be rounding. */
 static int is_rough(const flk_search *x, size_t c, const approach *e)
 {
@@ -456,6 +460,7 @@ static int is_rough(const flk_search *x, size_t c, const approach *e)
     list_values(x, c, e, y);
     l = limit_of(e, y, 0);
     t->size_here = l.size;
+    t->rounding = l.error <= EXACT * l.size ? TINY : MOST_ROUNDING;
     return !(l.scale == 0 && l.error <= 1e-10 * l.size);
 }
 

@@ -57,8 +57,9 @@ double flk_search_passed(const flk_search *x, double s)
 
     if (s <= 0 && from > 0)
         return from + GSL_MIN_DBL(INSIDE, length / 4);
-    if (s >= 1 && x->piece.to < x->length)
-        return x->piece.to - GSL_MIN_DBL(INSIDE, length / 4);
+    if (s >= 1)
+        return x->piece.to < x->length ? x->piece.to - GSL_MIN_DBL(INSIDE, length / 4)
+                                       : x->piece.to;
     return from + length * flk_search_share(x, s);
 }
 

@@ -37,6 +37,7 @@ typedef struct flk_tracked {
     int has_pole[2];  /* 1: unbounded at the begin, the end of the piece */
     double lost[2];   /* rad from the begin, the end of the piece, within which rows are rounding */
     int is_rough;     /* 1: rows near the present end of the piece may be rounding, */
+    double rounding;  /* more than this, of its size, is too much */
     double size_here; /* beside this magnitude */
     flk_found best[2]; /* largest, smallest */
     flk_found here[2]; /* the same since an angle started anew */
