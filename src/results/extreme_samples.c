@@ -328,10 +328,11 @@ void flk_search_follow(flk_search *x, flk_tracked *t, double *values)
     for (i = 0; i < x->n; i++) {
         if (x->piece.from <= 0 && x->low <= 0 && i == 0)
             t->first = values[i];
-        if (gsl_isnan(values[i]) ||
-            (!gsl_isnan(t->last) && flk_search_turns_over(t, t->last, values[i]))) {
+        if (gsl_isnan(values[i]))
+            continue;
+        if (!gsl_isnan(t->last) && flk_search_turns_over(t, t->last, values[i])) {
             flk_search_commit(t, 0);
-            t->restarts |= !gsl_isnan(t->last);
+            t->restarts = 1;
             t->last = values[i];
             continue;
         }

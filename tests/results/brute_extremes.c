@@ -832,7 +832,7 @@ static int follow(unsigned long c)
         if (isnan(v))
             continue;
         by = leap(last, v, turn);
-        if (by > 0.5 - 1e-3 && by <= 0.5 - 1e-6)
+        if (by > 0.5 - 1e-3 && by <= 0.5 - 1e-10)
             return 0;
         if (by > 0.5 - 1e-6)
             start = i;
@@ -1174,6 +1174,18 @@ static int is_rounding(unsigned long c)
     return used > 0 && 2 * rounding > used;
 }
 
+/* 1 for the direction of a force that can have a weak pole at a change point, nearer than the rows go: there it
+** turns over. */
+static int turns_at_change_point(unsigned long c)
+{
+    int k;
+
+    for (k = 0; k < n_edges; k++)
+        if (edges[k].is_isolated && strstr(columns[c].name, "_dir"))
+            return 1;
+    return 0;
+}
+
 /* 1 for a column that is infinite in all rows: the advantage of a piston at rest. */
 static int is_infinite(unsigned long c)
 {
@@ -1219,7 +1231,7 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
                 curve[r] = isinf(rows[r]->v[c]) ? NAN : rows[r]->v[c]; /* has_pole sees it */
         if (size[c] < 1e-11 * scale[c])
             ok = size[c] == 0;
-        if (is_rounding(c))
+        if (is_rounding(c) || turns_at_change_point(c))
             ok = 0;
         for (which = 0; which < 2; which++)
             found[which] = find(c, which == 0 ? 1 : -1);
