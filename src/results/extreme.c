@@ -3,9 +3,7 @@
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
 ** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
-** columns, in steps of two degrees or less, over a parameter s in which square roots at its ends are smooth:
-**
-**    passed = from + (to - from) s^2, or (to - from) (1 - (1 - s)^2), or (to - from) (1 - cos(pi s)) / 2
+** columns, in steps of two degrees or less, over the parameter of extreme_samples.c.
 **
 ** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
 ** is refined by a polynomial through its neighbours; the row at the peak of the polynomial is computed, and if
@@ -70,17 +68,16 @@ static void search_piece(flk_search *x, int is_reached)
     }
 }
 
-/* Angles that turn with the crank have turned as often in each period that is skipped. */
+/* An angle makes in each skipped period as many turns as in the first. */
 static void skip_turns(flk_search *x)
 {
     size_t c;
 
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
-        double turns = floor((t->last - t->first) / t->turn + 0.5);
 
-        if (t->turn > 0 && !t->restarts && !gsl_isnan(turns))
-            t->last += t->turn * turns * floor(x->skipped / x->period + 0.5);
+        if (t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last))
+            t->last += flk_search_turns(t, t->first, t->last) * floor(x->skipped / x->period + 0.5);
     }
 }
 
@@ -94,18 +91,12 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     flk_search_begin(x);
     x->needs = 0;
     x->n = 0;
-    memset(x->columns, 0, x->n_columns * sizeof *x->columns);
     x->a->is_fast = 1;
     x->has_noise = 0;
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
 
-        t->c = &pairs[c].c;
-        if (flk_column_quantity(t->c) == QUANTITY_ANGLE)
-            t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
-        t->last = t->first = GSL_NAN;
-        t->bound = flk_column_bound(t->c);
-        t->is_noise = (flk_column_flags(t->c) & FOURLINK_OF_ROUNDING) != 0;
+        flk_search_track(x, t, &pairs[c].c);
         x->needs |= flk_column_need(t->c);
         x->has_noise |= t->is_noise;
     }
@@ -152,7 +143,7 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
 
         if (has_gap && t->turn > 0 && flk_analysis_is_periodic(x->a) &&
             !gsl_isnan(t->first + t->last))
-            shift = t->turn * floor((t->first - t->last) / t->turn + 0.5);
+            shift = flk_search_turns(t, t->last, t->first);
         flk_search_commit(t, shift);
         for (which = 0; which < 2; which++) {
             settle(x, t, which);

@@ -176,7 +176,7 @@ static void lose(flk_search *x, size_t c, int at_end, double away)
 }
 
 /* The rounding in a column at five rows, -h -h/4 0 h/4 h from a place: what is left of the second difference
-** of the inner ones without the curvature, which the outer ones say. */
+** of the inner ones without the curvature, which the outer ones give. */
 static double rounding_of(const flk_tracked *t, const flk_row *rows)
 {
     double v[5];
@@ -248,7 +248,7 @@ static double first_sample(const flk_search *x, const double *values, const appr
 }
 
 /* Offer the extremes of a column between the end of the piece and the first of its samples, by the polynomial
-** that says its limit. */
+** that gives its limit. */
 #define PARTS 8
 
 static void offer_flats(const flk_search *x, flk_tracked *t, const double *values,
@@ -267,7 +267,7 @@ static void offer_flats(const flk_search *x, flk_tracked *t, const double *value
             offer_near(x, t, e, at, flk_polynomial_value(&p, at, &slope));
 }
 
-/* The limit of a column at x = 0, of its values on the scale that is surest. */
+/* The limit of a column at x = 0, from the scale on which it is most exact. */
 typedef struct limit {
     double value, error, size; /* the column's magnitude near the end */
     int scale;
@@ -423,7 +423,8 @@ static double size_inside(const flk_search *x, const double *values)
     return size;
 }
 
-/* Of a column's size: a limit that is so sure is used; so sure the polynomial is the column. */
+/* The error of a limit, in parts of the column's size, up to which it is used, and up to which its polynomial stands
+** for the column. */
 #define KNOWN 1e-6
 #define EXACT 1e-9
 
@@ -443,8 +444,8 @@ static void list_values(const flk_search *x, size_t c, const approach *e, double
         }
 }
 
-/* Of a column's size: rounding for which rows are left out, where the polynomial stands for them; and where it does
-** not, as at a weak pole. */
+/* The rounding of rows, in parts of the column's size, above which they are left out: where the polynomial stands for
+** them, and where it does not, as at a weak pole. */
 #define TINY 2e-10
 #define MOST_ROUNDING 1e-6
 
@@ -499,7 +500,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
     l = limit_of(e, y, 0);
     size = GSL_MAX_DBL(l.size, size_inside(x, values));
     if (fabs(l.value) <= GSL_MAX_DBL(4 * l.error, EXACT * size))
-        l.value = 0; /* of a transmission angle nothing is left */
+        l.value = 0; /* such as the transmission angle at a dead position */
     if (!(l.error <= EXACT * size) && has_vector_pole)
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
     else if (l.error <= KNOWN * size)
@@ -520,8 +521,10 @@ void flk_search_find_limits(flk_search *x, int at_end)
         return;
     compute_approach(x, at_end, &e);
     x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
-    for (c = 0; c < x->n_columns; c++)
-        rough |= x->columns[c].is_rough = is_rough(x, c, &e);
+    for (c = 0; c < x->n_columns; c++) {
+        x->columns[c].is_rough = is_rough(x, c, &e);
+        rough |= x->columns[c].is_rough;
+    }
     if (rough)
         find_rounding(x, &e);
     flk_search_compute(x, 0, e.edge, &at_edge);

@@ -119,10 +119,8 @@ static void halve(flk_search *x, size_t i)
         double *v = flk_search_row(x, c) + i;
 
         if (t->turn > 0)
-            v[0] +=
-                t->turn *
-                floor(((flk_search_turns_over(t, v[-1], v[0]) ? v[1] : v[-1]) - v[0]) / t->turn +
-                      0.5);
+            v[0] =
+                flk_search_nearest(t, v[0], flk_search_turns_over(t, v[-1], v[0]) ? v[1] : v[-1]);
         flk_search_offer_at(x, &t->here[0], 0, v[0], x->s[i]);
         flk_search_offer_at(x, &t->here[1], 1, v[0], x->s[i]);
     }

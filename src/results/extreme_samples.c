@@ -116,9 +116,25 @@ int flk_search_turns_over(const flk_tracked *t, double from, double to)
     return flk_search_leap(t, from, to) > HALF_TURN;
 }
 
+void flk_search_track(const flk_search *x, flk_tracked *t, const flk_column *c)
+{
+    memset(t, 0, sizeof *t);
+    t->c = c;
+    if (flk_column_quantity(c) == QUANTITY_ANGLE)
+        t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
+    t->last = t->first = GSL_NAN;
+    t->bound = flk_column_bound(c);
+    t->is_noise = (flk_column_flags(c) & FOURLINK_OF_ROUNDING) != 0;
+}
+
+double flk_search_turns(const flk_tracked *t, double from, double to)
+{
+    return t->turn * floor((to - from) / t->turn + 0.5);
+}
+
 double flk_search_nearest(const flk_tracked *t, double value, double near)
 {
-    return value + t->turn * floor((near - value) / t->turn + 0.5);
+    return value + flk_search_turns(t, value, near);
 }
 
 int flk_search_is_lost(const flk_search *x, const flk_tracked *t, double s)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** extreme_search.h - the search for extremes: what extreme.c, extreme_samples.c, extreme_narrow.c,
-** extreme_peaks.c and extreme_limits.c share.
+** extreme_peaks.c and extreme_limits.c share.  mean.c follows columns in the same way.
 */
 #ifndef FOURLINK_EXTREME_SEARCH_H
 #define FOURLINK_EXTREME_SEARCH_H
@@ -95,7 +95,12 @@ void flk_search_compute(const flk_search *x, int needs, double passed, flk_row *
 /* A column at a parameter; of an angle the value nearest to `near`, NaN half a turn from it. */
 double flk_search_value(const flk_search *x, const flk_tracked *t, double s, double near);
 
-/* An angle moved by whole turns as near as possible to another. */
+/* Make a column ready to be followed on x->a. */
+void flk_search_track(const flk_search *x, flk_tracked *t, const flk_column *c);
+
+/* The whole turns of an angle from one value to another, in its unit; a value moved by such turns as near as
+** possible to another. */
+double flk_search_turns(const flk_tracked *t, double from, double to);
 double flk_search_nearest(const flk_tracked *t, double value, double near);
 
 /* The part of a turn by which an angle jumps, at most a half; 1 if it jumps by half a turn. */

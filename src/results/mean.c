@@ -217,7 +217,7 @@ static void count_skipped(means *m)
         flk_search_compute(x, 0, x->period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
     } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
-        by = m->t.turn * floor((m->t.last - m->t.first) / m->t.turn + 0.5);
+        by = flk_search_turns(&m->t, m->t.first, m->t.last);
     repeat(&m->total, n, 0);
     repeat(&m->here, n, by);
     m->t.last += by * (n - 1);
@@ -245,7 +245,7 @@ static void integrate_motion(means *m)
     /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
     if (has_gap && m->t.turn > 0 && flk_analysis_is_periodic(x->a) &&
         !gsl_isnan(m->t.first + m->t.last))
-        shift(&m->here, m->t.turn * floor((m->t.first - m->t.last) / m->t.turn + 0.5));
+        shift(&m->here, flk_search_turns(&m->t, m->t.last, m->t.first));
     add(&m->total, &m->here);
 }
 
@@ -258,12 +258,9 @@ static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branc
     m->x.a = a;
     m->x.branch = branch;
     flk_search_begin(&m->x);
-    m->t.c = c;
-    if (flk_column_quantity(c) == QUANTITY_ANGLE && !(flags & FOURLINK_OF_CRANK))
-        m->t.turn = flk_unit_from_si(2 * M_PI, a->d->units[QUANTITY_ANGLE].unit);
-    m->t.last = m->t.first = GSL_NAN;
-    m->t.bound = flk_column_bound(c);
-    m->t.is_noise = (flags & FOURLINK_OF_ROUNDING) != 0;
+    flk_search_track(&m->x, &m->t, c);
+    if (flags & FOURLINK_OF_CRANK)
+        m->t.turn = 0; /* it goes on by itself */
     m->most = statistic == FLK_MEAN ? 1 : 2;
     m->first = m->t.turn > 0 || (flags & FOURLINK_OF_CRANK) ? 1 : m->most;
 }
