@@ -141,12 +141,21 @@ static int read_tolerance(const deck *d, const deck_expectation *e, quantity q,
     return 0;
 }
 
-/* The difference of two values; for angles it is at most half a turn. */
-static double difference(double x, double y, quantity q, double turn)
+/* The difference of two values; for angles, whose turn is above 0, it is at most half a turn. */
+static double difference(double x, double y, double turn)
 {
     double d = x - y;
 
-    return q == QUANTITY_ANGLE ? d - turn * floor(d / turn + 0.5) : d;
+    return turn > 0 ? d - turn * floor(d / turn + 0.5) : d;
+}
+
+int flk_expected_agrees(const fourlink_check *check, double value, double turn)
+{
+    if (!gsl_finite(check->printed))
+        return value == check->printed;
+    /* a value half-way between two digits may be rounded either way */
+    return fabs(difference(value, check->printed, turn)) <=
+           check->tolerance * (1 + 1e-9) + 1e-12 * fabs(check->printed);
 }
 
 /* The sign of inf or -inf, with a unit or without; 0 for another text. */
@@ -194,7 +203,7 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
         c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
-        return c->message[0] ? -1 : c->computed == c->printed;
+        return c->message[0] ? -1 : flk_expected_agrees(c, c->computed, 0);
     }
     if (!flk_quantity_read(e->value, e->value, f.q, u->unit, &printed, c->message) ||
         !read_tolerance(a->d, e, f.q, &printed, &tolerance, c))
@@ -202,17 +211,15 @@ static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
     c->message_line = e->place.line;
     if (!f.n_facts && !value_there(a, x, e, &f, c))
         return -1;
-    turn = flk_unit_from_si(2 * M_PI, u->unit);
+    turn = f.q == QUANTITY_ANGLE ? flk_unit_from_si(2 * M_PI, u->unit) : 0;
     c->printed = flk_unit_from_si(printed.si, u->unit);
     for (i = 1; i < f.n_facts; i++) /* the nearest to the printed value is meant */
-        if (fabs(difference(f.facts[i].value, c->printed, f.q, turn)) <
-            fabs(difference(f.value, c->printed, f.q, turn)))
+        if (fabs(difference(f.facts[i].value, c->printed, turn)) <
+            fabs(difference(f.value, c->printed, turn)))
             f.value = f.facts[i].value;
     c->tolerance = flk_unit_from_si(tolerance, u->unit);
     c->computed = f.value;
-    /* a value half-way between two digits may be rounded either way */
-    return fabs(difference(c->computed, c->printed, f.q, turn)) <=
-           c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);
+    return flk_expected_agrees(c, c->computed, turn);
 }
 
 void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,

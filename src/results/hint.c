@@ -8,6 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/message.h"
+#include "expected.h"
 #include "hint.h"
 
 #define RPM (2 * M_PI / 60) /* rad/s */
@@ -29,18 +30,6 @@ static const struct {
 
 #define FACTORS (sizeof factor_table / sizeof factor_table[0])
 
-/* 1 if a value would have agreed; `turn` is 0, or a turn of an angle in its unit. */
-static int agrees(const fourlink_check *c, double value, double turn)
-{
-    double difference = value - c->printed;
-
-    if (!gsl_finite(c->printed))
-        return value == c->printed;
-    if (turn > 0)
-        difference -= turn * floor(difference / turn + 0.5);
-    return fabs(difference) <= c->tolerance * (1 + 1e-9) + 1e-12 * fabs(c->printed);
-}
-
 /* The hint of a factor, or null. */
 static const char *hint_of_factor(const fourlink_check *c)
 {
@@ -49,7 +38,7 @@ static const char *hint_of_factor(const fourlink_check *c)
     if (fabs(c->printed) <= 2 * c->tolerance)
         return NULL; /* every small number would agree */
     for (i = 0; i < FACTORS; i++)
-        if (agrees(c, c->computed / factor_table[i].factor, 0))
+        if (flk_expected_agrees(c, c->computed / factor_table[i].factor, 0))
             return factor_table[i].words;
     return NULL;
 }
@@ -61,7 +50,7 @@ static int agrees_at(fourlink_results *r, const fourlink_check *c, fourlink_bran
     fourlink_value v;
 
     return fourlink_results_value(r, c->name, branch, angle, &v) == FOURLINK_OK && !v.words &&
-           agrees(c, v.value, turn);
+           flk_expected_agrees(c, v.value, turn);
 }
 
 /* The neighbouring row whose value is the expected one. */
@@ -92,7 +81,7 @@ void flk_hint_find(fourlink_results *r, fourlink_check *c)
     if (fourlink_results_value(r, c->name, c->branch, c->angle, &here) != FOURLINK_OK)
         return;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
-    is_opposite = agrees(c, -c->computed, turn);
+    is_opposite = flk_expected_agrees(c, -c->computed, turn);
     is_other = agrees_at(r, c, other, c->angle, turn);
     words = hint_of_factor(c);
     if (is_opposite && !is_other)
