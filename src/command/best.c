@@ -17,6 +17,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "rewrite.h"
+#include "tables/statistics.h"
 
 #define DIGITS 10      /* of a refined value */
 #define WORST 1e300    /* of a design that is not allowed; GSL's minimisers take finite numbers */
@@ -51,9 +52,7 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
         const fourlink_value *c = &s->conditions[i];
 
         if (fourlink_results_value(r, c->name, branch, from, &v) != FOURLINK_OK || v.words ||
-            !(((c->flags & FOURLINK_ABOVE) && v.value > c->value) ||
-              ((c->flags & FOURLINK_BELOW) && v.value < c->value) ||
-              ((c->flags & FOURLINK_OR_EQUAL) && v.value == c->value)))
+            !statistics_meets(c, v.value))
             return 0;
     }
     return 1;

@@ -84,8 +84,7 @@ static double value_of(const statistics *x, const fourlink_value *condition, con
     return GSL_NAN;
 }
 
-/* A NaN meets no condition. */
-static int meets(const fourlink_value *condition, double value)
+int statistics_meets(const fourlink_value *condition, double value)
 {
     double limit = condition->value;
 
@@ -105,7 +104,7 @@ void statistics_add(statistics *x, fourlink_branch branch, const double *values)
             !add_value(&x->samples[(unsigned long)of * x->n_outputs + i], values[i]))
             x->out_of_memory = 1;
     for (i = 0; i < x->n_conditions; i++) {
-        int is_met = meets(&x->conditions[i], value_of(x, &x->conditions[i], values));
+        int is_met = statistics_meets(&x->conditions[i], value_of(x, &x->conditions[i], values));
 
         passed[i] += is_met ? 1 : 0;
         all &= is_met;

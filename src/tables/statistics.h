@@ -37,6 +37,9 @@ void statistics_add(statistics *x, fourlink_branch branch, const double *values)
 /* Note that an output on a branch is words. */
 void statistics_add_words(statistics *x, fourlink_branch branch, unsigned long output);
 
+/* 1 if a value meets a condition of the yield; NaN meets none. */
+int statistics_meets(const fourlink_value *condition, double value);
+
 /* A format that writes nothing and adds the designs of a sheet to s->statistics. */
 extern const sheet_format statistics_collector;
 
