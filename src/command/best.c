@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_multimin.h>
 
@@ -187,12 +188,10 @@ static double value_at(const gsl_vector *x, void *data)
     return value;
 }
 
-/* Let a simplex of this size go down from the best point. */
-static void go_down(search *s, double size)
+/* Let a simplex of this size go down from the best point, with memory for it and for its first point and steps. */
+static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vector *x,
+                    gsl_vector *steps)
 {
-    gsl_multimin_fminimizer *m =
-        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, s->n_free);
-    gsl_vector *x = gsl_vector_alloc(s->n_free), *steps = gsl_vector_alloc(s->n_free);
     gsl_multimin_function f;
     const double *best = s->low + 2 * s->n;
     unsigned long i;
@@ -216,9 +215,24 @@ static void go_down(search *s, double size)
         if (gsl_multimin_fminimizer_iterate(m) != GSL_SUCCESS ||
             gsl_multimin_fminimizer_size(m) < TOLERANCE)
             break;
+}
+
+/* GSL's own error handler would abort where there is no memory. */
+static void go_down(search *s, double size)
+{
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    gsl_multimin_fminimizer *m =
+        gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, s->n_free);
+    gsl_vector *x = gsl_vector_alloc(s->n_free), *steps = gsl_vector_alloc(s->n_free);
+
+    if (m && x && steps)
+        iterate(s, size, m, x, steps);
+    else
+        s->out_of_memory = 1;
     gsl_multimin_fminimizer_free(m);
     gsl_vector_free(x);
     gsl_vector_free(steps);
+    gsl_set_error_handler(handler);
 }
 
 /* A second simplex goes on where the first has become flat. */
