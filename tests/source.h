@@ -20,4 +20,16 @@ static inline fourlink_source deck_source(const char *contents)
     return source;
 }
 
+/* Open a deck with a file of expected values. */
+static inline int open_with_answers(const char *contents, const char *answers, fourlink_results **r,
+                                    fourlink_mistake *mistake)
+{
+    fourlink_source source = deck_source(contents);
+
+    source.answers_name = "y.expect";
+    source.answers = answers;
+    source.answers_length = (unsigned long)strlen(answers);
+    return fourlink_results_open(&source, 1, r, mistake, NULL);
+}
+
 #endif

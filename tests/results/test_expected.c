@@ -592,17 +592,6 @@ static void test_all_mistakes_in_one_run(void **unused)
     fourlink_results_free(r);
 }
 
-static int open_with_answers(const char *contents, const char *answers, fourlink_results **r,
-                             fourlink_mistake *mistake)
-{
-    fourlink_source source = deck_source(contents);
-
-    source.answers_name = "y.expect";
-    source.answers = answers;
-    source.answers_length = (unsigned long)strlen(answers);
-    return fourlink_results_open(&source, 1, r, mistake, NULL);
-}
-
 /* A file of its own takes the place of the deck's expectations; its mistakes have its name and lines. */
 static void test_expectations_of_another_file(void **unused)
 {

@@ -23,17 +23,6 @@ static char *alvi(const char *expectations)
                     print("[motion]\nspeed = 10.5 rad/s\n%s", expectations));
 }
 
-static int open_with_answers(const char *contents, const char *answers, fourlink_results **r,
-                             fourlink_mistake *mistake)
-{
-    fourlink_source source = deck_source(contents);
-
-    source.answers_name = "y.expect";
-    source.answers = answers;
-    source.answers_length = (unsigned long)strlen(answers);
-    return fourlink_results_open(&source, 1, r, mistake, NULL);
-}
-
 /* A deck that asks for one branch is checked on that one. */
 static void test_answers_for_one_branch(void **unused)
 {
