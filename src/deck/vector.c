@@ -92,6 +92,7 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
 {
     text size_text = t, angle_text, before;
     double size = 0, angle = 0, x, y;
+    int has_angle;
 
     if (t.length && t.start[0] == '(')
         return read_components(p, s, t, q, result);
@@ -104,12 +105,12 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
     if (flk_text_cut_last(t, " ", &before, &angle_text) && flk_text_same(angle_text, "at"))
         return flk_mistake(p->mistakes, s->place, "expected an angle after 'at', not '%t'",
                            s->value);
-    if (!flk_text_cut(t, " at ", &size_text, &angle_text))
-        s->is_bare = 1;
-    else if (!flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
+    has_angle = flk_text_cut(t, " at ", &size_text, &angle_text);
+    if (has_angle && !flk_values_piece(p, s, angle_text, QUANTITY_ANGLE, &angle))
         return 0;
     if (!read_size(p, s, size_text, q, result, &size))
         return 0;
+    s->is_bare |= !has_angle; /* only a force that was read lacks its direction */
     flk_vector_direction(angle, &x, &y);
     result->y[0] = size * x;
     result->y[1] = size * y;

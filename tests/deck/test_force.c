@@ -100,6 +100,7 @@ static void test_refused(void **unused)
     check_mistake(FOUR_BAR LINK "force = 0 deg 5 N, 90 deg (3, 4) N\n", NULL, 13, message);
     sprintf(message, bare, "file card.txt");
     check_mistake(FOUR_BAR LINK "force = file card.txt\n", "0 5\n90 6\n", 13, message);
+    check_mistake(FOUR_BAR LINK "force = 50 foo\n", NULL, 13, "unknown unit 'foo' in '50 foo'");
     check_mistake("mechanism = inverted-slider-crank\n[crank]\nlength = 120 mm\n[ground]\n"
                   "length = 240 mm\n[load]\nlink = slider\nforce = 3 N\n",
                   NULL, 8,
