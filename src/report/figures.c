@@ -8,11 +8,12 @@
 #include "pictures/gnuplot.h"
 #include "pictures/picture.h"
 #include "report.h"
+#include "svg.h"
 
-/* Draw a picture into a temporary file; null if there is none. */
-static FILE *draw(report *r, plot_kind kind, const char *at)
+/* Draw a picture into a stream; 0 if there is none. */
+static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
 {
-    FILE *script = tmpfile(), *drawing = tmpfile();
+    FILE *script = tmpfile();
     fourlink_mistake mistake;
     plot_request request;
     int is_drawn = 0;
@@ -21,34 +22,46 @@ static FILE *draw(report *r, plot_kind kind, const char *at)
     request.kind = kind;
     request.file = PLOT_SVG;
     request.at = at;
-    if (!script || !drawing)
+    if (!script)
         r->gnuplot = strerror(errno);
     else if (picture_write(script, r->source, &request, &mistake))
         is_drawn = (r->gnuplot = gnuplot_run(script, drawing)) == NULL;
     if (script)
         fclose(script);
-    if (drawing && !is_drawn)
-        fclose(drawing);
-    return is_drawn ? drawing : NULL;
+    return is_drawn;
+}
+
+static void put_drawing(report *r, FILE *drawing, plot_kind kind, const char *alt,
+                        const char *caption)
+{
+    page_print(&r->page,
+               "<figure class=\"%s\" id=\"figure-%d\">\n<img alt=\"%s\" "
+               "src=\"data:image/svg+xml;base64,",
+               plot_names[kind], r->page.n_figures + 1, alt);
+    rewind(drawing);
+    page_base64(&r->page, drawing);
+    page_print(&r->page, "\"/>\n<figcaption>Figure %d. %s</figcaption>\n</figure>\n",
+               ++r->page.n_figures, caption);
 }
 
 /* Put a figure, if the deck has such a picture.  `alt` says what it shows to those who do not see it. */
 static void put_figure(report *r, plot_kind kind, const char *at, const char *alt,
                        const char *caption)
 {
-    FILE *drawing = r->gnuplot ? NULL : draw(r, kind, at);
+    FILE *drawing = tmpfile(), *shorter = tmpfile();
 
-    if (!drawing)
-        return;
-    rewind(drawing);
-    page_print(&r->page,
-               "<figure class=\"%s\" id=\"figure-%d\">\n<img alt=\"%s\" "
-               "src=\"data:image/svg+xml;base64,",
-               plot_names[kind], r->page.n_figures + 1, alt);
-    page_base64(&r->page, drawing);
-    page_print(&r->page, "\"/>\n<figcaption>Figure %d. %s</figcaption>\n</figure>\n",
-               ++r->page.n_figures, caption);
-    fclose(drawing);
+    if (!drawing || !shorter)
+        r->gnuplot = strerror(errno);
+    else if (!r->gnuplot && draw(r, drawing, kind, at)) {
+        if (svg_shorten(drawing, shorter))
+            put_drawing(r, shorter, kind, alt, caption);
+        else
+            r->out_of_memory = 1;
+    }
+    if (drawing)
+        fclose(drawing);
+    if (shorter)
+        fclose(shorter);
 }
 
 /* "NAME at theta2 = ANGLE" */
