@@ -146,6 +146,7 @@ static int open_results(input *in)
     } else if (status == FOURLINK_BAD_DECK) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
+        in->has_mistakes = 1;
         status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");

@@ -18,6 +18,7 @@ typedef struct input {
     struct named_file *files;  /* the files that the deck names */
     int names_output;          /* 1: one of them would be written */
     fourlink_results *results; /* null: the deck is not usable */
+    int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers;      /* its own, of a folder */
     char refusal[MESSAGE_SIZE]; /* why it is not usable: the first mistake */

@@ -18,6 +18,7 @@
 #include "input.h"
 #include "joined.h"
 #include "output.h"
+#include "reporting.h"
 #include "terminal.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -134,11 +135,13 @@ static int run(const options *o)
         status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable || (o->statistics_file && !o->n_decks) ||
-        (o->content == SHEET_CHECK && o->n_decks > 1))
+    if (o->wants_sheet && (usable || (o->statistics_file && !o->n_decks) ||
+                           (o->content == SHEET_CHECK && o->n_decks > 1)))
         status = command_worse(status, write_sheet(o, inputs, &signal_number));
     if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
         status = command_worse(status, drawing_write(&inputs[0]));
+    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !signal_number)
+        status = command_worse(status, reporting_write(&inputs[0]));
     for (i = 0; i < o->n_decks; i++)
         input_close(&inputs[i]);
     free(inputs);

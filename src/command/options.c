@@ -37,6 +37,7 @@ const char *const options_help[] = {
     "                                    of a [sweep]: histogram, columns",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "      --report=FILE                 write a report to hand in: .html",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
     "                                    or of a csv FILE that has them",
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
@@ -55,6 +56,7 @@ enum {
     PLOT_KIND = 1,
     PLOT_AT,
     PLOT_SCRIPT,
+    REPORT,
     EXPECT,
     AT,
     STATISTICS,
@@ -86,6 +88,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {REPORT, "--report", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
@@ -112,6 +115,7 @@ static int set_format(options *o, const char *value, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
+    o->wants_sheet = 1;
     o->format = sheet_find_format(value);
     if (o->format)
         return 1;
@@ -179,6 +183,21 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* 1 if a name ends in this, whatever the case of its letters. */
+static int ends_in(const char *name, const char *ending)
+{
+    size_t n = strlen(name), length = strlen(ending);
+
+    return n > length && flk_text_equal(flk_text_of(name + n - length), ending);
+}
+
+static int set_report(options *o, const char *value, char message[400])
+{
+    o->report = value;
+    return ends_in(value, ".html") || ends_in(value, ".htm") ||
+           say(message, "--report needs a file name that ends in .html, not '", value, "'");
+}
+
 /* Change a key of the deck: `key` ends in "=". */
 static int set_change(options *o, const char *origin, const char *key, const char *value)
 {
@@ -225,7 +244,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_format(o, value, message);
     case 'o':
         o->output = strcmp(value, "-") == 0 ? NULL : value;
-        return 1;
+        return o->wants_sheet = 1;
     case 'P':
         return set_part(o, value, message);
     case 'p':
@@ -238,6 +257,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_SCRIPT:
         o->plot_script = value;
         return 1;
+    case REPORT:
+        return set_report(o, value, message);
     case 'C':
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs a file name", "", "");
@@ -328,9 +349,12 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->drawing.at || o->drawing.kind != PLOT_COUNT))
-        return say(message, o->drawing.at ? "--plot-at" : "--plot-kind",
-                   " needs --plot or --plot-script", "");
+    if (!wanted && o->drawing.at && !o->report)
+        return say(message, "--plot-at needs --plot, --plot-script or --report", "", "");
+    if (!wanted && o->drawing.kind != PLOT_COUNT)
+        return say(message, "--plot-kind needs --plot or --plot-script", "", "");
+    if (o->report && o->n_decks > 1)
+        return say(message, "--report takes one deck, not several", "", "");
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
@@ -359,8 +383,9 @@ static int check_statistics(const options *o, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
-    if (o->best && (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics ||
-                    o->plot || o->plot_script || o->n_decks > 1 || o->format != &table_format))
+    if (o->best &&
+        (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics || o->plot ||
+         o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message,
@@ -369,7 +394,8 @@ static int check_statistics(const options *o, char message[400])
                    "", "");
     if (!o->statistics_file)
         return 1;
-    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script)
+    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script ||
+        o->report)
         return say(message, "--statistics=FILE works alone, or with a deck", "", "");
     if (o->n_decks > 1)
         return say(message, "--statistics=FILE takes one deck, not several", "", "");
@@ -430,6 +456,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
         return 0;
     if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
+    o->wants_sheet |= !o->report || o->content != SHEET_ROWS || o->n_statistics;
     return check_plot(o, message);
 }
 

@@ -24,6 +24,8 @@ typedef struct options {
     unsigned long part, parts;   /* --part=K/N; parts 0: not given */
     const char *plot;            /* the picture's file; null: none */
     const char *plot_script;     /* the script's file; null: none */
+    const char *report;          /* the report's file; null: none */
+    int wants_sheet;             /* 0: --report is all that was asked for */
     plot_request drawing;        /* PLOT_COUNT: no kind is given */
     fourlink_change *changes;    /* --set, and options that set a key of the deck */
     unsigned long n_changes;

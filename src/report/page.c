@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** page.c - a page of HTML, which is XML too.
+*/
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/format.h"
+#include "page.h"
+
+#define REPLACEMENT "\357\277\275" /* U+FFFD in UTF-8 */
+
+/* The bytes of the UTF-8 character at the start of a text, by RFC 3629; 0 if it is none, or one that XML does
+** not allow. */
+static size_t character(const unsigned char *s, size_t length)
+{
+    size_t n = s[0] < 0x80 ? 1 : s[0] >= 0xC2 && s[0] < 0xE0 ? 2 : s[0] < 0xF0 ? 3 : 4, i;
+
+    if (n == 1)
+        return s[0] == '\t' || s[0] == '\n' || (s[0] >= ' ' && s[0] != 0x7F);
+    if (s[0] < 0xC2 || s[0] > 0xF4 || n > length)
+        return 0;
+    for (i = 1; i < n; i++)
+        if ((s[i] & 0xC0) != 0x80)
+            return 0;
+    if ((s[0] == 0xC2 && s[1] < 0xA0) || (s[0] == 0xE0 && s[1] < 0xA0) ||
+        (s[0] == 0xED && s[1] > 0x9F) || (s[0] == 0xEF && s[1] == 0xBF && s[2] > 0xBD) ||
+        (s[0] == 0xF0 && s[1] < 0x90) || (s[0] == 0xF4 && s[1] > 0x8F))
+        return 0;
+    return n;
+}
+
+void page_text(page *p, const char *words, size_t length)
+{
+    static const char special[] = "&<>\"'";
+    static const char *const names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
+    const unsigned char *s = (const unsigned char *)words;
+    const char *found;
+    size_t n;
+
+    for (; length > 0; s += n, length -= n) {
+        n = character(s, length);
+        found = n == 1 ? strchr(special, s[0]) : NULL;
+        if (found)
+            fputs(names[found - special], p->out);
+        else if (n)
+            fwrite(s, 1, n, p->out);
+        else if (s[0] != '\r')
+            fputs(REPLACEMENT, p->out);
+        else if (length < 2 || s[1] != '\n')
+            putc('\n', p->out);
+        if (!n)
+            n = 1;
+    }
+}
+
+static void put_number(page *p, double value, int digits, int is_fixed)
+{
+    char number[FORMAT_SIZE], *digit;
+
+    if (is_fixed)
+        format_fixed(value, digits, number);
+    else
+        format_general(value, digits, number);
+    for (digit = number + 1; *digit == '0' || *digit == '.'; digit++)
+        ;
+    fputs(number + (number[0] == '-' && !*digit), p->out);
+}
+
+void page_print(page *p, const char *format, ...)
+{
+    va_list arguments;
+    const char *words;
+    char *end;
+    int digits;
+
+    va_start(arguments, format);
+    for (; *format; format++) {
+        if (*format != '%' || *++format == '%') {
+            putc(*format, p->out);
+        } else if (*format == 's') {
+            words = va_arg(arguments, const char *);
+            page_text(p, words, strlen(words));
+        } else if (*format == 'm') {
+            fputs(va_arg(arguments, const char *), p->out);
+        } else if (*format == 'd') {
+            fprintf(p->out, "%d", va_arg(arguments, int));
+        } else if (*format == 'l') {
+            format++;
+            fprintf(p->out, "%lu", va_arg(arguments, unsigned long));
+        } else { /* .6g, .4f */
+            digits = (int)strtol(format + 1, &end, 10);
+            format = end;
+            put_number(p, va_arg(arguments, double), digits, *format == 'f');
+        }
+    }
+    va_end(arguments);
+}
+
+/* RFC 4648, section 4 */
+void page_base64(page *p, FILE *bytes)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    unsigned char in[3];
+    size_t n;
+
+    while ((n = fread(in, 1, 3, bytes)) > 0) {
+        memset(in + n, 0, 3 - n);
+        putc(digits[in[0] >> 2], p->out);
+        putc(digits[(in[0] & 3) << 4 | in[1] >> 4], p->out);
+        putc(n > 1 ? digits[(in[1] & 15) << 2 | in[2] >> 6] : '=', p->out);
+        putc(n > 2 ? digits[in[2] & 63] : '=', p->out);
+    }
+}
+
+void page_section(page *p, const char *id, const char *heading)
+{
+    page_print(p, "<section id=\"%s\">\n<h2>%d %s</h2>\n", id, ++p->n_sections, heading);
+}
