@@ -13,7 +13,7 @@ void report_put_facts(report *r)
 }
 void report_put_mechanism(report *r)
 {
-    (void)r;
+    report_put_interactive(r);
 }
 void report_put_sample(report *r)
 {
