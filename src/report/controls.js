@@ -91,14 +91,14 @@ function connect(data, drawing) {
     button.disabled = last === 0;
     if (data.branches.length > 1) {
         data.branches.forEach((branch, k) => {
-            const radio = fourlink.element("input", {type: "radio", name: "fourlink-branch", value: branch.name});
+            const radio = fourlink.html("input", {type: "radio", name: "fourlink-branch", value: branch.name});
             radio.checked = k === 0;
             radio.addEventListener("change", () => {
                 drawing.choose(k);
                 stop();
                 go(drawing.row());
             });
-            find("branches").append(fourlink.element("label", {}, radio, " " + branch.name));
+            find("branches").append(fourlink.html("label", {}, radio, " " + branch.name));
         });
         find("branches").hidden = false;
     }
@@ -124,7 +124,7 @@ function offerFiles() {
         button.addEventListener("click", () => {
             const words = document.getElementById(button.dataset.from).textContent;
             const address = URL.createObjectURL(new Blob([words], {type: "text/csv"}));
-            const link = fourlink.element("a", {href: address, download: button.dataset.save});
+            const link = fourlink.html("a", {href: address, download: button.dataset.save});
             link.click();
             setTimeout(() => URL.revokeObjectURL(address), 1000);
         });

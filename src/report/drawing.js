@@ -6,322 +6,12 @@
 ** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it
 ** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in
 ** the same data, from scene.c.
-**
-** Drawings are SVG, in pixels, with y downwards.  `data` is that JSON, `i` the number of a row.
 */
-"use strict";
+fourlink.draw = (function () {
 
-const fourlink = (function () {
-
-/* ------------------------------------------------------------------------------------------ elements, texts */
-
-function element(space, name, attributes, children) {
-    const made = document.createElementNS(space, name);
-    for (const key in attributes)
-        if (attributes[key] !== null)
-            made.setAttribute(key, attributes[key]);
-    made.append(...(children || []));
-    return made;
-}
-
-function html(name, attributes, ...children) {
-    return element("http://www.w3.org/1999/xhtml", name, attributes, children);
-}
-
-function svg(name, attributes, ...children) {
-    return element("http://www.w3.org/2000/svg", name, attributes, children);
-}
-
-/* A unit as it is written by hand: m/s2 becomes m/s². */
-function unitText(unit) {
-    return unit === "1" ? "" : unit.replace(/2/g, "²").replace(/\./g, "·");
-}
-
-/* Digits as superscripts. */
-function raised(text) {
-    return text.replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]).replace("-", "⁻").replace("+", "");
-}
-
-/* A number with four significant digits; very large or small ones with a power of ten. */
-function numberText(value) {
-    if (value === null || typeof value !== "number")
-        return value === null ? "–" : String(value).replace("-", "−").replace("inf", "∞");
-    const size = Math.abs(value);
-    let text = value === 0 ? "0" : value.toPrecision(4);
-    if (size !== 0 && (size < 1e-3 || size >= 1e5)) {
-        const parts = value.toExponential(3).split("e");
-        text = parts[0] + "×10" + raised(parts[1]);
-    }
-    return text.replace("-", "−");
-}
-
-function quantityText(value, unit) {
-    return (numberText(value) + " " + unitText(unit)).trim();
-}
-
-/* An angle in the deck's unit. */
-function angleText(data, angle) {
-    const text = String(angle).replace("-", "−");
-    return data.units.angle === "deg" ? text + "°" : text + " " + unitText(data.units.angle);
-}
-
-/* A label is [name, subscript, superscript].  A short name of the program's own is a variable, in italics. */
-function labelText(label) {
-    return label[0] + (label[1] ? "_" + label[1] : "") + (label[2] ? "^" + label[2] : "");
-}
-
-function isVariable(label) {
-    return label[1] !== "" || label[0].length === 1;
-}
-
-function htmlLabel(label) {
-    const made = html("span", {}, html(isVariable(label) ? "i" : "span", {}, label[0]));
-    if (label[1])
-        made.append(html("sub", {}, label[1]));
-    if (label[2])
-        made.append(html("sup", {}, label[2]));
-    return made;
-}
-
-function svgLabel(label) {
-    const made = svg("text", {}, svg("tspan", {class: isVariable(label) ? "variable" : null}, label[0]));
-    if (label[1])
-        made.append(svg("tspan", {dy: 4, class: "small"}, label[1]));
-    if (label[2])
-        made.append(svg("tspan", {dy: label[1] ? -10 : -5, class: "small"}, label[2]));
-    return made;
-}
-
-/* --------------------------------------------------------------------------------------------------- vectors */
-
-const add = (p, q) => [p[0] + q[0], p[1] + q[1]];
-const minus = (p, q) => [p[0] - q[0], p[1] - q[1]];
-const times = (k, p) => [k * p[0], k * p[1]];
-const size = (p) => Math.hypot(p[0], p[1]);
-const middle = (p, q) => times(0.5, add(p, q));
-
-/* The unit vector of p; of a vector of length 0, `otherwise`. */
-function direction(p, otherwise) {
-    return size(p) > 0 ? times(1 / size(p), p) : otherwise || [0, -1];
-}
-
-/* 1, 2 or 5 times a power of ten, at most x. */
-function roundDown(x) {
-    const power = Math.pow(10, Math.floor(Math.log10(x) + 1e-9));
-    return power * (x / power >= 5 ? 5 : x / power >= 2 ? 2 : 1);
-}
-
-/* The convex hull of points. */
-function hull(points) {
-    const sorted = points.slice().sort((p, q) => p[0] - q[0] || p[1] - q[1]);
-    const turns = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-    const chain = (list) => list.reduce((kept, p) => {
-        while (kept.length > 1 && turns(kept[kept.length - 2], kept[kept.length - 1], p) <= 0)
-            kept.pop();
-        return kept.concat([p]);
-    }, []);
-    return chain(sorted).slice(0, -1).concat(chain(sorted.reverse()).slice(0, -1));
-}
-
-/* The tracks of a branch. */
-function tracksOf(data, branch) {
-    const pick = (values, i) => Array.isArray(values) ? values[i] : values;
-    const c = Math.cos(data.turn), s = Math.sin(data.turn);
-
-    /* Null where the row has no such number, a vector in the page's directions, turned as the machine stands. */
-    function number(name, i) {
-        const track = branch.tracks[name];
-        const value = track ? pick(track[0], i) : null;
-        return typeof value === "number" ? value : null;
-    }
-    function vector(name, i) {
-        const track = branch.tracks[name];
-        const x = track ? pick(track[0], i) : null, y = track ? pick(track[1], i) : null;
-        return typeof x === "number" && typeof y === "number" ? [c * x - s * y, -s * x - c * y] : null;
-    }
-    return {number, vector, reason: (i) => branch.reasons[i] || "", count: data.angles.length,
-            x: [c, -s]};
-}
-
-/* ---------------------------------------------------------------------------------------------------- panels */
-
-/* A panel is a figure with one drawing, a caption and a list of values, which stay while the drawing changes. */
-function makePanel(title, kind) {
-    const drawing = svg("svg", {class: "sheet", role: "img"});
-    const list = html("ul", {class: "values"});
-    const figure = html("figure", {class: "panel " + kind}, drawing,
-                        html("figcaption", {}, title), list);
-    return {figure, drawing, list, title, ink: svg("g", {}), boxes: [], width: 0, height: 0};
-}
-
-/* Begin a drawing: empty, in the pixels that the page gives it. */
-function begin(panel, name) {
-    panel.boxes = [];
-    panel.ink.replaceChildren();
-    panel.drawing.setAttribute("aria-label", panel.title + ": " + name);
-}
-
-function measure(panel) {
-    panel.width = panel.drawing.clientWidth || 600;
-    panel.height = panel.drawing.clientHeight || 400;
-    panel.drawing.setAttribute("viewBox", "0 0 " + panel.width + " " + panel.height);
-    if (!panel.ink.parentNode)
-        panel.drawing.append(panel.ink);
-}
-
-const digits = (x) => Math.round(x * 1000) / 1000;
-const pairs = (points) => points.map((p) => digits(p[0]) + "," + digits(p[1])).join(" ");
-
-function line(panel, kind, ...points) {
-    panel.ink.append(svg("polyline", {class: kind, points: pairs(points)}));
-}
-
-function area(panel, kind, points) {
-    panel.ink.append(svg("polygon", {class: kind, points: pairs(points)}));
-}
-
-function circle(panel, kind, at, radius, name) {
-    panel.ink.append(svg("circle", {class: kind, cx: digits(at[0]), cy: digits(at[1]), r: radius,
-                                    "data-name": name || null}));
-}
-
-/* A head at `to`, in the direction u. */
-function head(panel, kind, to, u) {
-    const side = [-u[1], u[0]], root = minus(to, times(11, u));
-    area(panel, kind + " head", [to, add(root, times(4, side)), minus(root, times(4, side))]);
-}
-
-/* A vector as an arrow; without a head if it is shorter than one. */
-function arrow(panel, kind, from, v) {
-    const length = size(v), u = direction(v);
-    if (length < 1)
-        return;
-    line(panel, kind, from, length > 12 ? add(from, times(length - 8, u)) : add(from, v));
-    if (length > 12)
-        head(panel, kind, add(from, v), u);
-}
-
-/* A torque as an arc around a point with a head, counter-clockwise for value > 0. */
-function torque(panel, kind, at, value, radius) {
-    const points = [];
-    const sign = value > 0 ? -1 : 1;
-    for (let k = 0; k <= 24; k++) {
-        const angle = Math.PI / 2 + sign * (0.25 + k / 24 * 1.3) * Math.PI;
-        points.push(add(at, [radius * Math.cos(angle), radius * Math.sin(angle)]));
-    }
-    line(panel, kind, ...points);
-    head(panel, kind, points[24], direction(minus(points[24], points[22])));
-}
-
-/* Put a label beside a place: in the direction d, or around it where it covers no other label. */
-function text(panel, at, d, label, gap) {
-    const made = svgLabel(label), u = direction(d, [0.7, -0.7]);
-    const half = [(label[0].length * 7.6 + (label[1] + label[2]).length * 6) / 2 + 1, 9];
-    let best = null;
-    for (const turn of [0, 45, -45, 90, -90, 135, -135, 180])
-        for (const far of [gap || 6, (gap || 6) + 14]) {
-            const c = Math.cos(turn * Math.PI / 180), s = Math.sin(turn * Math.PI / 180);
-            const v = [c * u[0] - s * u[1], s * u[0] + c * u[1]];
-            const place = add(at, [v[0] * (far + half[0]), v[1] * (far + half[1])]);
-            const box = [place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1]];
-            const covered = panel.boxes.filter((b) => b[0] < box[2] && box[0] < b[2] && b[1] < box[3] &&
-                                               box[1] < b[3]).length;
-            const outside = box[0] < 0 || box[1] < 0 || box[2] > panel.width || box[3] > panel.height;
-            const cost = 100 * covered + 300 * outside + Math.abs(turn) + far;
-            if (!best || cost < best.cost)
-                best = {cost, box, place};
-        }
-    panel.boxes.push(best.box);
-    made.setAttribute("x", digits(best.box[0] + 1));
-    made.setAttribute("y", digits(best.place[1] + 5));
-    panel.ink.append(made);
-}
-
-/* A scale: an arrow or a bar of a round value, `k` pixels for one unit; returns its right end. */
-function scaleBar(panel, kind, left, k, unit) {
-    const value = roundDown(Math.min(110, panel.width / 5) / k), from = [left, panel.height - 14];
-    const to = add(from, [value * k, 0]), words = quantityText(value, unit).replace(/\.?0+(?= |$|×)/, "");
-    if (kind === "length")
-        line(panel, "scale", add(from, [0, -4]), add(from, [0, 4]), from, to, add(to, [0, -4]), add(to, [0, 4]));
-    else
-        arrow(panel, "scale " + kind, from, [value * k, 0]);
-    panel.ink.append(svg("text", {x: digits(to[0] + 6), y: panel.height - 9, class: "small"}, words));
-    panel.boxes.push([left, panel.height - 24, to[0] + 12 + 7 * words.length, panel.height]);
-    return to[0] + 30 + 7 * words.length;
-}
-
-/* The scale and the origin with which all marks [x, y, dx, dy] fit a panel: x and y are in the drawing's unit, dx
-** and dy in pixels. */
-function fit(panel, marks, edge) {
-    const low = [0, 0], high = [0, 0];
-    const spread = (scale, j) => {
-        low[j] = Infinity;
-        high[j] = -Infinity;
-        for (const m of marks) {
-            low[j] = Math.min(low[j], m[j] * scale + m[j + 2]);
-            high[j] = Math.max(high[j], m[j] * scale + m[j + 2]);
-        }
-        return high[j] - low[j];
-    };
-    const width = Math.max(panel.width - 2 * edge, 10), height = Math.max(panel.height - 2 * edge - 20, 10);
-    const bare = [0, 1].map((j) => {
-        const list = marks.map((m) => m[j]);
-        return list.reduce((a, b) => Math.max(a, b), -Infinity) - list.reduce((a, b) => Math.min(a, b), Infinity);
-    });
-    let least = 0, most = Math.min(width / bare[0], height / bare[1]);
-    if (!(most > 0 && most < Infinity))
-        most = least = 1;
-    for (let k = 0; k < 40; k++) {
-        const scale = (least + most) / 2;
-        if (spread(scale, 0) <= width && spread(scale, 1) <= height)
-            least = scale;
-        else
-            most = scale;
-    }
-    spread(least, 0);
-    spread(least, 1);
-    return {scale: least, origin: [(panel.width - low[0] - high[0]) / 2, (panel.height - 20 - low[1] - high[1]) / 2]};
-}
-
-/* A scale that holds for nearly all rows: what it shows at most in row i, if sizes[i] is the largest there.  Near
-** a dead position, where values grow without bound, it shows 2, 5, 10 ... times as much. */
-function steady(sizes) {
-    const sorted = sizes.filter((x) => x > 0).sort((x, y) => x - y);
-    if (!sorted.length)
-        return {most: 1, at: () => 1};
-    const most = Math.min(sorted[sorted.length - 1], 3 * sorted[Math.floor(sorted.length / 2)]);
-    const at = (i) => {
-        let steps = most;
-        for (let k = 0; steps < sizes[i] * (1 - 1e-9); k++)
-            steps = most * [2, 5, 10][k % 3] * Math.pow(10, Math.floor(k / 3));
-        return steps;
-    };
-    return {most, at};
-}
-
-/* The list of values beside a drawing: its entries stay, their numbers change. */
-function makeValues(panel, entries) {
-    panel.list.replaceChildren();
-    return entries.map((entry) => {
-        const value = html("span", {class: "number"});
-        panel.list.append(html("li", {}, html("span", {class: "swatch " + entry.kind}), htmlLabel(entry.label),
-                               " = ", value));
-        return (number) => { value.textContent = quantityText(number, entry.unit); };
-    });
-}
-
-/* The numbers 0 ... count - 1 of rows that have a position. */
-function reached(tracks) {
-    return Array.from({length: tracks.count}, (_, i) => i).filter((i) => !tracks.reason(i));
-}
-
-/* Forces, or torques, that are not 0 in every row. */
-function present(list, tracks, rows) {
-    return list.filter((x) => rows.some((i) => {
-        const v = tracks.vector(x.of, i);
-        return v ? size(v) > 0 : tracks.number(x.of, i);
-    }));
-}
+const {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, steady, makeValues,
+       reached, present, pairs, digits} = fourlink;
 
 /* ------------------------------------------------------------------------------------------- parts of machines */
 
@@ -338,6 +28,7 @@ function ground(panel, from, to, d) {
 /* A fixed pin: a triangle on ground below it. */
 function support(panel, at) {
     area(panel, "support", [at, add(at, [-9, 16]), add(at, [9, 16])]);
+    panel.boxes.push([at[0] - 15, at[1] + 4, at[0] + 15, at[1] + 24]);
     ground(panel, add(at, [-15, 16]), add(at, [15, 16]), [0, 1]);
 }
 
@@ -464,14 +155,15 @@ function mechanism(data, panel) {
     function drawAngle(i) {
         const A = place("A", i), B = minus(place("B", i), A), x = tracks.x;
         const cross = x[0] * B[1] - x[1] * B[0], dot = x[0] * B[0] + x[1] * B[1];
-        const radius = Math.min(30, 0.55 * size(B)), start = times(radius, x), end = times(radius, direction(B));
-        const angle = (Math.atan2(-cross, dot) + 2 * Math.PI) % (2 * Math.PI);
-        const bisector = Math.atan2(x[1], x[0]) - angle / 2;
+        const radius = Math.min(30, 0.55 * size(B)), sign = data.angles[i] < 0 ? -1 : 1, turn = 2 * Math.PI;
+        const angle = (sign * Math.atan2(-cross, dot) + turn) % turn, points = [];
+        for (let k = 0; k <= 32; k++) {
+            const at = Math.atan2(x[1], x[0]) - sign * angle * k / 32;
+            points.push(add(A, times(radius, [Math.cos(at), Math.sin(at)])));
+        }
         line(panel, "construction", A, add(A, times(radius + 14, x)));
-        panel.ink.append(svg("path", {class: "construction", d: "M" + pairs([add(A, start)]) + "A" + radius + "," +
-                                      radius + " 0 " + (angle > Math.PI ? 1 : 0) + " 0 " + pairs([add(A, end)])}));
-        text(panel, add(A, times(radius, [Math.cos(bisector), Math.sin(bisector)])),
-             [Math.cos(bisector), Math.sin(bisector)], ["θ", "2", ""], 1);
+        line(panel, "construction", ...points);
+        text(panel, points[16], minus(points[16], A), ["θ", "2", ""], 1);
     }
 
     function drawForces(i) {
@@ -493,6 +185,12 @@ function mechanism(data, panel) {
             scaleBar(panel, "pin", bar, k, data.units.force);
     }
 
+    /* At right angles to the stroke of a piston. */
+    function slideNormal(i) {
+        const u = direction(minus(place("S2", i), place("S1", i)));
+        return [u[1], -u[0]];
+    }
+
     /* The letters at the pins, away from their links. */
     function drawLetters(i) {
         const A = place("A", i), B = place("B", i), C = place("C", i), D = place("D", i);
@@ -500,7 +198,7 @@ function mechanism(data, panel) {
         text(panel, A, C || D ? away(A, B, B) : [0, 1], ["A", "", ""], 6);
         text(panel, B, C ? away(B, A, C) : minus(B, A), ["B", "", ""], 6);
         if (C)
-            text(panel, C, D ? away(C, B, D) : [0.3, -1], ["C", "", ""], D ? 6 : 12);
+            text(panel, C, D ? away(C, B, D) : slideNormal(i), ["C", "", ""], D ? 6 : 0.9 * half());
         if (D)
             text(panel, D, minus(D, C || B), ["D", "", ""], 6);
         for (const p of data.points)
@@ -573,7 +271,24 @@ function mechanism(data, panel) {
         return best;
     }
 
-    return {panel, choose, layOut, show, handle, rowAt};
+    /* The shape of the panel: that of the machine, within limits. */
+    function shape() {
+        const corners = [[], []];
+        for (const branch of data.branches) {
+            tracks = tracksOf(data, branch);
+            for (const i of reached(tracks))
+                for (const name of places.concat("S1", "S2"))
+                    if (tracks.vector(name, i))
+                        tracks.vector(name, i).forEach((x, j) => corners[j].push(x));
+        }
+        const [width, height] = corners.map((list) => list.reduce((a, b) => Math.max(a, b), -Infinity) -
+                                            list.reduce((a, b) => Math.min(a, b), Infinity));
+        const pad = 0.4 * Math.max(width, height), ratio = (width + pad) / (height + pad);
+        if (ratio > 0)
+            panel.drawing.style.aspectRatio = Math.max(1.25, Math.min(2.2, ratio));
+    }
+
+    return {panel, shape, choose, layOut, show, handle, rowAt};
 }
 
 /* ------------------------------------------------------------------------------------------------ the polygons */
@@ -596,6 +311,12 @@ function polygon(data, panel, described) {
         return found;
     }
 
+    /* The middle of a polygon, which stays in the middle of the panel. */
+    function heartOf(found) {
+        const ends = [0, 1].map((j) => Object.values(found).map((p) => p[j]));
+        return ends.map((list) => (Math.min(...list) + Math.max(...list)) / 2);
+    }
+
     function choose(branch) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
@@ -605,21 +326,22 @@ function polygon(data, panel, described) {
     function layOut() {
         const marks = [];
         measure(panel);
-        const all = Array.from({length: tracks.count}, (_, i) => tracks.reason(i) ? null : corners(i));
-        const sizes = all.map((found) => found ? Math.max(...Object.values(found).map(size)) : 0);
+        const all = rows.map(corners).filter((found) => found);
+        const sizes = all.map((found) => Math.max(...Object.values(found).map(size)));
         const limit = steady(sizes);
-        all.forEach((found, i) => {
-            if (found && sizes[i] <= limit.most * (1 + 1e-9))
-                Object.values(found).forEach((p) => marks.push([...p, 0, 0]));
+        all.forEach((found, k) => {
+            const heart = heartOf(found);
+            if (sizes[k] <= limit.most * (1 + 1e-9))
+                Object.values(found).forEach((p) => marks.push([...minus(p, heart), 0, 0]));
         });
-        view = fit(panel, marks.length ? marks : [[0, 0, 0, 0]], 30);
+        view = fit(panel, marks.length ? marks : [[0, 0, 0, 0]], 34);
     }
 
     /* The scale of a row: smaller than that of the others by 2, 5, 10 ... where the polygon would not fit. */
     function scaleOf(found) {
         let scale = view.scale;
-        const fits = (p) => {
-            const at = add(view.origin, times(scale, p));
+        const heart = heartOf(found), fits = (p) => {
+            const at = add(view.origin, times(scale, minus(p, heart)));
             return at[0] > 8 && at[0] < panel.width - 8 && at[1] > 8 && at[1] < panel.height - 24;
         };
         for (let k = 0; k < 60 && !Object.values(found).every(fits); k++)
@@ -633,7 +355,8 @@ function polygon(data, panel, described) {
         described.sides.forEach((x, k) => put[k](found && size(tracks.vector(x.of, i))));
         if (!found)
             return;
-        const scale = scaleOf(found), place = (key) => add(view.origin, times(scale, found[key]));
+        const scale = scaleOf(found), middle = heartOf(found);
+        const place = (key) => add(view.origin, times(scale, minus(found[key], middle)));
         const keys = Object.keys(found), heart = times(1 / keys.length, keys.map(place).reduce(add));
         if (keys.every((key) => size(found[key]) === 0)) {
             panel.ink.append(svg("text", {x: panel.width / 2, y: panel.height / 2, class: "reason"}, described.zero));
@@ -691,17 +414,20 @@ function freeBody(data, panel, link) {
 
     function layOut() {
         const marks = [[0, 0, half(), half()], [0, 0, -half(), -half()]];
-        const names = link.pins.concat(link.points, link.shape === "slot" ? ["S1", "S2"] : []);
+        const names = link.pins.concat(link.points, link.centre || []);
         measure(panel);
         for (const i of rows) {
             for (const name of names)
                 marks.push([...minus(tracks.vector(name, i), heart(i)), 0, 0]);
+            for (const name of link.shape === "slot" ? ["S1", "S2"] : [])
+                for (const edge of [1.8 * half(), -1.8 * half()])
+                    marks.push([...minus(tracks.vector(name, i), heart(i)), edge, edge]);
             for (const f of forces) {
                 const at = minus(tracks.vector(f.at, i), heart(i));
                 marks.push([...at, ...times(f.sign * longest() / limit.at(i), tracks.vector(f.of, i))]);
             }
         }
-        view = fit(panel, marks, 28);
+        view = fit(panel, marks, 36);
     }
 
     function show(i, name) {
@@ -753,17 +479,22 @@ function freeBody(data, panel, link) {
 /* A number as the program's table writes it. */
 function cellText(column, value) {
     if (typeof value !== "number")
-        return value === null ? "–" : String(value).replace("-", "−").replace("inf", "∞");
+        return value === null ? "–" : value;
     const text = column.form === "angle" ? String(value) : column.form === "exponent"
         ? value.toExponential(column.decimals) : value.toFixed(column.decimals);
     return text.replace(/^-(?=[0.]+$)/, "");
+}
+
+/* A name that may go on in a new line after each underscore. */
+function breakable(name) {
+    return name.split(/(?<=_)/).flatMap((part) => [part, html("wbr")]);
 }
 
 function tableRow(data, place) {
     const list = html("dl", {class: "row"});
     const cells = data.columns.map((column) => {
         const cell = html("dd", {"data-column": column.name});
-        list.append(html("div", {title: column.meaning}, html("dt", {}, column.name), cell));
+        list.append(html("div", {title: column.meaning}, html("dt", {}, ...breakable(column.name)), cell));
         return cell;
     });
     place.append(html("section", {class: "panel whole", "aria-label": "Row of the table"},
@@ -783,11 +514,11 @@ function tableRow(data, place) {
 /* What the colours mean. */
 function keyOf(data) {
     const key = html("p", {class: "key"});
-    const entry = (kind, words) => key.append(html("span", {}, html("span", {class: "swatch " + kind}), " " + words), " ");
+    const entry = (kind, ...words) => key.append(html("span", {}, html("span", {class: "swatch " + kind}), ...words), " ");
     for (const link of data.links)
         entry("link" + link.link, link.link + " " + link.name);
     if (data.forces.some((f) => f.pen === "pin"))
-        entry("pin", "pin force: Fij, by link i on link j; 1 is the ground");
+        entry("pin", "pin force ", htmlLabel(["F", "ij", ""]), ", by link i on link j; 1 is the ground");
     if (data.forces.some((f) => f.pen === "load"))
         entry("load", "load or weight");
     if (data.forces.some((f) => f.pen === "inertia"))
@@ -808,6 +539,7 @@ function draw(data, place) {
     let branch = data.branches[0], now = data.start;
     main.panel.figure.append(keyOf(data));
     place.replaceChildren(grid);
+    main.shape();
 
     const name = () => (data.branches.length > 1 ? branch.name + ", " : "") + "θ₂ = " +
         angleText(data, data.angles[now]);
@@ -832,5 +564,5 @@ function draw(data, place) {
     return {show, choose, layOut, main, name, row: () => now, reason: (i) => branch.reasons[i] || ""};
 }
 
-return {draw, angleText, element: html};
+return draw;
 }());
