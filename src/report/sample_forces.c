@@ -218,7 +218,7 @@ static void put_sides(report *r, const body bodies[5], const double b[9])
 
 static void put_bracket(page *p, int closes)
 {
-    page_print(p, "%m", closes ? "</mtable><mo>]</mo></mrow>" : "<mrow><mo>[</mo><mtable>");
+    page_print(p, "%m", closes ? "</mtable>" : "<mtable class=\"bracket\">");
 }
 
 static void put_entry(page *p, double value)

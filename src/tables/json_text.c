@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** json_text.c - strings and numbers of JSON, RFC 8259.
+*/
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/text.h"
+#include "json_text.h"
+
+void json_text_put(line *l, const char *s, const char *escaped)
+{
+    static const char hex[] = "0123456789abcdef";
+
+    line_text(l, "\"", 1);
+    while (*s) {
+        unsigned char c = (unsigned char)*s;
+        size_t n = flk_text_character(s, 4);
+
+        if (c < ' ' || c == 0x7f || strchr(escaped, *s)) {
+            line_put(l, "\\u00");
+            line_text(l, &hex[c / 16], 1);
+            line_text(l, &hex[c % 16], 1);
+        } else if (n) {
+            line_text(l, "\\", c == '"' || c == '\\');
+            line_text(l, s, n);
+        } else {
+            line_put(l, "\\ufffd");
+        }
+        s += n ? n : 1;
+    }
+    line_text(l, "\"", 1);
+}
+
+void json_text_number(line *l, double x, int digits)
+{
+    if (gsl_isnan(x))
+        line_put(l, "null");
+    else if (gsl_isinf(x))
+        line_put(l, x > 0 ? "\"inf\"" : "\"-inf\"");
+    else
+        line_number(l, x, digits);
+}
