@@ -11,7 +11,8 @@
 
 int reporting_write(const input *in)
 {
-    const char *path = in->o->report, *gnuplot;
+    const char *path = in->o->report;
+    report_outcome outcome;
     fourlink_mistake mistake;
     report_request request;
     output file;
@@ -20,13 +21,15 @@ int reporting_write(const input *in)
     if (status)
         return status;
     request.at = in->o->drawing.at;
-    if (!report_write(file.file, &in->source, &request, &gnuplot, &mistake)) {
+    if (!report_write(file.file, &in->source, &request, &outcome, &mistake)) {
         command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
         output_end(&file, path, 0);
         return EXIT_USAGE;
     }
     status = output_end(&file, path, 1);
-    if (!status && gnuplot)
-        fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, gnuplot);
-    return status;
+    if (status)
+        return status;
+    if (outcome.gnuplot)
+        fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
+    return outcome.has_failed ? EXIT_ROWS : 0;
 }

@@ -400,7 +400,7 @@ function polygon(data, panel, described) {
 function freeBody(data, panel, link) {
     let tracks, rows, view, forces, torques, put;
     const mine = (list) => list.filter((x) => x.on === link.link);
-    const longest = () => 0.26 * Math.min(panel.width, panel.height);
+    const longest = () => 0.2 * Math.min(panel.width, panel.height);
     const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
 
     /* Where the body is held in the drawing: the middle between its pins, or the pin of a lever. */
@@ -433,7 +433,7 @@ function freeBody(data, panel, link) {
                 marks.push([...at, ...times(f.sign * forceScale(forces, tracks, i, longest()), tracks.vector(f.of, i))]);
             }
         }
-        view = fit(panel, marks, 36);
+        view = fit(panel, marks, 30);
     }
 
     function show(i, name) {

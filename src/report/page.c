@@ -7,40 +7,31 @@
 #include <string.h>
 
 #include "base/format.h"
+#include "base/text.h"
 #include "page.h"
 
 #define REPLACEMENT "\357\277\275" /* U+FFFD in UTF-8 */
 
-/* The bytes of the UTF-8 character at the start of a text, by RFC 3629; 0 if it is none, or one that XML does
-** not allow. */
-static size_t character(const unsigned char *s, size_t length)
+/* The length of the character at the start of a text; 0 if it is none, or one that XML or HTML does not allow:
+** control characters, U+FFFE and U+FFFF. */
+static size_t allowed(const char *s, size_t length)
 {
-    size_t n = s[0] < 0x80 ? 1 : s[0] >= 0xC2 && s[0] < 0xE0 ? 2 : s[0] < 0xF0 ? 3 : 4, i;
+    size_t n = flk_text_character(s, length);
+    int is_control = ((unsigned char)s[0] < ' ' && !strchr("\t\n", s[0])) || s[0] == 0x7f ||
+                     (n == 2 && memcmp(s, "\302\240", 2) < 0);
 
-    if (n == 1)
-        return s[0] == '\t' || s[0] == '\n' || (s[0] >= ' ' && s[0] != 0x7F);
-    if (s[0] < 0xC2 || s[0] > 0xF4 || n > length)
-        return 0;
-    for (i = 1; i < n; i++)
-        if ((s[i] & 0xC0) != 0x80)
-            return 0;
-    if ((s[0] == 0xC2 && s[1] < 0xA0) || (s[0] == 0xE0 && s[1] < 0xA0) ||
-        (s[0] == 0xED && s[1] > 0x9F) || (s[0] == 0xEF && s[1] == 0xBF && s[2] > 0xBD) ||
-        (s[0] == 0xF0 && s[1] < 0x90) || (s[0] == 0xF4 && s[1] > 0x8F))
-        return 0;
-    return n;
+    return !s[0] || is_control || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0) ? 0 : n;
 }
 
 void page_text(page *p, const char *words, size_t length)
 {
     static const char special[] = "&<>\"'";
     static const char *const names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
-    const unsigned char *s = (const unsigned char *)words;
-    const char *found;
+    const char *s = words, *found;
     size_t n;
 
     for (; length > 0; s += n, length -= n) {
-        n = character(s, length);
+        n = allowed(s, length);
         found = n == 1 ? strchr(special, s[0]) : NULL;
         if (found)
             fputs(names[found - special], p->out);

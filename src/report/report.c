@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "report.h"
 #include "tables/sheet.h"
@@ -91,6 +92,7 @@ static double usual_angle(const report *r)
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
     double angle = usual_angle(r);
+    char number[FORMAT_SIZE];
     unsigned long i;
 
     if (r->request->at && !read_angle(r, &angle, mistake))
@@ -98,6 +100,8 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     fourlink_results_at(r->results, r->branches[0], angle, NULL, &r->now, r->loads);
     for (i = 0; r->now.status != FOURLINK_OK && !r->request->at && i < r->problem.n_rows; i++)
         fourlink_results_row(r->results, r->branches[0], i, NULL, &r->now, r->loads);
+    flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
+                  r->units[QUANTITY_ANGLE].name, (char *)NULL);
     return 1;
 }
 
@@ -116,18 +120,36 @@ static int open_deck(report *r, fourlink_mistake *mistake)
         r->branches[r->n_branches++] = FOURLINK_CROSSED;
     fourlink_results_notes(r->results, REPORT_MISTAKES, r->notes, &r->n_notes);
     r->loads = malloc((r->problem.n_loads + 1) * sizeof *r->loads);
-    return r->loads ? find_sample(r, mistake)
-                    : refuse(mistake, "--report", fourlink_status_text(FOURLINK_NO_MEMORY));
+    r->row_loads = malloc((r->problem.n_loads + 1) * sizeof *r->row_loads);
+    return r->loads && r->row_loads
+               ? find_sample(r, mistake)
+               : refuse(mistake, "--report", fourlink_status_text(FOURLINK_NO_MEMORY));
+}
+
+/* Load a file that the deck names, and keep its name. */
+static const char *load_file(void *host, const char *name, unsigned long *length)
+{
+    report *r = host;
+    int i;
+
+    for (i = 0; i < r->n_files && strcmp(r->files[i], name) != 0; i++)
+        ;
+    if (i == r->n_files && i < REPORT_FILES && strlen(name) < sizeof r->files[i])
+        strcpy(r->files[r->n_files++], name);
+    return r->source->load(r->source->host, name, length);
 }
 
 static int open_results(report *r, fourlink_mistake *mistake)
 {
+    fourlink_source recorded = *r->source;
     int status = FOURLINK_NO_MEMORY;
 
+    recorded.host = r;
+    recorded.load = recorded.load ? load_file : NULL;
     r->notes = malloc(REPORT_MISTAKES * sizeof *r->notes);
     if (r->notes)
         status =
-            fourlink_results_open(r->source, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
+            fourlink_results_open(&recorded, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
     if (status == FOURLINK_BAD_DECK)
         return 1;
     return status == FOURLINK_OK ? open_deck(r, mistake)
@@ -135,7 +157,7 @@ static int open_results(report *r, fourlink_mistake *mistake)
 }
 
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
-                 const char **gnuplot, fourlink_mistake *mistake)
+                 report_outcome *outcome, fourlink_mistake *mistake)
 {
     int opened;
     report r;
@@ -147,9 +169,13 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
     opened = open_results(&r, mistake);
     if (opened)
         put_page(&r);
-    *gnuplot = r.gnuplot;
+    if (r.out_of_memory)
+        opened = refuse(mistake, "--report", fourlink_status_text(FOURLINK_NO_MEMORY));
+    outcome->gnuplot = r.gnuplot;
+    outcome->has_failed = r.failed > 0;
     fourlink_results_free(r.results);
     free(r.loads);
+    free(r.row_loads);
     free(r.notes);
     return opened;
 }

@@ -30,10 +30,10 @@ static void put_name(line *l, const char *name, int is_first)
     line_text(l, ":", 1);
 }
 
-static void put_text(line *l, const char *name, const char *text)
+static void put_text(line *l, const char *name, const char *words)
 {
     put_name(l, name, 0);
-    put_string(l, text);
+    put_string(l, words);
 }
 
 static void put_value(line *l, const fourlink_value *v)

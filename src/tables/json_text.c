@@ -6,27 +6,8 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/text.h"
 #include "json_text.h"
-
-/* The length of the UTF-8 sequence at the beginning of a text; 0 if there is none. */
-static size_t sequence(const unsigned char *c)
-{
-    size_t n = c[0] < 0x80                   ? 1
-               : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
-               : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
-               : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
-                                             : 0;
-    size_t i;
-
-    for (i = 1; i < n; i++)
-        if ((c[i] & 0xc0) != 0x80)
-            return 0;
-    /* overlong forms, surrogates, numbers above U+10FFFF */
-    if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
-        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
-        return 0;
-    return n;
-}
 
 void json_text_put(line *l, const char *s, const char *escaped)
 {
@@ -35,7 +16,7 @@ void json_text_put(line *l, const char *s, const char *escaped)
     line_text(l, "\"", 1);
     while (*s) {
         unsigned char c = (unsigned char)*s;
-        size_t n = sequence((const unsigned char *)s);
+        size_t n = flk_text_character(s, 4);
 
         if (c < ' ' || c == 0x7f || strchr(escaped, *s)) {
             line_put(l, "\\u00");
