@@ -10,7 +10,7 @@
 fourlink.draw = (function () {
 
 const {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
-       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, steady, makeValues,
+       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
 /* ------------------------------------------------------------------------------------------- parts of machines */
@@ -64,10 +64,16 @@ function drawLink(panel, link, place, half) {
         line(panel, kind, ...ends);
 }
 
+/* Pixels for a unit of force in row i: the longest arrow has at most `longest`, and the largest force is 1, 2 or 5
+** times a power of ten of it. */
+function forceScale(forces, tracks, i, longest) {
+    return longest / roundUp(Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0]))));
+}
+
 /* ----------------------------------------------------------------------------------------------- the mechanism */
 
 function mechanism(data, panel) {
-    let tracks, rows, view, forces, torques, limit, put, cached, now = 0;
+    let tracks, rows, view, forces, torques, put, cached, now = 0;
     const handle = svg("g", {class: "handle"});
     const names = data.forces.filter((f) => f.sign > 0 && f.pen !== "inertia");
     const turning = data.torques.filter((f) => f.sign > 0 && f.pen !== "inertia");
@@ -86,8 +92,6 @@ function mechanism(data, panel) {
         rows = reached(tracks);
         forces = present(names, tracks, rows);
         torques = present(turning, tracks, rows);
-        const largest = (i) => Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0])));
-        limit = steady(Array.from({length: tracks.count}, (_, i) => largest(i)));
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
                          .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
     }
@@ -108,7 +112,7 @@ function mechanism(data, panel) {
             for (const f of forces) {
                 const v = tracks.vector(f.of, i), at = tracks.vector(f.at, i);
                 if (v && at)
-                    marks.push([...at, ...times(longest() / limit.at(i), v)]);
+                    marks.push([...at, ...times(forceScale(forces, tracks, i, longest()), v)]);
             }
         }
         view = fit(panel, marks, 34);
@@ -166,17 +170,20 @@ function mechanism(data, panel) {
         text(panel, points[16], minus(points[16], A), ["θ", "2", ""], 1);
     }
 
-    function drawForces(i) {
-        const k = longest() / limit.at(i);
-        let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
+    function drawTorques(i) {
         for (const t of torques)
             if (tracks.number(t.of, i)) {
                 torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), 20);
                 text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
             }
+    }
+
+    function drawForces(i) {
+        const k = forceScale(forces, tracks, i, longest());
+        let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
         for (const f of forces) {
             const v = tracks.vector(f.of, i), at = place(f.at, i);
-            if (!v || size(v) < 0.02 * limit.at(i))
+            if (!v || k * size(v) < 0.02 * longest())
                 continue;
             arrow(panel, f.pen, at, times(k, v));
             text(panel, add(at, times(k, v)), v, f.label, 3);
@@ -248,6 +255,7 @@ function mechanism(data, panel) {
         for (const p of data.points)
             if (place(p.of, i))
                 circle(panel, "dot", place(p.of, i), 3.5, p.of);
+        drawTorques(i);
         drawLetters(i);
         drawForces(i);
         drawHandle(i);
@@ -328,10 +336,10 @@ function polygon(data, panel, described) {
         measure(panel);
         const all = rows.map(corners).filter((found) => found);
         const sizes = all.map((found) => Math.max(...Object.values(found).map(size)));
-        const limit = steady(sizes);
+        const limit = usual(sizes);
         all.forEach((found, k) => {
             const heart = heartOf(found);
-            if (sizes[k] <= limit.most * (1 + 1e-9))
+            if (sizes[k] <= limit * (1 + 1e-9))
                 Object.values(found).forEach((p) => marks.push([...minus(p, heart), 0, 0]));
         });
         view = fit(panel, marks.length ? marks : [[0, 0, 0, 0]], 34);
@@ -390,9 +398,9 @@ function polygon(data, panel, described) {
 /* ------------------------------------------------------------------------------------------------- free bodies */
 
 function freeBody(data, panel, link) {
-    let tracks, rows, view, forces, torques, limit, put;
+    let tracks, rows, view, forces, torques, put;
     const mine = (list) => list.filter((x) => x.on === link.link);
-    const longest = () => 0.26 * Math.min(panel.width, panel.height);
+    const longest = () => 0.2 * Math.min(panel.width, panel.height);
     const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
 
     /* Where the body is held in the drawing: the middle between its pins, or the pin of a lever. */
@@ -406,8 +414,6 @@ function freeBody(data, panel, link) {
         rows = reached(tracks);
         forces = present(mine(data.forces), tracks, rows);
         torques = present(mine(data.torques), tracks, rows);
-        const largest = (i) => Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0])));
-        limit = steady(Array.from({length: tracks.count}, (_, i) => largest(i)));
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
                          .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
     }
@@ -424,10 +430,10 @@ function freeBody(data, panel, link) {
                     marks.push([...minus(tracks.vector(name, i), heart(i)), edge, edge]);
             for (const f of forces) {
                 const at = minus(tracks.vector(f.at, i), heart(i));
-                marks.push([...at, ...times(f.sign * longest() / limit.at(i), tracks.vector(f.of, i))]);
+                marks.push([...at, ...times(f.sign * forceScale(forces, tracks, i, longest()), tracks.vector(f.of, i))]);
             }
         }
-        view = fit(panel, marks, 36);
+        view = fit(panel, marks, 30);
     }
 
     function show(i, name) {
@@ -441,24 +447,24 @@ function freeBody(data, panel, link) {
             const v = tracks.vector(track, i);
             return v && add(view.origin, times(view.scale, minus(v, heart(i))));
         };
-        const k = longest() / limit.at(i);
+        const k = forceScale(forces, tracks, i, longest());
         drawLink(panel, link, place, half());
         for (const f of forces) /* lines to loads that act off the link's line */
             if (!link.pins.includes(f.at) && f.pen === "load")
                 line(panel, "construction", ...link.pins.map(place), place(f.at));
         if (link.centre)
             centre(panel, place(link.centre));
-        link.pins.forEach((pin, j) => {
-            const other = place(link.pins[1 - j] || pin);
-            circle(panel, "pivot", place(pin), 4.5, pin);
-            text(panel, place(pin), minus(place(pin), other), [pin, "", ""], 6);
-        });
         torques.forEach((f, j) => {
             const value = tracks.number(f.of, i), side = f.pen === "pin" ? -1 : 1;
             if (!value)
                 return;
             torque(panel, f.pen, place(f.at), f.sign * value, 17 + 5 * j);
             text(panel, add(place(f.at), [side * 14, 14]), [side, 0.7], f.label, 5);
+        });
+        link.pins.forEach((pin, j) => {
+            const other = place(link.pins[1 - j] || pin);
+            circle(panel, "pivot", place(pin), 4.5, pin);
+            text(panel, place(pin), minus(place(pin), other), [pin, "", ""], 6);
         });
         for (const f of forces) {
             const v = times(f.sign * k, tracks.vector(f.of, i));

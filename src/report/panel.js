@@ -54,7 +54,7 @@ function quantityText(value, unit, precision) {
         }
     }
     const digits = shown === 0 ? 1 : Math.floor(Math.log10(Math.abs(shown)) + 1e-9) + 1;
-    const text = precision ? shown.toFixed(Math.max(0, precision - digits)) : String(Number(shown.toPrecision(6)));
+    const text = precision && value !== 0 ? shown.toFixed(Math.max(0, precision - digits)) : String(Number(shown.toPrecision(6)));
     return (text.replace("-", "−") + end + " " + unitText(unit)).trim();
 }
 
@@ -204,6 +204,7 @@ function torque(panel, kind, at, value, radius) {
         const angle = Math.PI / 2 + sign * (0.25 + k / 24 * 1.3) * Math.PI;
         points.push(add(at, [radius * Math.cos(angle), radius * Math.sin(angle)]));
     }
+    panel.boxes.push([at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius]);
     line(panel, kind, ...points);
     head(panel, kind, points[24], direction(minus(points[24], points[22])));
 }
@@ -211,10 +212,10 @@ function torque(panel, kind, at, value, radius) {
 /* Put a label beside a place: in the direction d, or around it where it covers no other label. */
 function text(panel, at, d, label, gap) {
     const made = svgLabel(label), u = direction(d, [0.7, -0.7]);
-    const half = [(label[0].length * 7.6 + (label[1] + label[2]).length * 6) / 2 + 1, 9];
+    const half = [(label[0].length * 8.2 + (label[1] + label[2]).length * 7) / 2 + 1, 9];
     let best = null;
     for (const turn of [0, 45, -45, 90, -90, 135, -135, 180])
-        for (const far of [gap || 6, (gap || 6) + 14]) {
+        for (const far of [gap || 6, (gap || 6) + 14, (gap || 6) + 22]) {
             const c = Math.cos(turn * Math.PI / 180), s = Math.sin(turn * Math.PI / 180);
             const v = [c * u[0] - s * u[1], s * u[0] + c * u[1]];
             const place = add(at, [v[0] * (far + half[0]), v[1] * (far + half[1])]);
@@ -278,20 +279,15 @@ function fit(panel, marks, edge) {
     return {scale: least, origin: [(panel.width - low[0] - high[0]) / 2, (panel.height - 20 - low[1] - high[1]) / 2]};
 }
 
-/* A scale that holds for nearly all rows: what it shows at most in row i, if sizes[i] is the largest there.  Near
-** a dead position, where values grow without bound, it shows 2, 5, 10 ... times as much. */
-function steady(sizes) {
+/* 1, 2 or 5 times a power of ten, at least x; 1 for 0. */
+function roundUp(x) {
+    return x > 0 ? 10 / roundDown(10 / x * (1 + 1e-9)) : 1;
+}
+
+/* The largest of sizes that is not out of proportion to the others, as values near a dead position are. */
+function usual(sizes) {
     const sorted = sizes.filter((x) => x > 0).sort((x, y) => x - y);
-    if (!sorted.length)
-        return {most: 1, at: () => 1};
-    const most = Math.min(sorted[sorted.length - 1], 3 * sorted[Math.floor(sorted.length / 2)]);
-    const at = (i) => {
-        let steps = most;
-        for (let k = 0; steps < sizes[i] * (1 - 1e-9); k++)
-            steps = most * [2, 5, 10][k % 3] * Math.pow(10, Math.floor(k / 3));
-        return steps;
-    };
-    return {most, at};
+    return sorted.length ? Math.min(sorted[sorted.length - 1], 3 * sorted[Math.floor(sorted.length / 2)]) : 1;
 }
 
 /* The list of values beside a drawing: its entries stay, their numbers change. */
@@ -319,6 +315,6 @@ function present(list, tracks, rows) {
 }
 
 return {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
-        makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, steady, makeValues,
+        makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
         reached, present, pairs, digits};
 }());
