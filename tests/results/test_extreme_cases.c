@@ -129,7 +129,7 @@ static void test_short_reach(void **state)
     check(deck, FOURLINK_OPEN, "min(Fsy)", -mx * 7, 1e-8);
     check(deck, FOURLINK_OPEN, "max(Fsy)",
           mx * square * (0.729714747386441 - 0.728924815289952) / 1.4578496305799, 1e-8);
-    check(deck, FOURLINK_OPEN, "max(N)", HUGE_VAL, 0);
+    check(deck, FOURLINK_OPEN, "max(F34)", HUGE_VAL, 0);
 }
 
 /* The lever turns as fast as the crank where I24 is at infinity: here at 270 deg, at a sample of the search. */
