@@ -13,10 +13,10 @@ static void put_value(report *r, const fourlink_value *v)
 
     page_print(p, "<tr><th scope=\"row\">%s</th>", v->name);
     if (v->words)
-        page_print(p, "<td>%s</td>", v->words);
+        page_print(p, "<td colspan=\"2\">%s</td>", v->words);
     else
         cell_put(p, v->value, r->problem.digits);
-    page_print(p, "<td>%s</td>", v->words ? "" : cell_unit(v->unit));
+    page_print(p, v->words ? "" : "<td>%s</td>", cell_unit(v->unit));
 }
 
 /* Write the angle of a value as a cell. */

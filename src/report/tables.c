@@ -36,7 +36,7 @@ static void open_block(sheet *s, fourlink_branch branch)
     unsigned long j;
 
     page_print(p,
-               "<details>\n<summary>Table %d. The rows of the %s branch, %lu of them</summary>\n"
+               "<details>\n<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
                "<div class=\"wide\"><table class=\"rows\">\n<caption>%s branch</caption>\n"
                "<thead><tr>",
                ++p->n_tables, fourlink_branch_text((int)branch), s->problem.n_rows,
