@@ -6,14 +6,14 @@
 #include "report.h"
 #include "tables/sheet.h"
 
-/* Write name, value and unit. */
-static void put_value(report *r, const fourlink_value *v)
+/* Write name, value and unit; words take so many cells. */
+static void put_value(report *r, const fourlink_value *v, int cells)
 {
     page *p = &r->page;
 
     page_print(p, "<tr><th scope=\"row\">%s</th>", v->name);
     if (v->words)
-        page_print(p, "<td colspan=\"2\">%s</td>", v->words);
+        page_print(p, "<td colspan=\"%d\">%s</td>", cells, v->words);
     else
         cell_put(p, v->value, r->problem.digits);
     page_print(p, v->words ? "" : "<td>%s</td>", cell_unit(v->unit));
@@ -39,7 +39,7 @@ static void put_inputs(report *r)
     cell_begin(&r->page, "Inputs as understood",
                CELL_HEAD("Name") CELL_HEAD("Value") CELL_HEAD("Unit") CELL_HEAD("Meaning"));
     for (i = 0; i < n; i++) {
-        put_value(r, &inputs[i]);
+        put_value(r, &inputs[i], 2);
         page_print(&r->page, "<td>%s</td></tr>\n", inputs[i].meaning);
     }
     cell_end(&r->page);
@@ -63,10 +63,13 @@ static void put_facts(report *r, const char *heading, int group)
 
         if (is_on_both && f->branch == FOURLINK_CROSSED)
             continue;
-        put_value(r, f);
-        put_angle(r, f);
-        page_print(&r->page, "<td>%s</td><td>%s</td></tr>\n",
-                   f->branch && !is_on_both ? fourlink_branch_text(f->branch) : "", f->meaning);
+        put_value(r, f, 4);
+        if (!f->words) {
+            put_angle(r, f);
+            page_print(&r->page, "<td>%s</td>",
+                       f->branch && !is_on_both ? fourlink_branch_text(f->branch) : "");
+        }
+        page_print(&r->page, "<td>%s</td></tr>\n", f->meaning);
     }
     cell_end(&r->page);
 }
