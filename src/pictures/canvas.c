@@ -16,15 +16,32 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line. */
-static void put_quoted(FILE *out, const char *words)
+size_t canvas_letter(const char *words)
 {
+    size_t n = flk_text_letter(words);
+
+    return n == 3 && memcmp(words, "\357\277", 2) == 0 && (unsigned char)words[2] > 0xbd ? 0 : n;
+}
+
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
+** of a file is written as it is.  In a text control characters become blanks, and bytes that are not UTF-8
+** become the replacement character: gnuplot would copy them, and no SVG may have them. */
+static void put_quoted(FILE *out, const char *words, int is_file)
+{
+    size_t n;
+
     putc('"', out);
-    for (; *words; words++)
-        if (strchr("\"\\`", *words) || ((unsigned char)*words < ' '))
+    for (; *words; words += n ? n : 1) {
+        n = is_file ? 1 : canvas_letter(words);
+        if (!n)
+            fputs("\357\277\275", out);
+        else if (!is_file && (unsigned char)*words < ' ')
+            putc(' ', out);
+        else if (strchr("\"\\`", *words) || (unsigned char)*words < ' ')
             fprintf(out, "\\%03o", (unsigned)*words);
         else
-            putc(*words, out);
+            fwrite(words, 1, n, out);
+    }
     putc('"', out);
 }
 
@@ -40,8 +57,8 @@ void canvas_print(const canvas *c, const char *format, ...)
             putc(*format, c->out);
         } else if (*format == 's') {
             fputs(va_arg(arguments, const char *), c->out);
-        } else if (*format == 'q') {
-            put_quoted(c->out, va_arg(arguments, const char *));
+        } else if (*format == 'q' || *format == 'f') {
+            put_quoted(c->out, va_arg(arguments, const char *), *format == 'f');
         } else if (*format == 'd') {
             fprintf(c->out, "%d", va_arg(arguments, int));
         } else { /* .8g */
