@@ -24,16 +24,18 @@ size_t canvas_letter(const char *words)
 }
 
 /* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
-** of a file is written as it is.  In a text control characters become blanks, and bytes that are not UTF-8
-** become the replacement character: gnuplot would copy them, and no SVG may have them. */
+** of a file is written as it is.  In a text control characters become blanks, bytes that are not UTF-8 become
+** the replacement character, and ]]> gets a blank: gnuplot would copy them, and no SVG may have them. */
 static void put_quoted(FILE *out, const char *words, int is_file)
 {
     size_t n;
 
     putc('"', out);
     for (; *words; words += n ? n : 1) {
-        n = is_file ? 1 : canvas_letter(words);
-        if (!n)
+        n = is_file ? 1 : strncmp(words, "]]>", 3) == 0 ? 2 : canvas_letter(words);
+        if (n == 2 && *words == ']')
+            fputs("]] ", out);
+        else if (!n)
             fputs("\357\277\275", out);
         else if (!is_file && (unsigned char)*words < ' ')
             putc(' ', out);
@@ -197,7 +199,8 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
 
 void canvas_key(const canvas *c)
 {
-    double line = c->is_text ? 1.7 * CANVAS_LINE : CANVAS_LINE; /* the terminal rounds down */
+    double line =
+        (c->is_text ? 0.85 : 0.5) * (c->lines - 1) * CANVAS_LINE; /* the terminal rounds down */
 
     canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
                  1 + line / c->box_height);

@@ -76,6 +76,12 @@ static int check_x(const picture *p, const char *name, fourlink_mistake *mistake
     return picture_refuse(mistake, "--plot-x", message, "");
 }
 
+/* 1 for a measure of rounding beside other columns: its curve says nothing. */
+static int is_rounding(const picture *p, unsigned long column)
+{
+    return p->columns[column].flags & FOURLINK_OF_ROUNDING && p->n_columns > 1;
+}
+
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake)
 {
     const char *x = p->request->x ? p->request->x : "theta2";
@@ -85,7 +91,7 @@ int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_m
         return 0;
     flk_text_join(out, PICTURE_NAMES, x, (char *)NULL);
     for (i = 0; i < p->n_columns; i++)
-        if (strcmp(p->columns[i].name, x) != 0) {
+        if (strcmp(p->columns[i].name, x) != 0 && !is_rounding(p, i)) {
             flk_text_join(out + strlen(out), PICTURE_NAMES - strlen(out), " ", p->columns[i].name,
                           (char *)NULL);
             drawn++;
@@ -252,7 +258,7 @@ static int put_panel(picture *p, const group *g, int branch)
     char words[200];
     panel q;
 
-    panel_begin(p, &q);
+    panel_begin(p, &q, n);
     q.to_scale = is_coordinate(&p->columns[0]);
     for (i = 0; i < n; i++) {
         column[i] = g->column[g->n > 1 ? i : 0];

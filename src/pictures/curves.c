@@ -11,7 +11,7 @@ static void put_panel(picture *p, int y)
     panel q;
     int i;
 
-    panel_begin(p, &q);
+    panel_begin(p, &q, 1);
     for (i = 0; i < p->n_branches; i++)
         graph_put(p, p->branches[i], name, 0, y, &q.e, &q.line[q.n++]);
     canvas_titles(&p->on, "", "theta2", p->columns[0].unit, name, p->columns[y].unit);
@@ -45,7 +45,7 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     panel q;
     int i, y;
 
-    panel_begin(p, &q);
+    panel_begin(p, &q, 1);
     for (i = 0; names[i]; i++)
         if ((y = graph_column(p, names[i])) > 0) {
             graph_put(p, branch, names[i], 0, y, &q.e, &q.line[q.n++]);

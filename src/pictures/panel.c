@@ -10,8 +10,9 @@
 #include "panel.h"
 
 #define RINGS 3       /* a number stands beside its extreme */
+#define KEY_LINE 3    /* curves named in one line of the key */
 #define X_BORDER 0.03 /* of the range, at its ends */
-#define X_LETTERS 10  /* between the numbers of the x axis */
+#define X_LETTERS 7   /* between the numbers of the x axis */
 
 /* 1 if the crank angle is on the x axis. */
 static int over_crank(const picture *p)
@@ -147,14 +148,14 @@ void panel_range(const picture *p, panel *q)
         put_instants(p, q);
 }
 
-void panel_begin(picture *p, panel *q)
+void panel_begin(picture *p, panel *q, int n)
 {
     double from = p->problem.motion.from;
 
     q->e = q->x = graph_nothing;
     q->n = q->to_scale = q->is_unbounded = 0;
     fputs("unset label; unset arrow\n", p->on.out);
-    canvas_panel(&p->on, 3, 2 * CANVAS_LETTER);
+    canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
     if (over_crank(p))

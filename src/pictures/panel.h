@@ -22,8 +22,8 @@ typedef struct panel {
     room r;
 } panel;
 
-/* Go on to the next panel. */
-void panel_begin(picture *p, panel *q);
+/* Go on to the next panel, with a key of n curves. */
+void panel_begin(picture *p, panel *q, int n);
 
 /* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
 void panel_range(const picture *p, panel *q);
