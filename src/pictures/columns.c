@@ -250,42 +250,67 @@ static void put_titles(const picture *p, const group *g, int branch)
                   short_name(p, 0, x), p->columns[0].unit, words, c->unit);
 }
 
-/* Draw a panel: several columns on a branch, or one on all branches.  Returns 0 if it has nothing to draw. */
-static int put_panel(picture *p, const group *g, int branch)
-{
-    int n = g->n > 1 ? g->n : p->n_branches, unbounded = 0, x_unbounded = 0, i;
-    int column[PANEL_CURVES], of[PANEL_CURVES];
-    char words[200];
-    panel q;
+/* The curves of a panel: the column and the branch of each. */
+typedef struct curves {
+    int n, column[PANEL_CURVES], branch[PANEL_CURVES];
+} curves;
 
-    panel_begin(p, &q, n);
-    q.to_scale = is_coordinate(&p->columns[0]);
-    for (i = 0; i < n; i++) {
-        column[i] = g->column[g->n > 1 ? i : 0];
-        of[i] = g->n > 1 ? branch : i;
-        sample(p, &q, i, of[i], column[i]);
-        unbounded = unbounded || is_unbounded(p, column[i], of[i]);
-        x_unbounded = x_unbounded || is_unbounded(p, 0, of[i]);
-        q.to_scale = q.to_scale && is_coordinate(&p->columns[column[i]]);
+/* Several columns on a branch, or one on all. */
+static void choose(const picture *p, const group *g, int branch, curves *c)
+{
+    int several = g->n > 1, i;
+
+    c->n = several ? g->n : p->n_branches;
+    for (i = 0; i < c->n; i++) {
+        c->column[i] = g->column[several ? i : 0];
+        c->branch[i] = several ? branch : i;
+    }
+}
+
+/* Sample the curves and find their frame. */
+static void sample_all(picture *p, panel *q, const curves *c)
+{
+    int unbounded = 0, x_unbounded = 0, i;
+
+    q->to_scale = is_coordinate(&p->columns[0]);
+    for (i = 0; i < c->n; i++) {
+        sample(p, q, i, c->branch[i], c->column[i]);
+        unbounded = unbounded || is_unbounded(p, c->column[i], c->branch[i]);
+        x_unbounded = x_unbounded || is_unbounded(p, 0, c->branch[i]);
+        q->to_scale = q->to_scale && is_coordinate(&p->columns[c->column[i]]);
     }
     if (unbounded)
-        cut(&q, &q.e, 0);
+        cut(q, &q->e, 0);
     if (x_unbounded)
-        cut(&q, &q.x, 1);
-    for (i = 0; i < n; i++)
-        put_curve(p, &q, i, p->branches[of[i]], column[i]);
+        cut(q, &q->x, 1);
+}
+
+/* Draw a panel; returns 0 if it has nothing to draw. */
+static int put_panel(picture *p, const group *g, int branch)
+{
+    int has_extremes = g->n == 1 && p->columns[0].flags & FOURLINK_CRANK_ANGLE, i;
+    const char *branch_name;
+    char words[200];
+    curves c;
+    panel q;
+
+    choose(p, g, branch, &c);
+    panel_begin(p, &q, c.n);
+    sample_all(p, &q, &c);
+    for (i = 0; i < c.n; i++)
+        put_curve(p, &q, i, p->branches[c.branch[i]], c.column[i]);
     put_titles(p, g, branch);
     panel_range(p, &q);
-    for (i = 0; i < n; i++)
-        if (q.line[i].n_points && g->n == 1 && p->columns[0].flags & FOURLINK_CRANK_ANGLE)
-            panel_extremes(p, &q, column[i], i);
-    for (i = 0; i < n; i++)
+    for (i = 0; i < c.n; i++)
+        if (q.line[i].n_points && has_extremes)
+            panel_extremes(p, &q, c.column[i], i);
+    for (i = 0; i < c.n; i++) {
+        branch_name = fourlink_branch_text((int)p->branches[c.branch[i]]);
         if (q.line[i].n_points)
             canvas_print(&p->on, "%s $c%d_%s using 1:2 with lines lt %d title %q",
-                         p->on.curves++ ? "," : "plot", column[i],
-                         fourlink_branch_text((int)p->branches[of[i]]), i + 1,
-                         g->n > 1 ? short_name(p, column[i], words)
-                                  : fourlink_branch_text((int)p->branches[of[i]]));
+                         p->on.curves++ ? "," : "plot", c.column[i], branch_name, i + 1,
+                         g->n > 1 ? short_name(p, c.column[i], words) : branch_name);
+    }
     canvas_print(&p->on, "\n");
     return p->on.curves > 0;
 }

@@ -272,8 +272,9 @@ static void put_terminal(const canvas *c, const plot_request *request)
     else if (request->file == PLOT_TXT)
         fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
     else if (request->file == PLOT_GIF)
-        fprintf(c->out, terminal, request->kind == PLOT_ANIMATION ? "animate optimize delay 6 loop 0" : "",
-                width, height);
+        fprintf(c->out, terminal,
+                request->kind == PLOT_ANIMATION ? "animate optimize delay 6 loop 0" : "", width,
+                height);
     else
         fprintf(c->out, terminal, width, height);
     putc('\n', c->out);
