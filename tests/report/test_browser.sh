@@ -190,10 +190,8 @@ done
 
 check "the drawing is hidden until the script starts" grep -q 'id="fourlink-drawing"[^>]*hidden' alvi.html
 check "the picture is not" grep -q '<figure class="mechanism" id="figure-[0-9]*">' alvi.html
-for deck in "$data"/*.deck; do
-    "$fourlink" --report=any.html "$deck" 2>/dev/null
-    check "$deck: $(wc -c <any.html) bytes" test "$(wc -c <any.html)" -lt 1000000
-    rm -f any.html
+for report in alvi crusher engine cylinder; do
+    check "$report: $(wc -c <$report.html) bytes" test "$(wc -c <$report.html)" -lt 1000000
 done
 
 finish
