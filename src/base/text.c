@@ -79,10 +79,9 @@ int flk_text_is_word(int c)
     return ('a' <= lower(c) && lower(c) <= 'z') || ('0' <= c && c <= '9') || c == '_' || (c & 0x80);
 }
 
-/* RFC 3629, section 4.  The bytes are read in their order, so that a null ends them. */
-size_t flk_text_character(const char *s, size_t length)
+size_t flk_text_letter(const char *string)
 {
-    const unsigned char *c = (const unsigned char *)s;
+    const unsigned char *c = (const unsigned char *)string;
     size_t n = c[0] < 0x80                   ? 1
                : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
                : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
@@ -90,8 +89,6 @@ size_t flk_text_character(const char *s, size_t length)
                                              : 0;
     size_t i;
 
-    if (n > length)
-        return 0;
     for (i = 1; i < n; i++)
         if ((c[i] & 0xc0) != 0x80)
             return 0;

@@ -115,8 +115,8 @@ static int set_format(options *o, const char *value, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
-    o->wants_sheet = 1;
     o->format = sheet_find_format(value);
+    o->asks_for_table = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
@@ -244,7 +244,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_format(o, value, message);
     case 'o':
         o->output = strcmp(value, "-") == 0 ? NULL : value;
-        return o->wants_sheet = 1;
+        return o->asks_for_table = 1;
     case 'P':
         return set_part(o, value, message);
     case 'p':
@@ -456,8 +456,13 @@ int options_read(int argc, char **argv, options *o, char message[400])
         return 0;
     if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
-    o->wants_sheet |= !o->report || o->content != SHEET_ROWS || o->n_statistics;
     return check_plot(o, message);
+}
+
+int options_want_table(const options *o)
+{
+    return !o->report || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+           o->parts;
 }
 
 void options_free(options *o)

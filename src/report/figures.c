@@ -7,8 +7,8 @@
 
 #include "pictures/gnuplot.h"
 #include "pictures/picture.h"
+#include "compact.h"
 #include "report.h"
-#include "svg.h"
 
 /* Draw a picture into a stream; 0 if there is none. */
 static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
@@ -53,7 +53,7 @@ static void put_figure(report *r, plot_kind kind, const char *at, const char *al
     if (!drawing || !shorter)
         r->gnuplot = strerror(errno);
     else if (!r->gnuplot && draw(r, drawing, kind, at)) {
-        if (svg_shorten(drawing, shorter))
+        if (compact_svg(drawing, shorter))
             put_drawing(r, shorter, kind, alt, caption);
         else
             r->out_of_memory = 1;

@@ -59,7 +59,7 @@ static void put_text(report *r)
     for (; flk_text_split(&rest, '\n', &line); n++) {
         const char *element = find_note(r, n) ? "mark" : "span";
 
-        page_print(&r->page, "<%m class=\"row\" id=\"line-%lu\">", element, (unsigned long)n);
+        page_print(&r->page, "<%m class=\"text-line\" id=\"line-%lu\">", element, (unsigned long)n);
         page_text(&r->page, line.start,
                   line.length && line.start[line.length - 1] == '\r' ? line.length - 1
                                                                      : line.length);

@@ -9,8 +9,14 @@
 #include "base/text.h"
 #include "mathml.h"
 
+#define FUNCTION(name)                                                 \
+    "<mspace width=\"0.17em\"/><mi>" name "</mi><mo>\342\201\241</mo>" \
+    "<mspace width=\"0.1em\"/>"
+#define LEFT "<mo stretchy=\"false\">(</mo>"
+#define RIGHT "<mo stretchy=\"false\">)</mo>"
 #define MINUS "\342\210\222"
 #define DEGREE "\302\260"
+#define LONG_EQUATION 90 /* bytes: the result has a line of its own */
 #define NAMESPACE "http://www.w3.org/1998/Math/MathML"
 
 void math_open(page *p, const char *name_of_class)
@@ -46,10 +52,7 @@ void math_symbol(page *p, const char *name)
     letter[1] = '\0';
     if (letters[i].name)
         length = strlen(letters[i].name);
-    page_print(p,
-               name[length]
-                   ? "<msub><mi>%s</mi><mrow><mi mathvariant=\"normal\">%s</mi></mrow></msub>"
-                   : "<mi>%s</mi>",
+    page_print(p, name[length] ? "<msub><mi>%s</mi><mtext>%s</mtext></msub>" : "<mi>%s</mi>",
                letters[i].name ? letters[i].letter : letter, name + length);
 }
 
@@ -158,9 +161,9 @@ static void put_named(writer *w, text token)
         return;
     }
     in_brackets = w->m->symbol[i].value < 0 && !w->is_first;
-    page_print(p, in_brackets ? "<mrow><mo>(</mo>" : "");
+    page_print(p, in_brackets ? "<mrow>" LEFT : "");
     put_number(p, w->m->symbol[i].value, w->m->symbol[i].is_angle);
-    page_print(p, in_brackets ? "<mo>)</mo></mrow>" : "");
+    page_print(p, in_brackets ? RIGHT "</mrow>" : "");
 }
 
 static void put_atom(writer *w, text token)
@@ -207,19 +210,19 @@ static const struct {
              {"}", "</mrow></mfrac>", NULL, 0},
              {"[", "<msqrt><mrow>", NULL, 1},
              {"]", "</mrow></msqrt>", NULL, 0},
-             {"(", "<mo>(</mo>", NULL, 1},
-             {")", "<mo>)</mo>", NULL, 0},
-             {")^2", "<msup><mo>)</mo><mn>2</mn></msup>", NULL, 0},
+             {"(", LEFT, NULL, 1},
+             {")", RIGHT, NULL, 0},
+             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, 0},
              {",", "<mo>,</mo>", NULL, 1},
              {"=", "<mo>=</mo>", NULL, 1},
              {"+", "<mo>+</mo>", NULL, 0},
              {"-", "<mo>" MINUS "</mo>", NULL, 0},
              {"*", "<mo>\342\201\242</mo>", "<mo>\302\267</mo>", 0},
-             {"sin", "<mi>sin</mi><mo>\342\201\241</mo>", NULL, 0},
-             {"cos", "<mi>cos</mi><mo>\342\201\241</mo>", NULL, 0},
-             {"asin", "<mi>arcsin</mi><mo>\342\201\241</mo>", NULL, 0},
-             {"acos", "<mi>arccos</mi><mo>\342\201\241</mo>", NULL, 0},
-             {"atan2", "<mi>atan2</mi><mo>\342\201\241</mo>", NULL, 0}};
+             {"sin", FUNCTION("sin"), NULL, 0},
+             {"cos", FUNCTION("cos"), NULL, 0},
+             {"asin", FUNCTION("arcsin"), NULL, 0},
+             {"acos", FUNCTION("arccos"), NULL, 0},
+             {"atan2", FUNCTION("atan2"), NULL, 0}};
 
 #define SIGNS (sizeof signs / sizeof signs[0])
 
@@ -276,6 +279,10 @@ static void let(math *m, const char *name, const char *equation, double value, i
     math_open(m->p, "numbers");
     page_print(m->p, "<mo>=</mo>");
     put_equation(m, equation, 1);
+    if (strlen(equation) > LONG_EQUATION) {
+        math_close(m->p);
+        math_open(m->p, "numbers");
+    }
     put_value(m, value, is_angle, unit);
     math_close(m->p);
     page_print(m->p, "</div>\n");

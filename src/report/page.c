@@ -16,11 +16,15 @@
 ** control characters, U+FFFE and U+FFFF. */
 static size_t allowed(const char *s, size_t length)
 {
-    size_t n = flk_text_character(s, length);
-    int is_control = ((unsigned char)s[0] < ' ' && !strchr("\t\n", s[0])) || s[0] == 0x7f ||
-                     (n == 2 && memcmp(s, "\302\240", 2) < 0);
+    char letter[5] = "";
+    size_t n;
+    int is_control;
 
-    return !s[0] || is_control || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0) ? 0 : n;
+    memcpy(letter, s, length < 4 ? length : 4);
+    n = flk_text_letter(letter);
+    is_control = ((unsigned char)s[0] < ' ' && s[0] != '\t' && s[0] != '\n') || s[0] == 0x7f ||
+                 (n == 2 && memcmp(s, "\302\240", 2) < 0);
+    return is_control || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0) ? 0 : n;
 }
 
 void page_text(page *p, const char *words, size_t length)

@@ -10,6 +10,8 @@
 #include "report.h"
 #include "tables/sheet.h"
 
+#define BLANK_LINES 10 /* for the discussion */
+
 static void put_head(report *r, const char *title)
 {
     page_print(&r->page,
@@ -29,8 +31,13 @@ static void put_head(report *r, const char *title)
 
 static void put_discussion(report *r)
 {
+    int i;
+
     page_section(&r->page, "discussion", "Discussion");
-    page_print(&r->page, "<div class=\"blank-lines\"></div>\n</section>\n");
+    page_print(&r->page, "<div class=\"blank-lines\">");
+    for (i = 0; i < BLANK_LINES; i++)
+        page_print(&r->page, "<div></div>");
+    page_print(&r->page, "</div>\n</section>\n");
 }
 
 static void put_page(report *r)

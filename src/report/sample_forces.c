@@ -216,11 +216,6 @@ static void put_sides(report *r, const body bodies[5], const double b[9])
     page_print(p, "</tbody>\n</table></div>\n");
 }
 
-static void put_bracket(page *p, int closes)
-{
-    page_print(p, "%m", closes ? "</mtable><mo>]</mo></mrow>" : "<mrow><mo>[</mo><mtable>");
-}
-
 static void put_entry(page *p, double value)
 {
     page_print(p, "<mtd>");
@@ -228,6 +223,7 @@ static void put_entry(page *p, double value)
     page_print(p, "</mtd>");
 }
 
+/* A x = b as one table, so that rows stand side by side; the style puts the brackets. */
 static void put_matrix(report *r, double A[9][9], const double b[9])
 {
     page *p = &r->page;
@@ -235,29 +231,18 @@ static void put_matrix(report *r, double A[9][9], const double b[9])
 
     page_print(p, "<div class=\"equation wide\">\n");
     math_open(p, "matrix");
-    put_bracket(p, 0);
+    page_print(p, "<mtable>\n");
     for (i = 0; i < 9; i++) {
         page_print(p, "<mtr>");
         for (j = 0; j < 9; j++)
             put_entry(p, A[i][j]);
+        page_print(p, "<mtd>");
+        math_symbol(p, fourlink_unknown_text((int)r->design->kind, i));
+        page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
+        put_entry(p, b[i]);
         page_print(p, "</mtr>\n");
     }
-    put_bracket(p, 1);
-    put_bracket(p, 0);
-    for (i = 0; i < 9; i++) {
-        page_print(p, "<mtr><mtd>");
-        math_symbol(p, fourlink_unknown_text((int)r->design->kind, i));
-        page_print(p, "</mtd></mtr>");
-    }
-    put_bracket(p, 1);
-    page_print(p, "<mo>=</mo>");
-    put_bracket(p, 0);
-    for (i = 0; i < 9; i++) {
-        page_print(p, "<mtr>");
-        put_entry(p, b[i]);
-        page_print(p, "</mtr>");
-    }
-    put_bracket(p, 1);
+    page_print(p, "</mtable>");
     math_close(p);
     page_print(p, "</div>\n");
 }

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "cell.h"
 #include "report.h"
 #include "tables/style.h"
 
@@ -21,115 +22,11 @@ static page *page_of(sheet *s)
     return &((html_sheet *)s)->r->page;
 }
 
-/* ------------------------------------------------------------------------------ cells */
-
-/* A number with the deck's digits; undefined and unbounded ones as signs. */
-static void put_number(page *p, double value, int digits)
-{
-    if (gsl_isnan(value))
-        page_print(p, "\342\200\223"); /* a dash */
-    else if (gsl_isinf(value))
-        page_print(p, value > 0 ? "\342\210\236" : "\342\210\222\342\210\236");
-    else
-        page_print(p, digits > 12 ? "%.15g" : digits > 6 ? "%.9g" : "%.6g", value);
-}
-
-static void put_cell(page *p, double value, int digits)
-{
-    page_print(p, "<td>");
-    put_number(p, value, digits);
-    page_print(p, "</td>");
-}
-
-/* "1" is the unit of plain numbers. */
-static const char *unit_of(const char *name)
-{
-    return strcmp(name, "1") == 0 ? "" : name;
-}
-
-/* ------------------------------------------------------------------------------ inputs and facts */
-
-static void end_list(sheet *s)
-{
-    if (s->list)
-        page_print(page_of(s), "</tbody>\n</table></div>\n");
-    s->list = NULL;
-}
-
-/* Begin a table of names and values, unless it is the open one. */
-static void begin_list(sheet *s, const char *heading, const char *columns)
-{
-    if (s->list && strcmp(s->list, heading) == 0)
-        return;
-    end_list(s);
-    s->list = heading;
-    page_print(page_of(s),
-               "<h3>%s</h3>\n<div class=\"wide\"><table class=\"facts\">\n<thead><tr>%m</tr>"
-               "</thead>\n<tbody>\n",
-               heading, columns);
-}
-
-static void put_name(page *p, const fourlink_value *f)
-{
-    page_print(p, "<tr><th scope=\"row\">%s</th>", f->name);
-}
-
-#define HEADS "<th scope=\"col\">Name</th><th scope=\"col\">Value</th><th scope=\"col\">Unit</th>"
-#define MEANING "<th scope=\"col\">Meaning</th>"
-#define AT "<th scope=\"col\">at \316\270\342\202\202</th><th scope=\"col\">Branch</th>"
-
-static void put_input(sheet *s, const fourlink_value *f)
-{
-    page *p = page_of(s);
-
-    begin_list(s, "Inputs as understood", HEADS MEANING);
-    put_name(p, f);
-    if (f->words)
-        page_print(p, "<td>%s</td><td></td>", f->words);
-    else {
-        put_cell(p, f->value, s->problem.digits);
-        page_print(p, "<td>%s</td>", unit_of(f->unit));
-    }
-    page_print(p, "<td>%s</td></tr>\n", f->meaning);
-}
-
-static const char *group_of(const fourlink_value *f)
-{
-    return strncmp(f->name, "max(", 4) == 0 || strncmp(f->name, "min(", 4) == 0
-               ? "Largest and smallest values"
-               : "Type and key facts";
-}
-
-static void put_fact(sheet *s, const fourlink_value *f)
-{
-    page *p = page_of(s);
-
-    if (s->content != SHEET_SUMMARY)
-        return;
-    begin_list(s, group_of(f), HEADS AT MEANING);
-    put_name(p, f);
-    if (f->words)
-        page_print(p, "<td>%s</td><td></td>", f->words);
-    else {
-        put_cell(p, f->value, s->problem.digits);
-        page_print(p, "<td>%s</td>", unit_of(f->unit));
-    }
-    page_print(p, "<td>");
-    if (f->has_angle) {
-        put_number(p, f->angle, s->problem.digits);
-        page_print(p, " %s", s->angle_unit);
-    }
-    page_print(p, "</td><td>%s</td><td>%s</td></tr>\n",
-               f->branch ? fourlink_branch_text(f->branch) : "", f->meaning);
-}
-
 /* ------------------------------------------------------------------------------ rows */
 
 static void open_deck(sheet *s)
 {
-    if (s->content == SHEET_SUMMARY)
-        sheet_write_inputs(s, put_input);
-    else if (s->content == SHEET_ROWS)
+    if (s->content == SHEET_ROWS)
         style_find(s, s->layout);
 }
 
@@ -139,7 +36,7 @@ static void open_block(sheet *s, fourlink_branch branch)
     unsigned long j;
 
     page_print(p,
-               "<details>\n<summary>Table %d. The rows of the %s branch, %lu of them</summary>\n"
+               "<details>\n<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
                "<div class=\"wide\"><table class=\"rows\">\n<caption>%s branch</caption>\n"
                "<thead><tr>",
                ++p->n_tables, fourlink_branch_text((int)branch), s->problem.n_rows,
@@ -156,7 +53,7 @@ static void put_styled(page *p, double value, const style *x)
     char number[FORMAT_SIZE], *digit;
 
     if (!gsl_finite(value)) {
-        put_cell(p, value, 0);
+        cell_put(p, value, 0);
         return;
     }
     if (x->exponent)
@@ -200,16 +97,31 @@ static void close_block(sheet *s, fourlink_branch branch)
 
 /* ------------------------------------------------------------------------------ comparisons */
 
+/* Begin the table of comparisons, unless it is open. */
+static void begin_checks(sheet *s, const char *columns)
+{
+    if (s->list)
+        return;
+    s->list = "checks";
+    cell_begin(page_of(s), "Expected values", columns);
+}
+
+static void end_checks(sheet *s)
+{
+    if (s->list)
+        cell_end(page_of(s));
+    s->list = NULL;
+}
+
 static void put_check(sheet *s, const fourlink_check *c)
 {
     page *p = page_of(s);
     int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
 
-    begin_list(s, "Expected values",
-               "<th scope=\"col\">Name</th><th scope=\"col\">at \316\270\342\202\202</th>"
-               "<th scope=\"col\">Branch</th><th scope=\"col\">Expected</th>"
-               "<th scope=\"col\">Computed</th><th scope=\"col\">Unit</th>"
-               "<th scope=\"col\">Tolerance</th><th scope=\"col\">Result</th>");
+    begin_checks(s, "<th scope=\"col\">Name</th><th scope=\"col\">at \316\270\342\202\202</th>"
+                    "<th scope=\"col\">Branch</th><th scope=\"col\">Expected</th>"
+                    "<th scope=\"col\">Computed</th><th scope=\"col\">Unit</th>"
+                    "<th scope=\"col\">Tolerance</th><th scope=\"col\">Result</th>");
     page_print(p, "<tr class=\"%s\"><th scope=\"row\">%s</th><td>",
                c->verdict == FOURLINK_AGREES || c->verdict == FOURLINK_MISPRINT ? "agrees"
                                                                                 : "differs",
@@ -219,12 +131,12 @@ static void put_check(sheet *s, const fourlink_check *c)
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)
-        put_cell(p, c->computed, 9);
+        cell_put(p, c->computed, 9);
     else
         page_print(p, "<td>%s</td>", c->words);
-    page_print(p, "<td>%s</td>", unit_of(c->unit));
+    page_print(p, "<td>%s</td>", cell_unit(c->unit));
     if (is_number)
-        put_cell(p, c->tolerance, 0);
+        cell_put(p, c->tolerance, 0);
     else
         page_print(p, "<td></td>");
     page_print(p, "<td>%s%s%s</td></tr>\n", sheet_verdicts[c->verdict],
@@ -238,14 +150,14 @@ static const sheet_format html_format = {
     NULL,                                                    /* begin */
     open_deck,                                               /* open */
     NULL,                                                    /* column */
-    put_fact,                                                /* fact */
+    NULL,                                                    /* fact */
     open_block,                                              /* block */
     put_row,                                                 /* row */
     close_block,                                             /* end_block */
     put_check,                                               /* check */
     NULL,                                                    /* design */
     NULL,                                                    /* refuse */
-    end_list,                                                /* close */
+    end_checks,                                              /* close */
     sizeof(style),                                           /* layout_size */
     0,                                                       /* is_by_angle */
     1,                                                       /* is_brief */
@@ -272,13 +184,6 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
         r->failed += h.s.failed + h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
                      h.s.checks[FOURLINK_NO_VALUE];
     r->out_of_memory |= h.s.out_of_memory;
-}
-
-void report_put_facts(report *r)
-{
-    page_section(&r->page, "facts", "Inputs and key facts");
-    write_sheet(r, SHEET_SUMMARY, &html_format, r->page.out);
-    page_print(&r->page, "</section>\n");
 }
 
 /* The name of the deck's file without folder and ending. */

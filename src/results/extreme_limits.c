@@ -64,7 +64,7 @@ static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double 
 void flk_search_find_poles(flk_search *x, flk_tracked *t)
 {
     double at, before = GSL_NAN;
-    size_t i;
+    size_t i, last = 0;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
@@ -74,9 +74,12 @@ void flk_search_find_poles(flk_search *x, flk_tracked *t)
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
         at = denominator_at(x, t, x->s[i]);
-        if (i > 0 && before * at < 0)
-            find_pole(x, t, x->s[i - 1], x->s[i], before);
+        if (at == 0) /* between samples of unlike sign */
+            continue;
+        if (before * at < 0)
+            find_pole(x, t, x->s[last], x->s[i], before);
         before = at;
+        last = i;
     }
 }
 
@@ -194,12 +197,31 @@ static double size_at(const flk_tracked *t, const flk_row *row)
     return GSL_MAX_DBL(t->size_here, fabs(flk_column_value(t->c, row)));
 }
 
+/* How far a row is from the polynomial that gives the limit: terms that cancel can leave the same rounding in
+** all rows. */
+static double distance_from_limit(const flk_tracked *t, double at, const flk_row *row)
+{
+    double slope, value = flk_polynomial_value(&t->near_end, at, &slope);
+    double there = flk_column_value(t->c, row);
+
+    return fabs((t->turn > 0 ? flk_search_nearest(t, there, value) : there) - value);
+}
+
+/* 1 if the row in the middle of five, at a distance from the end of the piece, is rounding. */
+static int is_rounding(const flk_tracked *t, double at, const flk_row *rows)
+{
+    if (!(rounding_of(t, rows) <= t->rounding * size_at(t, &rows[2])))
+        return 1;
+    return at <= t->most_near_end && distance_from_limit(t, at, &rows[2]) > t->doubt;
+}
+
 /* Where poles cancel, rows close to an end of the piece are rounding: find how far from it. */
 #define CLOSE_ROWS 14
 
 static void find_rounding(flk_search *x, const approach *e)
 {
-    double away = GSL_MIN_DBL(e->is_dead ? 0.3 : 0.1, 0.5 * e->length);
+    double away =
+        e->is_dead ? GSL_MIN_DBL(0.3, sqrt(0.5 * e->length)) : GSL_MIN_DBL(0.1, 0.5 * e->length);
     static const double steps[] = {-1e-6, -2.5e-7, 0, 2.5e-7, 1e-6};
     flk_row rows[5];
     size_t c;
@@ -211,7 +233,7 @@ static void find_rounding(flk_search *x, const approach *e)
         for (c = 0; c < x->n_columns; c++) {
             flk_tracked *t = &x->columns[c];
 
-            if (t->is_rough && !(rounding_of(t, rows) <= t->rounding * size_at(t, &rows[2]))) {
+            if (t->is_rough && is_rounding(t, away, rows)) {
                 lose(x, c, e->at_end, e->is_dead ? away * away : away);
                 t->is_rough = 0;
             }
@@ -455,6 +477,7 @@ static int is_rough(const flk_search *x, size_t c, const approach *e)
     flk_tracked *t = &x->columns[c];
     double y[SCALES][NODES];
     limit l;
+    int k;
 
     if (gsl_finite(t->bound) || t->is_noise || (flk_column_flags(t->c) & FOURLINK_OF_CRANK))
         return 0;
@@ -462,6 +485,11 @@ static int is_rough(const flk_search *x, size_t c, const approach *e)
     l = limit_of(e, y, 0);
     t->size_here = l.size;
     t->rounding = l.error <= EXACT * l.size ? TINY : MOST_ROUNDING;
+    t->doubt = GSL_MAX_DBL(10 * l.error, TINY * l.size);
+    t->most_near_end = l.error <= KNOWN * l.size ? e->x[l.scale][NODES - 1] : 0;
+    t->near_end.n = 0;
+    for (k = 0; k < NODES; k++)
+        flk_polynomial_add(&t->near_end, e->x[l.scale][k], y[l.scale][k]);
     return !(l.scale == 0 && l.error <= 1e-10 * l.size);
 }
 

@@ -39,6 +39,9 @@ typedef struct flk_tracked {
     int is_rough;     /* 1: rows near the present end of the piece may be rounding, */
     double rounding;  /* more than this, of its size, is too much */
     double size_here; /* beside this magnitude */
+    flk_polynomial near_end; /* gives its limit there; up to this distance from the end */
+    double most_near_end;    /* rows that differ by more than `doubt` are rounding */
+    double doubt;
     flk_found best[2]; /* largest, smallest */
     flk_found here[2]; /* the same since an angle started anew */
 } flk_tracked;

@@ -16,7 +16,7 @@ void json_text_put(line *l, const char *s, const char *escaped)
     line_text(l, "\"", 1);
     while (*s) {
         unsigned char c = (unsigned char)*s;
-        size_t n = flk_text_character(s, 4);
+        size_t n = flk_text_letter(s);
 
         if (c < ' ' || c == 0x7f || strchr(escaped, *s)) {
             line_put(l, "\\u00");

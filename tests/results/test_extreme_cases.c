@@ -112,6 +112,38 @@ static void test_limits(void **state)
     check(deck, FOURLINK_OPEN, "min(Fsy)", -39.62, 4e-8);
 }
 
+/* The first reach of this slider-crank is 0.031 deg long.  The crank's mass m at distance x gives
+** Fsy = -m x (alpha cos(theta2) - omega2^2 sin(theta2)): at rest -m x alpha; at the constant speed after the run-up it
+** is largest at an end of reach, where sin(theta2) = (l + e) / r.  Forces grow without end there. */
+static void test_short_reach(void **state)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[ground]\noffset = -0.728924815289952 m\n"
+        "[crank]\nlength = 1.4578496305799 m\nmass = 4.6 kg\ninertia = 0.1 kg m2\ncg = 0.6 m\n"
+        "[rod]\nlength = 0.729714747386441 m\n[piston]\nmass = 3.5 kg\n[gravity]\nacceleration = 0 "
+        "m/s2\n"
+        "[motion]\nrun_up = 24 deg\nacceleration = 7 rad/s2\ninterval = 26 deg\n";
+    double mx = 4.6 * 0.6, square = 2 * 7 * 24 * acos(-1) / 180;
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "min(Fsy)", -mx * 7, 1e-8);
+    check(deck, FOURLINK_OPEN, "max(Fsy)",
+          mx * square * (0.729714747386441 - 0.728924815289952) / 1.4578496305799, 1e-8);
+    check(deck, FOURLINK_OPEN, "max(F34)", HUGE_VAL, 0);
+}
+
+/* The lever turns as fast as the crank where I24 is at infinity: here at 270 deg, at a sample of the search. */
+static void test_pole_at_sample(void **state)
+{
+    static const char deck[] = "mechanism = inverted-slider-crank\n[ground]\nlength = 0.5 m\n"
+                               "[crank]\nlength = 1 m\n[lever]\noffset = 0.5 m\n"
+                               "[motion]\nspeed = 16 rad/s\ninterval = 14 deg\n";
+
+    (void)state;
+    check(deck, FOURLINK_CROSSED, "max(I24x)", HUGE_VAL, 0);
+    check(deck, FOURLINK_CROSSED, "min(I24x)", -HUGE_VAL, 0);
+}
+
 /* A direction that is 0 or 180 deg leaps by half a turn and adds up to no more. */
 static void test_half_turns(void **state)
 {
@@ -270,10 +302,11 @@ static void test_narrow(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_turns),    cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_deltoid),       cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_limits),        cmocka_unit_test(test_half_turns),
-        cmocka_unit_test(test_time_and_edge), cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_full_turns),     cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_deltoid),        cmocka_unit_test(test_parallelogram),
+        cmocka_unit_test(test_limits),         cmocka_unit_test(test_short_reach),
+        cmocka_unit_test(test_pole_at_sample), cmocka_unit_test(test_half_turns),
+        cmocka_unit_test(test_time_and_edge),  cmocka_unit_test(test_narrow),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

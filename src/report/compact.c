@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** svg.c - gnuplot's drawings, made shorter.
+** compact.c - gnuplot's drawings, made shorter.
 */
 #include <ctype.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/number.h"
-#include "svg.h"
+#include "compact.h"
 
 /* What groups inherit from the group of all. */
 static const char *const shared[] = {
@@ -228,7 +228,7 @@ static void shorten(const char *s, FILE *out)
     }
 }
 
-int svg_shorten(FILE *drawing, FILE *out)
+int compact_svg(FILE *drawing, FILE *out)
 {
     long length = fseek(drawing, 0, SEEK_END) == 0 ? ftell(drawing) : -1;
     char *bytes = length >= 0 ? malloc((size_t)length + 1) : NULL;
