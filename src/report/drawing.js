@@ -497,7 +497,7 @@ function breakable(name) {
 }
 
 function tableRow(data, place) {
-    const list = html("dl", {class: "row"});
+    const list = html("dl", {class: "cells"});
     const cells = data.columns.map((column) => {
         const cell = html("dd", {"data-column": column.name});
         list.append(html("div", {title: column.meaning}, html("dt", {}, ...breakable(column.name)), cell));

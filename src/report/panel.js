@@ -146,12 +146,13 @@ function makePanel(title, kind) {
     const list = html("ul", {class: "values"});
     const figure = html("figure", {class: "panel " + kind}, drawing,
                         html("figcaption", {}, title), list);
-    return {figure, drawing, list, title, ink: svg("g", {}), boxes: [], width: 0, height: 0};
+    return {figure, drawing, list, title, ink: svg("g", {}), boxes: [], dots: [], width: 0, height: 0};
 }
 
 /* Begin a drawing: empty, in the pixels that the page gives it. */
 function begin(panel, name) {
-    panel.boxes = [];
+    panel.boxes = []; /* of texts */
+    panel.dots = [];  /* on lines: texts keep away from them */
     panel.ink.replaceChildren();
     panel.drawing.setAttribute("aria-label", panel.title + ": " + name);
 }
@@ -169,6 +170,9 @@ const pairs = (points) => points.map((p) => digits(p[0]) + "," + digits(p[1])).j
 
 function line(panel, kind, ...points) {
     panel.ink.append(svg("polyline", {class: kind, points: pairs(points)}));
+    for (let j = 1; j < points.length; j++)
+        for (let way = 0, v = minus(points[j], points[j - 1]); way < size(v) && way < 2000; way += 7)
+            panel.dots.push(add(points[j - 1], times(way / size(v), v)));
 }
 
 function area(panel, kind, points) {
@@ -222,8 +226,10 @@ function text(panel, at, d, label, gap) {
             const box = [place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1]];
             const covered = panel.boxes.filter((b) => b[0] < box[2] && box[0] < b[2] && b[1] < box[3] &&
                                                box[1] < b[3]).length;
+            const crossed = panel.dots.filter((p) => box[0] < p[0] && p[0] < box[2] && box[1] < p[1] &&
+                                              p[1] < box[3]).length;
             const outside = box[0] < 0 || box[1] < 0 || box[2] > panel.width || box[3] > panel.height;
-            const cost = 100 * covered + 300 * outside + Math.abs(turn) + far;
+            const cost = 200 * covered + 400 * outside + 25 * crossed + Math.abs(turn) / 2 + 2 * far;
             if (!best || cost < best.cost)
                 best = {cost, box, place};
         }
