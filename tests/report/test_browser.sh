@@ -3,7 +3,6 @@
 #
 # test_browser.sh - the interactive drawing of a report, driven in headless Chromium; the page on paper.
 . "$(dirname "$0")/../harness.sh"
-here=$(cd "$(dirname "$0")" 2>/dev/null && pwd) || here=
 tests=$(dirname "$decks")/report
 
 if ! command -v chromium >/dev/null || ! command -v pdftotext >/dev/null; then
