@@ -31,11 +31,14 @@ const char *const options_help[] = {
     "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
-    "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
+    "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
+    "                                    is printed too with --format or --output",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
-    "                                    polar, vectors, klein, animation (default for .gif);",
-    "                                    of a [sweep]: histogram, columns",
+    "                                    polar, vectors, klein, animation (default for .gif),",
+    "                                    columns: those of the table, or outputs of a [sweep];",
+    "                                    of a [sweep]: histogram",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
+    "      --plot-x=NAME                 draw columns over this one (default: theta2)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --report=FILE                 write a report to hand in: .html",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
@@ -57,6 +60,7 @@ enum {
     PLOT_AT,
     PLOT_SCRIPT,
     REPORT,
+    PLOT_X,
     EXPECT,
     AT,
     STATISTICS,
@@ -87,6 +91,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'p', "--plot", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
+                                    {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
                                     {REPORT, "--report", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
@@ -254,6 +259,9 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_AT:
         o->drawing.at = value;
         return 1;
+    case PLOT_X:
+        o->drawing.x = value;
+        return 1;
     case PLOT_SCRIPT:
         o->plot_script = value;
         return 1;
@@ -351,8 +359,9 @@ static int check_plot(options *o, char message[400])
 
     if (!wanted && o->drawing.at && !o->report)
         return say(message, "--plot-at needs --plot, --plot-script or --report", "", "");
-    if (!wanted && o->drawing.kind != PLOT_COUNT)
-        return say(message, "--plot-kind needs --plot or --plot-script", "", "");
+    if (!wanted && (o->drawing.x || o->drawing.kind != PLOT_COUNT))
+        return say(message, o->drawing.x ? "--plot-x" : "--plot-kind",
+                   " needs --plot or --plot-script", "");
     if (o->report && o->n_decks > 1)
         return say(message, "--report takes one deck, not several", "", "");
     if (!wanted)
@@ -367,6 +376,9 @@ static int check_plot(options *o, char message[400])
         o->drawing.kind != PLOT_KLEIN)
         return say(message,
                    "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
+                   plot_names[o->drawing.kind], "");
+    if (o->drawing.x && o->drawing.kind != PLOT_COLUMNS)
+        return say(message, "--plot-x works with --plot-kind=columns, not with ",
                    plot_names[o->drawing.kind], "");
     if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
         return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
@@ -461,7 +473,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
 
 int options_want_table(const options *o)
 {
-    return !o->report || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+    int comes_alone = o->plot || o->plot_script || o->report;
+
+    return !comes_alone || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
            o->parts;
 }
 

@@ -38,7 +38,8 @@ typedef struct options {
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
 
-/* 1 if a table, or another text, is printed: a report comes alone unless one is asked for too. */
+/* 1 if a table, or another text, is printed: a picture or a report comes alone unless one is asked for
+** too. */
 int options_want_table(const options *o);
 
 /* The lines of --help, ended by a null pointer. */

@@ -31,5 +31,8 @@ int reporting_write(const input *in)
         return status;
     if (outcome.gnuplot)
         fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
+    if (outcome.has_failed)
+        fprintf(stderr, "fourlink: %s: rows could not be computed, or expected values differ\n",
+                path);
     return outcome.has_failed ? EXIT_ROWS : 0;
 }

@@ -197,6 +197,23 @@ static const char *put_path(const char *s, int is_polygon, FILE *out)
     return end;
 }
 
+/* Write the end of a tag and the words after it; blanks alone are left out.  gnuplot leaves ]]> in them, which XML
+** does not allow.  Returns the next tag. */
+static const char *put_words(const char *s, FILE *out)
+{
+    putc('>', out);
+    if (*skip_blanks(s) == '<')
+        return skip_blanks(s);
+    for (; *s && *s != '<'; s++)
+        if (begins(s, "]]>")) {
+            fputs("]]&gt;", out);
+            s += 2;
+        } else {
+            putc(*s, out);
+        }
+    return s;
+}
+
 static void shorten(const char *s, FILE *out)
 {
     const char *body = strstr(s, "</defs>");
@@ -219,9 +236,8 @@ static void shorten(const char *s, FILE *out)
             s += 9;
         } else if (begins(s, " points = '")) {
             s = put_path(s + 11, 1, out);
-        } else if (*s == '>' && *skip_blanks(s + 1) == '<') {
-            putc('>', out);
-            s = skip_blanks(s + 1);
+        } else if (*s == '>') {
+            s = put_words(s + 1, out);
         } else {
             putc(*s++, out);
         }

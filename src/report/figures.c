@@ -16,6 +16,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     FILE *script = tmpfile();
     fourlink_mistake mistake;
     plot_request request;
+    plot_caption caption;
     int is_drawn = 0;
 
     memset(&request, 0, sizeof request);
@@ -24,8 +25,8 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.at = at;
     if (!script)
         r->gnuplot = strerror(errno);
-    else if (picture_write(script, r->source, &request, &mistake))
-        is_drawn = (r->gnuplot = gnuplot_run(script, drawing)) == NULL;
+    else if (picture_write(script, r->source, &request, &caption, &mistake))
+        is_drawn = (r->gnuplot = gnuplot_run(script, drawing, &caption)) == NULL;
     if (script)
         fclose(script);
     return is_drawn;

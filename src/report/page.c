@@ -12,19 +12,20 @@
 
 #define REPLACEMENT "\357\277\275" /* U+FFFD in UTF-8 */
 
-/* The length of the character at the start of a text; 0 if it is none, or one that XML or HTML does not allow:
-** control characters, U+FFFE and U+FFFF. */
-static size_t allowed(const char *s, size_t length)
+/* The length of the character at the start of a text, 1 for a byte that is none; and whether XML and HTML allow it:
+** not control characters, U+FFFE and U+FFFF. */
+static size_t next_letter(const char *s, size_t length, int *is_allowed)
 {
     char letter[5] = "";
     size_t n;
-    int is_control;
 
     memcpy(letter, s, length < 4 ? length : 4);
     n = flk_text_letter(letter);
-    is_control = ((unsigned char)s[0] < ' ' && s[0] != '\t' && s[0] != '\n') || s[0] == 0x7f ||
-                 (n == 2 && memcmp(s, "\302\240", 2) < 0);
-    return is_control || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0) ? 0 : n;
+    *is_allowed = n > 0;
+    if ((n == 1 && (unsigned char)s[0] < ' ' && s[0] != '\t' && s[0] != '\n') || s[0] == 0x7f ||
+        (n == 2 && memcmp(s, "\302\240", 2) < 0) || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0))
+        *is_allowed = 0;
+    return n ? n : 1;
 }
 
 void page_text(page *p, const char *words, size_t length)
@@ -32,21 +33,20 @@ void page_text(page *p, const char *words, size_t length)
     static const char special[] = "&<>\"'";
     static const char *const names[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
     const char *s = words, *found;
+    int is_allowed;
     size_t n;
 
     for (; length > 0; s += n, length -= n) {
-        n = allowed(s, length);
-        found = n == 1 ? strchr(special, s[0]) : NULL;
+        n = next_letter(s, length, &is_allowed);
+        found = n == 1 && s[0] ? strchr(special, s[0]) : NULL;
         if (found)
             fputs(names[found - special], p->out);
-        else if (n)
+        else if (is_allowed)
             fwrite(s, 1, n, p->out);
         else if (s[0] != '\r')
             fputs(REPLACEMENT, p->out);
         else if (length < 2 || s[1] != '\n')
             putc('\n', p->out);
-        if (!n)
-            n = 1;
     }
 }
 
