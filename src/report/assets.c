@@ -1395,7 +1395,7 @@ const char *const assets_script[] = {
     "function freeBody(data, panel, link) {",
     "    let tracks, rows, view, forces, torques, put;",
     "    const mine = (list) => list.filter((x) => x.on === link.link);",
-    "    const longest = () => 0.2 * Math.min(panel.width, panel.height);",
+    "    const longest = () => (link.shape === \"block\" \? 0.3 : 0.2) * Math.min(panel.width, panel.height);",
     "    const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));",
     "",
     "    /* Where the body is held in the drawing: the middle between its pins, or the pin of a lever. */",
