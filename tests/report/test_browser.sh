@@ -13,7 +13,7 @@ fi
 # browse OPTION... FILE: Chromium without a window, with a profile of its own, which talks to nobody.
 browse() {
     rm -rf profile
-    timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-dev-shm-usage \
+    timeout 300 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-dev-shm-usage \
         --disable-background-networking --disable-component-update --disable-sync --user-data-dir="$work/profile" \
         --virtual-time-budget=20000 --enable-logging=stderr --v=0 "$@" 2>browser.err
 }
@@ -51,7 +51,8 @@ places() {
             for (p in pairs) {count++; if (seen[p] < 10) {bad++; print p, seen[p]}}
             exit bad > 0 || count < n
         }' "$1.csv" "$1.out" >places.out
-    check "$1: $(head -n 2 places.out)" test $? -eq 0
+    status=$?
+    check "$1: $(head -n 2 places.out)" test $status -eq 0
 }
 
 # drive NAME: the report is opened and driven; all that drive.js tried went well.
@@ -91,7 +92,8 @@ paper() {
     browse --no-pdf-header-footer --print-to-pdf="$work/$1-$2.pdf" "file://$work/paper.html" >/dev/null
     pdftotext -bbox "$1-$2.pdf" paper.out
     awk -f figures.awk paper.out >cut.out
-    check "$1 on $2: $(head -n 3 cut.out)" test $? -eq 0
+    status=$?
+    check "$1 on $2: $(head -n 3 cut.out)" test $status -eq 0
 }
 
 cat >figures.awk <<'END'
