@@ -42,13 +42,15 @@ function connect(data, drawing) {
         slider.value = drawing.row();
         shown.textContent = fourlink.angleText(data, data.angles[drawing.row()]);
         slider.setAttribute("aria-valuetext", drawing.name());
+        status.textContent = drawing.reason(drawing.row()); /* read aloud when it changes */
     }
     function stop() {
-        if (playing !== null)
-            cancelAnimationFrame(playing);
+        if (playing === null)
+            return;
+        cancelAnimationFrame(playing);
         playing = null;
         button.textContent = "Play";
-        status.textContent = drawing.name() + " " + drawing.reason(drawing.row());
+        status.textContent = drawing.name();
     }
     /* Once through the motion in eight seconds; slower for who wants less motion.  Rows without a position are
     ** passed over. */

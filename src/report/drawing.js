@@ -400,7 +400,7 @@ function polygon(data, panel, described) {
 function freeBody(data, panel, link) {
     let tracks, rows, view, forces, torques, put;
     const mine = (list) => list.filter((x) => x.on === link.link);
-    const longest = () => 0.2 * Math.min(panel.width, panel.height);
+    const longest = () => (link.shape === "block" ? 0.3 : 0.2) * Math.min(panel.width, panel.height);
     const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
 
     /* Where the body is held in the drawing: the middle between its pins, or the pin of a lever. */

@@ -389,7 +389,10 @@ int rows_open(rows *t, const fourlink_source *source, double at)
     t->status = malloc(t->n * sizeof *t->status);
     t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
     t->loads = malloc((t->problem.n_loads + 1) * sizeof *t->loads);
-    return t->status && t->table && t->loads;
+    if (!t->status || !t->table || !t->loads)
+        return 0;
+    fourlink_deck_loads(t->deck, FOURLINK_OPEN, 0, t->loads, NULL);
+    return 1;
 }
 
 static void close_branch(rows *t)

@@ -3,19 +3,20 @@
 ** scene.c - what the interactive drawing consists of, as JSON.
 */
 #include <math.h>
-#include <string.h>
 
-#include "base/text.h"
 #include "scene.h"
 #include "tables/json_text.h"
 
-#define PRIME "\342\200\262"         /* in UTF-8 */
-#define MINUS "\342\210\222"         /* the same */
-#define ALPHA "\316\261"             /* the same */
-#define SUB_4 "\342\202\204"         /* the same */
-#define ANGLE "\316\270\342\202\202" /* theta 2, the same */
+/* In UTF-8. */
+#define PRIME "\342\200\262"
+#define MINUS "\342\210\222"
+#define ALPHA "\316\261"
+#define SUB_4 "\342\202\204"
 
-/* Begin an entry of a list, or close the list, with the comma between entries. */
+/* Of the links. */
+static const char *const numbers[] = {"", "1", "2", "3", "4"};
+
+/* Put what stands before an entry of a list; `n` counts them. */
 static void put_comma(line *l, int *n)
 {
     line_put(l, (*n)++ ? ",\n" : "\n");
@@ -32,7 +33,7 @@ static void put_text(line *l, const char *name, const char *s)
     put_string(l, s);
 }
 
-/* A label: a name, its subscript and its superscript. */
+/* Begin an object with a label: a name, its subscript and its superscript. */
 static void put_label(line *l, const char *name, const char *sub, const char *super)
 {
     line_put(l, "{\"label\":[");
@@ -157,8 +158,7 @@ static void put_sides(line *l, const rows *t, const side *x)
 /* The images of the centres of mass and of the tracer points. */
 static void put_images(line *l, const rows *t, const char *before, const char *prime)
 {
-    static const char *const numbers[] = {"", "", "2", "3", "4"};
-    char name[ROWS_NAME], letter[80];
+    char name[ROWS_NAME];
     const char *words;
     fourlink_vector at;
     unsigned long i;
@@ -174,7 +174,7 @@ static void put_images(line *l, const rows *t, const char *before, const char *p
     for (i = 0; i < t->problem.n_points; i++) {
         fourlink_deck_point(t->deck, i, &words, &link, &at);
         put_comma(l, &n);
-        put_label(l, flk_text_join(letter, sizeof letter, words, (char *)NULL), "", prime);
+        put_label(l, words, "", prime);
         line_put(l, ",\"of\":\"%s%s\"}", before, rows_name("P", i, "", name));
     }
     line_put(l, "]");
@@ -225,7 +225,6 @@ static void put_pin_forces(line *l, const rows *t, int *n)
 
 static void put_body_forces(line *l, const rows *t, int *n)
 {
-    static const char *const numbers[] = {"", "", "2", "3", "4"};
     char at[ROWS_NAME], of[ROWS_NAME];
     unsigned long link;
 
@@ -237,12 +236,6 @@ static void put_body_forces(line *l, const rows *t, int *n)
         put_force(l, n, MINUS "m a", at, rows_name("I", link, "F", of), 1, at, (int)link,
                   "inertia");
     }
-}
-
-/* The link of a load; the gas is on the link that the library says. */
-static int link_of_load(const rows *t, unsigned long i)
-{
-    return t->loads[i].link;
 }
 
 static void put_forces(line *l, const rows *t)
@@ -260,7 +253,7 @@ static void put_forces(line *l, const rows *t)
     for (i = 0; i < t->problem.n_loads; i++) {
         fourlink_deck_load(t->deck, i, &name, NULL);
         put_force(l, &n, name, "", rows_name("L", i, "F", of), 1, rows_name("L", i, "", at),
-                  link_of_load(t, i), "load");
+                  t->loads[i].link, "load");
     }
     line_put(l, "],\n");
 }
@@ -268,7 +261,6 @@ static void put_forces(line *l, const rows *t)
 static void put_torques(line *l, const rows *t)
 {
     static const char *const names[] = {"", "", "A", "B", "D"}; /* the links' own origins */
-    static const char *const numbers[] = {"", "", "2", "3", "4"};
     char at[ROWS_NAME], of[ROWS_NAME];
     const char *name;
     unsigned long i;
@@ -288,7 +280,7 @@ static void put_torques(line *l, const rows *t)
             put_force(l, &n, MINUS "I" ALPHA, numbers[i], rows_name("I", i, "T", of), 1,
                       rows_name("G", i, "", at), (int)i, "inertia");
     for (i = 0; i < t->problem.n_loads; i++) {
-        int link = link_of_load(t, i);
+        int link = t->loads[i].link;
 
         fourlink_deck_load(t->deck, i, &name, NULL);
         put_force(l, &n, name, "", rows_name("L", i, "T", of), 1,
@@ -299,27 +291,17 @@ static void put_torques(line *l, const rows *t)
 
 /* ----------------------------------------------------------------------------------------------- the rest */
 
-/* The unit of a quantity. */
-static void put_unit(line *l, const rows *t, quantity q)
-{
-    line_put(l, "\"%s\":", flk_quantities[q].name);
-    put_string(l, t->units[q].name);
-}
-
 static void put_units(line *l, const rows *t)
 {
+    static const quantity used[] = {QUANTITY_LENGTH, QUANTITY_SPEED,  QUANTITY_ACCELERATION,
+                                    QUANTITY_FORCE,  QUANTITY_TORQUE, QUANTITY_ANGLE};
+    int i;
+
     line_put(l, "\"units\":{");
-    put_unit(l, t, QUANTITY_LENGTH);
-    line_put(l, ",");
-    put_unit(l, t, QUANTITY_SPEED);
-    line_put(l, ",");
-    put_unit(l, t, QUANTITY_ACCELERATION);
-    line_put(l, ",");
-    put_unit(l, t, QUANTITY_FORCE);
-    line_put(l, ",");
-    put_unit(l, t, QUANTITY_TORQUE);
-    line_put(l, ",");
-    put_unit(l, t, QUANTITY_ANGLE);
+    for (i = 0; i < 6; i++) {
+        line_put(l, "%s\"%s\":", i ? "," : "", flk_quantities[used[i]].name);
+        put_string(l, t->units[used[i]].name);
+    }
     line_put(l, "},\n");
 }
 
