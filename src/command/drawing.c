@@ -12,30 +12,31 @@
 #include "pictures/gnuplot.h"
 
 /* Let gnuplot draw a script; returns the exit status. */
-static int draw(const char *path, FILE *script)
+static int draw(const options *o, FILE *script, const plot_caption *caption)
 {
     output file;
-    const char *why;
+    const char *path = o->plot, *why;
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file);
+    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL);
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
-static int write_script(FILE *script, const input *in)
+static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     fourlink_mistake mistake;
 
-    if (picture_write(script, &in->source, &in->o->drawing, &mistake))
+    if (picture_write(script, &in->source, &in->o->drawing, caption, &mistake))
         return 0;
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
 
-int drawing_write(const input *in)
+/* Write the script, or the picture; returns the exit status. */
+static int write_picture(const input *in, plot_caption *caption)
 {
     const options *o = in->o;
     FILE *script;
@@ -46,15 +47,61 @@ int drawing_write(const input *in)
         status = output_begin(&file, o->plot_script);
         if (status)
             return status;
-        status = write_script(file.file, in);
+        status = write_script(file.file, in, caption);
         return command_worse(status, output_end(&file, o->plot_script, status == 0));
     }
     script = tmpfile();
     if (!script)
         return command_complain("cannot draw", o->plot, strerror(errno));
-    status = write_script(script, in);
+    status = write_script(script, in, caption);
     if (!status)
-        status = draw(o->plot, script);
+        status = draw(o, script, caption);
     fclose(script);
     return status;
+}
+
+/* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed without the
+** table that would tell; returns the exit status. */
+static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
+                        const char *why)
+{
+    if (missing)
+        fprintf(stderr, "fourlink: %s: %lu of %lu %s could not be computed%s%s\n", in->name,
+                missing, all, what, *why ? ": " : "", why);
+    return missing ? EXIT_ROWS : 0;
+}
+
+/* The same for the rows of the deck, or of the first design of its sweep. */
+static int tell_missing_rows(const input *in)
+{
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    unsigned long missing = 0, all = 0, k;
+    fourlink_range range;
+    fourlink_instant now;
+    const char *why = "";
+    int i, status;
+
+    for (i = 0; i < 2; i++)
+        for (k = 0; (i ? in->problem.crossed : in->problem.open) && k < in->problem.n_rows; k++) {
+            status = fourlink_results_row(in->results, branches[i], k, NULL, &now, NULL);
+            all++;
+            missing += status != FOURLINK_OK;
+            why = status != FOURLINK_OK && !*why ? fourlink_status_text(status) : why;
+        }
+    fourlink_motion_range(&in->problem.motion, &range);
+    if (range.stops && !missing)
+        return tell_missing(in, 1, all + 1, "rows", "the crank comes to rest before the last one");
+    return tell_missing(in, missing, all, "rows", why);
+}
+
+int drawing_write(const input *in)
+{
+    plot_caption caption;
+    int status = write_picture(in, &caption);
+
+    if (status || options_want_table(in->o))
+        return status;
+    if (caption.n_lines)
+        return tell_missing(in, caption.n_missing, caption.n_lines, "lines of the [sweep]", "");
+    return tell_missing_rows(in);
 }

@@ -134,8 +134,8 @@ static int run(const options *o)
         status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable || (o->statistics_file && !o->n_decks) ||
-        (o->content == SHEET_CHECK && o->n_decks > 1))
+    if (options_want_table(o) && (usable || (o->statistics_file && !o->n_decks) ||
+                                  (o->content == SHEET_CHECK && o->n_decks > 1)))
         status = command_worse(status, write_sheet(o, inputs, &signal_number));
     if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
         status = command_worse(status, drawing_write(&inputs[0]));
