@@ -329,9 +329,10 @@ static int read_row(card *c, point *result)
 static void read_lines(card *c, text contents, setting *s)
 {
     text line;
+    int end = flk_text_line_end(contents);
 
     contents = flk_text_without_mark(contents);
-    while (!c->p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
+    while (!c->p->out_of_memory && flk_text_split(&contents, end, &line)) {
         c->row.place.line++;
         c->line = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
         if (!c->line.length)
@@ -416,7 +417,8 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     contents.length = length;
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
     c.row.place.line = 0;
-    s->curve = flk_reader_keep(p, (flk_text_count(contents, '\n') + 1) * sizeof *s->curve);
+    s->curve = flk_reader_keep(p, (flk_text_count(contents, flk_text_line_end(contents)) + 1) *
+                                      sizeof *s->curve);
     if (s->curve)
         read_lines(&c, contents, s);
     s->is_bare = c.row.is_bare;
