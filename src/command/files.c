@@ -2,9 +2,11 @@
 **
 ** files.c - the files of the command line: reading them, and which are the same.
 */
-#define _POSIX_C_SOURCE 200112L
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001 with realpath */
 
 #include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +17,9 @@
 #include "files.h"
 
 #define LARGEST_FILE 67108864 /* bytes */
+#ifndef PATH_MAX
+#define PATH_MAX 4096
+#endif
 
 /* Read a whole stream; null with errno set if that fails. */
 static char *read_stream(FILE *file, size_t *length)
@@ -59,6 +64,61 @@ char *files_read_path(const char *path, size_t *length)
 char *files_read(const char *path, size_t *length)
 {
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
+}
+
+/* 1 if a path names a folder above it, or begins at the root. */
+static int climbs(const char *path)
+{
+    const char *at = path;
+
+    while (at) {
+        if (at[0] == '/' || (at[0] == '.' && at[1] == '.' && (at[2] == '/' || !at[2])))
+            return 1;
+        at = strchr(at, '/');
+        at = at ? at + strspn(at, "/") : NULL;
+    }
+    return 0;
+}
+
+int files_is_beside(const char *path, const char *name)
+{
+    char folder[PATH_MAX + 1], file[PATH_MAX], *here, *beside;
+    int is_beside = 0;
+
+    if (climbs(name))
+        return 0;
+    here = files_beside(path, ".");
+    beside = files_beside(path, name);
+    if (here && beside && realpath(here, folder)) {
+        if (strcmp(folder, "/") != 0)
+            strcat(folder, "/");
+        /* a file that is not there is none of another folder */
+        is_beside = !realpath(beside, file) || strncmp(file, folder, strlen(folder)) == 0;
+    }
+    free(here);
+    free(beside);
+    return is_beside;
+}
+
+char *files_read_regular(const char *path, size_t *length)
+{
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY), reason;
+    struct stat s;
+    FILE *file;
+    char *contents;
+
+    errno = descriptor < 0 ? errno : 0;
+    file = descriptor >= 0 && fstat(descriptor, &s) == 0 && S_ISREG(s.st_mode)
+               ? fdopen(descriptor, "rb")
+               : NULL;
+    contents = file ? read_stream(file, length) : NULL;
+    reason = errno;
+    if (file)
+        fclose(file);
+    else if (descriptor >= 0)
+        close(descriptor);
+    errno = reason;
+    return contents;
 }
 
 int files_is_folder(const char *path)
