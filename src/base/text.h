@@ -39,6 +39,9 @@ char *flk_text_join(char *out, size_t size, ...);
 /* 1 for a character of a word (letter, digit, _ or a byte of UTF-8). */
 int flk_text_is_word(int c);
 
+/* The length of the character in UTF-8 at the beginning of a string; 0 if its bytes are not UTF-8. */
+size_t flk_text_letter(const char *string);
+
 /* Equal except for the case of ASCII letters. */
 int flk_text_equal(text t, const char *word);
 

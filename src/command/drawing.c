@@ -12,15 +12,15 @@
 #include "pictures/gnuplot.h"
 
 /* Let gnuplot draw a script; returns the exit status. */
-static int draw(const char *path, FILE *script)
+static int draw(const options *o, FILE *script, const plot_caption *caption)
 {
     output file;
-    const char *why;
+    const char *path = o->plot, *why;
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file);
+    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL);
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
@@ -41,10 +41,10 @@ static int copy(const char *path, FILE *script)
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
-static int write_script(FILE *script, const input *in)
+static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     fourlink_mistake mistake;
-    int written = picture_write(script, &in->source, &in->o->drawing, &mistake);
+    int written = picture_write(script, &in->source, &in->o->drawing, caption, &mistake);
 
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
@@ -56,6 +56,40 @@ static int write_script(FILE *script, const input *in)
     return EXIT_USAGE;
 }
 
+/* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed without the
+** table that would tell; returns the exit status. */
+static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
+                        const char *why)
+{
+    if (missing)
+        fprintf(stderr, "fourlink: %s: %lu of %lu %s could not be computed%s%s\n", in->name,
+                missing, all, what, *why ? ": " : "", why);
+    return missing ? EXIT_ROWS : 0;
+}
+
+/* The same for the rows of the deck, or of the first design of its sweep. */
+static int tell_missing_rows(const input *in)
+{
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    unsigned long missing = 0, all = 0, k;
+    fourlink_range range;
+    fourlink_instant now;
+    const char *why = "";
+    int i, status;
+
+    for (i = 0; i < 2; i++)
+        for (k = 0; (i ? in->problem.crossed : in->problem.open) && k < in->problem.n_rows; k++) {
+            status = fourlink_results_row(in->results, branches[i], k, NULL, &now, NULL);
+            all++;
+            missing += status != FOURLINK_OK;
+            why = status != FOURLINK_OK && !*why ? fourlink_status_text(status) : why;
+        }
+    fourlink_motion_range(&in->problem.motion, &range);
+    if (range.stops && !missing)
+        return tell_missing(in, 1, all + 1, "rows", "the crank comes to rest before the last one");
+    return tell_missing(in, missing, all, "rows", why);
+}
+
 int drawing_begin(drawing *d, const input *in)
 {
     int status;
@@ -64,7 +98,7 @@ int drawing_begin(drawing *d, const input *in)
     d->script = tmpfile();
     if (!d->script)
         return command_complain("cannot draw", in->name, strerror(errno));
-    status = write_script(d->script, in);
+    status = write_script(d->script, in, &d->caption);
     if (status) {
         fclose(d->script);
         d->script = NULL;
@@ -78,7 +112,12 @@ int drawing_end(drawing *d, int keep)
     int status = 0;
 
     if (keep)
-        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o->plot, d->script);
+        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o, d->script, &d->caption);
     fclose(d->script);
-    return status;
+    if (status || !keep || options_want_table(o))
+        return status;
+    if (d->caption.n_lines)
+        return tell_missing(d->in, d->caption.n_missing, d->caption.n_lines, "lines of the [sweep]",
+                            "");
+    return tell_missing_rows(d->in);
 }

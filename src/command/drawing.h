@@ -12,6 +12,7 @@
 typedef struct drawing {
     const input *in;
     FILE *script; /* null: there is none to draw */
+    plot_caption caption;
 } drawing;
 
 /* Write the script of a picture, before anything is printed; a picture that is refused is a mistake of the options.

@@ -119,15 +119,16 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 /* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
 static int write_all(const options *o, const input *inputs, int usable, int *signal_number)
 {
-    drawing d = {NULL, NULL};
+    drawing d;
     int status = 0;
 
+    d.script = NULL;
     if ((o->plot || o->plot_script) && inputs[0].results)
         status = drawing_begin(&d, &inputs[0]);
     if (status == EXIT_USAGE)
         return status;
-    if (usable || (o->statistics_file && !o->n_decks) ||
-        (o->content == SHEET_CHECK && o->n_decks > 1))
+    if (options_want_table(o) && (usable || (o->statistics_file && !o->n_decks) ||
+                                  (o->content == SHEET_CHECK && o->n_decks > 1)))
         status = command_worse(status, write_sheet(o, inputs, signal_number));
     if (d.script)
         status = command_worse(status, drawing_end(&d, !*signal_number));

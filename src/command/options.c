@@ -31,11 +31,14 @@ const char *const options_help[] = {
     "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
-    "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
+    "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
+    "                                    is printed too with --format or --output",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
-    "                                    polar, vectors, klein, animation (default for .gif);",
-    "                                    of a [sweep]: histogram, columns",
+    "                                    polar, vectors, klein, animation (default for .gif),",
+    "                                    columns: those of the table, or outputs of a [sweep];",
+    "                                    of a [sweep]: histogram",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
+    "      --plot-x=NAME                 draw columns over this one (default: theta2)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
     "                                    or of a csv FILE that has them",
@@ -55,6 +58,7 @@ enum {
     PLOT_KIND = 1,
     PLOT_AT,
     PLOT_SCRIPT,
+    PLOT_X,
     EXPECT,
     AT,
     STATISTICS,
@@ -85,6 +89,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'p', "--plot", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
+                                    {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
                                     {BEST, "--best", 1, NULL},
@@ -113,6 +118,7 @@ static int set_format(options *o, const char *value, char message[400])
     char names[SHEET_FORMAT_NAMES];
 
     o->format = sheet_find_format(value);
+    o->asks_for_table = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
@@ -225,7 +231,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_format(o, value, message);
     case 'o':
         o->output = strcmp(value, "-") == 0 ? NULL : value;
-        return 1;
+        return o->asks_for_table = 1;
     case 'P':
         return set_part(o, value, message);
     case 'p':
@@ -234,6 +240,9 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_plot_kind(o, value, message);
     case PLOT_AT:
         o->drawing.at = value;
+        return 1;
+    case PLOT_X:
+        o->drawing.x = value;
         return 1;
     case PLOT_SCRIPT:
         o->plot_script = value;
@@ -328,8 +337,11 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->drawing.at || o->drawing.kind != PLOT_COUNT))
-        return say(message, o->drawing.at ? "--plot-at" : "--plot-kind",
+    if (!wanted && (o->drawing.at || o->drawing.x || o->drawing.kind != PLOT_COUNT))
+        return say(message,
+                   o->drawing.at  ? "--plot-at"
+                   : o->drawing.x ? "--plot-x"
+                                  : "--plot-kind",
                    " needs --plot or --plot-script", "");
     if (!wanted)
         return 1;
@@ -343,6 +355,9 @@ static int check_plot(options *o, char message[400])
         o->drawing.kind != PLOT_KLEIN)
         return say(message,
                    "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
+                   plot_names[o->drawing.kind], "");
+    if (o->drawing.x && o->drawing.kind != PLOT_COLUMNS)
+        return say(message, "--plot-x works with --plot-kind=columns, not with ",
                    plot_names[o->drawing.kind], "");
     if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
         return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
@@ -431,6 +446,14 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
+}
+
+int options_want_table(const options *o)
+{
+    int has_picture = o->plot || o->plot_script;
+
+    return !has_picture || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+           o->parts;
 }
 
 void options_free(options *o)

@@ -13,6 +13,7 @@ typedef struct options {
     sheet_content content;
     int n_contents; /* how many were asked for */
     int help, version;
+    int asks_for_table;     /* 1: --format or --output was given */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *at;         /* the crank angles of --expect; null: the rows */
@@ -35,6 +36,9 @@ typedef struct options {
 /* Read the command line.  Returns 1; 0 and the reason in `message`; -1 if out of memory. */
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
+
+/* 1 if a table, or another text, is printed: a picture comes alone unless one is asked for too. */
+int options_want_table(const options *o);
 
 /* The lines of --help, ended by a null pointer. */
 extern const char *const options_help[];

@@ -16,15 +16,34 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line. */
-static void put_quoted(FILE *out, const char *words)
+size_t canvas_letter(const char *words)
 {
+    size_t n = flk_text_letter(words);
+
+    return n == 3 && memcmp(words, "\357\277", 2) == 0 && (unsigned char)words[2] > 0xbd ? 0 : n;
+}
+
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
+** of a file is written as it is.  In a text control characters become blanks, bytes that are not UTF-8 become
+** the replacement character, and ]]> gets a blank: gnuplot would copy them, and no SVG may have them. */
+static void put_quoted(FILE *out, const char *words, int is_file)
+{
+    size_t n;
+
     putc('"', out);
-    for (; *words; words++)
-        if (strchr("\"\\`", *words) || ((unsigned char)*words < ' '))
+    for (; *words; words += n ? n : 1) {
+        n = is_file ? 1 : strncmp(words, "]]>", 3) == 0 ? 2 : canvas_letter(words);
+        if (n == 2 && *words == ']')
+            fputs("]] ", out);
+        else if (!n)
+            fputs("\357\277\275", out);
+        else if (!is_file && (unsigned char)*words < ' ')
+            putc(' ', out);
+        else if (strchr("\"\\`", *words) || (unsigned char)*words < ' ')
             fprintf(out, "\\%03o", (unsigned)*words);
         else
-            putc(*words, out);
+            fwrite(words, 1, n, out);
+    }
     putc('"', out);
 }
 
@@ -40,8 +59,8 @@ void canvas_print(const canvas *c, const char *format, ...)
             putc(*format, c->out);
         } else if (*format == 's') {
             fputs(va_arg(arguments, const char *), c->out);
-        } else if (*format == 'q') {
-            put_quoted(c->out, va_arg(arguments, const char *));
+        } else if (*format == 'q' || *format == 'f') {
+            put_quoted(c->out, va_arg(arguments, const char *), *format == 'f');
         } else if (*format == 'd') {
             fprintf(c->out, "%d", va_arg(arguments, int));
         } else { /* .8g */
@@ -180,7 +199,8 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
 
 void canvas_key(const canvas *c)
 {
-    double line = c->is_text ? 1.7 * CANVAS_LINE : CANVAS_LINE; /* the terminal rounds down */
+    double line =
+        (c->is_text ? 0.85 : 0.5) * (c->lines - 1) * CANVAS_LINE; /* the terminal rounds down */
 
     canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
                  1 + line / c->box_height);

@@ -53,9 +53,13 @@ void canvas_note(const canvas *c, int line, const char *words);
 /* Put grid lines, except on a text terminal, where they would hide the curves. */
 void canvas_grid(const canvas *c);
 
-/* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, and %q quotes a
-** text for gnuplot. */
+/* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, %q quotes a
+** text for gnuplot, and %f the name of a file. */
 void canvas_print(const canvas *c, const char *format, ...);
+
+/* The length of the character in UTF-8 at the beginning of a string; 0 if an SVG cannot have it: bytes that are
+** not UTF-8, U+FFFE and U+FFFF. */
+size_t canvas_letter(const char *words);
 
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);

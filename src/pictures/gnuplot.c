@@ -15,9 +15,11 @@
 #include <unistd.h>
 
 #include "gnuplot.h"
+#include "svg.h"
 
 #define NOT_FOUND 127
 #define NOT_STARTED 126
+#define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
 static volatile pid_t running; /* 0: none */
 
@@ -38,9 +40,9 @@ static void run(FILE *complaints)
 }
 
 /* Become gnuplot, in the child; never returns. */
-static void become_gnuplot(FILE *script, int picture, FILE *complaints)
+static void become_gnuplot(FILE *script, int output, FILE *complaints)
 {
-    if (dup2(fileno(script), STDIN_FILENO) >= 0 && dup2(picture, STDOUT_FILENO) >= 0 &&
+    if (dup2(fileno(script), STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
         dup2(fileno(complaints), STDERR_FILENO) >= 0)
         run(complaints);
     _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
@@ -69,19 +71,35 @@ static int start(FILE *script, FILE *complaints, pid_t *child)
     return ends[0];
 }
 
-/* Copy a stream; returns the number of bytes, or -1 with errno set if they cannot be written. */
-static long copy(int from, FILE *to)
+/* Read until `part` is full or the stream ends; returns the number of bytes. */
+static size_t fill(int from, char part[PART])
+{
+    size_t n = 0;
+    ssize_t more;
+
+    while (n < PART &&
+           ((more = read(from, part + n, PART - n)) > 0 || (more < 0 && errno == EINTR)))
+        n += more > 0 ? (size_t)more : 0;
+    return n;
+}
+
+/* Copy a picture, an SVG with this caption; returns the number of bytes, or -1 with errno set if they cannot be
+** written. */
+static long copy(int from, FILE *to, const plot_caption *caption)
 {
     long copied = 0;
-    char part[8192];
-    ssize_t n;
+    char part[PART];
+    size_t n;
 
-    while ((n = read(from, part, sizeof part)) > 0 || (n < 0 && errno == EINTR))
-        if (n > 0) {
-            if (fwrite(part, 1, (size_t)n, to) != (size_t)n)
-                return -1;
-            copied += (long)n;
-        }
+    while ((n = fill(from, part)) > 0) {
+        if (caption && !copied)
+            svg_put_head(to, part, n, caption);
+        else
+            fwrite(part, 1, n, to);
+        if (ferror(to))
+            return -1;
+        copied += (long)n;
+    }
     return copied;
 }
 
@@ -107,7 +125,7 @@ static const char *outcome(int status, long copied, FILE *complaints)
     return "gnuplot failed";
 }
 
-static const char *draw(FILE *script, FILE *picture, FILE *complaints)
+static const char *draw(FILE *script, FILE *out, const plot_caption *caption, FILE *complaints)
 {
     pid_t child, ended;
     int status = 0, pipe_end = start(script, complaints, &child), reason;
@@ -115,7 +133,7 @@ static const char *draw(FILE *script, FILE *picture, FILE *complaints)
 
     if (pipe_end < 0)
         return strerror(errno);
-    copied = copy(pipe_end, picture);
+    copied = copy(pipe_end, out, caption);
     reason = errno;
     close(pipe_end);
     while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
@@ -126,10 +144,10 @@ static const char *draw(FILE *script, FILE *picture, FILE *complaints)
     return outcome(status, copied, complaints);
 }
 
-const char *gnuplot_run(FILE *script, FILE *picture)
+const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption)
 {
     FILE *complaints = tmpfile();
-    const char *why = complaints ? draw(script, picture, complaints) : strerror(errno);
+    const char *why = complaints ? draw(script, out, caption, complaints) : strerror(errno);
 
     if (complaints)
         fclose(complaints);

@@ -4,9 +4,7 @@
 # test_gnuplot.sh FOURLINK DATA - without gnuplot, with one that fails, and with one that repeats its script.
 . "$(dirname "$0")/pictures.sh"
 
-"$fourlink" "$fourbar" >table
-
-# broken WHAT PATH MESSAGE: exit status 3, the table, no picture, no old picture touched
+# broken WHAT PATH MESSAGE: exit status 3, no picture, no old picture touched
 broken() {
     for old in yes no; do
         rm -rf pictures
@@ -14,7 +12,7 @@ broken() {
         [ $old = no ] || echo old >pictures/x.svg
         env PATH="$2" "$fourlink" --plot=pictures/x.svg "$fourbar" >out 2>err </dev/null
         check "$1: exit status $?" test $? -eq 3
-        same out table
+        nothing
         says 'cannot draw pictures/x.svg'
         says "$3"
         if [ $old = yes ]; then
@@ -26,6 +24,10 @@ broken() {
     done
 }
 broken 'no gnuplot' /nonexistent gnuplot-nox
+"$fourlink" "$fourbar" >table
+"$(command -v env)" PATH=/nonexistent "$fourlink" --plot=x.svg --format=table "$fourbar" >out 2>err
+check 'the table needs no gnuplot' test $? -eq 3
+same out table
 mkdir bin
 broken 'no gnuplot in an empty folder' "$work/bin" gnuplot-nox
 "$(command -v env)" PATH=/nonexistent "$fourlink" --plot-script=x.gp "$fourbar" >out 2>err
@@ -52,7 +54,7 @@ rm -f x.svg x.gp
 env PATH="$work/bin:$PATH" "$fourlink" --plot=x.svg "$fourbar" >out 2>err
 check 'a fake gnuplot' test $? -eq 0
 quiet
-same out table
+nothing
 run 0 --plot-script=x.gp "$fourbar"
 same x.svg x.gp
 check 'the head of the script' grep -q '^# mechanism, made by fourlink [0-9.]* for gnuplot 5 or later$' x.gp
