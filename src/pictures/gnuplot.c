@@ -21,7 +21,7 @@
 #define NOT_STARTED 126
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
-static volatile pid_t running; /* 0: none */
+static volatile pid_t running; /* not above 0: none */
 
 /* Run gnuplot with only the three standard files open. */
 static void run(FILE *complaints)
@@ -52,17 +52,20 @@ static void become_gnuplot(FILE *script, int output, FILE *complaints)
 static int start(FILE *script, FILE *complaints, pid_t *child)
 {
     int ends[2];
+    sigset_t all, old;
 
     if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
         pipe(ends) != 0)
         return -1;
     signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
-    *child = fork();
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &old); /* none comes before `running` is known */
+    running = *child = fork();
+    sigprocmask(SIG_SETMASK, &old, NULL);
     if (*child == 0) {
         close(ends[0]);
         become_gnuplot(script, ends[1], complaints);
     }
-    running = *child;
     close(ends[1]);
     if (*child < 0) {
         close(ends[0]);
