@@ -83,8 +83,9 @@ static int climbs(const char *path)
 int files_is_beside(const char *path, const char *name)
 {
     char folder[PATH_MAX + 1], file[PATH_MAX], *here, *beside;
-    int is_beside = 0;
+    int is_beside = 0, no_memory = 0;
 
+    errno = 0;
     if (climbs(name))
         return 0;
     here = files_beside(path, ".");
@@ -92,11 +93,15 @@ int files_is_beside(const char *path, const char *name)
     if (here && beside && realpath(here, folder)) {
         if (strcmp(folder, "/") != 0)
             strcat(folder, "/");
-        /* a file that is not there is none of another folder */
-        is_beside = !realpath(beside, file) || strncmp(file, folder, strlen(folder)) == 0;
+        if (realpath(beside, file))
+            is_beside = strncmp(file, folder, strlen(folder)) == 0;
+        else /* a file that is not there is none of another folder */
+            is_beside = errno == ENOENT || errno == ENOTDIR;
     }
+    no_memory = !here || !beside || errno == ENOMEM;
     free(here);
     free(beside);
+    errno = no_memory ? ENOMEM : 0;
     return is_beside;
 }
 
@@ -139,6 +144,24 @@ char *files_beside(const char *path, const char *name)
         strcpy(beside + folder, name);
     }
     return beside;
+}
+
+char *files_resolve(const char *path)
+{
+    char *real = files_beside("", path), *next, target[4096];
+    ssize_t n;
+    int links;
+
+    for (links = 0; real && links < 40; links++) {
+        n = readlink(real, target, sizeof target - 1);
+        if (n < 0)
+            break;
+        target[n] = '\0';
+        next = files_beside(real, target);
+        free(real);
+        real = next;
+    }
+    return real;
 }
 
 static int is_same(const struct stat *x, const struct stat *y)
@@ -184,18 +207,33 @@ static const char *find_folder(const char *path, struct stat *folder)
     return !found ? NULL : slash ? slash + 1 : path;
 }
 
+/* 1 if two paths, without links at their ends, name the same file of one folder. */
+static int is_same_name(const char *x, const char *y)
+{
+    struct stat a, b;
+
+    x = find_folder(x, &a);
+    y = find_folder(y, &b);
+    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+}
+
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
     struct stat a, b;
+    char *target, *other;
+    int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
     if (stat(x, &a) == 0 && stat(y, &b) == 0)
         return S_ISREG(a.st_mode) && is_same(&a, &b);
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    target = files_resolve(x);
+    other = files_resolve(y);
+    is_one = target && other && is_same_name(target, other);
+    free(target);
+    free(other);
+    return is_one;
 }
 
 int files_tell_clash(const options *o)

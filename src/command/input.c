@@ -29,7 +29,9 @@ static char *read_named(input *in, const char *path, const char *name, size_t *l
     char *contents = NULL;
 
     if (!in->o->allow_files && !files_is_beside(in->name, name)) {
-        in->no_file = "a deck may name files of its own folder only; --allow-files permits others";
+        if (errno != ENOMEM)
+            in->no_file =
+                "a deck may name files of its own folder only; --allow-files permits others";
         return NULL;
     }
     in->names_output |= files_is_output(in->o, path);
@@ -56,9 +58,11 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
+        in->out_of_memory = 1;
         return NULL;
     }
     f->contents = read_named(in, path, file_name, &f->length);
+    in->out_of_memory |= !f->contents && errno == ENOMEM;
     f->next = in->files;
     in->files = f;
     free(path);
@@ -155,6 +159,8 @@ static int open_results(input *in)
 
     if (list)
         status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+    if (in->out_of_memory)
+        status = FOURLINK_NO_MEMORY;
     if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
