@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "arithmetic.h"
+
 /* A piece of a text, not null-terminated. */
 typedef struct text {
     const char *start;
@@ -39,9 +41,6 @@ char *flk_text_join(char *out, size_t size, ...);
 /* 1 for a character of a word (letter, digit, _ or a byte of UTF-8). */
 int flk_text_is_word(int c);
 
-/* The length of the character in UTF-8 at the beginning of a string; 0 if its bytes are not UTF-8. */
-size_t flk_text_letter(const char *string);
-
 /* Equal except for the case of ASCII letters. */
 int flk_text_equal(text t, const char *word);
 
@@ -50,6 +49,14 @@ int flk_text_same(text t, const char *word);
 
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
+
+/* The length of the UTF-8 character at the front; 0 if there is none.  The same if it can be shown: it is no
+** control character, which could command a terminal, and allowed in XML. */
+size_t flk_text_letter(text t);
+size_t flk_text_printable(text t);
+
+/* What ends the lines of a text: LF, or CR if it has no LF. */
+int flk_text_line_end(text t);
 
 /* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
 ** A tab counts as a blank of the separator. */

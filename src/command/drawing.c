@@ -25,39 +25,35 @@ static int draw(const options *o, FILE *script, const plot_caption *caption)
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
+/* Copy a script; returns the exit status. */
+static int copy(const char *path, FILE *script)
+{
+    output file;
+    int status = output_begin(&file, path), c;
+
+    if (status)
+        return status;
+    rewind(script);
+    while ((c = getc(script)) != EOF)
+        putc(c, file.file);
+    if (ferror(script))
+        status = command_complain("cannot write", path, strerror(errno));
+    return command_worse(status, output_end(&file, path, status == 0));
+}
+
 static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     fourlink_mistake mistake;
+    int written = picture_write(script, &in->source, &in->o->drawing, caption, &mistake);
 
-    if (picture_write(script, &in->source, &in->o->drawing, caption, &mistake))
-        return 0;
+    if (written < 0)
+        return command_complain("cannot draw", in->name, "not enough memory");
+    if (written > 0)
+        return fflush(script) == 0 && !ferror(script)
+                   ? 0
+                   : command_complain("cannot draw", in->name, strerror(errno));
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
-}
-
-/* Write the script, or the picture; returns the exit status. */
-static int write_picture(const input *in, plot_caption *caption)
-{
-    const options *o = in->o;
-    FILE *script;
-    output file;
-    int status;
-
-    if (o->plot_script) {
-        status = output_begin(&file, o->plot_script);
-        if (status)
-            return status;
-        status = write_script(file.file, in, caption);
-        return command_worse(status, output_end(&file, o->plot_script, status == 0));
-    }
-    script = tmpfile();
-    if (!script)
-        return command_complain("cannot draw", o->plot, strerror(errno));
-    status = write_script(script, in, caption);
-    if (!status)
-        status = draw(o, script, caption);
-    fclose(script);
-    return status;
 }
 
 /* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed without the
@@ -94,14 +90,34 @@ static int tell_missing_rows(const input *in)
     return tell_missing(in, missing, all, "rows", why);
 }
 
-int drawing_write(const input *in)
+int drawing_begin(drawing *d, const input *in)
 {
-    plot_caption caption;
-    int status = write_picture(in, &caption);
+    int status;
 
-    if (status || options_want_table(in->o))
+    d->in = in;
+    d->script = tmpfile();
+    if (!d->script)
+        return command_complain("cannot draw", in->name, strerror(errno));
+    status = write_script(d->script, in, &d->caption);
+    if (status) {
+        fclose(d->script);
+        d->script = NULL;
+    }
+    return status;
+}
+
+int drawing_end(drawing *d, int keep)
+{
+    const options *o = d->in->o;
+    int status = 0;
+
+    if (keep)
+        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o, d->script, &d->caption);
+    fclose(d->script);
+    if (status || !keep || options_want_table(o))
         return status;
-    if (caption.n_lines)
-        return tell_missing(in, caption.n_missing, caption.n_lines, "lines of the [sweep]", "");
-    return tell_missing_rows(in);
+    if (d->caption.n_lines)
+        return tell_missing(d->in, d->caption.n_missing, d->caption.n_lines, "lines of the [sweep]",
+                            "");
+    return tell_missing_rows(d->in);
 }

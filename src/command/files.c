@@ -2,9 +2,11 @@
 **
 ** files.c - the files of the command line: reading them, and which are the same.
 */
-#define _POSIX_C_SOURCE 200112L
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001 with realpath */
 
 #include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +17,9 @@
 #include "files.h"
 
 #define LARGEST_FILE 67108864 /* bytes */
+#ifndef PATH_MAX
+#define PATH_MAX 4096
+#endif
 
 /* Read a whole stream; null with errno set if that fails. */
 static char *read_stream(FILE *file, size_t *length)
@@ -61,6 +66,66 @@ char *files_read(const char *path, size_t *length)
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
 }
 
+/* 1 if a path names a folder above it, or begins at the root. */
+static int climbs(const char *path)
+{
+    const char *at = path;
+
+    while (at) {
+        if (at[0] == '/' || (at[0] == '.' && at[1] == '.' && (at[2] == '/' || !at[2])))
+            return 1;
+        at = strchr(at, '/');
+        at = at ? at + strspn(at, "/") : NULL;
+    }
+    return 0;
+}
+
+int files_is_beside(const char *path, const char *name)
+{
+    char folder[PATH_MAX + 1], file[PATH_MAX], *here, *beside;
+    int is_beside = 0, no_memory = 0;
+
+    errno = 0;
+    if (climbs(name))
+        return 0;
+    here = files_beside(path, ".");
+    beside = files_beside(path, name);
+    if (here && beside && realpath(here, folder)) {
+        if (strcmp(folder, "/") != 0)
+            strcat(folder, "/");
+        if (realpath(beside, file))
+            is_beside = strncmp(file, folder, strlen(folder)) == 0;
+        else /* a file that is not there is none of another folder */
+            is_beside = errno == ENOENT || errno == ENOTDIR;
+    }
+    no_memory = !here || !beside || errno == ENOMEM;
+    free(here);
+    free(beside);
+    errno = no_memory ? ENOMEM : 0;
+    return is_beside;
+}
+
+char *files_read_regular(const char *path, size_t *length)
+{
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY), reason;
+    struct stat s;
+    FILE *file;
+    char *contents;
+
+    errno = descriptor < 0 ? errno : 0;
+    file = descriptor >= 0 && fstat(descriptor, &s) == 0 && S_ISREG(s.st_mode)
+               ? fdopen(descriptor, "rb")
+               : NULL;
+    contents = file ? read_stream(file, length) : NULL;
+    reason = errno;
+    if (file)
+        fclose(file);
+    else if (descriptor >= 0)
+        close(descriptor);
+    errno = reason;
+    return contents;
+}
+
 int files_is_folder(const char *path)
 {
     struct stat s;
@@ -79,6 +144,24 @@ char *files_beside(const char *path, const char *name)
         strcpy(beside + folder, name);
     }
     return beside;
+}
+
+char *files_resolve(const char *path)
+{
+    char *real = files_beside("", path), *next, target[4096];
+    ssize_t n;
+    int links;
+
+    for (links = 0; real && links < 40; links++) {
+        n = readlink(real, target, sizeof target - 1);
+        if (n < 0)
+            break;
+        target[n] = '\0';
+        next = files_beside(real, target);
+        free(real);
+        real = next;
+    }
+    return real;
 }
 
 static int is_same(const struct stat *x, const struct stat *y)
@@ -125,18 +208,33 @@ static const char *find_folder(const char *path, struct stat *folder)
     return !found ? NULL : slash ? slash + 1 : path;
 }
 
+/* 1 if two paths, without links at their ends, name the same file of one folder. */
+static int is_same_name(const char *x, const char *y)
+{
+    struct stat a, b;
+
+    x = find_folder(x, &a);
+    y = find_folder(y, &b);
+    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+}
+
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
     struct stat a, b;
+    char *target, *other;
+    int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
     if (stat(x, &a) == 0 && stat(y, &b) == 0)
         return S_ISREG(a.st_mode) && is_same(&a, &b);
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    target = files_resolve(x);
+    other = files_resolve(y);
+    is_one = target && other && is_same_name(target, other);
+    free(target);
+    free(other);
+    return is_one;
 }
 
 int files_tell_clash(const options *o)

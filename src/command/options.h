@@ -14,6 +14,7 @@ typedef struct options {
     int n_contents; /* how many were asked for */
     int help, version;
     int asks_for_table;     /* 1: --format or --output was given */
+    int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *at;         /* the crank angles of --expect; null: the rows */

@@ -16,33 +16,28 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-size_t canvas_letter(const char *words)
-{
-    size_t n = flk_text_letter(words);
-
-    return n == 3 && memcmp(words, "\357\277", 2) == 0 && (unsigned char)words[2] > 0xbd ? 0 : n;
-}
-
 /* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
-** of a file is written as it is.  In a text control characters become blanks, bytes that are not UTF-8 become
-** the replacement character, and ]]> gets a blank: gnuplot would copy them, and no SVG may have them. */
+** of a file is written as it is.  In a text what is not printable is shown as a question mark, so that every script
+** and picture is valid UTF-8, and ]]> gets a blank: gnuplot would copy it, and no SVG may have it. */
 static void put_quoted(FILE *out, const char *words, int is_file)
 {
-    size_t n;
+    text rest = flk_text_of(words);
 
     putc('"', out);
-    for (; *words; words += n ? n : 1) {
-        n = is_file ? 1 : strncmp(words, "]]>", 3) == 0 ? 2 : canvas_letter(words);
-        if (n == 2 && *words == ']')
+    while (rest.length) {
+        size_t n = is_file ? 1 : flk_text_printable(rest);
+
+        if (!is_file && strncmp(rest.start, "]]>", 3) == 0) {
             fputs("]] ", out);
-        else if (!n)
-            fputs("\357\277\275", out);
-        else if (!is_file && (unsigned char)*words < ' ')
-            putc(' ', out);
-        else if (strchr("\"\\`", *words) || (unsigned char)*words < ' ')
-            fprintf(out, "\\%03o", (unsigned)*words);
-        else
-            fwrite(words, 1, n, out);
+            n = 2;
+        } else if (n == 0) {
+            putc('?', out);
+        } else if (strchr("\"\\`", *rest.start) || (unsigned char)*rest.start < ' ') {
+            fprintf(out, "\\%03o", (unsigned)*rest.start);
+        } else {
+            fwrite(rest.start, 1, n, out);
+        }
+        rest = flk_text_from(rest, n ? n : 1);
     }
     putc('"', out);
 }

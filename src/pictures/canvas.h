@@ -57,10 +57,6 @@ void canvas_grid(const canvas *c);
 ** text for gnuplot, and %f the name of a file. */
 void canvas_print(const canvas *c, const char *format, ...);
 
-/* The length of the character in UTF-8 at the beginning of a string; 0 if an SVG cannot have it: bytes that are
-** not UTF-8, U+FFFE and U+FFFF. */
-size_t canvas_letter(const char *words);
-
 /* The number of UTF-8 characters; their width in pixels. */
 int canvas_letters(const char *words);
 double canvas_width_of(const char *words);

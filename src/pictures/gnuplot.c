@@ -21,6 +21,8 @@
 #define NOT_STARTED 126
 #define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
+static volatile pid_t running; /* not above 0: none */
+
 /* Run gnuplot with only the three standard files open. */
 static void run(FILE *complaints)
 {
@@ -50,12 +52,16 @@ static void become_gnuplot(FILE *script, int output, FILE *complaints)
 static int start(FILE *script, FILE *complaints, pid_t *child)
 {
     int ends[2];
+    sigset_t all, old;
 
     if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
         pipe(ends) != 0)
         return -1;
     signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
-    *child = fork();
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &old); /* none comes before `running` is known */
+    running = *child = fork();
+    sigprocmask(SIG_SETMASK, &old, NULL);
     if (*child == 0) {
         close(ends[0]);
         become_gnuplot(script, ends[1], complaints);
@@ -135,6 +141,7 @@ static const char *draw(FILE *script, FILE *out, const plot_caption *caption, FI
     close(pipe_end);
     while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
         ;
+    running = 0;
     if (ended < 0 || copied < 0)
         return strerror(copied < 0 ? reason : errno);
     return outcome(status, copied, complaints);
@@ -148,4 +155,10 @@ const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption)
     if (complaints)
         fclose(complaints);
     return why;
+}
+
+void gnuplot_stop(void)
+{
+    if (running > 0)
+        kill(running, SIGKILL);
 }

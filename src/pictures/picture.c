@@ -343,6 +343,13 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
                               held, "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
+/* Returns 0, for the caller to return. */
+static int run_out_of_memory(picture *p)
+{
+    p->out_of_memory = 1;
+    return 0;
+}
+
 int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
     memset(mistake, 0, sizeof *mistake);
@@ -367,7 +374,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     if (status == FOURLINK_BAD_DECK)
         return 0;
     if (status != FOURLINK_OK)
-        return picture_refuse(mistake, "--plot-kind", fourlink_status_text(status), "");
+        return run_out_of_memory(p);
     p->deck = fourlink_results_deck(p->results);
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
@@ -387,8 +394,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->end = p->range.stops ? p->range.stop_angle : last.angle;
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
-    return p->loads ||
-           picture_refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+    return p->loads || run_out_of_memory(p);
 }
 
 /* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
@@ -408,12 +414,13 @@ static int both_in(text line)
 static int asks_for_both(const fourlink_source *source)
 {
     text rest, line;
-    int both = 0, here;
+    int both = 0, here, line_end;
     unsigned long i;
 
     rest.start = source->text;
     rest.length = source->length;
-    while (flk_text_split(&rest, '\n', &line))
+    line_end = flk_text_line_end(rest);
+    while (flk_text_split(&rest, line_end, &line))
         if ((here = both_in(line)) >= 0)
             both = here;
     for (i = 0; i < source->n_changes; i++)
@@ -459,7 +466,7 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     int opened;
 
     if (!changes)
-        return picture_refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+        return run_out_of_memory(p);
     flk_text_join(assignment, sizeof assignment, "table.columns=", columns ? columns : "",
                   (char *)NULL);
     if (source->n_changes)
@@ -673,5 +680,5 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     if (written)
         write_caption(&p, source->name, caption);
     close_deck(&p);
-    return written;
+    return p.out_of_memory ? -1 : written;
 }

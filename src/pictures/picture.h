@@ -86,7 +86,7 @@ typedef struct plot_caption {
 } plot_caption;
 
 /* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
-** to draw. */
+** to draw; -1 if out of memory. */
 int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
                   plot_caption *caption, fourlink_mistake *mistake);
 
@@ -126,6 +126,7 @@ typedef struct picture {
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
+    int out_of_memory;
 } picture;
 
 /* One crank angle, with its loads. */

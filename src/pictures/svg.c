@@ -9,24 +9,24 @@
 
 void svg_put_text(FILE *out, const char *words)
 {
-    size_t n;
+    text rest = flk_text_of(words);
 
-    for (; *words; words += n ? n : 1) {
-        n = canvas_letter(words);
-        if (!n)
-            fputs("\357\277\275", out);
-        else if ((unsigned char)*words < ' ' || *words == 0x7f)
-            putc(' ', out);
-        else if (*words == '&')
+    while (rest.length) {
+        size_t n = flk_text_printable(rest);
+
+        if (n == 0)
+            putc('?', out);
+        else if (*rest.start == '&')
             fputs("&amp;", out);
-        else if (*words == '<')
+        else if (*rest.start == '<')
             fputs("&lt;", out);
-        else if (*words == '>')
+        else if (*rest.start == '>')
             fputs("&gt;", out);
-        else if (*words == '"')
+        else if (*rest.start == '"')
             fputs("&quot;", out);
         else
-            fwrite(words, 1, n, out);
+            fwrite(rest.start, 1, n, out);
+        rest = flk_text_from(rest, n ? n : 1);
     }
 }
 

@@ -17,7 +17,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     fourlink_mistake mistake;
     plot_request request;
     plot_caption caption;
-    int is_drawn = 0;
+    int is_drawn = 0, is_written;
 
     memset(&request, 0, sizeof request);
     request.kind = kind;
@@ -25,8 +25,10 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.at = at;
     if (!script)
         r->gnuplot = strerror(errno);
-    else if (picture_write(script, r->source, &request, &caption, &mistake))
+    else if ((is_written = picture_write(script, r->source, &request, &caption, &mistake)) > 0)
         is_drawn = (r->gnuplot = gnuplot_run(script, drawing, &caption)) == NULL;
+    else
+        r->out_of_memory |= is_written < 0;
     if (script)
         fclose(script);
     return is_drawn;

@@ -12,19 +12,17 @@
 
 #define REPLACEMENT "\357\277\275" /* U+FFFD in UTF-8 */
 
-/* The length of the character at the start of a text, 1 for a byte that is none; and whether XML and HTML allow it:
-** not control characters, U+FFFE and U+FFFF. */
+/* The length of the character at the start of a text, 1 for a byte that is none; and whether it can stand in a
+** page. */
 static size_t next_letter(const char *s, size_t length, int *is_allowed)
 {
-    char letter[5] = "";
+    text rest;
     size_t n;
 
-    memcpy(letter, s, length < 4 ? length : 4);
-    n = flk_text_letter(letter);
-    *is_allowed = n > 0;
-    if ((n == 1 && (unsigned char)s[0] < ' ' && s[0] != '\t' && s[0] != '\n') || s[0] == 0x7f ||
-        (n == 2 && memcmp(s, "\302\240", 2) < 0) || (n == 3 && memcmp(s, "\357\277\276", 3) >= 0))
-        *is_allowed = 0;
+    rest.start = s;
+    rest.length = length;
+    n = flk_text_letter(rest);
+    *is_allowed = s[0] == '\t' || s[0] == '\n' || flk_text_printable(rest) > 0;
     return n ? n : 1;
 }
 

@@ -12,23 +12,26 @@
 void json_text_put(line *l, const char *s, const char *escaped)
 {
     static const char hex[] = "0123456789abcdef";
+    text rest = flk_text_of(s);
 
     line_text(l, "\"", 1);
-    while (*s) {
-        unsigned char c = (unsigned char)*s;
-        size_t n = flk_text_letter(s);
+    while (rest.length) {
+        unsigned char c = (unsigned char)*rest.start;
+        size_t n = flk_text_letter(rest);
 
-        if (c < ' ' || c == 0x7f || strchr(escaped, *s)) {
+        if (n == 2 && c == 0xc2 && !flk_text_printable(rest))
+            c = (unsigned char)rest.start[1]; /* U+0080 to U+009F */
+        if (c < ' ' || (0x7f <= c && c < 0xa0 && n) || strchr(escaped, c)) {
             line_put(l, "\\u00");
             line_text(l, &hex[c / 16], 1);
             line_text(l, &hex[c % 16], 1);
         } else if (n) {
             line_text(l, "\\", c == '"' || c == '\\');
-            line_text(l, s, n);
+            line_text(l, rest.start, n);
         } else {
             line_put(l, "\\ufffd");
         }
-        s += n ? n : 1;
+        rest = flk_text_from(rest, n ? n : 1);
     }
     line_text(l, "\"", 1);
 }
