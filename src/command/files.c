@@ -181,7 +181,8 @@ static int replaces(const char *output, const char *input)
 
 int files_is_output(const options *o, const char *path)
 {
-    return replaces(o->output, path) || replaces(o->plot, path) || replaces(o->plot_script, path);
+    return replaces(o->output, path) || replaces(o->plot, path) || replaces(o->plot_script, path) ||
+           replaces(o->report, path);
 }
 
 /* 1 if an output is one of the decks, or the file of answers. */
@@ -238,16 +239,19 @@ static int is_same_place(const char *x, const char *y)
 
 int files_tell_clash(const options *o)
 {
-    const char *input = is_input(o->output, o)        ? o->output
-                        : is_input(o->plot, o)        ? o->plot
-                        : is_input(o->plot_script, o) ? o->plot_script
-                                                      : NULL;
-    const char *twice = is_same_place(o->output, o->plot) || is_same_place(o->plot, o->plot_script)
-                            ? o->plot
-                        : is_same_place(o->output, o->plot_script) ? o->plot_script
-                                                                   : NULL;
+    const char *outputs[4];
+    int i, k;
 
-    if (input)
-        return command_complain("cannot write", input, "it is also read");
-    return twice ? command_complain("cannot write", twice, "two outputs have this name") : 0;
+    outputs[0] = o->output;
+    outputs[1] = o->plot_script;
+    outputs[2] = o->plot;
+    outputs[3] = o->report;
+    for (i = 0; i < 4; i++)
+        if (is_input(outputs[i], o))
+            return command_complain("cannot write", outputs[i], "it is also read");
+    for (i = 1; i < 4; i++)
+        for (k = 0; k < i; k++)
+            if (is_same_place(outputs[k], outputs[i]))
+                return command_complain("cannot write", outputs[i], "two outputs have this name");
+    return 0;
 }

@@ -167,6 +167,7 @@ static int open_results(input *in)
     } else if (status == FOURLINK_BAD_DECK) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
+        in->has_mistakes = 1;
         if (in->no_file)
             command_tell_note(in->name, 0, in->no_file, NULL);
         status = EXIT_USAGE;

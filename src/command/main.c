@@ -18,6 +18,7 @@
 #include "input.h"
 #include "joined.h"
 #include "output.h"
+#include "reporting.h"
 #include "terminal.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -154,6 +155,8 @@ static int run(const options *o)
         usable += inputs[i].results != NULL;
     }
     status = command_worse(status, write_all(o, inputs, usable, &signal_number));
+    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !signal_number)
+        status = command_worse(status, reporting_write(&inputs[0]));
     for (i = 0; i < o->n_decks; i++)
         input_close(&inputs[i]);
     free(inputs);

@@ -41,6 +41,8 @@ const char *const options_help[] = {
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-x=NAME                 draw columns over this one (default: theta2)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
+    "                                    sample calculation, pictures and tables",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
     "                                    or of a csv FILE that has them",
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
@@ -59,6 +61,7 @@ enum {
     PLOT_KIND = 1,
     PLOT_AT,
     PLOT_SCRIPT,
+    REPORT,
     PLOT_X,
     EXPECT,
     AT,
@@ -94,6 +97,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
                                     {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {REPORT, "--report", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
@@ -188,6 +192,21 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* 1 if a name ends in this, whatever the case of its letters. */
+static int ends_in(const char *name, const char *ending)
+{
+    size_t n = strlen(name), length = strlen(ending);
+
+    return n > length && flk_text_equal(flk_text_of(name + n - length), ending);
+}
+
+static int set_report(options *o, const char *value, char message[400])
+{
+    o->report = value;
+    return ends_in(value, ".html") || ends_in(value, ".htm") ||
+           say(message, "--report needs a file name that ends in .html, not '", value, "'");
+}
+
 /* Change a key of the deck: `key` ends in "=". */
 static int set_change(options *o, const char *origin, const char *key, const char *value)
 {
@@ -250,6 +269,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_SCRIPT:
         o->plot_script = value;
         return 1;
+    case REPORT:
+        return set_report(o, value, message);
     case 'C':
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs a file name", "", "");
@@ -342,12 +363,13 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->drawing.at || o->drawing.x || o->drawing.kind != PLOT_COUNT))
-        return say(message,
-                   o->drawing.at  ? "--plot-at"
-                   : o->drawing.x ? "--plot-x"
-                                  : "--plot-kind",
+    if (!wanted && o->drawing.at && !o->report)
+        return say(message, "--plot-at needs --plot, --plot-script or --report", "", "");
+    if (!wanted && (o->drawing.x || o->drawing.kind != PLOT_COUNT))
+        return say(message, o->drawing.x ? "--plot-x" : "--plot-kind",
                    " needs --plot or --plot-script", "");
+    if (o->report && o->n_decks > 1)
+        return say(message, "--report takes one deck, not several", "", "");
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
@@ -379,8 +401,9 @@ static int check_statistics(const options *o, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
-    if (o->best && (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics ||
-                    o->plot || o->plot_script || o->n_decks > 1 || o->format != &table_format))
+    if (o->best &&
+        (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics || o->plot ||
+         o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message,
@@ -389,7 +412,8 @@ static int check_statistics(const options *o, char message[400])
                    "", "");
     if (!o->statistics_file)
         return 1;
-    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script)
+    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script ||
+        o->report)
         return say(message, "--statistics=FILE works alone, or with a deck", "", "");
     if (o->n_decks > 1)
         return say(message, "--statistics=FILE takes one deck, not several", "", "");
@@ -455,9 +479,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
 
 int options_want_table(const options *o)
 {
-    int has_picture = o->plot || o->plot_script;
+    int comes_alone = o->plot || o->plot_script || o->report;
 
-    return !has_picture || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+    return !comes_alone || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
            o->parts;
 }
 

@@ -26,6 +26,7 @@ typedef struct options {
     unsigned long part, parts;   /* --part=K/N; parts 0: not given */
     const char *plot;            /* the picture's file; null: none */
     const char *plot_script;     /* the script's file; null: none */
+    const char *report;          /* the report's file; null: none */
     plot_request drawing;        /* PLOT_COUNT: no kind is given */
     fourlink_change *changes;    /* --set, and options that set a key of the deck */
     unsigned long n_changes;
@@ -38,7 +39,8 @@ typedef struct options {
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
 
-/* 1 if a table, or another text, is printed: a picture comes alone unless one is asked for too. */
+/* 1 if a table, or another text, is printed: a picture or a report comes alone unless one is asked for
+** too. */
 int options_want_table(const options *o);
 
 /* The lines of --help, ended by a null pointer. */

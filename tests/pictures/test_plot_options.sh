@@ -17,7 +17,7 @@ refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, v
 refused "did you mean 'motion'?" --plot=x.svg --plot-kind=motoin "$fourbar"
 refused '--plot-kind must be' --plot=x.svg --plot-kind= "$fourbar"
 refused '--plot-kind needs --plot or --plot-script' --plot-kind=motion "$fourbar"
-refused '--plot-at needs --plot or --plot-script' --plot-at='40 deg' "$fourbar"
+refused '--plot-at needs --plot, --plot-script or --report' --plot-at='40 deg' "$fourbar"
 refused '--plot takes one deck' --plot=x.svg "$fourbar" "$engine"
 refused '--plot takes one deck' --plot-script=x.gp "$fourbar" "$engine"
 refused '--plot-x needs --plot or --plot-script' --plot-x=time "$fourbar"
