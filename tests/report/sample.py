@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# sample.py REPORT [NAME=VALUE...] - checks the sample calculation of a report: evaluates every equation from the
+# sample.py REPORT... [NAME=VALUE...] - checks the sample calculations of reports: evaluates every equation from the
 # numbers that are printed in it, and compares it with the printed result.
 #
 # A printed number is right within half a unit of its last digit (6 significant digits; an angle has 4 decimals of
 # a degree).  An equation agrees if the difference can come from that.  With NAME=VALUE, the result NAME has
-# that value, within a unit of the last digit.  Prints what is wrong, and how many equations were checked.
+# that value, within a unit of the last digit.  Prints what is wrong, and how many samples were checked.
 import math
 import re
 import sys
@@ -170,10 +170,11 @@ def check(report, expected):
             yield 'no result %s among %s' % (name, sorted(results))
         elif abs(results[name] - float(value)) > 2 * max(half_unit(float(value)), 1e-9):
             yield '%s = %.9g, expected %s' % (name, results[name], value)
-    print('%d equations' % n)
+    if not n:
+        yield 'no equations'
 
 
-wrong = list(check(sys.argv[1], sys.argv[2:]))
-for line in wrong:
-    print('%s: %s' % (sys.argv[1], line))
+reports = [word for word in sys.argv[1:] if '=' not in word]
+wrong = ['%s: %s' % (name, line) for name in reports for line in check(name, [word for word in sys.argv[1:] if '=' in word])]
+print('\n'.join(wrong + ['%d samples' % len(reports)]))
 sys.exit(bool(wrong))
