@@ -61,7 +61,7 @@ interval = 30 deg
 END
 sed 's/^length = 130 mm$/offset = 25 mm/; /^angle/d' norton.deck >offset.deck
 printf 'mechanism = slider-crank\n[crank]\nlength = 30 mm\nmass = 1 kg\n[rod]\nlength = 100 mm\nmass = 2 kg\ncg = 40 mm\ngyration = 30 mm
-[piston]\noffset = -20 mm\nmass = 3 kg\n[motion]\nspeed = 90 rpm\ninterval = 30 deg\n' >crank.deck
+[ground]\noffset = -20 mm\n[piston]\nmass = 3 kg\n[motion]\nspeed = 90 rpm\ninterval = 30 deg\n' >crank.deck
 for deck in norton.deck offset.deck "$matrix" "$alvi" "$decks/engine.deck" "$decks/pump.deck" "$data/crank-rocker-75.deck" crank.deck; do
     for branch in open crossed; do
         for angle in 10 95 200 275 359; do
