@@ -254,7 +254,7 @@ const char *const assets_style[] = {
     "}",
     "",
     ".facts td:last-child {",
-    "    min-width: 12rem;",
+    "    min-width: 16rem;",
     "    white-space: normal;",
     "}",
     "",
