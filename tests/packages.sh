@@ -41,7 +41,7 @@ check() {
 # in_root ROOT COMMAND: in that root, as root, with processes of its own; the mounts go with them.
 in_root() {
     timeout -k 10 3600 unshare --mount --pid --fork --kill-child sh -c 'mount -t proc proc "$1/proc" &&
-        chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+        mount --rbind /dev "$1/dev" && chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
         DEBIAN_FRONTEND=noninteractive CTEST_PARALLEL_LEVEL="$(nproc)" sh -c "cd && $2"' sh "$1" "$2"
 }
 
