@@ -104,7 +104,7 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     if (!m->list)
         m->list = malloc(MOST_MISTAKES * sizeof *m->list);
     if (!m->list || m->count == MOST_MISTAKES) {
-        m->out_of_memory = !m->list;
+        m->out_of_memory |= !m->list;
         m->left_out++;
         return 0;
     }

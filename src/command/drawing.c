@@ -28,9 +28,12 @@ static int draw(const char *path, FILE *script)
 static int write_script(FILE *script, const input *in)
 {
     fourlink_mistake mistake;
+    int written = picture_write(script, &in->source, &in->o->drawing, &mistake);
 
-    if (picture_write(script, &in->source, &in->o->drawing, &mistake))
+    if (written > 0)
         return 0;
+    if (written < 0)
+        return command_complain("cannot draw", in->name, "not enough memory");
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }

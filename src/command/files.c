@@ -81,6 +81,24 @@ char *files_beside(const char *path, const char *name)
     return beside;
 }
 
+char *files_resolve(const char *path)
+{
+    char *real = files_beside("", path), *next, target[4096];
+    ssize_t n;
+    int links;
+
+    for (links = 0; real && links < 40; links++) {
+        n = readlink(real, target, sizeof target - 1);
+        if (n < 0)
+            break;
+        target[n] = '\0';
+        next = files_beside(real, target);
+        free(real);
+        real = next;
+    }
+    return real;
+}
+
 static int is_same(const struct stat *x, const struct stat *y)
 {
     return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
@@ -124,18 +142,33 @@ static const char *find_folder(const char *path, struct stat *folder)
     return !found ? NULL : slash ? slash + 1 : path;
 }
 
+/* 1 if two paths, without links at their ends, name the same file of one folder. */
+static int is_same_name(const char *x, const char *y)
+{
+    struct stat a, b;
+
+    x = find_folder(x, &a);
+    y = find_folder(y, &b);
+    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+}
+
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
     struct stat a, b;
+    char *target, *other;
+    int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
     if (stat(x, &a) == 0 && stat(y, &b) == 0)
         return S_ISREG(a.st_mode) && is_same(&a, &b);
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    target = files_resolve(x);
+    other = files_resolve(y);
+    is_one = target && other && is_same_name(target, other);
+    free(target);
+    free(other);
+    return is_one;
 }
 
 int files_tell_clash(const options *o)

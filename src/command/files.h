@@ -18,6 +18,10 @@ int files_is_folder(const char *path);
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);
 
+/* The file that a path leads to through symbolic links, even if it does not exist yet: memory to free, or
+** null. */
+char *files_resolve(const char *path);
+
 /* 1 if a file is one that will be written. */
 int files_is_output(const options *o, const char *path);
 

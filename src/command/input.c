@@ -40,10 +40,12 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
+        in->out_of_memory = 1;
         return NULL;
     }
     in->names_output |= files_is_output(in->o, path);
     f->contents = files_read_path(path, &f->length);
+    in->out_of_memory |= !f->contents && errno == ENOMEM;
     f->next = in->files;
     in->files = f;
     free(path);
@@ -140,6 +142,8 @@ static int open_results(input *in)
 
     if (list)
         status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+    if (in->out_of_memory)
+        status = FOURLINK_NO_MEMORY;
     if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);

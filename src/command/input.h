@@ -17,6 +17,7 @@ typedef struct input {
     fourlink_source source;
     struct named_file *files;  /* the files that the deck names */
     int names_output;          /* 1: one of them would be written */
+    int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
     fourlink_problem problem;
     grade_answers answers;      /* its own, of a folder */

@@ -14,6 +14,7 @@
 #include "command.h"
 #include "files.h"
 #include "output.h"
+#include "pictures/gnuplot.h"
 
 /* Bytes.  With millions of rows, a system call for each 4 kB costs time. */
 #define BUFFER 65536
@@ -25,60 +26,40 @@ static void on_signal(int number)
 {
     if (at_work)
         unlink(at_work);
+    gnuplot_stop();
     signal(number, SIG_DFL);
     raise(number);
 }
 
-/* Remove the temporary file if a signal ends the program. */
-static void watch_signals(char *temporary)
+/* Leave nothing behind if a signal ends the program.  After a crash the memory that names the file may be wrong. */
+static void watch_signals(void)
 {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU};
+    static const int numbers[] = {SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,   SIGPIPE, SIGALRM,
+                                  SIGXFSZ, SIGXCPU, SIGUSR1, SIGVTALRM, SIGPROF, SIGUSR2};
     struct sigaction action, old;
     size_t i;
 
     memset(&action, 0, sizeof action);
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
-    at_work = temporary;
     for (i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler == SIG_DFL)
             sigaction(numbers[i], &action, NULL);
 }
 
-static char *join(const char *x, const char *y)
+/* As mkstemp; no signal comes between the file and its name in `at_work`. */
+static int make_temporary(char *name)
 {
-    char *both = malloc(strlen(x) + strlen(y) + 1);
+    sigset_t all, old;
+    int descriptor;
 
-    if (both) {
-        strcpy(both, x);
-        strcat(both, y);
-    }
-    return both;
-}
-
-/* The target of a symbolic link; null if the path is not one, or if out of memory. */
-static char *read_link(const char *path)
-{
-    char target[4096];
-    ssize_t n = readlink(path, target, sizeof target - 1);
-
-    if (n < 0)
-        return NULL;
-    target[n] = '\0';
-    return files_beside(path, target);
-}
-
-/* The file that a path leads to through symbolic links, even if it does not exist yet. */
-static char *resolve(const char *path)
-{
-    char *real = join(path, ""), *next;
-    int links;
-
-    for (links = 0; real && links < 40 && (next = read_link(real)) != NULL; links++) {
-        free(real);
-        real = next;
-    }
-    return real;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &old);
+    descriptor = mkstemp(name);
+    if (descriptor >= 0)
+        at_work = name;
+    sigprocmask(SIG_SETMASK, &old, NULL);
+    return descriptor;
 }
 
 /* Open a temporary file beside a regular file, or beside one that does not exist yet. */
@@ -88,20 +69,20 @@ static FILE *open_beside(output *o, int exists, mode_t mode)
     int descriptor;
 
     umask(mask);
-    o->temporary = join(o->path, ".XXXXXX");
-    descriptor = o->temporary ? mkstemp(o->temporary) : -1;
+    o->temporary = files_beside(o->path, ".fourlinkXXXXXX"); /* whatever the length of the name */
+    descriptor = o->temporary ? make_temporary(o->temporary) : -1;
     if (descriptor < 0) {
         free(o->temporary);
         o->temporary = NULL;
         return NULL;
     }
-    watch_signals(o->temporary);
     fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
     return fdopen(descriptor, "w");
 }
 
 void output_prepare(void)
 {
+    watch_signals();
     if (!isatty(STDOUT_FILENO))
         setvbuf(stdout, NULL, _IOFBF, BUFFER);
 }
@@ -132,7 +113,7 @@ static int open_output(output *o, const char *path)
     if (exists && access(path, W_OK) != 0)
         return 0;
     is_regular = !exists || S_ISREG(status.st_mode);
-    o->path = is_regular ? resolve(path) : join(path, "");
+    o->path = is_regular ? files_resolve(path) : files_beside("", path);
     if (!o->path)
         return 0;
     o->file = is_regular ? open_beside(o, exists, status.st_mode) : fopen(path, "w");

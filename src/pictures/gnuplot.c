@@ -19,6 +19,8 @@
 #define NOT_FOUND 127
 #define NOT_STARTED 126
 
+static volatile pid_t running; /* 0: none */
+
 /* Run gnuplot with only the three standard files open. */
 static void run(FILE *complaints)
 {
@@ -58,6 +60,7 @@ static int start(FILE *script, FILE *complaints, pid_t *child)
         close(ends[0]);
         become_gnuplot(script, ends[1], complaints);
     }
+    running = *child;
     close(ends[1]);
     if (*child < 0) {
         close(ends[0]);
@@ -117,6 +120,7 @@ static const char *draw(FILE *script, FILE *picture, FILE *complaints)
     close(pipe_end);
     while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
         ;
+    running = 0;
     if (ended < 0 || copied < 0)
         return strerror(copied < 0 ? reason : errno);
     return outcome(status, copied, complaints);
@@ -130,4 +134,10 @@ const char *gnuplot_run(FILE *script, FILE *picture)
     if (complaints)
         fclose(complaints);
     return why;
+}
+
+void gnuplot_stop(void)
+{
+    if (running > 0)
+        kill(running, SIGKILL);
 }

@@ -335,6 +335,13 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
 }
 
 /* Returns 0, for the caller to return. */
+static int run_out_of_memory(picture *p)
+{
+    p->out_of_memory = 1;
+    return 0;
+}
+
+/* Returns 0, for the caller to return. */
 static int refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
     memset(mistake, 0, sizeof *mistake);
@@ -359,7 +366,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     if (status == FOURLINK_BAD_DECK)
         return 0;
     if (status != FOURLINK_OK)
-        return refuse(mistake, "--plot-kind", fourlink_status_text(status), "");
+        return run_out_of_memory(p);
     p->deck = fourlink_results_deck(p->results);
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
@@ -379,7 +386,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->end = p->range.stops ? p->range.stop_angle : last.angle;
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
-    return p->loads || refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+    return p->loads || run_out_of_memory(p);
 }
 
 /* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
@@ -436,7 +443,7 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     int opened;
 
     if (!changes)
-        return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+        return run_out_of_memory(p);
     while (flk_text_split(&rest, ',', &either)) {
         while (flk_text_split(&either, '|', &name) && !has_column(p, name))
             ;
@@ -561,5 +568,5 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     p.wants_both = asks_for_both(source);
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
     close_deck(&p);
-    return written;
+    return p.out_of_memory ? -1 : written;
 }

@@ -69,7 +69,7 @@ typedef struct plot_request {
 } plot_request;
 
 /* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
-** to draw. */
+** to draw; -1 if out of memory. */
 int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
                   fourlink_mistake *mistake);
 
@@ -107,6 +107,7 @@ typedef struct picture {
     fourlink_load *loads;             /* room for the loads at one crank angle */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
+    int out_of_memory;
 } picture;
 
 /* One crank angle, with its loads. */

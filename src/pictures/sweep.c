@@ -17,7 +17,6 @@
 #define MOST_DESIGNS 1000000UL
 #define MOST_BINS 60
 #define NO_VALUES "no design of the [sweep] has a number to draw"
-#define NO_MEMORY "not enough memory"
 
 /* The designs of a sweep. */
 typedef struct designs {
@@ -102,8 +101,8 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
     return status != FOURLINK_NO_MEMORY;
 }
 
-/* Compute all designs; returns null, or the reason why that failed. */
-static const char *compute_all(picture *p, designs *d)
+/* Compute all designs; returns 0 if out of memory. */
+static int compute_all(picture *p, designs *d)
 {
     double *now = malloc(2 * (d->n_variables + 1) * sizeof *now);
     char *fast = calloc(d->n_variables + 1, 1);
@@ -123,7 +122,7 @@ static const char *compute_all(picture *p, designs *d)
     free(now);
     free(fast);
     free(xs);
-    return enough ? NULL : NO_MEMORY;
+    return enough;
 }
 
 /* The range of an output over all designs and branches; 0 if it has no number. */
@@ -313,25 +312,23 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
 /* Compute the designs and draw each output. */
 static const char *draw_outputs(picture *p, int is_histogram)
 {
-    const char *why = NULL, *style;
+    const char *style;
     unsigned long k;
     int drawn = 0, status = 0;
     designs d;
 
     if (p->problem.n_designs > MOST_DESIGNS)
         return "a picture shows at most 1000000 designs";
-    if (!open_designs(p, &d))
-        why = NO_MEMORY;
-    else
-        why = compute_all(p, &d);
-    style = !why && is_monotonic(&d) ? "linespoints" : "points";
-    for (k = 0; !why && k < d.n_outputs; k++) {
+    if (!open_designs(p, &d) || !compute_all(p, &d))
+        status = -1;
+    style = status == 0 && is_monotonic(&d) ? "linespoints" : "points";
+    for (k = 0; status >= 0 && k < d.n_outputs; k++) {
         status = is_histogram ? put_histogram(p, &d, k) : put_curve(p, &d, k, style);
         drawn += status > 0;
-        why = status < 0 ? NO_MEMORY : NULL;
     }
+    p->out_of_memory = status < 0;
     close_designs(&d);
-    return why ? why : drawn ? NULL : NO_VALUES;
+    return drawn ? NULL : NO_VALUES;
 }
 
 const char *picture_histogram(picture *p, fourlink_branch branch)

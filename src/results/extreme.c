@@ -198,9 +198,11 @@ int flk_extremes_open(flk_extremes *x, size_t most)
         FLK_SEARCH_MOST_SAMPLES * (most + 1) + most * (sizeof(flk_tracked) / sizeof(double) + 1);
 
     x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
-    x->pairs[1] = x->pairs[0] + most + 1;
     x->memory = malloc(numbers * sizeof *x->memory);
-    return x->pairs[0] && x->memory;
+    if (!x->pairs[0] || !x->memory)
+        return 0;
+    x->pairs[1] = x->pairs[0] + most + 1;
+    return 1;
 }
 
 void flk_extremes_close(flk_extremes *x)
