@@ -24,12 +24,8 @@ const char *system_name(const char *path);
 /* 1 if a path does not depend on the working folder. */
 int system_is_absolute(const char *path);
 
-/* The path that a path leads to through symbolic links, even if there is no file yet: memory to free, or
-** null. */
-char *system_resolve(const char *path);
-
-/* The path of a name in the folder of another path: memory to free, or null. */
-char *system_beside(const char *path, const char *name);
+/* The target of a symbolic link, cut to `size`; 0 if the path is not one. */
+int system_read_link(const char *path, char *target, size_t size);
 
 /* ---- files */
 
@@ -53,9 +49,10 @@ FILE *system_open(const char *path, const char *mode);
 /* A temporary file without a name, for reading and writing. */
 FILE *system_scratch(void);
 
-/* A temporary file in the folder of a path, whose permissions it gets; `name` is memory to free.  A signal
-** removes it, until one of the other two has been called. */
-FILE *system_open_beside(const char *path, char **name);
+/* Create a file with a name of its own: the last six characters of `name`, XXXXXX, are replaced.  It gets the
+** permissions of another path, or those of a new file.  A signal removes it, until one of the functions below
+** has been called. */
+FILE *system_create(char *name, const char *like);
 int system_rename(const char *name, const char *path); /* 1; 0 with errno set */
 void system_remove(const char *name);
 

@@ -21,7 +21,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define MOST_LINKS 40
 #define NOT_FOUND 127
 #define NOT_STARTED 126
 
@@ -75,34 +74,12 @@ int system_is_absolute(const char *path)
     return path[0] == '/';
 }
 
-char *system_beside(const char *path, const char *name)
+int system_read_link(const char *path, char *target, size_t size)
 {
-    size_t folder = system_is_absolute(name) ? 0 : (size_t)(system_name(path) - path);
-    char *beside = malloc(folder + strlen(name) + 1);
+    ssize_t n = readlink(path, target, size - 1);
 
-    if (beside) {
-        memcpy(beside, path, folder);
-        strcpy(beside + folder, name);
-    }
-    return beside;
-}
-
-char *system_resolve(const char *path)
-{
-    char *real = system_beside("", path), *next, target[4096];
-    ssize_t n;
-    int links;
-
-    for (links = 0; real && links < MOST_LINKS; links++) {
-        n = readlink(real, target, sizeof target - 1);
-        if (n < 0)
-            break;
-        target[n] = '\0';
-        next = system_beside(real, target);
-        free(real);
-        real = next;
-    }
-    return real;
+    target[n < 0 ? 0 : n] = '\0';
+    return n >= 0;
 }
 
 /* ------------------------------------------------------------------------------------------------- files */
@@ -165,20 +142,16 @@ static int make_temporary(char *name)
     return descriptor;
 }
 
-FILE *system_open_beside(const char *path, char **name)
+FILE *system_create(char *name, const char *like)
 {
     struct stat s;
-    mode_t mask = umask(0), mode = stat(path, &s) == 0 ? s.st_mode & 07777 : 0666 & ~mask;
+    mode_t mask = umask(0), mode = stat(like, &s) == 0 ? s.st_mode & 07777 : 0666 & ~mask;
     int descriptor;
 
     umask(mask);
-    *name = system_beside(path, ".fourlinkXXXXXX"); /* whatever the length of the name */
-    descriptor = *name ? make_temporary(*name) : -1;
-    if (descriptor < 0) {
-        free(*name);
-        *name = NULL;
+    descriptor = make_temporary(name);
+    if (descriptor < 0)
         return NULL;
-    }
     fchmod(descriptor, mode);
     return fdopen(descriptor, "w");
 }

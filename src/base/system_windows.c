@@ -150,21 +150,12 @@ int system_is_absolute(const char *path)
     return path[0] && (is_separator(path[0]) || path[1] == ':');
 }
 
-char *system_resolve(const char *path)
+int system_read_link(const char *path, char *target, size_t size)
 {
-    return system_beside("", path);
-}
-
-char *system_beside(const char *path, const char *name)
-{
-    size_t folder = system_is_absolute(name) ? 0 : (size_t)(system_name(path) - path);
-    char *beside = malloc(folder + strlen(name) + 1);
-
-    if (beside) {
-        memcpy(beside, path, folder);
-        strcpy(beside + folder, name);
-    }
-    return beside;
+    (void)path; /* links are rare here; such a path names the link itself */
+    (void)target;
+    (void)size;
+    return 0;
 }
 
 /* ------------------------------------------------------------------------------------------------- files */
@@ -269,58 +260,54 @@ static FILE *create(const wchar_t *name, DWORD flags)
     return descriptor < 0 ? NULL : _fdopen(descriptor, "w+b");
 }
 
-/* The same in a folder, which ends in a separator, under a name that no file has: memory to free. */
-static FILE *create_in(const wchar_t *folder, DWORD flags, wchar_t **name)
+/* The same under a name that no file has, in place of one that ends in XXXXXX. */
+static FILE *create_new(wchar_t *name, DWORD flags)
 {
-    size_t length = wcslen(folder);
+    wchar_t *letters = name + wcslen(name) - 6;
     unsigned long k = GetCurrentProcessId();
-    FILE *file = NULL;
-    int attempt, digit;
+    int attempt, i;
 
-    *name = malloc((length + sizeof ".fourlink000000") * sizeof **name);
-    for (attempt = 0; *name && !file && attempt < 1000; attempt++) {
+    for (attempt = 0; attempt < 1000; attempt++) {
         unsigned long rest = k = k * 69069UL + GetTickCount();
+        FILE *file;
 
-        wcscpy(*name, folder);
-        wcscat(*name, L".fourlink000000");
-        for (digit = 0; digit < 6; digit++, rest /= 26)
-            (*name)[length + 9 + (size_t)digit] = (wchar_t)(L'a' + rest % 26);
-        file = create(*name, flags);
-        if (!file && GetLastError() != ERROR_FILE_EXISTS)
-            break;
+        for (i = 0; i < 6; i++, rest /= 26)
+            letters[i] = (wchar_t)(L'a' + rest % 26);
+        file = create(name, flags);
+        if (file || GetLastError() != ERROR_FILE_EXISTS)
+            return file;
     }
-    if (!file) {
-        free(*name);
-        *name = NULL;
-    }
-    return file;
+    return NULL;
 }
 
 FILE *system_scratch(void)
 {
-    wchar_t folder[MAX_PATH + 1], *name;
-    DWORD n = GetTempPathW(MAX_PATH + 1, folder);
-    FILE *file;
+    wchar_t name[MAX_PATH + 20];
+    DWORD n = GetTempPathW(MAX_PATH + 1, name);
 
     if (n == 0 || n > MAX_PATH) {
         errno = ENOENT;
         return NULL;
     }
-    file = create_in(folder, FILE_FLAG_DELETE_ON_CLOSE | FILE_ATTRIBUTE_TEMPORARY, &name);
-    free(name);
-    return file;
+    wcscat(name, L"fourlinkXXXXXX");
+    return create_new(name, FILE_FLAG_DELETE_ON_CLOSE | FILE_ATTRIBUTE_TEMPORARY);
 }
 
-FILE *system_open_beside(const char *path, char **name)
+FILE *system_create(char *name, const char *like)
 {
-    char *here = system_beside(path, "");
-    wchar_t *folder = here ? wide(here) : NULL, *temporary = NULL;
-    FILE *file = folder ? create_in(folder, 0, &temporary) : NULL;
+    wchar_t *temporary = wide(name), *letters;
+    FILE *file = temporary ? create_new(temporary, 0) : NULL;
+    size_t end = strlen(name), i;
 
-    free(here);
-    free(folder);
+    (void)like; /* a new file inherits the permissions of its folder */
+    if (!file) {
+        free(temporary);
+        return NULL;
+    }
+    letters = temporary + wcslen(temporary) - 6;
+    for (i = 0; i < 6; i++)
+        name[end - 6 + i] = (char)letters[i];
     at_work = temporary;
-    *name = file ? narrow(temporary) : NULL;
     return file;
 }
 

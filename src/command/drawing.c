@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "drawing.h"
 #include "output.h"
@@ -52,7 +53,7 @@ int drawing_write(const input *in)
         status = write_script(file.file, in);
         return command_worse(status, output_end(&file, o->plot_script, status == 0));
     }
-    script = tmpfile();
+    script = system_scratch();
     if (!script)
         return command_complain("cannot draw", o->plot, strerror(errno));
     status = write_script(script, in);

@@ -2,15 +2,12 @@
 **
 ** files.c - the files of the command line: reading them, and which are the same.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 
@@ -43,7 +40,7 @@ static char *read_stream(FILE *file, size_t *length)
 
 char *files_read_path(const char *path, size_t *length)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = system_open(path, "rb");
     char *contents;
     int reason;
 
@@ -63,15 +60,12 @@ char *files_read(const char *path, size_t *length)
 
 int files_is_folder(const char *path)
 {
-    struct stat s;
-
-    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+    return system_kind_of(path) == SYSTEM_FOLDER;
 }
 
 char *files_beside(const char *path, const char *name)
 {
-    const char *slash = strrchr(path, '/');
-    size_t folder = slash && name[0] != '/' ? (size_t)(slash - path) + 1 : 0;
+    size_t folder = system_is_absolute(name) ? 0 : (size_t)(system_name(path) - path);
     char *beside = malloc(folder + strlen(name) + 1);
 
     if (beside) {
@@ -84,14 +78,9 @@ char *files_beside(const char *path, const char *name)
 char *files_resolve(const char *path)
 {
     char *real = files_beside("", path), *next, target[4096];
-    ssize_t n;
     int links;
 
-    for (links = 0; real && links < 40; links++) {
-        n = readlink(real, target, sizeof target - 1);
-        if (n < 0)
-            break;
-        target[n] = '\0';
+    for (links = 0; real && links < 40 && system_read_link(real, target, sizeof target); links++) {
         next = files_beside(real, target);
         free(real);
         real = next;
@@ -99,19 +88,12 @@ char *files_resolve(const char *path)
     return real;
 }
 
-static int is_same(const struct stat *x, const struct stat *y)
-{
-    return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
-}
-
 /* 1 if an output would replace an input, which is "-" for standard input. */
 static int replaces(const char *output, const char *input)
 {
-    struct stat out, in;
-
-    return output && stat(output, &out) == 0 && S_ISREG(out.st_mode) &&
-           (strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(input, &in)) == 0 &&
-           is_same(&in, &out);
+    return output && system_kind_of(output) == SYSTEM_FILE &&
+           (strcmp(input, "-") == 0 ? system_is_open_as(output, stdin)
+                                    : system_is_same(output, input));
 }
 
 int files_is_output(const options *o, const char *path)
@@ -131,38 +113,28 @@ static int is_input(const char *output, const options *o)
            (o->statistics_file && replaces(output, o->statistics_file));
 }
 
-/* Find the folder of a path; returns the file's name in it, or null. */
-static const char *find_folder(const char *path, struct stat *folder)
-{
-    const char *slash = strrchr(path, '/');
-    char *name = files_beside(path, ".");
-    int found = name && stat(name, folder) == 0;
-
-    free(name);
-    return !found ? NULL : slash ? slash + 1 : path;
-}
-
 /* 1 if two paths, without links at their ends, name the same file of one folder. */
 static int is_same_name(const char *x, const char *y)
 {
-    struct stat a, b;
+    char *folder = files_beside(x, "."), *other = files_beside(y, ".");
+    int is_one = folder && other && system_is_same(folder, other) &&
+                 strcmp(system_name(x), system_name(y)) == 0;
 
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    free(folder);
+    free(other);
+    return is_one;
 }
 
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
-    struct stat a, b;
     char *target, *other;
     int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
-    if (stat(x, &a) == 0 && stat(y, &b) == 0)
-        return S_ISREG(a.st_mode) && is_same(&a, &b);
+    if (system_kind_of(x) != SYSTEM_NOTHING && system_kind_of(y) != SYSTEM_NOTHING)
+        return system_kind_of(x) == SYSTEM_FILE && system_is_same(x, y);
     target = files_resolve(x);
     other = files_resolve(y);
     is_one = target && other && is_same_name(target, other);

@@ -2,13 +2,12 @@
 **
 ** grade.c - the answers that decks are checked against: a file, or one of a folder for each deck.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/message.h"
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 #include "grade.h"
@@ -28,14 +27,14 @@ int grade_open(grade_answers *a, const options *o)
 /* FOLDER/NAME.expect: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    const char *slash = strrchr(deck, '/'), *name = slash ? slash + 1 : deck;
+    const char *name = system_name(deck);
     size_t length = strlen(name), room = strlen(folder) + length + sizeof "/.expect";
     char *path = malloc(room);
 
     if (!path)
         return NULL;
     strcpy(path, folder);
-    if (folder[strlen(folder) - 1] != '/')
+    if (*system_name(folder))
         strcat(path, "/");
     if (length > 5 && strcmp(name + length - 5, ".deck") == 0)
         length -= 5;

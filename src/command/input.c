@@ -2,14 +2,12 @@
 **
 ** input.c - a deck of the command line, opened for results.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "base/text.h"
 #include "command.h"
 #include "files.h"
@@ -168,7 +166,7 @@ static int read_text(input *in, const char *path)
     size_t length = 0;
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
-    if (in->name != path && isatty(STDIN_FILENO))
+    if (in->name != path && system_is_terminal(stdin))
         fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
     in->source.name = in->name;

@@ -2,50 +2,12 @@
 **
 ** interrupt.c - long work: signals that stop it, and its progress.
 */
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with SA_RESTART */
-
-#include <signal.h>
-#include <string.h>
-#include <unistd.h>
-
+#include "base/system.h"
 #include "interrupt.h"
-
-static volatile sig_atomic_t stopped_by;
-static struct sigaction old_actions[3];
-
-static void on_signal(int number)
-{
-    stopped_by = number;
-}
-
-void interrupt_watch(int begin)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action;
-    int i;
-
-    memset(&action, 0, sizeof action);
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART; /* finish the line that is being written */
-    sigemptyset(&action.sa_mask);
-    if (begin)
-        stopped_by = 0;
-    for (i = 0; i < 3; i++)
-        if (!begin)
-            sigaction(signals[i], &old_actions[i], NULL);
-        else if (sigaction(signals[i], NULL, &old_actions[i]) == 0 &&
-                 old_actions[i].sa_handler != SIG_IGN)
-            sigaction(signals[i], &action, NULL);
-}
-
-int interrupt_signal(void)
-{
-    return (int)stopped_by;
-}
 
 void progress_begin(progress *p, FILE *out)
 {
-    p->is_shown = isatty(STDERR_FILENO) && !isatty(fileno(out));
+    p->is_shown = system_is_terminal(stderr) && !system_is_terminal(out);
     p->is_told = 0;
     p->start = p->last = time(NULL);
 }

@@ -8,12 +8,6 @@
 #include <stdio.h>
 #include <time.h>
 
-/* Catch the signals that end a program, or restore the old actions. */
-void interrupt_watch(int begin);
-
-/* The signal that came since then; 0: none. */
-int interrupt_signal(void);
-
 /* Progress on a terminal, once a second. */
 typedef struct progress {
     int is_shown, is_told;

@@ -11,7 +11,4 @@
 ** why there is none; gnuplot's own messages go to standard error. */
 const char *gnuplot_run(FILE *script, FILE *picture);
 
-/* End the gnuplot that is running, if one is; for a signal that ends the program. */
-void gnuplot_stop(void);
-
 #endif
