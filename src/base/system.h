@@ -18,8 +18,8 @@ void system_begin(int *argc, char ***argv);
 
 /* ---- names */
 
-/* The name of a file in a path, after its folders. */
-const char *system_name(const char *path);
+/* 1 if a character separates the names of a path. */
+int system_is_separator(char c);
 
 /* 1 if a path does not depend on the working folder. */
 int system_is_absolute(const char *path);
@@ -45,6 +45,12 @@ int system_is_open_as(const char *path, FILE *stream);
 
 int system_may_write(const char *path);
 FILE *system_open(const char *path, const char *mode);
+
+/* The same for reading, without waiting for another program; null with errno 0 if it is not a regular file. */
+FILE *system_open_regular(const char *path);
+
+/* 1 if a file, through symbolic links, is in a folder or in one of its folders, or is not there. */
+int system_is_within(const char *folder, const char *path);
 
 /* A temporary file without a name, for reading and writing. */
 FILE *system_scratch(void);

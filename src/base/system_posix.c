@@ -3,7 +3,7 @@
 ** system_posix.c - the operating system, for POSIX.1-2001.
 */
 #ifndef _WIN32
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp, readlink and SA_RESTART */
+#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp, realpath and SA_RESTART */
 #endif
 
 #include "system.h"
@@ -12,6 +12,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#ifndef PATH_MAX
+#define PATH_MAX 4096
+#endif
 #define NOT_FOUND 127
 #define NOT_STARTED 126
 
@@ -62,11 +66,9 @@ void system_begin(int *argc, char ***argv)
 
 /* ------------------------------------------------------------------------------------------------- names */
 
-const char *system_name(const char *path)
+int system_is_separator(char c)
 {
-    const char *slash = strrchr(path, '/');
-
-    return slash ? slash + 1 : path;
+    return c == '/';
 }
 
 int system_is_absolute(const char *path)
@@ -120,6 +122,32 @@ int system_may_write(const char *path)
 FILE *system_open(const char *path, const char *mode)
 {
     return fopen(path, mode);
+}
+
+FILE *system_open_regular(const char *path)
+{
+    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY);
+    struct stat s;
+    FILE *file;
+
+    if (descriptor < 0)
+        return NULL;
+    errno = 0;
+    file = fstat(descriptor, &s) == 0 && S_ISREG(s.st_mode) ? fdopen(descriptor, "rb") : NULL;
+    if (!file)
+        close(descriptor);
+    return file;
+}
+
+int system_is_within(const char *folder, const char *path)
+{
+    char place[PATH_MAX + 1], file[PATH_MAX];
+
+    if (!realpath(folder, place))
+        return 0;
+    if (strcmp(place, "/") != 0)
+        strcat(place, "/");
+    return !realpath(path, file) || strncmp(file, place, strlen(place)) == 0;
 }
 
 FILE *system_scratch(void)

@@ -130,24 +130,14 @@ void system_begin(int *argc, char ***argv)
 
 /* ------------------------------------------------------------------------------------------------- names */
 
-static int is_separator(char c)
+int system_is_separator(char c)
 {
     return c == '/' || c == '\\' || c == ':';
 }
 
-const char *system_name(const char *path)
-{
-    const char *name = path;
-
-    for (; *path; path++)
-        if (is_separator(*path))
-            name = path + 1;
-    return name;
-}
-
 int system_is_absolute(const char *path)
 {
-    return path[0] && (is_separator(path[0]) || path[1] == ':');
+    return path[0] && (system_is_separator(path[0]) || path[1] == ':');
 }
 
 int system_read_link(const char *path, char *target, size_t size)
@@ -242,6 +232,47 @@ FILE *system_open(const char *path, const char *mode)
     free(w);
     free(m);
     return file;
+}
+
+FILE *system_open_regular(const char *path)
+{
+    system_kind kind = system_kind_of(path);
+
+    if (kind == SYSTEM_FOLDER || kind == SYSTEM_OTHER)
+        errno = 0;
+    return kind == SYSTEM_FILE ? system_open(path, "rb") : NULL;
+}
+
+/* The path of what an open handle is, in the system's own form: memory to free, or null. */
+static wchar_t *real_path(HANDLE handle)
+{
+    DWORD n = GetFinalPathNameByHandleW(handle, NULL, 0, 0);
+    wchar_t *path = n > 0 ? malloc((n + 2) * sizeof *path) : NULL;
+
+    if (path && GetFinalPathNameByHandleW(handle, path, n + 1, 0) == 0)
+        path[0] = L'\0';
+    return path;
+}
+
+int system_is_within(const char *folder, const char *path)
+{
+    HANDLE place = open_place(folder), file = open_place(path);
+    wchar_t *x = place != INVALID_HANDLE_VALUE ? real_path(place) : NULL,
+            *y = file != INVALID_HANDLE_VALUE ? real_path(file) : NULL;
+    size_t n = x ? wcslen(x) : 0;
+    int is_within;
+
+    if (n && x[n - 1] == L'\\')
+        n--;
+    is_within =
+        n && (file == INVALID_HANDLE_VALUE || (y && wcsncmp(x, y, n) == 0 && y[n] == L'\\'));
+    free(x);
+    free(y);
+    if (place != INVALID_HANDLE_VALUE)
+        CloseHandle(place);
+    if (file != INVALID_HANDLE_VALUE)
+        CloseHandle(file);
+    return is_within;
 }
 
 /* A new file, which can be removed while it is open; null with errno set. */

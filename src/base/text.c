@@ -110,6 +110,12 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+int flk_text_line_end(text t)
+{
+    return t.length && !memchr(t.start, '\n', t.length) && memchr(t.start, '\r', t.length) ? '\r'
+                                                                                           : '\n';
+}
+
 size_t flk_text_count(text t, int c)
 {
     size_t i, n = 0;

@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "arithmetic.h"
+
 /* A piece of a text, not null-terminated. */
 typedef struct text {
     const char *start;
@@ -47,6 +49,9 @@ int flk_text_same(text t, const char *word);
 
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
+
+/* What ends the lines of a text: LF, or CR if it has no LF. */
+int flk_text_line_end(text t);
 
 /* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
 ** A tab counts as a blank of the separator. */

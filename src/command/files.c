@@ -58,14 +58,60 @@ char *files_read(const char *path, size_t *length)
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
 }
 
+/* 1 if a path names a folder above it, or begins at the root. */
+static int climbs(const char *path)
+{
+    const char *at;
+
+    if (system_is_absolute(path))
+        return 1;
+    for (at = path; *at; at++)
+        if (at[0] == '.' && at[1] == '.' && (!at[2] || system_is_separator(at[2])) &&
+            (at == path || system_is_separator(at[-1])))
+            return 1;
+    return 0;
+}
+
+int files_is_beside(const char *path, const char *name)
+{
+    char *folder = files_beside(path, "."), *file = files_beside(path, name);
+    int is_beside = folder && file && !climbs(name) && system_is_within(folder, file);
+
+    free(folder);
+    free(file);
+    return is_beside;
+}
+
+char *files_read_regular(const char *path, size_t *length)
+{
+    FILE *file = system_open_regular(path);
+    char *contents = file ? read_stream(file, length) : NULL;
+    int reason = errno;
+
+    if (file)
+        fclose(file);
+    errno = reason;
+    return contents;
+}
+
 int files_is_folder(const char *path)
 {
     return system_kind_of(path) == SYSTEM_FOLDER;
 }
 
+const char *files_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (system_is_separator(*path))
+            name = path + 1;
+    return name;
+}
+
 char *files_beside(const char *path, const char *name)
 {
-    size_t folder = system_is_absolute(name) ? 0 : (size_t)(system_name(path) - path);
+    size_t folder = system_is_absolute(name) ? 0 : (size_t)(files_name(path) - path);
     char *beside = malloc(folder + strlen(name) + 1);
 
     if (beside) {
@@ -118,7 +164,7 @@ static int is_same_name(const char *x, const char *y)
 {
     char *folder = files_beside(x, "."), *other = files_beside(y, ".");
     int is_one = folder && other && system_is_same(folder, other) &&
-                 strcmp(system_name(x), system_name(y)) == 0;
+                 strcmp(files_name(x), files_name(y)) == 0;
 
     free(folder);
     free(other);

@@ -12,8 +12,18 @@
 char *files_read(const char *path, size_t *length);
 char *files_read_path(const char *path, size_t *length);
 
+/* Read a file that is no device or FIFO, which could wait for ever; null with errno 0 if it is one. */
+char *files_read_regular(const char *path, size_t *length);
+
+/* 1 if a name, relative to the folder of `path`, does not lead out of this folder; symbolic links are
+** followed. */
+int files_is_beside(const char *path, const char *name);
+
 /* 1 if a path is that of a folder. */
 int files_is_folder(const char *path);
+
+/* The name of a file in a path, after its folders. */
+const char *files_name(const char *path);
 
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/message.h"
-#include "base/system.h"
 #include "command.h"
 #include "files.h"
 #include "grade.h"
@@ -27,14 +26,14 @@ int grade_open(grade_answers *a, const options *o)
 /* FOLDER/NAME.expect: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    const char *name = system_name(deck);
+    const char *name = files_name(deck);
     size_t length = strlen(name), room = strlen(folder) + length + sizeof "/.expect";
     char *path = malloc(room);
 
     if (!path)
         return NULL;
     strcpy(path, folder);
-    if (*system_name(folder))
+    if (*files_name(folder))
         strcat(path, "/");
     if (length > 5 && strcmp(name + length - 5, ".deck") == 0)
         length -= 5;

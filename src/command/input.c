@@ -21,6 +21,23 @@ typedef struct named_file {
     size_t length;
 } named_file;
 
+/* Read a file that the deck names. */
+static char *read_named(input *in, const char *path, const char *name, size_t *length)
+{
+    char *contents = NULL;
+
+    if (!in->o->allow_files && !files_is_beside(in->name, name)) {
+        in->no_file = "a deck may name files of its own folder only; --allow-files permits others";
+        return NULL;
+    }
+    in->names_output |= files_is_output(in->o, path);
+    contents = files_read_regular(path, length);
+    in->out_of_memory |= !contents && errno == ENOMEM;
+    if (!contents && errno == 0)
+        in->no_file = "it is not a regular file";
+    return contents;
+}
+
 /* Load a file that the deck names, for the deck's reader. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
 {
@@ -41,9 +58,7 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
         in->out_of_memory = 1;
         return NULL;
     }
-    in->names_output |= files_is_output(in->o, path);
-    f->contents = files_read_path(path, &f->length);
-    in->out_of_memory |= !f->contents && errno == ENOMEM;
+    f->contents = read_named(in, path, file_name, &f->length);
     f->next = in->files;
     in->files = f;
     free(path);
@@ -148,6 +163,8 @@ static int open_results(input *in)
     } else if (status == FOURLINK_BAD_DECK) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
+        if (in->no_file)
+            command_tell_note(in->name, 0, in->no_file, NULL);
         status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");

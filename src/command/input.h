@@ -18,6 +18,7 @@ typedef struct input {
     struct named_file *files;  /* the files that the deck names */
     int names_output;          /* 1: one of them would be written */
     int out_of_memory;         /* 1: one could not be loaded */
+    const char *no_file;       /* why one of them is not read; null: the system says why */
     fourlink_results *results; /* null: the deck is not usable */
     fourlink_problem problem;
     grade_answers answers;      /* its own, of a folder */

@@ -29,6 +29,7 @@ const char *const options_help[] = {
     "                                    or FOLDER/NAME.expect for NAME.deck",
     "      --expect                      print the values of the deck as answers for --check=FILE",
     "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
+    "      --allow-files                 let a deck name files outside its folder",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
@@ -59,7 +60,8 @@ enum {
     AT,
     STATISTICS,
     BEST,
-    LAST_WITHOUT_LETTER = BEST
+    ALLOW_FILES,
+    LAST_WITHOUT_LETTER = ALLOW_FILES
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -77,6 +79,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'c', "--columns", 1, "table.columns="},
                                     {'w', "--wide", 0, NULL},
                                     {'s', "--set", 1, ""},
+                                    {ALLOW_FILES, "--allow-files", 0, NULL},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
                                     {EXPECT, "--expect", 0, NULL},
@@ -249,6 +252,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_statistics(o, value, message);
     case EXPECT:
         return set_content(o, SHEET_EXPECT);
+    case ALLOW_FILES:
+        return o->allow_files = 1;
     case AT:
         o->at = value;
         return 1;

@@ -13,6 +13,7 @@ typedef struct options {
     sheet_content content;
     int n_contents; /* how many were asked for */
     int help, version;
+    int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *at;         /* the crank angles of --expect; null: the rows */

@@ -99,7 +99,7 @@ static int next_line(parser *p, text *rest, text *line)
 {
     if (p->last_line > 0 && !rest->length)
         return 0; /* nothing after the last end of line */
-    if (!flk_text_split(rest, '\n', line))
+    if (!flk_text_split(rest, p->line_end, line))
         return 0;
     p->last_line++;
     if (!is_text(p, *line, flk_reader_end(p))) {
@@ -118,7 +118,7 @@ static void join_lines(parser *p, char *copy, text *rest, text *line)
         text ahead = *rest, next;
         char *gap;
 
-        if (!flk_text_split(&ahead, '\n', &next))
+        if (!flk_text_split(&ahead, p->line_end, &next))
             return;
         next = flk_line_without_comment(next);
         if (next.length && (next.start[0] == '[' || memchr(next.start, '=', next.length)))
@@ -143,6 +143,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
     place.line = 1;
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
     rest = flk_text_without_mark(rest);
+    p->line_end = flk_text_line_end(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;
 

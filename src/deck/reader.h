@@ -83,6 +83,7 @@ typedef struct parser {
     int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
     int not_text; /* 1: the reading ended at a byte that is not text */
     long last_line;
+    int line_end;
     int out_of_memory;
 } parser;
 

@@ -406,12 +406,13 @@ static int both_in(text line)
 static int asks_for_both(const fourlink_source *source)
 {
     text rest, line;
-    int both = 0, here;
+    int both = 0, here, line_end;
     unsigned long i;
 
     rest.start = source->text;
     rest.length = source->length;
-    while (flk_text_split(&rest, '\n', &line))
+    line_end = flk_text_line_end(rest);
+    while (flk_text_split(&rest, line_end, &line))
         if ((here = both_in(line)) >= 0)
             both = here;
     for (i = 0; i < source->n_changes; i++)

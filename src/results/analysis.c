@@ -21,7 +21,7 @@ static int possible(const deck *d)
     if (status == FOURLINK_NOT_AN_ENGINE)
         return needs;
     return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
-           (d->has_forces && status == FOURLINK_OK ? NEED_ENGINE | NEED_GAS : 0);
+           (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
 int flk_analysis_open(flk_analysis *a, const deck *d)
