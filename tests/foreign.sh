@@ -79,15 +79,18 @@ build_cmocka() {
     } >"$cmocka.log" 2>&1 || { tail -n 20 "$cmocka.log"; exit 1; }
 }
 
-# build NAME ARGUMENT...: fourlink and its tests in the folder NAME/build, with arguments for cmake.
-build() {
+# configure NAME ARGUMENT...: prepare the folder NAME/build, with arguments for cmake.
+configure() {
     name=$1
     shift
     mkdir -p "$name"
-    {
-        cmake -S "$source" -B "$name/build" -DCMAKE_BUILD_TYPE=Release -DFOURLINK_WERROR=ON "$@" &&
-            cmake --build "$name/build" -j2
-    } >"$name/build.log" 2>&1 || { tail -n 20 "$name/build.log"; exit 1; }
+    cmake -S "$source" -B "$name/build" -DCMAKE_BUILD_TYPE=Release -DFOURLINK_WERROR=ON "$@" >"$name/build.log" 2>&1 ||
+        { tail -n 20 "$name/build.log"; exit 1; }
+}
+
+# build NAME TARGET: compile fourlink, or all.
+build() {
+    cmake --build "$1/build" -j2 --target "$2" >>"$1/build.log" 2>&1 || { tail -n 20 "$1/build.log"; exit 1; }
 }
 
 # emulate NAME COMMAND...: put a script that runs it with COMMAND in the place of each program that was built.
@@ -190,8 +193,8 @@ compare() {
         }' "$1/compared" || failed=1
 }
 
-# run_tests NAME PATTERN: the tests of a build, but for those of a pattern.
+# run_tests NAME PATTERN: the tests of a build, but for those of a pattern; the variable TESTS selects others.
 run_tests() {
-    nice ctest --test-dir "$1/build" -j2 --timeout 3000 -E "$2" --output-on-failure >"$1/tests.log" 2>&1 || failed=1
+    ctest --test-dir "$1/build" -j2 --timeout 3000 -E "$2" -R "${TESTS-.}" --output-on-failure >"$1/tests.log" 2>&1 || failed=1
     sed -n "s/^\([0-9]*% tests passed.*\)/$1: \1/p; s/^\([\t ]*[0-9]* - .*\)/$1: \1/p" "$1/tests.log"
 }
