@@ -30,7 +30,7 @@
 
 /* The temporary file that a signal must remove; null if there is none. */
 static char *volatile at_work;
-static volatile pid_t running; /* the program that was started; 0: none */
+static volatile pid_t running; /* the program that was started; not above 0: none */
 static volatile sig_atomic_t caught;
 static struct sigaction old_actions[3];
 
@@ -272,12 +272,16 @@ static void become(const char *const *arguments, FILE *complaints)
 static int start(const char *const *arguments, FILE *input, FILE *complaints)
 {
     int ends[2];
+    sigset_t all, old;
 
     if (fflush(input) != 0 || lseek(fileno(input), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
         pipe(ends) != 0)
         return -1;
     signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &old); /* none comes before `running` is known */
     running = fork();
+    sigprocmask(SIG_SETMASK, &old, NULL);
     if (running == 0) {
         close(ends[0]);
         if (dup2(fileno(input), STDIN_FILENO) >= 0 && dup2(ends[1], STDOUT_FILENO) >= 0 &&

@@ -26,39 +26,60 @@ static int draw(const char *path, FILE *script)
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
+/* Copy a script; returns the exit status. */
+static int copy(const char *path, FILE *script)
+{
+    output file;
+    int status = output_begin(&file, path), c;
+
+    if (status)
+        return status;
+    rewind(script);
+    while ((c = getc(script)) != EOF)
+        putc(c, file.file);
+    if (ferror(script))
+        status = command_complain("cannot write", path, strerror(errno));
+    return command_worse(status, output_end(&file, path, status == 0));
+}
+
 static int write_script(FILE *script, const input *in)
 {
     fourlink_mistake mistake;
     int written = picture_write(script, &in->source, &in->o->drawing, &mistake);
 
-    if (written > 0)
-        return 0;
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
+    if (written > 0)
+        return fflush(script) == 0 && !ferror(script)
+                   ? 0
+                   : command_complain("cannot draw", in->name, strerror(errno));
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
 
-int drawing_write(const input *in)
+int drawing_begin(drawing *d, const input *in)
 {
-    const options *o = in->o;
-    FILE *script;
-    output file;
     int status;
 
-    if (o->plot_script) {
-        status = output_begin(&file, o->plot_script);
-        if (status)
-            return status;
-        status = write_script(file.file, in);
-        return command_worse(status, output_end(&file, o->plot_script, status == 0));
+    d->in = in;
+    d->script = system_scratch();
+    if (!d->script)
+        return command_complain("cannot draw", in->name, strerror(errno));
+    status = write_script(d->script, in);
+    if (status) {
+        fclose(d->script);
+        d->script = NULL;
     }
-    script = system_scratch();
-    if (!script)
-        return command_complain("cannot draw", o->plot, strerror(errno));
-    status = write_script(script, in);
-    if (!status)
-        status = draw(o->plot, script);
-    fclose(script);
+    return status;
+}
+
+int drawing_end(drawing *d, int keep)
+{
+    const options *o = d->in->o;
+    int status = 0;
+
+    if (keep)
+        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o->plot, d->script);
+    fclose(d->script);
     return status;
 }

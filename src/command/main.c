@@ -115,6 +115,24 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
 }
 
+/* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
+static int write_all(const options *o, const input *inputs, int usable, int *signal_number)
+{
+    drawing d = {NULL, NULL};
+    int status = 0;
+
+    if ((o->plot || o->plot_script) && inputs[0].results)
+        status = drawing_begin(&d, &inputs[0]);
+    if (status == EXIT_USAGE)
+        return status;
+    if (usable || (o->statistics_file && !o->n_decks) ||
+        (o->content == SHEET_CHECK && o->n_decks > 1))
+        status = command_worse(status, write_sheet(o, inputs, signal_number));
+    if (d.script)
+        status = command_worse(status, drawing_end(&d, !*signal_number));
+    return status;
+}
+
 static int run(const options *o)
 {
     input *inputs = calloc(o->n_decks + 1, sizeof *inputs);
@@ -133,11 +151,7 @@ static int run(const options *o)
         status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable || (o->statistics_file && !o->n_decks) ||
-        (o->content == SHEET_CHECK && o->n_decks > 1))
-        status = command_worse(status, write_sheet(o, inputs, &signal_number));
-    if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
-        status = command_worse(status, drawing_write(&inputs[0]));
+    status = command_worse(status, write_all(o, inputs, usable, &signal_number));
     for (i = 0; i < o->n_decks; i++)
         input_close(&inputs[i]);
     free(inputs);

@@ -48,7 +48,7 @@ const char *const options_help[] = {
     "  -V, --version                     print the version",
     "",
     "Exit status: 0 success; 1 some rows could not be computed, or a check failed;",
-    "2 wrong usage or mistakes in a deck; 3 reading, writing or gnuplot failed.",
+    "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
     NULL};
 
 /* Stand for the letter of options that have none. */

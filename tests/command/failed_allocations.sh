@@ -128,6 +128,9 @@ all 0 --check=. -o files/result alvi-5.1.deck
 all 0 --expect --at='0 deg, 90 deg' -o files/result single.deck
 all 0 --list -o files/result single.deck
 all 0 --matrix -o files/result $few single.deck
+ln -s files/result link
+all 0 -f csv -o link $few single.deck
+check 'a link stays a link' test -h link
 
 # the other deck is written
 "$fourlink" -f csv -o alone.csv $few single.deck absent.deck 2>err
