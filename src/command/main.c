@@ -187,7 +187,9 @@ int main(int argc, char **argv)
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
     } else if (status == 0) {
-        fprintf(stderr, "fourlink: %s\nTry 'fourlink --help'.\n", message);
+        fputs("fourlink: ", stderr);
+        command_print(message);
+        fputs("\nTry 'fourlink --help'.\n", stderr);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
         status = write_text(o.help ? options_help : version);

@@ -16,15 +16,24 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line. */
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.
+** What is not printable is shown as a question mark, so that every script and picture is valid UTF-8. */
 static void put_quoted(FILE *out, const char *words)
 {
+    text rest = flk_text_of(words);
+
     putc('"', out);
-    for (; *words; words++)
-        if (strchr("\"\\`", *words) || ((unsigned char)*words < ' '))
-            fprintf(out, "\\%03o", (unsigned)*words);
+    while (rest.length) {
+        size_t n = flk_text_printable(rest);
+
+        if (n == 0)
+            putc('?', out);
+        else if (strchr("\"\\`", *rest.start))
+            fprintf(out, "\\%03o", (unsigned)*rest.start);
         else
-            putc(*words, out);
+            fwrite(rest.start, 1, n, out);
+        rest = flk_text_from(rest, n ? n : 1);
+    }
     putc('"', out);
 }
 
