@@ -84,4 +84,4 @@ for machine in $machines; do
     compile "$machine" all
     run_tests "$machine" "$slow"
 done
-[ $failed -eq 0 ]
+finish
