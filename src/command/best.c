@@ -17,7 +17,7 @@
 #include "base/system.h"
 #include "best.h"
 #include "command.h"
-#include "interrupt.h"
+#include "progress.h"
 #include "rewrite.h"
 #include "tables/statistics.h"
 

@@ -11,7 +11,7 @@
 #include "base/system.h"
 #include "command.h"
 #include "designs.h"
-#include "interrupt.h"
+#include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
 

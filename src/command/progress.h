@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** interrupt.h - long work: signals that stop it, and its progress.
+** progress.h - the progress of long work, on a terminal.
 */
-#ifndef FOURLINK_INTERRUPT_H
-#define FOURLINK_INTERRUPT_H
+#ifndef FOURLINK_PROGRESS_H
+#define FOURLINK_PROGRESS_H
 
 #include <stdio.h>
 #include <time.h>

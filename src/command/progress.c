@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** interrupt.c - long work: signals that stop it, and its progress.
+** progress.c - the progress of long work, on a terminal.
 */
 #include "base/system.h"
-#include "interrupt.h"
+#include "progress.h"
 
 void progress_begin(progress *p, FILE *out)
 {
