@@ -91,8 +91,8 @@ build_cmocka() {
     shift
     {
         cmake -S cmocka-[0-9]* -B "$cmocka" -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_INSTALL_LIBDIR=lib \
-            -DBUILD_SHARED_LIBS=OFF -DWITH_EXAMPLES=OFF "$@" && cmake --build "$cmocka" && cmake --install "$cmocka"
-        cp "$(find "$cmocka" -name 'libcmocka*.a')" "$prefix/lib/libcmocka.a"
+            -DWITH_STATIC_LIB=ON -DWITH_EXAMPLES=OFF "$@" && cmake --build "$cmocka" && cmake --install "$cmocka"
+        cp "$cmocka"/src/libcmocka-static.a "$prefix/lib/libcmocka.a"
     } >"$cmocka.log" 2>&1 || { tail -n 20 "$cmocka.log"; exit 1; }
 }
 
