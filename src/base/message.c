@@ -116,6 +116,11 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     return 0;
 }
 
+int flk_mistakes_are_full(const mistakes *m)
+{
+    return m->count == MOST_MISTAKES;
+}
+
 /* An insertion sort: the list is short, and mistakes in the same line keep their order. */
 void flk_mistakes_sort(mistakes *m)
 {

@@ -31,6 +31,10 @@ static size_t check_curve(parser *p, const setting *s)
 
     if (!c || !(period > 0))
         return 0;
+    if (n > MOST_POINTS) {
+        flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
+        return 0;
+    }
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < LEAST_STEP) {
             flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");

@@ -46,9 +46,10 @@ static text without_comment(text line)
 
     for (i = 0; i < line.length; i++) {
         before.length = i;
-        after = flk_text_trim(flk_text_from(line, i + 1));
-        if (i > 0 && !flk_text_blank_before(before))
+        if ((line.start[i] != '#' && line.start[i] != ';') ||
+            (i > 0 && !flk_text_blank_before(before)))
             continue;
+        after = flk_text_trim(flk_text_from(line, i + 1));
         if (line.start[i] == '#' ||
             (line.start[i] == ';' && (i == 0 || is_row) && after.length && !is_number_start(after)))
             break;
@@ -334,10 +335,22 @@ static void read_lines(card *c, text contents, setting *s)
     contents = flk_text_without_mark(contents);
     while (!c->p->out_of_memory && flk_text_split(&contents, end, &line)) {
         c->row.place.line++;
+        if (!flk_line_is_text(c->p, line, c->row.place))
+            return;
         c->line = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
         if (!c->line.length)
             continue;
+        c->p->n_characters += c->line.length;
+        if (c->p->n_characters > MOST_CHARACTERS) {
+            flk_mistake(c->p->mistakes, c->row.place,
+                        "more than 8,000,000 characters: not a curve");
+            return;
+        }
         c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
+        if (s->n_points == MOST_POINTS) {
+            flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
+            return;
+        }
         if (!c->separator)
             c->separator = flk_text_count(c->line, ';') ? ';' : ' ';
         if (!s->n_points && is_header(c))
@@ -391,7 +404,7 @@ static const char *load(parser *p, text name, unsigned long *length)
 
 int flk_card_read(parser *p, setting *s, quantity q, text name)
 {
-    size_t before = p->mistakes->count;
+    size_t before = p->mistakes->count, rows;
     unsigned long length;
     text contents = {NULL, 0}, units[2];
     card c;
@@ -417,8 +430,10 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     contents.length = length;
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
     c.row.place.line = 0;
-    s->curve = flk_reader_keep(p, (flk_text_count(contents, flk_text_line_end(contents)) + 1) *
-                                      sizeof *s->curve);
+    rows = flk_text_count(contents, flk_text_line_end(contents)) + 1;
+    if (rows > MOST_POINTS)
+        rows = MOST_POINTS;
+    s->curve = flk_reader_keep(p, rows * sizeof *s->curve);
     if (s->curve)
         read_lines(&c, contents, s);
     s->is_bare = c.row.is_bare;
