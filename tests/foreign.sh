@@ -62,7 +62,7 @@ sources_of() {
         for list in /etc/apt/sources.list.d/*.sources; do
             sed 's/^Types: .*/Types: deb-src/' "$list" >"$sources/${list##*/}"
         done
-        private_apt sources update
+        private_apt sources update || true # an index of another suite may be missing
         private_apt sources source "$package"
     done
     sources=
@@ -75,7 +75,7 @@ build_gsl() {
     mkdir -p "$1/gsl"
     (
         cd "$1/gsl"
-        "$work"/gsl-[0-9]*/configure --host="$2" CC="$3" CFLAGS=-O2 --disable-shared --prefix="$work/$1/usr"
+        "$work"/gsl-[0-9]*/configure --host="$2" CC="$3" CFLAGS=-O2 --disable-shared --with-pic --prefix="$work/$1/usr"
         sed -i 's/ doc$//; s/ doc / /' Makefile # its documentation is not in Debian's source
         make -j2
         make install

@@ -6,8 +6,11 @@
 # Debian 12 or later on amd64, as root, because it installs packages.  GSL and cmocka are compiled from
 # Debian's sources.  Debian has no gnuplot for Windows: a program that prints its input stands in.
 . "$(dirname "$0")/foreign.sh"
-# These compile, need signals or a terminal of POSIX, or take an hour when emulated.
-others='install|readme|includes|fast_math|brute|pictures'
+# These compile, take an hour when emulated, need signals, links, devices or a terminal of POSIX, names with quotes or
+# control characters, or gnuplot itself.
+others='install|readme|includes|fast_math|brute|interruption|missing_designs|failures|output|files|terminal|readers'
+others="$others|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
+others="$others|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
 
 install cmake make gcc libgsl-dev dpkg-dev mingw-w64 wine wine64
 export WINEPREFIX="$work/wine" WINEDEBUG=-all
