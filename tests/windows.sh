@@ -106,6 +106,17 @@ run 0 --format=csv --output=x.csv decks/x.deck
 expect 'csv has CR LF once' test "$(tr -cd '\r' <x.csv | wc -c)" -eq "$(wc -l <x.csv)"
 expect 'no temporary file is left' test -z "$(find . -name '.fourlink*')"
 
+# streams that the shell of Windows redirects: Wine knows those of this one by no name
+cp "$alvi" mine.deck
+cp "$work"/windows/build/real/fourlink.exe .
+got=0
+wine cmd /c 'fourlink.exe --output=mine.deck - < mine.deck' 2>messages || got=$?
+expect 'a deck on standard input is not replaced' test $got -eq 3
+expect 'it stays' cmp mine.deck "$alvi"
+"$work/native/build/fourlink" "$alvi" >table
+wine cmd /c 'fourlink.exe --output=same.txt mine.deck > same.txt'
+expect 'an output that is standard output too' cmp table same.txt
+
 # files that a deck names
 mkdir decks/sub
 printf '0 1\r\n90 20\r\n180 4\r\n' >decks/sub/card.txt
