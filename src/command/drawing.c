@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "drawing.h"
 #include "output.h"
@@ -95,7 +96,7 @@ int drawing_begin(drawing *d, const input *in)
     int status;
 
     d->in = in;
-    d->script = tmpfile();
+    d->script = system_scratch();
     if (!d->script)
         return command_complain("cannot draw", in->name, strerror(errno));
     status = write_script(d->script, in, &d->caption);

@@ -2,24 +2,16 @@
 **
 ** files.c - the files of the command line: reading them, and which are the same.
 */
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001 with realpath */
-
 #include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 
 #define LARGEST_FILE 67108864 /* bytes */
-#ifndef PATH_MAX
-#define PATH_MAX 4096
-#endif
 
 /* Read a whole stream; null with errno set if that fails. */
 static char *read_stream(FILE *file, size_t *length)
@@ -48,7 +40,7 @@ static char *read_stream(FILE *file, size_t *length)
 
 char *files_read_path(const char *path, size_t *length)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = system_open(path, "rb");
     char *contents;
     int reason;
 
@@ -69,74 +61,63 @@ char *files_read(const char *path, size_t *length)
 /* 1 if a path names a folder above it, or begins at the root. */
 static int climbs(const char *path)
 {
-    const char *at = path;
+    const char *at;
 
-    while (at) {
-        if (at[0] == '/' || (at[0] == '.' && at[1] == '.' && (at[2] == '/' || !at[2])))
+    if (system_is_absolute(path))
+        return 1;
+    for (at = path; *at; at++)
+        if (at[0] == '.' && at[1] == '.' && (!at[2] || system_is_separator(at[2])) &&
+            (at == path || system_is_separator(at[-1])))
             return 1;
-        at = strchr(at, '/');
-        at = at ? at + strspn(at, "/") : NULL;
-    }
     return 0;
 }
 
 int files_is_beside(const char *path, const char *name)
 {
-    char folder[PATH_MAX + 1], file[PATH_MAX], *here, *beside;
-    int is_beside = 0, no_memory = 0;
+    char *folder = files_beside(path, "."), *file = files_beside(path, name);
+    int is_beside = 0;
 
-    errno = 0;
-    if (climbs(name))
-        return 0;
-    here = files_beside(path, ".");
-    beside = files_beside(path, name);
-    if (here && beside && realpath(here, folder)) {
-        if (strcmp(folder, "/") != 0)
-            strcat(folder, "/");
-        if (realpath(beside, file))
-            is_beside = strncmp(file, folder, strlen(folder)) == 0;
-        else /* a file that is not there is none of another folder */
-            is_beside = errno == ENOENT || errno == ENOTDIR;
-    }
-    no_memory = !here || !beside || errno == ENOMEM;
-    free(here);
-    free(beside);
-    errno = no_memory ? ENOMEM : 0;
+    if (!folder || !file)
+        errno = ENOMEM;
+    else if (climbs(name))
+        errno = 0;
+    else
+        is_beside = system_is_within(folder, file);
+    free(folder);
+    free(file);
     return is_beside;
 }
 
 char *files_read_regular(const char *path, size_t *length)
 {
-    int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY), reason;
-    struct stat s;
-    FILE *file;
-    char *contents;
+    FILE *file = system_open_regular(path);
+    char *contents = file ? read_stream(file, length) : NULL;
+    int reason = errno;
 
-    errno = descriptor < 0 ? errno : 0;
-    file = descriptor >= 0 && fstat(descriptor, &s) == 0 && S_ISREG(s.st_mode)
-               ? fdopen(descriptor, "rb")
-               : NULL;
-    contents = file ? read_stream(file, length) : NULL;
-    reason = errno;
     if (file)
         fclose(file);
-    else if (descriptor >= 0)
-        close(descriptor);
     errno = reason;
     return contents;
 }
 
 int files_is_folder(const char *path)
 {
-    struct stat s;
+    return system_kind_of(path) == SYSTEM_FOLDER;
+}
 
-    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+const char *files_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (system_is_separator(*path))
+            name = path + 1;
+    return name;
 }
 
 char *files_beside(const char *path, const char *name)
 {
-    const char *slash = strrchr(path, '/');
-    size_t folder = slash && name[0] != '/' ? (size_t)(slash - path) + 1 : 0;
+    size_t folder = system_is_absolute(name) ? 0 : (size_t)(files_name(path) - path);
     char *beside = malloc(folder + strlen(name) + 1);
 
     if (beside) {
@@ -149,14 +130,9 @@ char *files_beside(const char *path, const char *name)
 char *files_resolve(const char *path)
 {
     char *real = files_beside("", path), *next, target[4096];
-    ssize_t n;
     int links;
 
-    for (links = 0; real && links < 40; links++) {
-        n = readlink(real, target, sizeof target - 1);
-        if (n < 0)
-            break;
-        target[n] = '\0';
+    for (links = 0; real && links < 40 && system_read_link(real, target, sizeof target); links++) {
         next = files_beside(real, target);
         free(real);
         real = next;
@@ -164,19 +140,12 @@ char *files_resolve(const char *path)
     return real;
 }
 
-static int is_same(const struct stat *x, const struct stat *y)
-{
-    return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
-}
-
 /* 1 if an output would replace an input, which is "-" for standard input. */
 static int replaces(const char *output, const char *input)
 {
-    struct stat out, in;
-
-    return output && stat(output, &out) == 0 && S_ISREG(out.st_mode) &&
-           (strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(input, &in)) == 0 &&
-           is_same(&in, &out);
+    return output && system_kind_of(output) == SYSTEM_FILE &&
+           (strcmp(input, "-") == 0 ? system_is_open_as(output, stdin)
+                                    : system_is_same(output, input));
 }
 
 int files_is_output(const options *o, const char *path)
@@ -197,38 +166,28 @@ static int is_input(const char *output, const options *o)
            (o->statistics_file && replaces(output, o->statistics_file));
 }
 
-/* Find the folder of a path; returns the file's name in it, or null. */
-static const char *find_folder(const char *path, struct stat *folder)
-{
-    const char *slash = strrchr(path, '/');
-    char *name = files_beside(path, ".");
-    int found = name && stat(name, folder) == 0;
-
-    free(name);
-    return !found ? NULL : slash ? slash + 1 : path;
-}
-
 /* 1 if two paths, without links at their ends, name the same file of one folder. */
 static int is_same_name(const char *x, const char *y)
 {
-    struct stat a, b;
+    char *folder = files_beside(x, "."), *other = files_beside(y, ".");
+    int is_one = folder && other && system_is_same(folder, other) &&
+                 strcmp(files_name(x), files_name(y)) == 0;
 
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    free(folder);
+    free(other);
+    return is_one;
 }
 
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
-    struct stat a, b;
     char *target, *other;
     int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
-    if (stat(x, &a) == 0 && stat(y, &b) == 0)
-        return S_ISREG(a.st_mode) && is_same(&a, &b);
+    if (system_kind_of(x) != SYSTEM_NOTHING && system_kind_of(y) != SYSTEM_NOTHING)
+        return system_kind_of(x) == SYSTEM_FILE && system_is_same(x, y);
     target = files_resolve(x);
     other = files_resolve(y);
     is_one = target && other && is_same_name(target, other);

@@ -22,6 +22,9 @@ int files_is_beside(const char *path, const char *name);
 /* 1 if a path is that of a folder. */
 int files_is_folder(const char *path);
 
+/* The name of a file in a path, after its folders. */
+const char *files_name(const char *path);
+
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);
 

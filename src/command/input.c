@@ -2,14 +2,12 @@
 **
 ** input.c - a deck of the command line, opened for results.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "base/text.h"
 #include "command.h"
 #include "files.h"
@@ -32,12 +30,13 @@ static char *read_named(input *in, const char *path, const char *name, size_t *l
         if (errno != ENOMEM)
             in->no_file =
                 "a deck may name files of its own folder only; --allow-files permits others";
-        return NULL;
+    } else {
+        in->names_output |= files_is_output(in->o, path);
+        contents = files_read_regular(path, length);
+        if (!contents && errno == 0)
+            in->no_file = "it is not a regular file";
     }
-    in->names_output |= files_is_output(in->o, path);
-    contents = files_read_regular(path, length);
-    if (!contents && errno == 0)
-        in->no_file = "it is not a regular file";
+    in->out_of_memory |= !contents && errno == ENOMEM;
     return contents;
 }
 
@@ -62,7 +61,6 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
         return NULL;
     }
     f->contents = read_named(in, path, file_name, &f->length);
-    in->out_of_memory |= !f->contents && errno == ENOMEM;
     f->next = in->files;
     in->files = f;
     free(path);
@@ -188,7 +186,7 @@ static int read_text(input *in, const char *path)
     size_t length = 0;
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
-    if (in->name != path && isatty(STDIN_FILENO))
+    if (in->name != path && system_is_terminal(stdin))
         fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
     in->source.name = in->name;

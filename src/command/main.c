@@ -2,14 +2,13 @@
 **
 ** main.c - the command: decks in, sheets and pictures out, exit status.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "best.h"
 #include "command.h"
 #include "designs.h"
@@ -184,9 +183,11 @@ int main(int argc, char **argv)
                                           "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
     options o;
-    int status = options_read(argc, argv, &o, message);
+    int status;
 
+    system_begin(&argc, &argv);
     output_prepare();
+    status = options_read(argc, argv, &o, message);
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
     } else if (status == 0) {

@@ -12,7 +12,4 @@
 ** error. */
 const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption);
 
-/* End the gnuplot that is running, if one is; for a signal that ends the program. */
-void gnuplot_stop(void);
-
 #endif

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "pictures/gnuplot.h"
 #include "pictures/picture.h"
 #include "compact.h"
@@ -13,7 +14,7 @@
 /* Draw a picture into a stream; 0 if there is none. */
 static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
 {
-    FILE *script = tmpfile();
+    FILE *script = system_scratch();
     fourlink_mistake mistake;
     plot_request request;
     plot_caption caption;
@@ -51,7 +52,7 @@ static void put_drawing(report *r, FILE *drawing, plot_kind kind, const char *al
 static void put_figure(report *r, plot_kind kind, const char *at, const char *alt,
                        const char *caption)
 {
-    FILE *drawing = tmpfile(), *shorter = tmpfile();
+    FILE *drawing = system_scratch(), *shorter = system_scratch();
 
     if (!drawing || !shorter)
         r->gnuplot = strerror(errno);

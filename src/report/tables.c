@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/system.h"
 #include "cell.h"
 #include "report.h"
 #include "tables/style.h"
@@ -198,7 +199,7 @@ static text name_of_deck(const report *r)
 /* The rows as csv, and a button that saves them. */
 static void put_csv(report *r)
 {
-    FILE *csv = tmpfile();
+    FILE *csv = system_scratch();
     text name = name_of_deck(r);
     char part[4096];
     size_t n;
