@@ -182,14 +182,22 @@ FILE *system_create(char *name, const char *like)
 {
     struct stat s;
     mode_t mask = umask(0), mode = stat(like, &s) == 0 ? s.st_mode & 07777 : 0666 & ~mask;
-    int descriptor;
+    int descriptor, reason;
+    FILE *file;
 
     umask(mask);
     descriptor = make_temporary(name);
     if (descriptor < 0)
         return NULL;
     fchmod(descriptor, mode);
-    return fdopen(descriptor, "w");
+    file = fdopen(descriptor, "w");
+    if (!file) {
+        reason = errno;
+        close(descriptor);
+        system_remove(name);
+        errno = reason;
+    }
+    return file;
 }
 
 int system_rename(const char *name, const char *path)

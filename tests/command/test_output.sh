@@ -95,7 +95,7 @@ if : >"o/$longest" 2>/dev/null; then
     same "o/$longest" csv
     rm "o/$longest"
     run 3 -o "o/0$longest" "$alvi"
-    says 'File name too long'
+    says 'name too long' # File name, or Filename
 fi
 only_file o x
 
