@@ -16,12 +16,17 @@ int reporting_write(const input *in)
     fourlink_mistake mistake;
     report_request request;
     output file;
-    int status = output_begin(&file, path);
+    int status = output_begin(&file, path), written;
 
     if (status)
         return status;
     request.at = in->o->drawing.at;
-    if (!report_write(file.file, &in->source, &request, &outcome, &mistake)) {
+    written = report_write(file.file, &in->source, &request, &outcome, &mistake);
+    if (written < 0) {
+        output_end(&file, path, 0);
+        return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));
+    }
+    if (!written) {
         command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
         output_end(&file, path, 0);
         return EXIT_USAGE;

@@ -11,6 +11,13 @@
 #include "compact.h"
 #include "report.h"
 
+/* Keep the reason why there are no pictures.  Without memory there is no report either. */
+static void miss(report *r, const char *why)
+{
+    r->gnuplot = why;
+    r->out_of_memory |= errno == ENOMEM;
+}
+
 /* Draw a picture into a stream; 0 if there is none. */
 static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
 {
@@ -19,17 +26,23 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     plot_request request;
     plot_caption caption;
     int is_drawn = 0, is_written;
+    const char *why;
 
     memset(&request, 0, sizeof request);
     request.kind = kind;
     request.file = PLOT_SVG;
     request.at = at;
-    if (!script)
-        r->gnuplot = strerror(errno);
-    else if ((is_written = picture_write(script, r->source, &request, &caption, &mistake)) > 0)
-        is_drawn = (r->gnuplot = gnuplot_run(script, drawing, &caption)) == NULL;
-    else
+    if (!script) {
+        miss(r, strerror(errno));
+    } else if ((is_written = picture_write(script, r->source, &request, &caption, &mistake)) > 0) {
+        errno = 0;
+        why = gnuplot_run(script, drawing, &caption);
+        is_drawn = !why;
+        if (why)
+            miss(r, why);
+    } else {
         r->out_of_memory |= is_written < 0;
+    }
     if (script)
         fclose(script);
     return is_drawn;
@@ -55,7 +68,7 @@ static void put_figure(report *r, plot_kind kind, const char *at, const char *al
     FILE *drawing = system_scratch(), *shorter = system_scratch();
 
     if (!drawing || !shorter)
-        r->gnuplot = strerror(errno);
+        miss(r, strerror(errno));
     else if (!r->gnuplot && draw(r, drawing, kind, at)) {
         if (compact_svg(drawing, shorter))
             put_drawing(r, shorter, kind, alt, caption);

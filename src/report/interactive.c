@@ -247,8 +247,10 @@ void report_put_interactive(report *r)
     page *p = &r->page;
     line l;
 
-    if (!t)
+    if (!t) {
+        r->out_of_memory = 1;
         return;
+    }
     if (rows_open(t, r->source, start)) {
         page_print(p, "<div id=\"fourlink-drawing\" class=\"drawing\" hidden=\"hidden\">\n");
         put_lines(p, controls);
@@ -256,11 +258,12 @@ void report_put_interactive(report *r)
                       "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
                       "<script type=\"application/json\" id=\"fourlink-rows\">{\n");
         line_start(&l, p->out);
-        put_rows(&l, r, t, start);
+        r->out_of_memory |= !put_rows(&l, r, t, start);
         line_put(&l, "]}\n");
         line_end(&l);
         page_print(p, "</script>\n");
     }
+    r->out_of_memory |= t->out_of_memory;
     rows_close(t);
     free(t);
 }

@@ -112,6 +112,7 @@ static int find_sample(report *r, fourlink_mistake *mistake)
     return 1;
 }
 
+/* 1; 0 and the reason why not; -1 if out of memory. */
 static int open_deck(report *r, fourlink_mistake *mistake)
 {
     int q;
@@ -128,9 +129,7 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     fourlink_results_notes(r->results, REPORT_MISTAKES, r->notes, &r->n_notes);
     r->loads = malloc((r->problem.n_loads + 1) * sizeof *r->loads);
     r->row_loads = malloc((r->problem.n_loads + 1) * sizeof *r->row_loads);
-    return r->loads && r->row_loads
-               ? find_sample(r, mistake)
-               : refuse(mistake, "--report", fourlink_status_text(FOURLINK_NO_MEMORY));
+    return r->loads && r->row_loads ? find_sample(r, mistake) : -1;
 }
 
 /* Load a file that the deck names, and keep its name. */
@@ -159,8 +158,7 @@ static int open_results(report *r, fourlink_mistake *mistake)
             fourlink_results_open(&recorded, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
     if (status == FOURLINK_BAD_DECK)
         return 1;
-    return status == FOURLINK_OK ? open_deck(r, mistake)
-                                 : refuse(mistake, "--report", fourlink_status_text(status));
+    return status == FOURLINK_OK ? open_deck(r, mistake) : -1;
 }
 
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
@@ -174,10 +172,10 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
     r.source = source;
     r.request = request;
     opened = open_results(&r, mistake);
-    if (opened)
+    if (opened > 0)
         put_page(&r);
     if (r.out_of_memory)
-        opened = refuse(mistake, "--report", fourlink_status_text(FOURLINK_NO_MEMORY));
+        opened = -1;
     outcome->gnuplot = r.gnuplot;
     outcome->has_failed = r.failed > 0;
     fourlink_results_free(r.results);

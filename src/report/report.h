@@ -53,7 +53,7 @@ typedef struct report_outcome {
 } report_outcome;
 
 /* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the reason why there
-** is none.  The caller checks the stream. */
+** is none; -1 if out of memory.  The caller checks the stream. */
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake);
 

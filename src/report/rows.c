@@ -99,8 +99,10 @@ static int choose_angles(rows *t, double at)
     stride = stride ? stride : 1;
     steps = stride > 1 ? 1 : steps_of(t, &range);
     t->angles = malloc((MOST_ROWS * 2 + 2) * sizeof *t->angles);
-    if (!t->angles)
+    if (!t->angles) {
+        t->out_of_memory = 1;
         return 0;
+    }
     for (row = 0; row + 1 < range.n_rows; row += stride) {
         fourlink_motion_row(motion, &range, row, &here);
         fourlink_motion_row(motion, &range, row + 1, &next);
@@ -129,8 +131,10 @@ static rows_track *track_of(rows *t, const char *name)
     if (t->n_tracks == ROWS_TRACKS)
         return NULL;
     x->values = malloc(t->n * sizeof *x->values);
-    if (!x->values)
+    if (!x->values) {
+        t->out_of_memory = 1;
         return NULL;
+    }
     strcpy(x->name, name);
     x->is_number = 0;
     x->size = 0;
@@ -370,11 +374,13 @@ static int draws_all(const rows *t)
 int rows_open(rows *t, const fourlink_source *source, double at)
 {
     fourlink_source whole = *source;
-    int q;
+    int q, status;
 
     memset(t, 0, sizeof *t);
     whole.whole_cycle = 1;
-    if (fourlink_results_open(&whole, 0, &t->results, NULL, NULL) != FOURLINK_OK)
+    status = fourlink_results_open(&whole, 0, &t->results, NULL, NULL);
+    t->out_of_memory = status == FOURLINK_NO_MEMORY;
+    if (status != FOURLINK_OK)
         return 0;
     t->deck = fourlink_results_deck(t->results);
     fourlink_deck_problem(t->deck, &t->problem);
@@ -389,7 +395,8 @@ int rows_open(rows *t, const fourlink_source *source, double at)
     t->status = malloc(t->n * sizeof *t->status);
     t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
     t->loads = malloc((t->problem.n_loads + 1) * sizeof *t->loads);
-    if (!t->status || !t->table || !t->loads)
+    t->out_of_memory |= !t->status || !t->table || !t->loads;
+    if (t->out_of_memory)
         return 0;
     fourlink_deck_loads(t->deck, FOURLINK_OPEN, 0, t->loads, NULL);
     return 1;

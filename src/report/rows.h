@@ -19,6 +19,7 @@ typedef struct rows_track {
 } rows_track;
 
 typedef struct rows {
+    int out_of_memory;
     fourlink_results *results; /* of the deck; one instant has become a cycle */
     fourlink_problem problem;
     const fourlink_deck *deck;

@@ -2,6 +2,7 @@
 **
 ** tables.c - the tables of a report: a format of a sheet that writes HTML, and the same rows as csv.
 */
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -204,8 +205,10 @@ static void put_csv(report *r)
     char part[4096];
     size_t n;
 
-    if (!csv)
+    if (!csv) {
+        r->out_of_memory |= errno == ENOMEM;
         return;
+    }
     write_sheet(r, SHEET_ROWS, &csv_format, csv);
     rewind(csv);
     page_print(&r->page, "<button type=\"button\" data-save=\"");

@@ -31,11 +31,12 @@ PATH=$work/bin:$PATH
 most=600 # of a run; then a search repeats itself
 tries=0
 refused=0
+picture=plot.svg # what is written beside files/result
 
 # start ARGUMENT...: the program with the shim, where there are old files
 start() {
     echo old >files/result
-    echo old >files/plot.svg
+    echo old >"files/$picture"
     LD_PRELOAD=$shim "$fourlink" "$@" >out 2>err </dev/null
     status=$?
 }
@@ -56,18 +57,18 @@ is_old_or_complete() {
 
 only_two_files() {
     set -- files/* files/.[!.]*
-    [ "$*" = 'files/plot.svg files/result files/.[!.]*' ]
+    [ "$*" = "files/$picture files/result files/.[!.]*" ]
 }
 
 is_refused() {
     last_line err
     case $line in fourlink:*) ;; *) return 1 ;; esac
-    [ $status -eq 3 ] && only_two_files && is_old_or_complete result && is_old_or_complete plot.svg
+    [ $status -eq 3 ] && only_two_files && is_old_or_complete result && is_old_or_complete "$picture"
 }
 
 is_as_usual() {
     [ $status -eq $usual ] && cmp -s err usual/err && cmp -s out usual/out && only_two_files &&
-        cmp -s files/result usual/result && cmp -s files/plot.svg usual/plot.svg
+        cmp -s files/result usual/result && cmp -s "files/$picture" "usual/$picture"
 }
 
 # all STATUS ARGUMENT...: every allocation of this run, which usually ends so
@@ -159,6 +160,11 @@ for kind in mechanism motion forces turning-moment polar vectors; do
 done
 all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-240.deck
 all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
+
+rm files/plot.svg
+picture=report.html
+all 0 --report=files/report.html -o files/result $few single.deck
+all 2 --report=files/report.html -o files/result mistakes.deck
 
 echo "$tries allocations failed: $refused runs ended with exit status 3, $((tries - refused - failed)) as usual"
 finish
