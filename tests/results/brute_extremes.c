@@ -1104,13 +1104,13 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
 }
 
 /* 1 for a pole that is narrower than the rows: they grow towards it without end. */
-static int is_narrow_pole(unsigned long c, const fourlink_value *f, double size)
+static int is_narrow_pole(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * unit, near[COLUMNS], nearer[COLUMNS];
+    double p = sense * (f->angle - from) * unit, far[COLUMNS], near[COLUMNS], nearer[COLUMNS];
 
-    return isinf(f->value) && has_bound(c) && !compute(p + 1e-7, near) &&
+    return isinf(f->value) && has_bound(c) && !compute(p + 1e-3, far) && !compute(p + 1e-7, near) &&
            !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
-           fabs(nearer[c]) > 1e-4 * size;
+           fabs(near[c]) > 1e3 * fabs(far[c]);
 }
 
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
@@ -1128,7 +1128,7 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
     }
     if (isinf(f->value) || isinf(b->value)) {
         unbounded++;
-        if (f->value != b->value && !is_narrow_pole(c, f, size))
+        if (f->value != b->value && !is_narrow_pole(c, f))
             fail(f, b, "unbounded", INFINITY);
         return;
     }
