@@ -149,27 +149,18 @@ static double coefficient(const double *x, const double *y, int order)
     return fabs(value) > 1e-3 * largest && error < 0.1 * fabs(value) ? value : 0;
 }
 
-/* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales.  If rows
-** of the small ones are rounding, larger ones are taken. */
+/* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
 #define POLE_SCALE 1
-#define SMOOTH \
-    1e-3 /* error of a limit, in parts of the column's size, that tells that there is no pole */
 
-static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
+static int pole_order(const approach *e, double y[][NODES], int order, double *strength)
 {
-    double other, error;
-    int scale, order;
+    double other;
 
-    for (scale = POLE_SCALE; scale + 1 < SCALES; scale++) {
-        for (order = most; order > 0; order--) {
-            *strength = coefficient(e->x[scale], y[scale], order);
-            other = coefficient(e->x[scale + 1], y[scale + 1], order);
-            if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
-                return order;
-        }
-        extrapolate(e->x[scale], y[scale], 0, &error);
-        if (!(error > SMOOTH * fabs(y[scale][NODES - 1])))
-            break;
+    for (; order > 0; order--) {
+        *strength = coefficient(e->x[POLE_SCALE], y[POLE_SCALE], order);
+        other = coefficient(e->x[POLE_SCALE + 1], y[POLE_SCALE + 1], order);
+        if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
+            return order;
     }
     *strength = 0;
     return 0;
