@@ -147,22 +147,22 @@ static int check_spring(const fourlink_spring *spring)
     return spring->link == spring->to || spring->damping < 0 ? FOURLINK_BAD_SPRING : FOURLINK_OK;
 }
 
-#define BESIDE 1e-6 /* of the range that can be reached: a position that is not dead */
+#define BESIDE \
+    1e-6 /* of the range that can be reached, rad: a position that is neither dead nor a change point */
 
-/* The first crank angle from 0 that can be reached. */
-static double first_reached(const fourlink_mechanism *mechanism, fourlink_branch branch)
+/* The first crank angle from 0 that can be reached, or just behind it. */
+static double first_reached(const fourlink_mechanism *mechanism)
 {
     fourlink_reach reach;
-    fourlink_state state;
     double first = GSL_POSINF;
     int i;
 
     fourlink_reach_of(mechanism, &reach);
-    if (fourlink_position(mechanism, branch, 0, &state) == FOURLINK_OK)
-        return 0;
     for (i = 0; i < reach.n_ranges; i++) {
         double from = reach.from[i] + BESIDE * (reach.to[i] - reach.from[i]);
 
+        if (from < BESIDE && BESIDE < reach.to[i])
+            return BESIDE;
         from -= 2 * M_PI * floor(from / (2 * M_PI));
         first = from < first ? from : first;
     }
@@ -181,8 +181,8 @@ int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring
     for (i = 0; i < 2 && status == FOURLINK_OK; i++) {
         spring->turns[i] = 0;
         if (spring->is_torsional &&
-            fourlink_position(mechanism, branches[i], first_reached(mechanism, branches[i]),
-                              &state) == FOURLINK_OK) {
+            fourlink_position(mechanism, branches[i], first_reached(mechanism), &state) ==
+                FOURLINK_OK) {
             double angle = angle_between(mechanism, &state, spring) - spring->free_length;
 
             spring->turns[i] = -2 * M_PI * floor(angle / (2 * M_PI) + 0.5);
