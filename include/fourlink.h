@@ -552,6 +552,9 @@ typedef struct fourlink_problem {
     int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
+    unsigned long n_spring_loads, n_friction_loads; /* before the gas: ends of springs on links, and
+                                                       friction, if any FOURLINK_FRICTION_LOADS */
+    unsigned long n_springs;                        /* for fourlink_deck_spring */
     unsigned long n_gas_loads; /* the last of these: 1, on the piston; 2, on rod and cylinder; 0 */
     unsigned long n_points;    /* for fourlink_deck_point */
     double flywheel_fluctuation; /* 1; 0 if not given */
@@ -628,6 +631,7 @@ typedef struct fourlink_instant {
     fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
+    fourlink_losses losses; /* friction; without it Ts0 is Ts, the efficiency 1 and the rest 0 */
 } fourlink_instant;
 
 /* An area between the turning moment and its mean. */
@@ -1248,7 +1252,8 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 **    theta2     rad, crank angle
 ** Returned:
 **    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last, or, on rod and
-**               cylinder of an inverted slider-crank, the last two
+**               cylinder of an inverted slider-crank, the last two.  Springs and friction are 0, and
+**               loads over a speed are those at their `at_speed`: see fourlink_deck_analyse
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
 **               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
 **               may be null
@@ -1259,6 +1264,45 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 */
 FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch branch,
                                      double theta2, fourlink_load *loads, double *gas_force);
+
+/* A crank position of a deck with all its loads: those of fourlink_deck_loads, those that follow a speed,
+** springs, dampers and friction.
+**
+** Given:
+**    deck         from fourlink_deck_read
+**    branch       FOURLINK_OPEN or FOURLINK_CROSSED
+**    crank        crank angle, speed and acceleration
+**    closed_form  1: forces as from fourlink_solve_dyad, 0: as from fourlink_solve
+** Returned:
+**    loads        problem.n_loads of them; changed on errors too
+**    state        the motion
+**    forces       with all loads
+**    losses       friction; without it Ts0 is Ts, the efficiency 1 and the rest 0
+**    gas_force    N, as from fourlink_deck_loads
+** Returned (function value):
+**    as from fourlink_analyse, fourlink_solve_friction and fourlink_spring_at
+*/
+FOURLINK_API int fourlink_deck_analyse(const fourlink_deck *deck, fourlink_branch branch,
+                                       const fourlink_crank *crank, int closed_form,
+                                       fourlink_load *loads, fourlink_state *state,
+                                       fourlink_forces *forces, fourlink_losses *losses,
+                                       double *gas_force);
+
+/* A spring of a deck, and the friction of its joints (all 0 if it has none).
+**
+** Given:
+**    deck       from fourlink_deck_read
+**    i          0 ... problem.n_springs - 1
+** Returned:
+**    name       its name, null-terminated, valid as long as the deck; may be null
+**    spring     for fourlink_spring_at
+**    friction   for fourlink_solve_friction
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_POINT if there is no such spring
+*/
+FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i, const char **name,
+                                      fourlink_spring *spring);
+FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
 
 /* A tracer point of a deck.
 **
@@ -1280,7 +1324,8 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
-**               angular_acceleration, inertia, force, torque, pressure, power, energy or number
+**               angular_acceleration, inertia, force, torque, pressure, power, energy, stiffness, damping,
+**               torsional_stiffness, torsional_damping, mass_moment or number
 ** Returned:
 **    unit       its name and size
 ** Returned (function value):
@@ -1295,7 +1340,7 @@ FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quant
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    i          0 ... problem.n_loads - 1
 ** Returned:
-**    name       of its section, "load" if that has no name, or "gas"; valid as long as the deck
+**    name       of its section, "load" if that has no name, "friction" or "gas"; valid as long as the deck
 **    has_torque 1: it has a torque at some crank angle; may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
@@ -1399,7 +1444,7 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 ** Returned (each may be null):
 **    values     of the list FOURLINK_COLUMNS, in their units; NaN where a column has no value
 **    instant    the motion and the forces of the row
-**    loads      the problem.n_loads loads at its crank angle
+**    loads      the problem.n_loads loads at its crank angle, springs and friction among them
 ** Returned (function value):
 **    FOURLINK_OK; 1 to 19, why the row has no values but those of the crank; FOURLINK_NULL,
 **    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW

@@ -108,8 +108,7 @@ void flk_build_gas(parser *p)
     build_curves(p, card, 1, &gas->indicator);
 }
 
-/* Check the link of a load or a point. */
-static void check_link(parser *p, const section_use *use, const setting *link)
+void flk_build_check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
@@ -147,6 +146,24 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
 /* max(NAME.vx) must fit wherever names are kept. */
 #define LONGEST_NAME 32
 
+void flk_build_check_name(parser *p, const section_use *use, const char *columns)
+{
+    const char *what = flk_section_table[use->section].name;
+    size_t i;
+
+    if (!use->name.length)
+        flk_mistake(p->mistakes, use->place, "a %s needs a name: [%s %s]", what, what,
+                    use->section == SECTION_POINT ? "P" : "S");
+    if (use->name.length > LONGEST_NAME)
+        flk_mistake(p->mistakes, use->place, "the name of a %s is too long", what);
+    for (i = 0; i < use->name.length; i++)
+        if (!flk_text_is_word(use->name.start[i])) {
+            flk_mistake(p->mistakes, use->place,
+                        "the name of a %s must be one word: its columns are %s", what, columns);
+            break;
+        }
+}
+
 /* [point NAME] */
 static void build_point(parser *p, const section_use *use, deck_point *new)
 {
@@ -156,17 +173,8 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
                   *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
-    check_link(p, use, link);
-    if (!use->name.length)
-        flk_mistake(p->mistakes, use->place, "a point needs a name: [point P]");
-    if (use->name.length > LONGEST_NAME)
-        flk_mistake(p->mistakes, use->place, "the name of a point is too long");
-    for (i = 0; i < use->name.length; i++)
-        if (!flk_text_is_word(use->name.start[i])) {
-            flk_mistake(p->mistakes, use->place,
-                        "the name of a point must be one word: its columns are NAME.x, NAME.y ...");
-            break;
-        }
+    flk_build_check_link(p, use, link);
+    flk_build_check_name(p, use, "NAME.x, NAME.y ...");
     new->link = link->word;
     flk_build_place(p, at, link->word, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
@@ -174,8 +182,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-/* Allocate room for each section of this kind. */
-static void *keep_each(parser *p, section_code section, size_t size)
+void *flk_build_keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;
 
@@ -188,7 +195,7 @@ void flk_build_points(parser *p)
 {
     size_t i;
 
-    p->d->points = keep_each(p, SECTION_POINT, sizeof *p->d->points);
+    p->d->points = flk_build_keep_each(p, SECTION_POINT, sizeof *p->d->points);
     for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_POINT)
             build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
@@ -224,13 +231,50 @@ static void build_force(parser *p, const section_use *use, fourlink_load *load,
     build_curves(p, force, 2, variation->force);
 }
 
+/* A load over a speed: value sign(w) (|w| / at_speed)^exponent. */
+static void build_power_law(parser *p, const section_use *use, const deck_load *variation,
+                            deck_power_law *law)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
+                  *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
+    int slides = over->word == OVER_V || over->word == OVER_SLIDE_V;
+    int kind = (int)p->d->design.kind;
+
+    law->over = over->word;
+    law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
+    law->at_speed = speed->si[0];
+    if (!IS_SET(over)) {
+        if (IS_SET(exponent) || IS_SET(speed))
+            flk_mistake(p->mistakes, (IS_SET(exponent) ? exponent : speed)->place,
+                        "'%s' needs 'over', the speed that the load follows",
+                        IS_SET(exponent) ? "exponent" : "at_speed");
+        return;
+    }
+    p->d->has_power_law = 1;
+    if ((over->word == OVER_V && kind != FOURLINK_SLIDER_CRANK) ||
+        (over->word == OVER_SLIDE_V && kind != FOURLINK_INVERTED_SLIDER_CRANK) ||
+        (over->word == OVER_OMEGA4 && kind == FOURLINK_SLIDER_CRANK))
+        flk_mistake(p->mistakes, over->place, "%s %s has no %t",
+                    flk_text_article(fourlink_kind_text(kind)), fourlink_kind_text(kind),
+                    over->value);
+    if (variation->torque.n || variation->force[0].n)
+        flk_mistake(p->mistakes, over->place,
+                    "a load over a speed has a value, not a curve over the crank angle");
+    if (!IS_SET(speed) && !use->has_unknown)
+        flk_mistake(p->mistakes, over->place,
+                    "a load over a speed needs 'at_speed', the speed at which it has its value, "
+                    "such as %s",
+                    slides ? "2 m/s" : "1000 rpm");
+}
+
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
 {
     const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    check_link(p, use, link);
+    flk_build_check_link(p, use, link);
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     load->link = link->word;
@@ -241,6 +285,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     variation->name = flk_reader_copy(p, use->name, "");
     build_curves(p, torque, 1, &variation->torque);
     build_window(p, use, variation);
+    build_power_law(p, use, variation, &variation->law);
 }
 
 void flk_build_loads(parser *p)
@@ -248,8 +293,8 @@ void flk_build_loads(parser *p)
     deck *d = p->d;
     size_t i;
 
-    d->loads = keep_each(p, SECTION_LOAD, sizeof *d->loads);
-    d->variations = keep_each(p, SECTION_LOAD, sizeof *d->variations);
+    d->loads = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->loads);
+    d->variations = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->variations);
     for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_LOAD) {
             build_load(p, &p->uses[i], &d->loads[d->n_loads], &d->variations[d->n_loads]);

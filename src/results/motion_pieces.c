@@ -121,6 +121,7 @@ static double next_end(const flk_analysis *a, double length, double period, doub
                        flk_piece_end *end)
 {
     search s;
+    size_t i;
 
     s.a = a;
     s.after = after;
@@ -128,6 +129,8 @@ static double next_end(const flk_analysis *a, double length, double period, doub
     s.end = FLK_END_NOWHERE;
     offer_loads(&s);
     offer_positions(&s);
+    for (i = 0; i < a->n_jumps; i++)
+        offer_angle(&s, a->jumps[i], a->jump_period, FLK_END_PLAIN);
     if (a->d->motion.run_up > 0)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
     offer(&s, period, FLK_END_PLAIN);
