@@ -1252,8 +1252,8 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 **    theta2     rad, crank angle
 ** Returned:
 **    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last, or, on rod and
-**               cylinder of an inverted slider-crank, the last two.  Springs and friction are 0, and
-**               loads over a speed are those at their `at_speed`: see fourlink_deck_analyse
+**               cylinder of an inverted slider-crank, the last two.  Springs, friction, and loads
+**               over another argument than the crank angle are 0: see fourlink_deck_analyse
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
 **               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
 **               may be null

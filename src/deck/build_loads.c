@@ -23,20 +23,21 @@ static int repeats(const point *c, const point *first)
 /* Check the points of a curve over the crank angle.  Its angles increase, over at most one cycle.  A last
 ** point at the end of the cycle repeats the first.  The number of points without that one; 0 if they make no
 ** curve. */
-static size_t check_curve(parser *p, const setting *s)
+static size_t check_curve(parser *p, const setting *s, double period)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
-    double period = p->d->cycle;
 
-    if (!c || !(period > 0))
+    if (!c || !(p->d->cycle > 0))
         return 0;
     for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < LEAST_STEP) {
-            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
+        if (c[i].x - c[i - 1].x < (period > 0 ? LEAST_STEP : 0) || c[i].x == c[i - 1].x) {
+            flk_mistake(p->mistakes, c[i].place,
+                        period > 0 ? "the angles of a curve must increase"
+                                   : "the arguments of a curve must increase");
             return 0;
         }
-    if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
+    if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
             flk_mistake(
@@ -47,7 +48,7 @@ static size_t check_curve(parser *p, const setting *s)
     }
     if (n < 2)
         flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
-    else if (c[n - 1].x - c[0].x > period - LEAST_STEP)
+    else if (period > 0 && c[n - 1].x - c[0].x > period - LEAST_STEP)
         flk_mistake(p->mistakes, c[n - 1].place,
                     "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
                     "one of four strokes");
@@ -57,9 +58,10 @@ static size_t check_curve(parser *p, const setting *s)
 }
 
 /* Build the curves of a setting's components. */
-static void build_curves(parser *p, const setting *s, int n_components, curve *results)
+static void build_curves(parser *p, const setting *s, int n_components, double period,
+                         curve *results)
 {
-    size_t n = check_curve(p, s), i;
+    size_t n = check_curve(p, s, period), i;
     double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
     int k;
 
@@ -69,7 +71,7 @@ static void build_curves(parser *p, const setting *s, int n_components, curve *r
             x[i] = s->curve[i].x;
             y[i] = s->curve[i].y[k];
         }
-        if (!flk_curve_make(x, y, n, p->d->cycle, &results[k]))
+        if (!flk_curve_make(x, y, n, period, &results[k]))
             p->out_of_memory = 1;
     }
 }
@@ -105,7 +107,7 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curves(p, card, 1, &gas->indicator);
+    build_curves(p, card, 1, p->d->cycle, &gas->indicator);
 }
 
 void flk_build_check_link(parser *p, const section_use *use, const setting *link)
@@ -207,6 +209,14 @@ static int is_piston(const parser *p, int link)
     return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
 }
 
+/* The period of a load's curves: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
+static double period_of(const parser *p, const section_use *use)
+{
+    int over = flk_setting_of(use, KEY_LOAD_OVER)->word;
+
+    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+}
+
 /* Build the force of a load, and check its point. */
 static void build_force(parser *p, const section_use *use, fourlink_load *load,
                         deck_load *variation)
@@ -228,44 +238,93 @@ static void build_force(parser *p, const section_use *use, fourlink_load *load,
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    build_curves(p, force, 2, variation->force);
+    build_curves(p, force, 2, period_of(p, use), variation->force);
 }
 
-/* A load over a speed: value sign(w) (|w| / at_speed)^exponent. */
-static void build_power_law(parser *p, const section_use *use, const deck_load *variation,
-                            deck_power_law *law)
+/* Refuse to follow what the mechanism does not have. */
+static void check_over(parser *p, const setting *over)
+{
+    static const int kinds[] = {
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED,
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED};
+    int kind = (int)p->d->design.kind;
+
+    if (IS_SET(over) && !(kinds[over->word] & kind))
+        flk_mistake(p->mistakes, over->place, "%s %s has no %t",
+                    flk_text_article(fourlink_kind_text(kind)), fourlink_kind_text(kind),
+                    over->value);
+}
+
+/* Values on the way back: a curve or a value, as torque or force is. */
+static void build_back(parser *p, const section_use *use, deck_law *law)
+{
+    const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
+
+    if (!IS_SET(back))
+        return;
+    law->has_back = 1;
+    if (OVER_IS_SPEED(law->over))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' is for loads over a position, not over a speed");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE)))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' of a force or of a torque? give them in two loads");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
+        law->back.force.x = back->si[0];
+        law->back.force.y = back->si[1];
+        build_curves(p, back, 2, period_of(p, use), law->back_force);
+    } else {
+        law->back.torque = back->si[0];
+        build_curves(p, back, 1, period_of(p, use), &law->back_torque);
+    }
+}
+
+/* A value over a speed needs the speed at which it is reached. */
+static void build_power_law(parser *p, const section_use *use, int has_curve, deck_law *law)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
                   *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
-    int slides = over->word == OVER_V || over->word == OVER_SLIDE_V;
-    int kind = (int)p->d->design.kind;
+    const setting *first = IS_SET(speed) ? speed : exponent;
 
-    law->over = over->word;
     law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
     law->at_speed = speed->si[0];
-    if (!IS_SET(over)) {
-        if (IS_SET(exponent) || IS_SET(speed))
-            flk_mistake(p->mistakes, (IS_SET(exponent) ? exponent : speed)->place,
-                        "'%s' needs 'over', the speed that the load follows",
-                        IS_SET(exponent) ? "exponent" : "at_speed");
+    if (IS_SET(first) && !OVER_IS_SPEED(law->over))
+        flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (IS_SET(first) && has_curve)
+        flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed) && !use->has_unknown)
+        flk_mistake(p->mistakes, over->place,
+                    "a load over a speed needs 'at_speed', the speed at which it has its value, or "
+                    "a curve");
+}
+
+static void build_law(parser *p, const section_use *use, deck_load *variation)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
+    deck_law *law = &variation->law;
+    int has_curve = flk_setting_of(use, KEY_LOAD_FORCE)->curve != NULL ||
+                    flk_setting_of(use, KEY_LOAD_TORQUE)->curve != NULL;
+
+    law->over = over->word;
+    check_over(p, over);
+    build_back(p, use, law);
+    build_power_law(p, use, has_curve, law);
+    if (!FLK_DECK_FOLLOWS(law))
         return;
-    }
-    p->d->has_power_law = 1;
-    if ((over->word == OVER_V && kind != FOURLINK_SLIDER_CRANK) ||
-        (over->word == OVER_SLIDE_V && kind != FOURLINK_INVERTED_SLIDER_CRANK) ||
-        (over->word == OVER_OMEGA4 && kind == FOURLINK_SLIDER_CRANK))
-        flk_mistake(p->mistakes, over->place, "%s %s has no %t",
-                    flk_text_article(fourlink_kind_text(kind)), fourlink_kind_text(kind),
-                    over->value);
-    if (variation->torque.n || variation->force[0].n)
+    p->d->has_law = 1;
+    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back &&
+        !use->has_unknown)
         flk_mistake(p->mistakes, over->place,
-                    "a load over a speed has a value, not a curve over the crank angle");
-    if (!IS_SET(speed) && !use->has_unknown)
-        flk_mistake(p->mistakes, over->place,
-                    "a load over a speed needs 'at_speed', the speed at which it has its value, "
-                    "such as %s",
-                    slides ? "2 m/s" : "1000 rpm");
+                    "'over' needs a curve: a force or torque that varies");
+    if (IS_SET(from) || IS_SET(to))
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
+                    "'%s' is a crank angle: a load with 'over' or 'back' has none",
+                    IS_SET(from) ? "from" : "to");
 }
 
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
@@ -283,9 +342,9 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), link->word, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
-    build_curves(p, torque, 1, &variation->torque);
+    build_curves(p, torque, 1, period_of(p, use), &variation->torque);
     build_window(p, use, variation);
-    build_power_law(p, use, variation, &variation->law);
+    build_law(p, use, variation);
 }
 
 void flk_build_loads(parser *p)

@@ -43,6 +43,9 @@ static void free_curves(deck_load *variation)
     flk_curve_free(&variation->torque);
     flk_curve_free(&variation->force[0]);
     flk_curve_free(&variation->force[1]);
+    flk_curve_free(&variation->law.back_torque);
+    flk_curve_free(&variation->law.back_force[0]);
+    flk_curve_free(&variation->law.back_force[1]);
 }
 
 void flk_deck_free(deck *d)
@@ -179,6 +182,10 @@ static void set_load(const fourlink_load *load, const deck_load *variation, doub
                      double theta2, fourlink_load *now)
 {
     *now = *load;
+    if (FLK_DECK_FOLLOWS(&variation->law)) {
+        now->force.x = now->force.y = now->torque = 0; /* forces.c */
+        return;
+    }
     if (variation->torque.n)
         now->torque = flk_curve_value(&variation->torque, theta2);
     if (variation->force[0].n) {

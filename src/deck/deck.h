@@ -32,18 +32,24 @@ typedef struct deck_gas {
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
-/* A load that follows a speed: value sign(w) (|w| / at_speed)^exponent. */
-typedef struct deck_power_law {
-    int over;                  /* OVER_OMEGA2 ...; OVER_NONE: it does not */
-    double exponent, at_speed; /* 1; rad/s or m/s */
-} deck_power_law;
+/* What a load follows in place of the crank angle, and its values on the way back. */
+typedef struct deck_law {
+    int over; /* OVER_THETA2 ... */
+    double exponent,
+        at_speed; /* 1; rad/s or m/s: value sign(w) (|w| / at_speed)^exponent; 0: a curve */
+    int has_back; /* 1: where its argument falls it has these values */
+    fourlink_load back;
+    curve back_torque, back_force[2];
+} deck_law;
+
+#define FLK_DECK_FOLLOWS(law) ((law)->over || (law)->has_back)
 
 /* In addition to a load: its name, and what changes with the crank angle. */
 typedef struct deck_load {
     const char *name; /* of [load NAME]; "": it has none */
     curve torque;     /* over the crank angle, if given as a curve */
     curve force[2];   /* likewise, its components: at the same angles */
-    deck_power_law law;
+    deck_law law;
     int is_windowed; /* 1: it acts only between two crank angles, in every cycle */
     double from, to; /* rad */
 } deck_load;
@@ -125,7 +131,7 @@ struct fourlink_deck {
     unsigned long n_loads;
     deck_spring *springs;
     unsigned long n_springs;
-    int has_friction, has_power_law;
+    int has_friction, has_law;
     fourlink_friction friction;
     deck_balance balance;
     deck_point *points;
@@ -171,6 +177,9 @@ void flk_deck_free(deck *d);
 
 /* 1 if loads depend on speeds, on springs or on the pin forces: they need the motion. */
 int flk_deck_needs_motion(const deck *d);
+
+/* What loads are over: OVER_THETA2 ... */
+double flk_deck_argument(const fourlink_state *state, int over);
 
 /* How many of its loads are springs, behind its own, and friction, behind these. */
 unsigned long flk_deck_spring_loads(const deck *d);

@@ -12,28 +12,78 @@
 
 int flk_deck_needs_motion(const deck *d)
 {
-    return d->n_springs || d->has_friction || d->has_power_law;
+    return d->n_springs || d->has_friction || d->has_law;
 }
 
-static double speed_of(const fourlink_state *state, int over)
+double flk_deck_argument(const fourlink_state *state, int over)
 {
-    return over == OVER_OMEGA2   ? state->link[FOURLINK_CRANK].omega
-           : over == OVER_OMEGA4 ? state->link[FOURLINK_FOLLOWER].omega
-           : over == OVER_V      ? state->v
-                                 : state->slide_v;
+    switch (over) {
+    case OVER_THETA2:
+        return state->link[FOURLINK_CRANK].theta;
+    case OVER_THETA4:
+        return state->link[FOURLINK_FOLLOWER].theta;
+    case OVER_X:
+        return state->x;
+    case OVER_SLIDE:
+        return state->slide;
+    case OVER_OMEGA2:
+        return state->link[FOURLINK_CRANK].omega;
+    case OVER_OMEGA4:
+        return state->link[FOURLINK_FOLLOWER].omega;
+    case OVER_V:
+        return state->v;
+    default:
+        return state->slide_v;
+    }
 }
 
-/* value sign(w) (|w| / at_speed)^exponent */
-static void follow_speed(const deck_power_law *law, const fourlink_state *state,
-                         fourlink_load *load)
+/* 1 if the argument of a load falls; of a crank at rest, if it would in the sense in which that is about to turn. */
+static int falls(const deck *d, const fourlink_state *state, int over)
 {
-    double w = speed_of(state, law->over);
+    fourlink_state moved = *state;
+
+    if (state->link[FOURLINK_CRANK].omega == 0)
+        fourlink_velocity(&d->mechanism, d->friction.direction < 0 ? -1 : 1, &moved);
+    return flk_deck_argument(&moved, over + (OVER_OMEGA2 - OVER_THETA2)) < 0;
+}
+
+/* A value over a speed: value sign(w) (|w| / at_speed)^exponent. */
+static void follow_speed(const deck_law *law, double w, fourlink_load *load)
+{
     double factor = w == 0 ? 0 : pow(fabs(w) / law->at_speed, law->exponent);
 
     factor = w < 0 ? -factor : factor;
     load->torque *= factor;
     load->force.x *= factor;
     load->force.y *= factor;
+}
+
+/* A load at its argument. */
+static void follow(const deck *d, unsigned long i, const fourlink_state *state, fourlink_load *load)
+{
+    const deck_load *variation = &d->variations[i];
+    const deck_law *law = &variation->law;
+    const curve *torque = &variation->torque, *force = variation->force;
+    double x = flk_deck_argument(state, law->over);
+
+    load->torque = d->loads[i].torque;
+    load->force = d->loads[i].force;
+    if (law->at_speed > 0) {
+        follow_speed(law, x, load);
+        return;
+    }
+    if (law->has_back && falls(d, state, law->over)) {
+        load->torque = law->back.torque;
+        load->force = law->back.force;
+        torque = &law->back_torque;
+        force = law->back_force;
+    }
+    if (torque->n)
+        load->torque = flk_curve_value(torque, x);
+    if (force[0].n) {
+        load->force.x = flk_curve_value(&force[0], x);
+        load->force.y = flk_curve_value(&force[1], x);
+    }
 }
 
 /* Set those loads that need the motion. */
@@ -44,8 +94,8 @@ static int set_loads_of_motion(const deck *d, const fourlink_state *state, fourl
     unsigned long i, k;
 
     for (i = 0; i < d->n_loads; i++)
-        if (d->variations[i].law.over)
-            follow_speed(&d->variations[i].law, state, &loads[i]);
+        if (FLK_DECK_FOLLOWS(&d->variations[i].law))
+            follow(d, i, state, &loads[i]);
     for (i = 0; i < d->n_springs; i++) {
         int status = fourlink_spring_at(&d->mechanism, state, &d->springs[i].spring, &at);
 

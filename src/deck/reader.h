@@ -81,7 +81,8 @@ typedef struct parser {
     int expectations_only;
     int has_unknown_section;
     int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
-    int not_text; /* 1: the reading ended at a byte that is not text */
+    int not_text;      /* 1: the reading ended at a byte that is not text */
+    quantity argument; /* of the curve that is being read */
     long last_line;
     int out_of_memory;
 } parser;

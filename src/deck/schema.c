@@ -49,6 +49,10 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
+    X(LOAD_OVER, "theta2", OVER_THETA2)                                       \
+    X(LOAD_OVER, "theta4", OVER_THETA4)                                       \
+    X(LOAD_OVER, "x", OVER_X)                                                 \
+    X(LOAD_OVER, "slide", OVER_SLIDE)                                         \
     X(LOAD_OVER, "omega2", OVER_OMEGA2)                                       \
     X(LOAD_OVER, "omega4", OVER_OMEGA4)                                       \
     X(LOAD_OVER, "v", OVER_V)                                                 \

@@ -140,6 +140,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                          \
     X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                              \
     X(LOAD, OVER, "over", WORD, NUMBER, ANY, ANY_KIND)                                             \
+    X(LOAD, BACK, "back", CURVE, TORQUE, ANY, ANY_KIND)                                            \
     X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                            \
     X(LOAD, AT_SPEED, "at_speed", QUANTITY, SPEED, POSITIVE, ANY_KIND)                             \
     X(SPRING, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                           \
@@ -228,8 +229,19 @@ extern const word_info flk_word_table[];
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
 
-/* What a load of a speed is over; 0: of none. */
-enum { OVER_NONE, OVER_OMEGA2, OVER_OMEGA4, OVER_V, OVER_SLIDE_V };
+/* What a load is over: the crank angle, positions, speeds. */
+enum {
+    OVER_THETA2,
+    OVER_THETA4,
+    OVER_X,
+    OVER_SLIDE,
+    OVER_OMEGA2,
+    OVER_OMEGA4,
+    OVER_V,
+    OVER_SLIDE_V
+};
+
+#define OVER_IS_SPEED(over) ((over) >= OVER_OMEGA2)
 
 /* The link, by number, that a section has in some mechanism; 0: the section is no link. */
 int flk_link_of_section(section_code section);

@@ -161,20 +161,26 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
-/* The speed at which a load has its value is that of what it is over. */
-static quantity quantity_of_speed(const section_use *use)
+/* The quantity of what a load is over. */
+static quantity argument_of(const section_use *use)
 {
-    text over = flk_setting_of(use, KEY_LOAD_OVER)->value;
+    text over =
+        use->section == SECTION_LOAD ? flk_setting_of(use, KEY_LOAD_OVER)->value : flk_text_of("");
 
     return flk_text_equal(over, "v") || flk_text_equal(over, "slide_v") ? QUANTITY_SPEED
-                                                                        : QUANTITY_ANGULAR_SPEED;
+           : flk_text_equal(over, "x") || flk_text_equal(over, "slide") ? QUANTITY_LENGTH
+           : flk_text_equal(over, "omega2") || flk_text_equal(over, "omega4")
+               ? QUANTITY_ANGULAR_SPEED
+               : QUANTITY_ANGLE;
 }
 
 quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
 {
     (void)p;
     if (key == KEY_LOAD_AT_SPEED)
-        return quantity_of_speed(use);
+        return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
+    if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
+        return QUANTITY_FORCE;
     if (flk_key_table[key].form != FORM_EITHER || !flk_spring_is_torsional(use))
         return flk_key_table[key].q;
     return key == KEY_SPRING_STIFFNESS ? QUANTITY_TORSIONAL_STIFFNESS
@@ -202,6 +208,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
     const key_info *key = &flk_key_table[code];
 
     s->value = spelled(p, code, s->value);
+    p->argument = argument_of(use);
     switch (key->form) {
     case FORM_TEXT:
         s->value = flk_text_unquoted(s->value);
@@ -236,7 +243,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         flk_vector_read_pin(p, s, key->q);
         break;
     case FORM_CURVE:
-        flk_curve_text_read(p, s, key->q);
+        flk_curve_text_read(p, s, flk_quantity_of_key(p, use, code));
         break;
     case FORM_NAMES:
     default:

@@ -1,58 +1,85 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** jumps.c - the crank angles at which a joint with friction stands still, so that its friction changes its sense: dead
-** centres, limits of a rocker, positions in which two links turn alike; and those at which a speed is 0 that a load
-** follows.
+** centres, limits of a rocker, positions in which two links turn alike; and those at which a load is at a point of a curve
+** over another argument than the crank angle.
 **
-** The relative speeds for a unit crank speed are smooth in theta2 on each branch.  They are sampled twice a degree over a
-** period, and a change of sign is halved down to rounding.
+** Relative speeds and arguments are smooth in theta2 on each branch, at the speed with which the motion begins.  They are
+** sampled twice a degree over a period, and a change of sign is halved down to rounding.
 */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
+#include "deck/schema.h"
 #include "jumps.h"
 #include "mechanics/kind.h"
 
 #define SAMPLES 720 /* of a turn */
-#define MOST 128
 #define HALVINGS 60
 
-/* Speeds of the joints A to D for a unit crank speed; 0 if there is no position. */
-static int find_speeds(const deck *d, fourlink_branch branch, double theta2, double speed[4])
-{
-    const flk_kind *kind = flk_kind_of(d->design.kind);
-    fourlink_crank crank = {0, 1, 0};
-    fourlink_state state;
-    int i;
+/* A function of the crank angle whose zeros are wanted. */
+typedef struct zero {
+    int joint; /* 0 to 3: the relative speed in it; -1: an argument less a point of a curve */
+    int over;
+    double at; /* of the argument, in SI units */
+} zero;
 
-    crank.theta2 = theta2;
-    if (fourlink_analyse_dyad(&d->mechanism, branch, &crank, NULL, 0, &state, NULL) != FOURLINK_OK)
-        return 0;
-    speed[0] = 1;
-    speed[1] = state.link[3].k - 1;
-    speed[2] = state.link[4].k - state.link[3].k;
-    speed[3] = state.link[4].k;
-    for (i = 0; i < 4; i++)
-        if (kind->joint[i].slider)
-            speed[i] = i == 2 ? state.slide_v : state.v;
-    return 1;
+typedef struct search {
+    const deck *d;
+    fourlink_branch branch;
+    double speed; /* rad/s, of the crank */
+    zero *zeros;
+    size_t n;
+    double *last, *now;
+} search;
+
+/* The relative speed in a joint. */
+static double speed_in(const flk_kind *kind, const fourlink_state *state, int joint)
+{
+    if (kind->joint[joint].slider)
+        return joint == 2 ? state->slide_v : state->v;
+    return joint == 0   ? state->link[2].omega
+           : joint == 1 ? state->link[3].omega - state->link[2].omega
+           : joint == 2 ? state->link[4].omega - state->link[3].omega
+                        : state->link[4].omega;
 }
 
-/* The zero of a speed between two angles at which it differs in sign. */
-static double halve(const deck *d, fourlink_branch branch, int joint, double low, double high,
-                    int is_negative)
+static double value_of(const search *s, const zero *z, const fourlink_state *state)
 {
-    double speed[4];
+    double x;
+
+    if (z->joint >= 0)
+        return speed_in(flk_kind_of(s->d->design.kind), state, z->joint);
+    x = flk_deck_argument(state, z->over) - z->at;
+    return z->over == OVER_THETA4 ? x - 2 * M_PI * floor(x / (2 * M_PI) + 0.5) : x;
+}
+
+/* 0 if there is no position. */
+static int move(const search *s, double theta2, fourlink_state *state)
+{
+    fourlink_crank crank = {0, 0, 0};
+
+    crank.theta2 = theta2;
+    crank.omega2 = s->speed;
+    return fourlink_analyse_dyad(&s->d->mechanism, s->branch, &crank, NULL, 0, state, NULL) ==
+           FOURLINK_OK;
+}
+
+/* A zero between two angles at which the function differs in sign. */
+static double halve(const search *s, const zero *z, double low, double high, int is_negative)
+{
+    fourlink_state state;
     int i;
 
     for (i = 0; i < HALVINGS; i++) {
         double middle = 0.5 * (low + high);
 
-        if (!find_speeds(d, branch, middle, speed))
+        if (!move(s, middle, &state))
             break;
-        if ((speed[joint] < 0) == is_negative)
+        if ((value_of(s, z, &state) < 0) == is_negative)
             low = middle;
         else
             high = middle;
@@ -60,46 +87,115 @@ static double halve(const deck *d, fourlink_branch branch, int joint, double low
     return 0.5 * (low + high);
 }
 
-static void search_branch(flk_analysis *a, fourlink_branch branch, const int wanted[4])
+/* 1 if there is a zero between two values; an angle that goes over 180 deg has none. */
+static int has_zero(const zero *z, double last, double now)
 {
-    double last[4] = {0, 0, 0, 0}, speed[4];
-    size_t n = (size_t)floor(SAMPLES * a->jump_period / (2 * M_PI) + 0.5), i;
-    int was_there = 0, j;
+    return (last < 0) != (now < 0) &&
+           !(z->joint < 0 && z->over == OVER_THETA4 && fabs(last - now) > M_PI);
+}
+
+/* Keep an angle; 0 when out of memory.  */
+static int keep(flk_analysis *a, double theta2)
+{
+    if (a->n_jumps % 64 == 0) {
+        double *more = realloc(a->jumps, (a->n_jumps + 64) * sizeof *more);
+
+        if (!more)
+            return 0;
+        a->jumps = more;
+    }
+    a->jumps[a->n_jumps++] = theta2;
+    return 1;
+}
+
+static int search_branch(flk_analysis *a, search *s)
+{
+    size_t n = (size_t)floor(SAMPLES * a->jump_period / (2 * M_PI) + 0.5), i, j;
+    double step = a->jump_period / (double)n;
+    fourlink_state state;
+    int was_there = 0;
 
     for (i = 0; i <= n; i++) {
-        double theta2 = a->jump_period * ((double)i - 0.37) / (double)n;
-        int is_there = find_speeds(a->d, branch, theta2, speed);
+        double theta2 = step * ((double)i - 0.37);
+        int is_there = move(s, theta2, &state);
 
-        for (j = 0; j < 4 && is_there; j++) {
-            if (was_there && wanted[j] && (speed[j] < 0) != (last[j] < 0) && a->n_jumps < MOST)
-                a->jumps[a->n_jumps++] = halve(a->d, branch, j, theta2 - a->jump_period / (double)n,
-                                               theta2, last[j] < 0);
-            last[j] = speed[j];
+        for (j = 0; j < s->n && is_there; j++) {
+            s->now[j] = value_of(s, &s->zeros[j], &state);
+            if (was_there && has_zero(&s->zeros[j], s->last[j], s->now[j]) &&
+                !keep(a, halve(s, &s->zeros[j], theta2 - step, theta2, s->last[j] < 0)))
+                return 0;
+            s->last[j] = s->now[j];
         }
         was_there = is_there;
+    }
+    return 1;
+}
+
+static void add_curve(search *s, const curve *c, int over)
+{
+    size_t i;
+
+    for (i = 0; i < c->n && over; i++, s->n++)
+        if (s->zeros) {
+            s->zeros[s->n].joint = -1;
+            s->zeros[s->n].over = over;
+            s->zeros[s->n].at = c->x[i];
+        }
+}
+
+/* List the functions; without memory only their number.  A power of a speed has a corner where the speed is 0, and a
+** load jumps there if it has other values on the way back. */
+static void list_zeros(search *s)
+{
+    const deck *d = s->d;
+    const flk_kind *kind = flk_kind_of(d->design.kind);
+    unsigned long i;
+    int joint;
+
+    s->n = 0;
+    for (joint = 1; joint < 4; joint++) {
+        double friction = kind->joint[joint].slider ? d->friction.guide : d->friction.circle[joint];
+
+        if (!(friction > 0) && !(d->has_law && joint >= 2))
+            continue;
+        if (s->zeros)
+            s->zeros[s->n].joint = joint;
+        s->n++;
+    }
+    for (i = 0; i < d->n_loads; i++) {
+        const deck_load *variation = &d->variations[i];
+        int over = variation->law.over;
+
+        add_curve(s, &variation->torque, over);
+        add_curve(s, &variation->force[0], over);
+        add_curve(s, &variation->law.back_torque, over);
+        add_curve(s, &variation->law.back_force[0], over);
     }
 }
 
 int flk_jumps_find(flk_analysis *a)
 {
-    const deck *d = a->d;
-    const flk_kind *kind = flk_kind_of(d->design.kind);
-    int wanted[4], any = 0, i;
+    int found;
+    search s;
 
-    a->jump_period =
-        2 * M_PI * (d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1);
-    for (i = 0; i < 4; i++) {
-        wanted[i] = d->has_friction &&
-                    (kind->joint[i].slider ? d->friction.guide : d->friction.circle[i]) > 0;
-        wanted[i] |= d->has_power_law && i >= 2; /* omega4, v, slide_v */
-        any |= wanted[i];
-    }
-    if (!any)
+    if (!a->d->has_friction && !a->d->has_law)
         return 1;
-    a->jumps = malloc(MOST * sizeof *a->jumps);
-    if (!a->jumps)
-        return 0;
-    search_branch(a, FOURLINK_OPEN, wanted);
-    search_branch(a, FOURLINK_CROSSED, wanted);
-    return 1;
+    memset(&s, 0, sizeof s);
+    s.d = a->d;
+    s.speed = a->d->motion.speed != 0 ? a->d->motion.speed : 1;
+    a->jump_period =
+        2 * M_PI * (s.d->mechanism.change_stretched != s.d->mechanism.change_folded ? 2 : 1);
+    list_zeros(&s);
+    s.last = malloc((2 * s.n + 1) * sizeof *s.last);
+    s.now = s.last + s.n;
+    s.zeros = malloc((s.n + 1) * sizeof *s.zeros);
+    if (s.zeros)
+        list_zeros(&s);
+    s.branch = FOURLINK_OPEN;
+    found = s.zeros && s.last && search_branch(a, &s);
+    s.branch = FOURLINK_CROSSED;
+    found = found && search_branch(a, &s);
+    free(s.zeros);
+    free(s.last);
+    return found;
 }

@@ -69,6 +69,10 @@ static void offer_loads(search *s)
 
     offer_curve(s, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
+        if (d->variations[i].law.over)
+            continue; /* jumps.c */
+        offer_curve(s, &d->variations[i].law.back_torque);
+        offer_curve(s, &d->variations[i].law.back_force[0]);
         offer_curve(s, &d->variations[i].torque);
         offer_curve(s, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {

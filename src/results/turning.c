@@ -160,7 +160,8 @@ static size_t most_cuts(const flk_analysis *a)
     size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n + jumps, i;
 
     for (i = 0; i < d->n_loads; i++)
-        n += d->variations[i].torque.n + d->variations[i].force[0].n + 2;
+        n += d->variations[i].torque.n + d->variations[i].force[0].n +
+             d->variations[i].law.back_torque.n + d->variations[i].law.back_force[0].n + 2;
     return n;
 }
 
@@ -183,6 +184,10 @@ static void cut(moment *m)
         m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
     cut_at_curve(m, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
+        if (d->variations[i].law.over)
+            continue; /* jumps.c */
+        cut_at_curve(m, &d->variations[i].law.back_torque);
+        cut_at_curve(m, &d->variations[i].law.back_force[0]);
         cut_at_curve(m, &d->variations[i].torque);
         cut_at_curve(m, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
