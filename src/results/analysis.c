@@ -9,7 +9,6 @@
 #include <gsl/gsl_math.h>
 
 #include "analysis.h"
-#include "jumps.h"
 
 /* What can be computed for a deck. */
 static int possible(const deck *d)
@@ -35,41 +34,36 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL && flk_jumps_find(a);
+    return a->loads != NULL && flk_jumps_find(d, &a->jumps);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
     free(a->loads);
-    free(a->jumps);
+    free(a->jumps.theta2);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
 }
 
-/* The ground ends of springs, and friction of the pins A and D, which turns the ground with the links. */
-static void find_on_ground(const flk_analysis *a, const fourlink_instant *at, flk_on_ground *others)
+/* Shaking force and moment of the ground ends of springs, and of friction in the pins A and D, which turns the ground
+** with the links. */
+static void add_on_ground(const flk_analysis *a, const fourlink_instant *at, flk_derived *e)
 {
     const deck *d = a->d;
     const fourlink_link_state *link = at->state.link;
-    int slides = fourlink_slides((int)d->design.kind, FOURLINK_FOLLOWER) == FOURLINK_GROUND;
+    double sense = link[2].omega < 0 || (link[2].omega == 0 && d->friction.direction < 0) ? -1 : 1;
     fourlink_spring_state s;
     unsigned long i;
-    double sense;
 
-    others->Fx = others->Fy = others->M = 0;
     for (i = 0; i < d->n_springs; i++)
         if (fourlink_spring_at(&d->mechanism, &at->state, &d->springs[i].spring, &s) ==
             FOURLINK_OK) {
-            others->Fx += s.ground.x;
-            others->Fy += s.ground.y;
-            others->M += s.ground_moment;
+            e->Fsx += s.ground.x;
+            e->Fsy += s.ground.y;
+            e->Ms += s.ground_moment;
         }
-    if (!d->has_friction)
-        return;
-    sense = link[2].omega < 0 || (link[2].omega == 0 && d->friction.direction < 0) ? -1 : 1;
-    others->M += sense * at->losses.pin[0];
-    if (!slides)
-        others->M += link[4].k < 0 ? -sense * at->losses.pin[3] : sense * at->losses.pin[3];
+    e->Ms += sense * at->losses.pin[0];
+    e->Ms += link[4].k < 0 ? -sense * at->losses.pin[3] : sense * at->losses.pin[3];
 }
 
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
@@ -106,14 +100,10 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
         flk_derive_from_motion(mechanism, &at->state, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_BALANCE))
         flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces) {
-        flk_on_ground others = {0, 0, 0};
-
-        if (a->needs_motion)
-            find_on_ground(a, at, &others);
-        flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &others,
-                               &row->derived);
-    }
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
+        flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces && a->needs_motion)
+        add_on_ground(a, at, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
         at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
                                               &at->forces, &row->derived);

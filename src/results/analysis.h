@@ -7,6 +7,7 @@
 
 #include "deck/deck.h"
 #include "derived.h"
+#include "jumps.h"
 
 /* What is computed in addition to the motion of the links. */
 enum {
@@ -45,9 +46,7 @@ typedef struct flk_analysis {
     unsigned long n_loads; /* springs, friction and gas included */
     int needs_motion;      /* 1: loads depend on the motion or on the forces */
     fourlink_load *loads;  /* memory for the loads of the present row */
-    double *jumps;         /* rad, crank angles at which friction may jump, in one period */
-    size_t n_jumps;
-    double jump_period;     /* rad */
+    flk_jumps jumps;
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */

@@ -143,21 +143,18 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 **    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 - e P
 **
 ** the moment about A; P, along the line of stroke y = e, is opposite to the force of the gas on the
-** piston.  In an oscillating cylinder the gas is between moving links.  `others`: the ground ends of springs, and
-** friction of the pins A and D; that of the guide is F14x. */
+** piston.  In an oscillating cylinder the gas is between moving links.  The friction of a guide is F14x. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *f, double gas_force, const flk_on_ground *others,
-                            flk_derived *e)
+                            const fourlink_forces *f, double gas_force, flk_derived *e)
 {
     const fourlink_vector *D = &state->link[4].origin;
     int on_head = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER);
     double P = on_head ? (double)state->branch * gas_force : 0;
     int i;
 
-    e->Fsx = -f->F12x - f->F14x + P + others->Fx;
-    e->Fsy = -f->F12y - f->F14y + others->Fy;
-    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) - mechanism->design.offset * P +
-            others->M;
+    e->Fsx = -f->F12x - f->F14x + P;
+    e->Fsy = -f->F12y - f->F14y;
+    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) - mechanism->design.offset * P;
     e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
     e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
     e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);

@@ -42,15 +42,9 @@ double flk_derive_freudenstein(const fourlink_design *design);
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             flk_derived *e);
 
-/* What springs and the friction of pins exert on the ground. */
-typedef struct flk_on_ground {
-    double Fx, Fy, M; /* N, N m about A */
-} flk_on_ground;
-
 /* The part that follows from the forces; `gas_force` is that on the piston, towards the crank. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *forces, double gas_force,
-                            const flk_on_ground *others, flk_derived *e);
+                            const fourlink_forces *forces, double gas_force, flk_derived *e);
 
 /* Primary and secondary shaking force of a slider-crank. */
 void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,

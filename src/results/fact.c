@@ -39,16 +39,13 @@
     X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0, "piston farthest from the crankshaft")     \
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0, "piston nearest to the crankshaft")        \
-    X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, 0, "mass moment of the crank's counterweight")  \
-    X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, 0, "its direction from the crank's line") \
-    X(BALANCE_MASS, "balance_mass", MASS, 0, "mass of the crank's counterweight at the radius")    \
-    X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, 0,                                            \
-      "mass moment of the counterweight of link 4")                                                \
-    X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, 0,                                      \
-      "its direction from the line of link 4")                                                     \
-    X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, 0, "its mass at the radius")               \
-    X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, 1,                                             \
-      "work without friction / work with it, over a cycle")                                        \
+    X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, 0, "mass moment of its counterweight")          \
+    X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, 0, "its direction, from the crank")       \
+    X(BALANCE_MASS, "balance_mass", MASS, 0, "mass of the crank's counterweight")                  \
+    X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, 0, "mass moment of that of link 4")           \
+    X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, 0, "its direction, from link 4")        \
+    X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, 0, "mass of that of link 4")               \
+    X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, 1, "efficiency over a cycle")                  \
     X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
     X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times the speed of the crank")              \
     X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \

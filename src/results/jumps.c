@@ -95,23 +95,23 @@ static int has_zero(const zero *z, double last, double now)
 }
 
 /* Keep an angle; 0 when out of memory.  */
-static int keep(flk_analysis *a, double theta2)
+static int keep(flk_jumps *jumps, double theta2)
 {
-    if (a->n_jumps % 64 == 0) {
-        double *more = realloc(a->jumps, (a->n_jumps + 64) * sizeof *more);
+    if (jumps->n % 64 == 0) {
+        double *more = realloc(jumps->theta2, (jumps->n + 64) * sizeof *more);
 
         if (!more)
             return 0;
-        a->jumps = more;
+        jumps->theta2 = more;
     }
-    a->jumps[a->n_jumps++] = theta2;
+    jumps->theta2[jumps->n++] = theta2;
     return 1;
 }
 
-static int search_branch(flk_analysis *a, search *s)
+static int search_branch(flk_jumps *jumps, search *s)
 {
-    size_t n = (size_t)floor(SAMPLES * a->jump_period / (2 * M_PI) + 0.5), i, j;
-    double step = a->jump_period / (double)n;
+    size_t n = (size_t)floor(SAMPLES * jumps->period / (2 * M_PI) + 0.5), i, j;
+    double step = jumps->period / (double)n;
     fourlink_state state;
     int was_there = 0;
 
@@ -122,7 +122,7 @@ static int search_branch(flk_analysis *a, search *s)
         for (j = 0; j < s->n && is_there; j++) {
             s->now[j] = value_of(s, &s->zeros[j], &state);
             if (was_there && has_zero(&s->zeros[j], s->last[j], s->now[j]) &&
-                !keep(a, halve(s, &s->zeros[j], theta2 - step, theta2, s->last[j] < 0)))
+                !keep(jumps, halve(s, &s->zeros[j], theta2 - step, theta2, s->last[j] < 0)))
                 return 0;
             s->last[j] = s->now[j];
         }
@@ -173,17 +173,17 @@ static void list_zeros(search *s)
     }
 }
 
-int flk_jumps_find(flk_analysis *a)
+int flk_jumps_find(const deck *d, flk_jumps *jumps)
 {
     int found;
     search s;
 
-    if (!a->d->has_friction && !a->d->has_law)
+    if (!d->has_friction && !d->has_law)
         return 1;
     memset(&s, 0, sizeof s);
-    s.d = a->d;
-    s.speed = a->d->motion.speed != 0 ? a->d->motion.speed : 1;
-    a->jump_period =
+    s.d = d;
+    s.speed = d->motion.speed != 0 ? d->motion.speed : 1;
+    jumps->period =
         2 * M_PI * (s.d->mechanism.change_stretched != s.d->mechanism.change_folded ? 2 : 1);
     list_zeros(&s);
     s.last = malloc((2 * s.n + 1) * sizeof *s.last);
@@ -192,9 +192,9 @@ int flk_jumps_find(flk_analysis *a)
     if (s.zeros)
         list_zeros(&s);
     s.branch = FOURLINK_OPEN;
-    found = s.zeros && s.last && search_branch(a, &s);
+    found = s.zeros && s.last && search_branch(jumps, &s);
     s.branch = FOURLINK_CROSSED;
-    found = found && search_branch(a, &s);
+    found = found && search_branch(jumps, &s);
     free(s.zeros);
     free(s.last);
     return found;

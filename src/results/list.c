@@ -217,8 +217,7 @@ static void tell_friction(teller *t)
 
     t->section = "friction";
     for (i = 0; i < 4; i++)
-        tell_if(t, circles[i], QUANTITY_LENGTH, f->circle[i],
-                "radius of the friction circle: coefficient times radius of the pin");
+        tell_if(t, circles[i], QUANTITY_LENGTH, f->circle[i], "radius of the friction circle");
     tell_if(t, "guide", QUANTITY_NUMBER, f->guide, "coefficient of friction of the guide");
     tell_if(t, "guide_length", QUANTITY_LENGTH, f->guide_length, "length of the guided block");
 }

@@ -133,8 +133,8 @@ static double next_end(const flk_analysis *a, double length, double period, doub
     s.end = FLK_END_NOWHERE;
     offer_loads(&s);
     offer_positions(&s);
-    for (i = 0; i < a->n_jumps; i++)
-        offer_angle(&s, a->jumps[i], a->jump_period, FLK_END_PLAIN);
+    for (i = 0; i < a->jumps.n; i++)
+        offer_angle(&s, a->jumps.theta2[i], a->jumps.period, FLK_END_PLAIN);
     if (a->d->motion.run_up > 0)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
     offer(&s, period, FLK_END_PLAIN);

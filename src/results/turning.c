@@ -156,7 +156,7 @@ static size_t steps_of(const deck *d)
 static size_t most_cuts(const flk_analysis *a)
 {
     const deck *d = a->d;
-    size_t jumps = a->n_jumps * ((size_t)ceil(d->cycle / (2 * M_PI)) + 1);
+    size_t jumps = a->jumps.n * ((size_t)ceil(d->cycle / (2 * M_PI)) + 1);
     size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n + jumps, i;
 
     for (i = 0; i < d->n_loads; i++)
@@ -195,8 +195,9 @@ static void cut(moment *m)
             cut_at(m, d->variations[i].to);
         }
     }
-    for (i = 0; i < m->a->n_jumps; i++)
-        for (at = m->a->jumps[i]; at < m->a->jumps[i] + d->cycle; at += m->a->jump_period)
+    for (i = 0; i < m->a->jumps.n; i++)
+        for (at = m->a->jumps.theta2[i]; at < m->a->jumps.theta2[i] + d->cycle;
+             at += m->a->jumps.period)
             cut_at(m, at);
     gsl_sort(m->cuts, 1, m->n_cuts);
     for (i = 1, n = 1; i < m->n_cuts; i++)
