@@ -47,6 +47,7 @@ static int build_end(parser *p, const section_use *use, key_code link_key, key_c
         return number;
     }
     if (number && !IS_SET(place) && !use->has_unknown &&
+        !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
         (number == FOURLINK_GROUND || fourlink_slides((int)p->d->design.kind, number) == 0))
         flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
                     flk_key_table[at_key].name, fourlink_link_text((int)p->d->design.kind, number));

@@ -71,10 +71,15 @@ static void read_word(parser *p, key_code key, setting *s)
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
 {
+    const char *what = key->section == SECTION_FRICTION && key->q == QUANTITY_NUMBER
+                           ? "coefficient of friction "
+                           : "";
+
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s must not be negative:  %t", key->name, s->value);
+        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative:  %t", what, key->name,
+                    s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
         flk_mistake(p->mistakes, s->place, "'%t' is out of range", s->value);
