@@ -28,6 +28,7 @@
 #define CONTINUATION_STEPS 20
 #define EXACT 1e-13      /* of the largest y: Newton's method has ended */
 #define ROUNDED 1e-12    /* ... if it does not come closer */
+#define SQUARED 1e-7     /* ... a step that leaves an error of its square, where Phi S is small */
 #define STANDSTILL 1e-12 /* of a unit crank speed: joints slower than this do not move */
 
 /* A joint with friction. */
@@ -43,7 +44,7 @@ typedef struct joint {
     int n_loads;
 } joint;
 
-/* The equations for y. */
+/* The equations for y; columns of joints that there are not are 0. */
 typedef struct equations {
     joint joint[JOINTS];
     int n;
@@ -160,13 +161,29 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
 /* Force of a pin, couple and normal force of a guide. */
 static void take_unknowns(const joint *j, const fourlink_forces *forces, double x[2])
 {
-    int form = j->is_guide ? FLK_SLIDER : FLK_PIN, i;
+    int i = 2 * j->number, form = j->is_guide ? FLK_SLIDER : FLK_PIN;
 
-    for (i = 0; i < 2; i++)
-        x[i] = *FLK_MEMBER(forces, flk_unknowns[2 * j->number + i][form]);
+    x[0] = *FLK_MEMBER(forces, flk_unknowns[i][form]);
+    x[1] = *FLK_MEMBER(forces, flk_unknowns[i + 1][form]);
 }
 
-/* x0 and S; a status. */
+/* As flk_apply_load; a pin has only torques. */
+static void apply_load(const joint *j, const fourlink_load *load, const fourlink_state *state,
+                       flk_body body[3])
+{
+    flk_body *b = &body[load->link - FOURLINK_CRANK];
+    double work = load->torque * state->link[load->link].k;
+
+    if (j->is_guide) {
+        flk_apply_load(load, &state->link[load->link], b);
+        return;
+    }
+    b->moment -= load->torque;
+    b->work += work;
+    b->largest = flk_larger(b->largest, fabs(work));
+}
+
+/* x0 and S; a status.  The moment of pin A changes Ts alone. */
 static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanism,
                         const fourlink_state *state, flk_solution *solve,
                         const fourlink_forces *without, equations *e)
@@ -176,14 +193,16 @@ static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanis
     double x[2];
     int i, k, status = FOURLINK_OK;
 
+    memset(e->S, 0, sizeof e->S);
+    memset(e->matrix, 0, sizeof e->matrix);
+    memset(e->phi, 0, sizeof e->phi);
     for (k = 0; k < e->n && status == FOURLINK_OK; k++) {
         take_unknowns(&e->joint[k], without, e->x0[k]);
+        if (e->joint[k].number == 0)
+            continue;
         memset(body, 0, sizeof body);
-        for (i = 0; i < e->joint[k].n_loads; i++) {
-            const fourlink_load *load = &e->joint[k].load[i];
-
-            flk_apply_load(load, &state->link[load->link], &body[load->link - 2]);
-        }
+        for (i = 0; i < e->joint[k].n_loads; i++)
+            apply_load(&e->joint[k], &e->joint[k].load[i], state, body);
         status = solve(kind, mechanism, state, body, &forces);
         for (i = 0; i < e->n; i++) {
             take_unknowns(&e->joint[i], &forces, x);
@@ -201,18 +220,19 @@ static void evaluate(equations *e, double share)
 
     for (i = 0; i < e->n; i++) {
         const joint *j = &e->joint[i];
-        double factor = share * j->factor, x[2], d[2], size;
+        double factor = share * j->factor, x[2], d[2], size, slope;
 
-        for (k = 0; k < 2; k++)
-            x[k] = e->x0[i][k];
-        for (k = 0; k < e->n; k++) {
+        x[0] = e->x0[i][0];
+        x[1] = e->x0[i][1];
+        for (k = 0; k < JOINTS; k++) {
             x[0] += e->S[i][0][k] * e->y[k];
             x[1] += e->S[i][1][k] * e->y[k];
         }
         if (!j->is_guide) {
             size = sqrt(x[0] * x[0] + x[1] * x[1]);
-            d[0] = size > 0 ? factor * (x[0] / size) : 0;
-            d[1] = size > 0 ? factor * (x[1] / size) : 0;
+            slope = size > 0 ? factor / size : 0;
+            d[0] = slope * x[0];
+            d[1] = slope * x[1];
         } else if (fabs(x[1]) >= j->couple * fabs(x[0])) {
             size = fabs(x[1]);
             d[0] = 0;
@@ -223,49 +243,77 @@ static void evaluate(equations *e, double share)
             d[1] = 0;
         }
         e->phi[i] = factor * size;
-        for (k = 0; k < e->n; k++)
+        for (k = 0; k < JOINTS; k++)
             e->matrix[i][k] = d[0] * e->S[i][0][k] + d[1] * e->S[i][1][k];
     }
 }
 
+static void swap_rows(double A[JOINTS][JOINTS + 1], int i, int k)
+{
+    double row[JOINTS + 1];
+
+    memcpy(row, A[i], sizeof row);
+    memcpy(A[i], A[k], sizeof row);
+    memcpy(A[k], row, sizeof row);
+}
+
 /* Solve (I - Phi S) d = phi - y by elimination with pivots; returns the determinant of I - Phi S, 0 if it is
-** singular. */
+** singular.  Joints that there are not have d = 0. */
 static double newton_step(const equations *e, double d[JOINTS])
 {
-    double A[JOINTS][JOINTS + 1], determinant = 1;
-    int n = e->n, i, j, k;
+    double A[JOINTS][JOINTS + 1], inverse[JOINTS], determinant = 1;
+    int i, j, k;
 
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < n; k++)
-            A[i][k] = (i == k) - e->matrix[i][k];
-        A[i][n] = e->phi[i] - e->y[i];
+    for (i = 0; i < JOINTS; i++) {
+        for (k = 0; k < JOINTS; k++)
+            A[i][k] = -e->matrix[i][k];
+        A[i][i] += 1;
+        A[i][JOINTS] = e->phi[i] - e->y[i];
     }
-    for (k = 0; k < n; k++) {
+    for (k = 0; k < JOINTS; k++) {
         int largest = k;
 
-        for (i = k + 1; i < n; i++)
+        for (i = k + 1; i < JOINTS; i++)
             if (fabs(A[i][k]) > fabs(A[largest][k]))
                 largest = i;
-        determinant *= largest == k ? A[k][k] : -A[largest][k];
         if (A[largest][k] == 0)
             return 0;
-        for (j = k; j <= n && largest != k; j++) {
-            double swap = A[k][j];
-
-            A[k][j] = A[largest][j];
-            A[largest][j] = swap;
+        if (largest != k) {
+            swap_rows(A, largest, k);
+            determinant = -determinant;
         }
-        for (i = k + 1; i < n; i++)
-            for (j = n; j >= k; j--)
-                A[i][j] -= A[i][k] / A[k][k] * A[k][j];
+        determinant *= A[k][k];
+        inverse[k] = 1 / A[k][k];
+        for (i = k + 1; i < JOINTS; i++) {
+            double share = A[i][k] * inverse[k];
+
+            for (j = 0; j <= JOINTS; j++)
+                A[i][j] -= share * A[k][j];
+        }
     }
-    for (i = n - 1; i >= 0; i--) {
-        d[i] = A[i][n];
-        for (k = i + 1; k < n; k++)
+    for (i = JOINTS - 1; i >= 0; i--) {
+        d[i] = A[i][JOINTS];
+        for (k = i + 1; k < JOINTS; k++)
             d[i] -= A[i][k] * d[k];
-        d[i] /= A[i][i];
+        d[i] *= inverse[i];
     }
     return determinant;
+}
+
+/* 1 if all row sums of Phi S are below one half. */
+static int is_small(const equations *e)
+{
+    int i, k;
+
+    for (i = 0; i < e->n; i++) {
+        double sum = 0;
+
+        for (k = 0; k < e->n; k++)
+            sum += fabs(e->matrix[i][k]);
+        if (!(sum < 0.5))
+            return 0;
+    }
+    return 1;
 }
 
 /* Newton's method from the present y, for a share of the friction; 1 if it converges with a positive
@@ -289,7 +337,8 @@ static int converge(equations *e, double share)
         }
         if (!FLK_WITHIN(most, FOURLINK_NUMBER_MAX))
             return 0;
-        if (most <= EXACT * largest || (most <= ROUNDED * largest && most >= before))
+        if (most <= EXACT * largest || (most <= SQUARED * largest && is_small(e)) ||
+            (most <= ROUNDED * largest && most >= before))
             return determinant > 0;
         before = most;
     }
@@ -353,14 +402,34 @@ static double efficiency_of(double Ts, double Ts0, double direction)
     return Ts0 < 0 ? Ts / Ts0 : Ts == Ts0;
 }
 
-/* The friction that was found, its loads among those of the links cut free. */
-static void apply(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                  const equations *e, flk_body body[3], fourlink_losses *losses)
+/* Give the loads of friction their sizes, and apply them to the links cut free. */
+static void apply(const fourlink_state *state, equations *e, flk_body body[3])
 {
-    double omega2 = fabs(state->link[FOURLINK_CRANK].omega);
-    double length = mechanism->design.link[FOURLINK_CRANK].length;
     int i, k;
 
+    for (k = 0; k < e->n; k++) {
+        joint *j = &e->joint[k];
+
+        for (i = 0; i < j->n_loads; i++) {
+            fourlink_load *load = &j->load[i];
+
+            load->torque *= e->y[k];
+            load->force.x *= e->y[k];
+            load->force.y *= e->y[k];
+            apply_load(j, load, state, body);
+        }
+    }
+}
+
+/* The friction that was found. */
+static void list_losses(const equations *e, double length, double omega2, fourlink_losses *losses)
+{
+    int i, k;
+
+    losses->guide = losses->power = 0;
+    losses->n_loads = 0;
+    for (i = 0; i < JOINTS; i++)
+        losses->pin[i] = 0;
     for (k = 0; k < e->n; k++) {
         const joint *j = &e->joint[k];
 
@@ -368,16 +437,9 @@ static void apply(const fourlink_mechanism *mechanism, const fourlink_state *sta
             losses->guide = e->y[k] / length;
         else
             losses->pin[j->number] = e->y[k];
-        losses->power += e->y[k] * fabs(j->speed) * omega2;
-        for (i = 0; i < j->n_loads; i++) {
-            fourlink_load *load = &losses->load[losses->n_loads++];
-
-            *load = j->load[i];
-            load->torque *= e->y[k];
-            load->force.x *= e->y[k];
-            load->force.y *= e->y[k];
-            flk_apply_load(load, &state->link[load->link], &body[load->link - 2]);
-        }
+        losses->power += e->y[k] * fabs(j->speed * omega2);
+        for (i = 0; i < j->n_loads; i++)
+            losses->load[losses->n_loads++] = j->load[i];
     }
 }
 
@@ -403,30 +465,36 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
                      fourlink_forces *forces, fourlink_losses *losses)
 {
     double omega2 = state->link[FOURLINK_CRANK].omega;
+    double length = mechanism->design.link[FOURLINK_CRANK].length, Ts0;
+    fourlink_forces found;
     flk_body body[3];
     equations e;
     int status;
 
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    status = solve(kind, mechanism, state, body, forces);
+    status = solve(kind, mechanism, state, body, &found);
     if (status != FOURLINK_OK)
         return status;
-    memset(losses, 0, sizeof *losses);
-    losses->Ts0 = forces->Ts;
+    Ts0 = found.Ts;
     list_joints(kind, mechanism, state, friction, &e);
-    status = find_columns(kind, mechanism, state, solve, forces, &e);
+    status = find_columns(kind, mechanism, state, solve, &found, &e);
     if (status == FOURLINK_OK)
         status = find_sizes(&e);
     if (status != FOURLINK_OK)
         return status;
-    apply(mechanism, state, &e, body, losses);
-    status = solve(kind, mechanism, state, body, forces);
+    apply(state, &e, body);
+    status = solve(kind, mechanism, state, body, &found);
+    flk_virtual_work(state, body, &found);
+    if (status != FOURLINK_OK || !flk_is_finite(&found))
+        return status != FOURLINK_OK ? status : FOURLINK_BAD_NUMBER;
+    list_losses(&e, length, omega2, losses);
+    losses->Ts0 = Ts0;
     losses->efficiency = efficiency_of(
-        forces->Ts, losses->Ts0, omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1);
-    flk_virtual_work(state, body, forces);
+        found.Ts, Ts0, omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1);
     if (kind->joint[3].slider && losses->guide != 0) /* the last load */
-        forces->F14x = losses->load[losses->n_loads - 1].force.x;
-    return status;
+        found.F14x = losses->load[losses->n_loads - 1].force.x;
+    *forces = found;
+    return FOURLINK_OK;
 }
 
 int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -435,8 +503,6 @@ int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_
                             fourlink_forces *forces, fourlink_losses *losses)
 {
     const flk_kind *kind;
-    fourlink_forces found;
-    fourlink_losses lost;
     int status = flk_kind_find(mechanism, forces, &kind);
 
     if (status == FOURLINK_OK)
@@ -447,12 +513,6 @@ int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_
         status = FOURLINK_SINGULAR;
     if (status == FOURLINK_OK)
         status = solve_all(kind, mechanism, state, loads, n_loads, friction,
-                           closed_form ? flk_dyad_of_bodies : flk_matrix_of_bodies, &found, &lost);
-    if (status == FOURLINK_OK && !flk_is_finite(&found))
-        status = FOURLINK_BAD_NUMBER;
-    if (status != FOURLINK_OK)
-        return status;
-    *forces = found;
-    *losses = lost;
-    return FOURLINK_OK;
+                           closed_form ? flk_dyad_of_bodies : flk_matrix_of_bodies, forces, losses);
+    return status;
 }
