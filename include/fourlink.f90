@@ -35,6 +35,8 @@ module fourlink
     fourlink_lost_in_rounding = 7, &
     fourlink_not_reached = 8, &
     fourlink_no_mean = 9, &
+    fourlink_locked = 10, &
+    fourlink_no_direction = 11, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -60,7 +62,10 @@ module fourlink
     fourlink_no_such_fact = 42, &
     fourlink_no_such_angle = 43, &
     fourlink_no_turning_moment = 44, &
-    fourlink_no_such_list = 45
+    fourlink_no_such_list = 45, &
+    fourlink_bad_friction = 46, &
+    fourlink_bad_spring = 47, &
+    fourlink_bad_balance = 48
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -164,6 +169,38 @@ module fourlink
     real(c_double) :: M14, Ts, Ts_work, residual, N34, M34
   end type fourlink_forces
 
+  ! Friction, springs, counterweights.
+  integer(c_int), parameter :: fourlink_friction_loads = 6
+
+  type, bind(c) :: fourlink_friction
+    real(c_double) :: circle(4) = 0, guide = 0, guide_length = 0
+    integer(c_int) :: direction = 0
+  end type fourlink_friction
+
+  type, bind(c) :: fourlink_losses
+    real(c_double) :: Ts0, pin(4), guide, power, efficiency
+    integer(c_long) :: n_loads
+    type(fourlink_load) :: load(fourlink_friction_loads)
+  end type fourlink_losses
+
+  type, bind(c) :: fourlink_spring
+    integer(c_int) :: link = 0, to = 0, is_torsional = 0
+    type(fourlink_vector) :: at, to_at
+    real(c_double) :: stiffness = 0, free_length = 0, preload = 0, damping = 0, turns(2) = 0
+  end type fourlink_spring
+
+  type, bind(c) :: fourlink_spring_state
+    real(c_double) :: length, rate, force, energy, power
+    integer(c_long) :: n_loads
+    type(fourlink_load) :: load(2)
+    type(fourlink_vector) :: ground
+    real(c_double) :: ground_moment
+  end type fourlink_spring_state
+
+  type, bind(c) :: fourlink_balance
+    type(fourlink_vector) :: crank, rocker
+  end type fourlink_balance
+
   ! The mechanism as a whole.
   type, bind(c) :: fourlink_reach
     integer(c_int) :: n_ranges
@@ -229,7 +266,7 @@ module fourlink
     type(fourlink_motion) :: motion
     real(c_double) :: cycle
     integer(c_int) :: open, crossed, has_forces, approximation
-    integer(c_long) :: n_loads, n_gas_loads, n_points
+    integer(c_long) :: n_loads, n_spring_loads, n_friction_loads, n_springs, n_gas_loads, n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits
@@ -279,6 +316,7 @@ module fourlink
     type(fourlink_state) :: state
     type(fourlink_forces) :: forces
     real(c_double) :: gas_force
+    type(fourlink_losses) :: losses
   end type fourlink_instant
 
   type, bind(c) :: fourlink_area
@@ -403,6 +441,78 @@ module fourlink
       integer(c_long), value :: n_loads
       type(fourlink_forces), intent(inout) :: forces
     end function fourlink_solve_dyad
+
+    integer(c_int) function fourlink_solve_friction(mechanism, state, loads, n_loads, friction, &
+        closed_form, forces, losses) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      type(fourlink_friction), intent(in) :: friction
+      integer(c_int), value :: closed_form
+      type(fourlink_forces), intent(inout) :: forces
+      type(fourlink_losses), intent(inout) :: losses
+    end function fourlink_solve_friction
+
+    integer(c_int) function fourlink_spring_prepare(mechanism, spring) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_spring), intent(inout) :: spring
+    end function fourlink_spring_prepare
+
+    integer(c_int) function fourlink_spring_at(mechanism, state, spring, at) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_spring), intent(in) :: spring
+      type(fourlink_spring_state), intent(inout) :: at
+    end function fourlink_spring_at
+
+    integer(c_int) function fourlink_balance_of(mechanism, fraction, balance) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      real(c_double), value :: fraction
+      type(fourlink_balance), intent(inout) :: balance
+    end function fourlink_balance_of
+
+    integer(c_int) function fourlink_add_counterweight(link, moment, radius, balanced, mass) &
+        bind(c)
+      import
+      type(fourlink_link), intent(in) :: link
+      type(fourlink_vector), intent(in) :: moment
+      real(c_double), value :: radius
+      type(fourlink_link), intent(inout) :: balanced
+      real(c_double), intent(inout) :: mass
+    end function fourlink_add_counterweight
+
+    integer(c_int) function fourlink_deck_analyse(deck, branch, crank, closed_form, loads, state, &
+        forces, losses, gas_force) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_int), value :: branch
+      type(fourlink_crank), intent(in) :: crank
+      integer(c_int), value :: closed_form
+      type(fourlink_load), intent(inout) :: loads(*)
+      type(fourlink_state), intent(inout) :: state
+      type(fourlink_forces), intent(inout) :: forces
+      type(fourlink_losses), intent(inout) :: losses
+      real(c_double), intent(inout) :: gas_force
+    end function fourlink_deck_analyse
+
+    integer(c_int) function fourlink_deck_spring(deck, i, name, spring) bind(c)
+      import
+      type(c_ptr), value :: deck
+      integer(c_long), value :: i
+      type(c_ptr), intent(inout) :: name ! for fourlink_text
+      type(fourlink_spring), intent(inout) :: spring
+    end function fourlink_deck_spring
+
+    integer(c_int) function fourlink_deck_friction(deck, friction) bind(c)
+      import
+      type(c_ptr), value :: deck
+      type(fourlink_friction), intent(inout) :: friction
+    end function fourlink_deck_friction
 
     ! The matrix is transposed: a(j, i) is A[i-1][j-1] in C, row i, column j.
     integer(c_int) function fourlink_system(mechanism, state, loads, n_loads, a, b) bind(c)

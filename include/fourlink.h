@@ -65,6 +65,8 @@ extern "C" {
     X(FOURLINK_LOST_IN_ROUNDING, 7, "link lengths too unequal: the position is lost in rounding") \
     X(FOURLINK_NOT_REACHED, 8, "the linkage cannot be assembled at any angle of the motion")      \
     X(FOURLINK_NO_MEAN, 9, "no mean: the column is unbounded to both sides")                      \
+    X(FOURLINK_LOCKED, 10, "friction locks the mechanism")                                        \
+    X(FOURLINK_NO_DIRECTION, 11, "the ends of a spring meet: its force has no direction")         \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
@@ -91,7 +93,11 @@ extern "C" {
     X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                   \
     X(FOURLINK_NO_TURNING_MOMENT, 44,                                                             \
       "the turning moment needs forces and a crank that turns fully, at constant speed")          \
-    X(FOURLINK_NO_SUCH_LIST, 45, "there is no such list")
+    X(FOURLINK_NO_SUCH_LIST, 45, "there is no such list")                                         \
+    X(FOURLINK_BAD_FRICTION, 46, "a coefficient, radius or length of friction is negative")       \
+    X(FOURLINK_BAD_SPRING, 47,                                                                    \
+      "a spring is between a link and itself, or its damping is negative")                        \
+    X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -258,6 +264,62 @@ typedef struct fourlink_forces {
                           F34 is that force */
     double M34; /* N m, inverted: couple of the slider on the lever */
 } fourlink_forces;
+
+/* Coulomb friction.  Set it to zero first: what stays 0 is absent. */
+typedef struct fourlink_friction {
+    double circle[4]; /* m, of the pins A, B, C, D: radius of the friction circle, coefficient times
+                         radius of the pin; unused if the joint is a guide */
+    double guide;     /* 1, coefficient of friction of piston or slider; unused if there is none */
+    double guide_length; /* m, length of the block; 0: the couple of the guide has no friction */
+    int direction; /* of a crank at rest: -1, about to turn clockwise; otherwise counter-clockwise */
+} fourlink_friction;
+
+#define FOURLINK_FRICTION_LOADS 6
+
+/* What friction does at one crank position. */
+typedef struct fourlink_losses {
+    double Ts0;        /* N m, the driving torque without friction */
+    double pin[4];     /* N m, >= 0, moments of friction in A, B, C, D */
+    double guide;      /* N, >= 0, force of friction in the guide */
+    double power;      /* W, >= 0, lost */
+    double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
+                          friction keeps the load from driving */
+    unsigned long n_loads;
+    fourlink_load load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the links */
+} fourlink_losses;
+
+/* A spring, a damper or both, between two links or a link and the ground.  Set it to zero first. */
+typedef struct fourlink_spring {
+    int link, to; /* 1 to 4, not the same */
+    int is_torsional;
+    fourlink_vector at, to_at; /* m, its ends in the links' own axes, on the ground in the frame of
+                                  link 1; torsional: unused */
+    double stiffness;          /* N/m; torsional: N m/rad */
+    double free_length;        /* m; torsional: rad, theta of `link` less that of `to` */
+    double preload;            /* N, N m: at the free length */
+    double damping;            /* N s/m, N m s/rad; >= 0 */
+    double
+        turns[2]; /* rad, open and crossed: torsional, whole turns, from fourlink_spring_prepare */
+} fourlink_spring;
+
+/* A spring at one crank position. */
+typedef struct fourlink_spring_state {
+    double length; /* m; torsional: rad, theta of `link` less that of `to`, beyond 180 deg too */
+    double rate;   /* m/s, rad/s: its derivative */
+    double force;  /* N, tension; torsional: N m, -force on `link`, +force on `to` */
+    double energy; /* J, k s^2 / 2 + preload s, s beyond the free length */
+    double power;  /* W, put into the links: -force rate */
+    unsigned long n_loads;
+    fourlink_load load[2];  /* on the moving links */
+    fourlink_vector ground; /* N, force on the ground */
+    double ground_moment;   /* N m, moment on the ground about A */
+} fourlink_spring_state;
+
+/* The mass moments that balance the shaking force: a mass m at z, in the link's own axes, has m z. */
+typedef struct fourlink_balance {
+    fourlink_vector crank;  /* kg m, to be added to the crank */
+    fourlink_vector rocker; /* kg m, to be added to rocker or lever; 0 for a slider-crank */
+} fourlink_balance;
 
 /* ---------------------------------------------------------------------------------------------
 ** The mechanism as a whole
@@ -491,6 +553,9 @@ typedef struct fourlink_problem {
     int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
+    unsigned long n_spring_loads, n_friction_loads; /* before the gas: ends of springs on links, and
+                                                       friction, if any FOURLINK_FRICTION_LOADS */
+    unsigned long n_springs;                        /* for fourlink_deck_spring */
     unsigned long n_gas_loads; /* the last of these: 1, on the piston; 2, on rod and cylinder; 0 */
     unsigned long n_points;    /* for fourlink_deck_point */
     double flywheel_fluctuation; /* 1; 0 if not given */
@@ -567,6 +632,7 @@ typedef struct fourlink_instant {
     fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
+    fourlink_losses losses; /* friction; without it Ts0 is Ts, the efficiency 1 and the rest 0 */
 } fourlink_instant;
 
 /* An area between the turning moment and its mean. */
@@ -824,6 +890,101 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
 FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
                                      const fourlink_state *state, const fourlink_load *loads,
                                      unsigned long n_loads, fourlink_forces *forces);
+
+/* The same forces with Coulomb friction in pins and guides, which depends on them.
+**
+** Given:
+**    mechanism, state, loads, n_loads  as for fourlink_solve
+**    friction     of the joints
+**    closed_form  1: as fourlink_solve_dyad, 0: as fourlink_solve
+** Returned:
+**    forces       as from fourlink_solve with losses->load as loads besides; slider-crank: F14x is the
+**                 friction of the guide
+**    losses       friction and power lost
+** Returned (function value):
+**    as from fourlink_solve; FOURLINK_LOCKED: no torque moves the mechanism; FOURLINK_BAD_FRICTION
+** Notes:
+** 1) The signs follow from the relative speeds, of a crank at rest from those of a unit speed in
+**    friction->direction.  A joint that stands still while the crank turns has no friction: dead
+**    centres of a piston, limits of a rocker.
+** 2) The friction of joints is found by Newton's method, which starts without friction and takes three
+**    to five steps.  FOURLINK_LOCKED means that the frictionless solution has no continuation as
+**    friction grows to its full size.
+** 3) `residual` is the power balance with the power lost.
+** Reference:
+**    R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter 10, friction circle; see friction.c.
+*/
+FOURLINK_API int fourlink_solve_friction(const fourlink_mechanism *mechanism,
+                                         const fourlink_state *state, const fourlink_load *loads,
+                                         unsigned long n_loads, const fourlink_friction *friction,
+                                         int closed_form, fourlink_forces *forces,
+                                         fourlink_losses *losses);
+
+/* Check a spring and find its turns: a torsional spring counts them from the first crank angle >= 0 that
+** can be reached, where its angle is within 180 deg of the free one.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+** Given and returned:
+**    spring     receives `turns`
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LINK, FOURLINK_BAD_SPRING,
+**    FOURLINK_BAD_KIND
+*/
+FOURLINK_API int fourlink_spring_prepare(const fourlink_mechanism *mechanism,
+                                         fourlink_spring *spring);
+
+/* A spring at a crank position, and its loads on the links.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    state      from fourlink_velocity
+**    spring     from fourlink_spring_prepare
+** Returned:
+**    at         length, force, loads; from P on `link` to Q on `to`, T = preload + k (L - L0) + c dL/dt
+**               draws P towards Q
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_NO_DIRECTION; FOURLINK_NULL, FOURLINK_BAD_KIND
+** Note:
+**    A spring whose preload, free length and damping are 0 has no need of a direction.
+*/
+FOURLINK_API int fourlink_spring_at(const fourlink_mechanism *mechanism,
+                                    const fourlink_state *state, const fourlink_spring *spring,
+                                    fourlink_spring_state *at);
+
+/* The mass moments of counterweights that balance the shaking force.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    fraction   1, of the reciprocating mass of a slider-crank, to be balanced by the crank; otherwise
+**               unused
+** Returned:
+**    balance    of a four-bar and an inverted slider-crank: with these the shaking force of inertia
+**               is 0 in any motion
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND
+** Reference:
+**    R. S. Berkof, G. G. Lowen, "A New Method for Completely Force Balancing Simple Linkages",
+**    J. Eng. Ind. 91 (1969); see balance.c.
+*/
+FOURLINK_API int fourlink_balance_of(const fourlink_mechanism *mechanism, double fraction,
+                                     fourlink_balance *balance);
+
+/* Add a counterweight to a link.
+**
+** Given:
+**    link       the link
+**    moment     kg m, of the counterweight in the link's own axes
+**    radius     m, > 0, its distance from the link's origin
+** Returned:
+**    balanced   the link with it: mass, centre of mass, moment of inertia; may be `link`
+**    mass       kg, of the counterweight, a point mass; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BALANCE
+*/
+FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
+                                            const fourlink_vector *moment, double radius,
+                                            fourlink_link *balanced, double *mass);
 
 /* The nine equations themselves, A x = b.
 **
@@ -1092,7 +1253,8 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 **    theta2     rad, crank angle
 ** Returned:
 **    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last, or, on rod and
-**               cylinder of an inverted slider-crank, the last two
+**               cylinder of an inverted slider-crank, the last two.  Springs, friction, and loads
+**               over another argument than the crank angle are 0: see fourlink_deck_analyse
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
 **               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
 **               may be null
@@ -1103,6 +1265,45 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 */
 FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch branch,
                                      double theta2, fourlink_load *loads, double *gas_force);
+
+/* A crank position of a deck with all its loads: those of fourlink_deck_loads, those that follow a speed,
+** springs, dampers and friction.
+**
+** Given:
+**    deck         from fourlink_deck_read
+**    branch       FOURLINK_OPEN or FOURLINK_CROSSED
+**    crank        crank angle, speed and acceleration
+**    closed_form  1: forces as from fourlink_solve_dyad, 0: as from fourlink_solve
+** Returned:
+**    loads        problem.n_loads of them; changed on errors too
+**    state        the motion
+**    forces       with all loads
+**    losses       friction; without it Ts0 is Ts, the efficiency 1 and the rest 0
+**    gas_force    N, as from fourlink_deck_loads
+** Returned (function value):
+**    as from fourlink_analyse, fourlink_solve_friction and fourlink_spring_at
+*/
+FOURLINK_API int fourlink_deck_analyse(const fourlink_deck *deck, fourlink_branch branch,
+                                       const fourlink_crank *crank, int closed_form,
+                                       fourlink_load *loads, fourlink_state *state,
+                                       fourlink_forces *forces, fourlink_losses *losses,
+                                       double *gas_force);
+
+/* A spring of a deck, and the friction of its joints (all 0 if it has none).
+**
+** Given:
+**    deck       from fourlink_deck_read
+**    i          0 ... problem.n_springs - 1
+** Returned:
+**    name       its name, null-terminated, valid as long as the deck; may be null
+**    spring     for fourlink_spring_at
+**    friction   for fourlink_solve_friction
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_POINT if there is no such spring
+*/
+FOURLINK_API int fourlink_deck_spring(const fourlink_deck *deck, unsigned long i, const char **name,
+                                      fourlink_spring *spring);
+FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_friction *friction);
 
 /* A tracer point of a deck.
 **
@@ -1124,7 +1325,8 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    quantity   length, area, angle, mass, time, speed, acceleration, angular_speed,
-**               angular_acceleration, inertia, force, torque, pressure, power, energy or number
+**               angular_acceleration, inertia, force, torque, pressure, power, energy, stiffness, damping,
+**               torsional_stiffness, torsional_damping, mass_moment or number
 ** Returned:
 **    unit       its name and size
 ** Returned (function value):
@@ -1139,7 +1341,7 @@ FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quant
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    i          0 ... problem.n_loads - 1
 ** Returned:
-**    name       of its section, "load" if that has no name, or "gas"; valid as long as the deck
+**    name       of its section, "load" if that has no name, "friction" or "gas"; valid as long as the deck
 **    has_torque 1: it has a torque at some crank angle; may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
@@ -1243,7 +1445,7 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 ** Returned (each may be null):
 **    values     of the list FOURLINK_COLUMNS, in their units; NaN where a column has no value
 **    instant    the motion and the forces of the row
-**    loads      the problem.n_loads loads at its crank angle
+**    loads      the problem.n_loads loads at its crank angle, springs and friction among them
 ** Returned (function value):
 **    FOURLINK_OK; 1 to 19, why the row has no values but those of the crank; FOURLINK_NULL,
 **    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW

@@ -143,6 +143,20 @@ static double time_rows(analyser *analyse, const fourlink_mechanism *m, const fo
     return (seconds() - start) / (PASSES * ANGLES);
 }
 
+/* As fourlink_analyse_dyad, with friction in all joints. */
+static int analyse_friction(const fourlink_mechanism *m, fourlink_branch branch,
+                            const fourlink_crank *crank, const fourlink_load *load, unsigned long n,
+                            fourlink_state *state, fourlink_forces *forces)
+{
+    static const fourlink_friction friction = {{0.001, 0.0006, 0.0006, 0.001}, 0.1, 0.05, 1};
+    fourlink_losses losses;
+    int status = fourlink_analyse_dyad(m, branch, crank, load, n, state, NULL);
+
+    return status == FOURLINK_OK
+               ? fourlink_solve_friction(m, state, load, n, &friction, 1, forces, &losses)
+               : status;
+}
+
 /* Extremes.  The six of the forces against 360 rows by dyads of the same deck, and those of a whole table, both
 ** branches, against writing that as csv. */
 #define DECK_SIZE 10000
@@ -448,7 +462,7 @@ int main(int argc, char **argv)
     fourlink_mechanism four_bar, slider_crank, inverted;
     fourlink_load torque, gas, cut;
     gsl_permutation *p = gsl_permutation_alloc(9);
-    double lu[ROUNDS], a[ROUNDS], b[ROUNDS], c[ROUNDS], d[ROUNDS], e[ROUNDS], f[ROUNDS],
+    double lu[ROUNDS], a[ROUNDS], b[ROUNDS], c[ROUNDS], d[ROUNDS], e[ROUNDS], f[ROUNDS], g[ROUNDS],
         numbers[2][ROUNDS], rows[2][ROUNDS];
     FILE *nowhere = fopen("/dev/null", "w");
     int i, how, missed = 0;
@@ -475,6 +489,7 @@ int main(int argc, char **argv)
         d[i] = time_rows(fourlink_analyse_dyad, &slider_crank, &gas);
         e[i] = time_rows(fourlink_analyse, &inverted, &cut);
         f[i] = time_rows(fourlink_analyse_dyad, &inverted, &cut);
+        g[i] = time_rows(analyse_friction, &four_bar, &torque);
         for (how = 0; how < 2; how++) {
             numbers[how][i] = time_numbers(how);
             rows[how][i] = time_printing(nowhere, how);
@@ -483,6 +498,8 @@ int main(int argc, char **argv)
     printf("gsl_linalg_LU_decomp + LU_solve, 9x9: %.0f ns\n", 1e9 * median(lu, ROUNDS));
     missed += report("four-bar row, 22 results / bare LU loop",
                      median(a, ROUNDS) / median(lu, ROUNDS), 1.0);
+    missed += report("four-bar row with friction in all joints / without, by dyads",
+                     median(g, ROUNDS) / median(c, ROUNDS), 6.0);
     missed +=
         report("slider-crank row / four-bar row", median(b, ROUNDS) / median(a, ROUNDS), 1.15);
     missed += report("inverted slider-crank row / four-bar row",

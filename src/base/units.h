@@ -14,23 +14,30 @@ typedef struct dimension {
 } dimension;
 
 /* name, in words, exponents, unit in which bare numbers are read and columns printed, an example */
-#define QUANTITY_LIST(X)                                                                    \
-    X(LENGTH, "length", "a length", 1, 0, 0, 0, "m", "80 mm")                               \
-    X(AREA, "area", "an area", 2, 0, 0, 0, "m2", "5 mm2")                                   \
-    X(ANGLE, "angle", "an angle", 0, 0, 0, 1, "deg", "40 deg")                              \
-    X(MASS, "mass", "a mass", 0, 1, 0, 0, "kg", "0.3 kg")                                   \
-    X(TIME, "time", "a time", 0, 0, 1, 0, "s", "2.5 s")                                     \
-    X(SPEED, "speed", "a speed", 1, 0, -1, 0, "m/s", "2 m/s")                               \
-    X(ACCELERATION, "acceleration", "an acceleration", 1, 0, -2, 0, "m/s2", "9.81 m/s2")    \
-    X(ANGULAR_SPEED, "angular_speed", "an angular speed", 0, 0, -1, 1, "rad/s", "1000 rpm") \
-    X(ANGULAR_ACCELERATION, "angular_acceleration", "an angular acceleration", 0, 0, -2, 1, \
-      "rad/s2", "5 rad/s2")                                                                 \
-    X(INERTIA, "inertia", "a moment of inertia", 2, 1, 0, 0, "kg.m2", "0.4 kg m2")          \
-    X(FORCE, "force", "a force", 1, 1, -2, 0, "N", "50 N")                                  \
-    X(TORQUE, "torque", "a torque", 2, 1, -2, 0, "N.m", "0.5 N m")                          \
-    X(PRESSURE, "pressure", "a pressure", -1, 1, -2, 0, "Pa", "2 N/mm2")                    \
-    X(POWER, "power", "a power", 2, 1, -3, 0, "W", "5 kW")                                  \
-    X(ENERGY, "energy", "an energy", 2, 1, -2, 0, "J", "3 kJ")                              \
+#define QUANTITY_LIST(X)                                                                        \
+    X(LENGTH, "length", "a length", 1, 0, 0, 0, "m", "80 mm")                                   \
+    X(AREA, "area", "an area", 2, 0, 0, 0, "m2", "5 mm2")                                       \
+    X(ANGLE, "angle", "an angle", 0, 0, 0, 1, "deg", "40 deg")                                  \
+    X(MASS, "mass", "a mass", 0, 1, 0, 0, "kg", "0.3 kg")                                       \
+    X(TIME, "time", "a time", 0, 0, 1, 0, "s", "2.5 s")                                         \
+    X(SPEED, "speed", "a speed", 1, 0, -1, 0, "m/s", "2 m/s")                                   \
+    X(ACCELERATION, "acceleration", "an acceleration", 1, 0, -2, 0, "m/s2", "9.81 m/s2")        \
+    X(ANGULAR_SPEED, "angular_speed", "an angular speed", 0, 0, -1, 1, "rad/s", "1000 rpm")     \
+    X(ANGULAR_ACCELERATION, "angular_acceleration", "an angular acceleration", 0, 0, -2, 1,     \
+      "rad/s2", "5 rad/s2")                                                                     \
+    X(INERTIA, "inertia", "a moment of inertia", 2, 1, 0, 0, "kg.m2", "0.4 kg m2")              \
+    X(FORCE, "force", "a force", 1, 1, -2, 0, "N", "50 N")                                      \
+    X(TORQUE, "torque", "a torque", 2, 1, -2, 0, "N.m", "0.5 N m")                              \
+    X(PRESSURE, "pressure", "a pressure", -1, 1, -2, 0, "Pa", "2 N/mm2")                        \
+    X(POWER, "power", "a power", 2, 1, -3, 0, "W", "5 kW")                                      \
+    X(ENERGY, "energy", "an energy", 2, 1, -2, 0, "J", "3 kJ")                                  \
+    X(STIFFNESS, "stiffness", "a stiffness", 0, 1, -2, 0, "N/m", "800 N/m")                     \
+    X(DAMPING, "damping", "a damping", 0, 1, -1, 0, "N.s/m", "12 N s/m")                        \
+    X(TORSIONAL_STIFFNESS, "torsional_stiffness", "a torsional stiffness", 2, 1, -2, -1,        \
+      "N.m/rad", "1.5 N m/rad")                                                                 \
+    X(TORSIONAL_DAMPING, "torsional_damping", "a torsional damping", 2, 1, -1, -1, "N.m.s/rad", \
+      "0.02 N m s/rad")                                                                         \
+    X(MASS_MOMENT, "mass_moment", "a mass moment", 1, 1, 0, 0, "kg.m", "0.2 kg m")              \
     X(NUMBER, "number", "a number", 0, 0, 0, 0, "1", "0.02")
 
 #define QUANTITY_CODE(name, key, words, m, kg, s, rad, unit, example) QUANTITY_##name,

@@ -23,24 +23,25 @@ static int repeats(const point *c, const point *first)
 /* Check the points of a curve over the crank angle.  Its angles increase, over at most one cycle.  A last
 ** point at the end of the cycle repeats the first.  The number of points without that one; 0 if they make no
 ** curve. */
-static size_t check_curve(parser *p, const setting *s)
+static size_t check_curve(parser *p, const setting *s, double period)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
-    double period = p->d->cycle;
 
-    if (!c || !(period > 0))
+    if (!c || !(p->d->cycle > 0))
         return 0;
     if (n > MOST_POINTS) {
         flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
         return 0;
     }
     for (i = 1; i < n; i++)
-        if (c[i].x - c[i - 1].x < LEAST_STEP) {
-            flk_mistake(p->mistakes, c[i].place, "the angles of a curve must increase");
+        if (c[i].x - c[i - 1].x < (period > 0 ? LEAST_STEP : 0) || c[i].x == c[i - 1].x) {
+            flk_mistake(p->mistakes, c[i].place,
+                        period > 0 ? "the angles of a curve must increase"
+                                   : "the arguments of a curve must increase");
             return 0;
         }
-    if (n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
+    if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
             flk_mistake(
@@ -51,7 +52,7 @@ static size_t check_curve(parser *p, const setting *s)
     }
     if (n < 2)
         flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
-    else if (c[n - 1].x - c[0].x > period - LEAST_STEP)
+    else if (period > 0 && c[n - 1].x - c[0].x > period - LEAST_STEP)
         flk_mistake(p->mistakes, c[n - 1].place,
                     "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
                     "one of four strokes");
@@ -61,9 +62,10 @@ static size_t check_curve(parser *p, const setting *s)
 }
 
 /* Build the curves of a setting's components. */
-static void build_curves(parser *p, const setting *s, int n_components, curve *results)
+static void build_curves(parser *p, const setting *s, int n_components, double period,
+                         curve *results)
 {
-    size_t n = check_curve(p, s), i;
+    size_t n = check_curve(p, s, period), i;
     double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
     int k;
 
@@ -73,7 +75,7 @@ static void build_curves(parser *p, const setting *s, int n_components, curve *r
             x[i] = s->curve[i].x;
             y[i] = s->curve[i].y[k];
         }
-        if (!flk_curve_make(x, y, n, p->d->cycle, &results[k]))
+        if (!flk_curve_make(x, y, n, period, &results[k]))
             p->out_of_memory = 1;
     }
 }
@@ -109,11 +111,10 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curves(p, card, 1, &gas->indicator);
+    build_curves(p, card, 1, p->d->cycle, &gas->indicator);
 }
 
-/* Check the link of a load or a point. */
-static void check_link(parser *p, const section_use *use, const setting *link)
+void flk_build_check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
@@ -151,6 +152,24 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
 /* max(NAME.vx) must fit wherever names are kept. */
 #define LONGEST_NAME 32
 
+void flk_build_check_name(parser *p, const section_use *use, const char *columns)
+{
+    const char *what = flk_section_table[use->section].name;
+    size_t i;
+
+    if (!use->name.length)
+        flk_mistake(p->mistakes, use->place, "a %s needs a name: [%s %s]", what, what,
+                    use->section == SECTION_POINT ? "P" : "S");
+    if (use->name.length > LONGEST_NAME)
+        flk_mistake(p->mistakes, use->place, "the name of a %s is too long", what);
+    for (i = 0; i < use->name.length; i++)
+        if (!flk_text_is_word(use->name.start[i])) {
+            flk_mistake(p->mistakes, use->place,
+                        "the name of a %s must be one word: its columns are %s", what, columns);
+            break;
+        }
+}
+
 /* [point NAME] */
 static void build_point(parser *p, const section_use *use, deck_point *new)
 {
@@ -160,17 +179,8 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
                   *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
-    check_link(p, use, link);
-    if (!use->name.length)
-        flk_mistake(p->mistakes, use->place, "a point needs a name: [point P]");
-    if (use->name.length > LONGEST_NAME)
-        flk_mistake(p->mistakes, use->place, "the name of a point is too long");
-    for (i = 0; i < use->name.length; i++)
-        if (!flk_text_is_word(use->name.start[i])) {
-            flk_mistake(p->mistakes, use->place,
-                        "the name of a point must be one word: its columns are NAME.x, NAME.y ...");
-            break;
-        }
+    flk_build_check_link(p, use, link);
+    flk_build_check_name(p, use, "NAME.x, NAME.y ...");
     new->link = link->word;
     flk_build_place(p, at, link->word, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
@@ -178,8 +188,7 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
 }
 
-/* Allocate room for each section of this kind. */
-static void *keep_each(parser *p, section_code section, size_t size)
+void *flk_build_keep_each(parser *p, section_code section, size_t size)
 {
     size_t i, n = 0;
 
@@ -192,7 +201,7 @@ void flk_build_points(parser *p)
 {
     size_t i;
 
-    p->d->points = keep_each(p, SECTION_POINT, sizeof *p->d->points);
+    p->d->points = flk_build_keep_each(p, SECTION_POINT, sizeof *p->d->points);
     for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_POINT)
             build_point(p, &p->uses[i], &p->d->points[p->d->n_points++]);
@@ -202,6 +211,14 @@ void flk_build_points(parser *p)
 static int is_piston(const parser *p, int link)
 {
     return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
+}
+
+/* The period of a load's curves: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
+static double period_of(const parser *p, const section_use *use)
+{
+    int over = flk_setting_of(use, KEY_LOAD_OVER)->word;
+
+    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
 }
 
 /* Build the force of a load, and check its point. */
@@ -225,7 +242,93 @@ static void build_force(parser *p, const section_use *use, fourlink_load *load,
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    build_curves(p, force, 2, variation->force);
+    build_curves(p, force, 2, period_of(p, use), variation->force);
+}
+
+/* Refuse to follow what the mechanism does not have. */
+static void check_over(parser *p, const setting *over)
+{
+    static const int kinds[] = {
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED,
+        ANY_KIND, FOURLINK_FOUR_BAR | INVERTED, FOURLINK_SLIDER_CRANK, INVERTED};
+    int kind = (int)p->d->design.kind;
+
+    if (IS_SET(over) && !(kinds[over->word] & kind))
+        flk_mistake(p->mistakes, over->place, "%s %s has no %t",
+                    flk_text_article(fourlink_kind_text(kind)), fourlink_kind_text(kind),
+                    over->value);
+}
+
+/* Values on the way back: a curve or a value, as torque or force is. */
+static void build_back(parser *p, const section_use *use, deck_law *law)
+{
+    const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
+
+    if (!IS_SET(back))
+        return;
+    law->has_back = 1;
+    if (OVER_IS_SPEED(law->over))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' is for loads over a position, not over a speed");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE)))
+        flk_mistake(p->mistakes, back->place,
+                    "'back' of a force or of a torque? give them in two loads");
+    if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
+        law->back.force.x = back->si[0];
+        law->back.force.y = back->si[1];
+        build_curves(p, back, 2, period_of(p, use), law->back_force);
+    } else {
+        law->back.torque = back->si[0];
+        build_curves(p, back, 1, period_of(p, use), &law->back_torque);
+    }
+}
+
+/* A value over a speed needs the speed at which it is reached. */
+static void build_power_law(parser *p, const section_use *use, int has_curve, deck_law *law)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
+                  *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
+    const setting *first = IS_SET(speed) ? speed : exponent;
+
+    law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
+    law->at_speed = speed->si[0];
+    if (IS_SET(first) && !OVER_IS_SPEED(law->over))
+        flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (IS_SET(first) && has_curve)
+        flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
+                    IS_SET(speed) ? "at_speed" : "exponent");
+    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed) && !use->has_unknown)
+        flk_mistake(p->mistakes, over->place,
+                    "a load over a speed needs 'at_speed', the speed at which it has its value, or "
+                    "a curve");
+}
+
+static void build_law(parser *p, const section_use *use, deck_load *variation)
+{
+    const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *from = flk_setting_of(use, KEY_LOAD_FROM),
+                  *to = flk_setting_of(use, KEY_LOAD_TO);
+    deck_law *law = &variation->law;
+    int has_curve = flk_setting_of(use, KEY_LOAD_FORCE)->curve != NULL ||
+                    flk_setting_of(use, KEY_LOAD_TORQUE)->curve != NULL;
+
+    law->over = over->word;
+    check_over(p, over);
+    build_back(p, use, law);
+    build_power_law(p, use, has_curve, law);
+    if (!FLK_DECK_FOLLOWS(law))
+        return;
+    p->d->has_law = 1;
+    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back &&
+        !use->has_unknown)
+        flk_mistake(p->mistakes, over->place,
+                    "'over' needs a curve: a force or torque that varies");
+    if (IS_SET(from) || IS_SET(to))
+        flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
+                    "'%s' is a crank angle: a load with 'over' or 'back' has none",
+                    IS_SET(from) ? "from" : "to");
 }
 
 static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
@@ -234,7 +337,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    check_link(p, use, link);
+    flk_build_check_link(p, use, link);
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     load->link = link->word;
@@ -243,8 +346,9 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), link->word, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
-    build_curves(p, torque, 1, &variation->torque);
+    build_curves(p, torque, 1, period_of(p, use), &variation->torque);
     build_window(p, use, variation);
+    build_law(p, use, variation);
 }
 
 void flk_build_loads(parser *p)
@@ -252,8 +356,8 @@ void flk_build_loads(parser *p)
     deck *d = p->d;
     size_t i;
 
-    d->loads = keep_each(p, SECTION_LOAD, sizeof *d->loads);
-    d->variations = keep_each(p, SECTION_LOAD, sizeof *d->variations);
+    d->loads = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->loads);
+    d->variations = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->variations);
     for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
         if (p->uses[i].section == SECTION_LOAD) {
             build_load(p, &p->uses[i], &d->loads[d->n_loads], &d->variations[d->n_loads]);

@@ -413,7 +413,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     memset(&c, 0, sizeof c);
     c.p = p;
     c.row = *s;
-    c.q[0] = QUANTITY_ANGLE;
+    c.q[0] = p->argument;
     c.q[1] = q;
     split_name(p, c.q, name, &name, units);
     for (i = 0; i < 2; i++) {

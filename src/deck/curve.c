@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve.c - a quantity over the crank angle, given at some angles, smooth and periodic between them.
+** curve.c - a quantity over the crank angle, given at some angles, smooth and periodic between them; or over another
+** argument, not periodic.
 **
 ** Steffen's interpolation (Astron. Astrophys. 239, 443, 1990), which does not overshoot: a pressure
 ** that is never negative at the points of an indicator card is not negative between them, as a cubic
@@ -11,6 +12,8 @@
 **    y'_i = (sign s_{i-1} + sign s_i) min(|s_{i-1}|, |s_i|, |p_i| / 2)                         (eq. 11)
 **    y    = y_i + d (y'_i + d (b + d a)),  d = x - x_i                                         (eq. 1)
 **    a    = (y'_i + y'_{i+1} - 2 s_i) / h_i^2,  b = (3 s_i - 2 y'_i - y'_{i+1}) / h_i    (eqs. 2, 3)
+**
+** At the ends of a curve that is not periodic the slope is the secant beside it.
 **
 ** GSL has it too, but GSL allocates memory, and calls its error handler if it cannot.
 */
@@ -30,6 +33,23 @@ static double slope(double h0, double s0, double h1, double s1)
     return (GSL_SIGN(s0) + GSL_SIGN(s1)) * GSL_MIN(GSL_MIN(fabs(s0), fabs(s1)), fabs(p) / 2);
 }
 
+static double secant(const curve *c, size_t i)
+{
+    return (c->y[i + 1] - c->y[i]) / (c->x[i + 1] - c->x[i]);
+}
+
+/* Of a curve that is not periodic. */
+static void set_open_slopes(curve *c)
+{
+    size_t i, last = c->n - 1;
+
+    c->slope[0] = secant(c, 0);
+    c->slope[last] = secant(c, last - 1);
+    for (i = 1; i < last; i++)
+        c->slope[i] =
+            slope(c->x[i] - c->x[i - 1], secant(c, i - 1), c->x[i + 1] - c->x[i], secant(c, i));
+}
+
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c)
 {
     size_t i;
@@ -44,6 +64,10 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
     c->period = period;
     memcpy(c->x, x, n * sizeof *x);
     memcpy(c->y, y, n * sizeof *y);
+    if (period <= 0) {
+        set_open_slopes(c);
+        return 1;
+    }
     c->x[n] = x[0] + period;
     c->y[n] = y[0];
     for (i = 0; i < n; i++) {
@@ -61,8 +85,14 @@ double flk_curve_value(const curve *c, double x)
     size_t low = 0, high = c->n, next;
     double h, s, a, b, d;
 
-    x = fmod(x - c->x[0], c->period);
-    x = c->x[0] + (x < 0 ? x + c->period : x);
+    if (c->period > 0) {
+        x = fmod(x - c->x[0], c->period);
+        x = c->x[0] + (x < 0 ? x + c->period : x);
+    } else {
+        high = c->n - 1;
+        if (!(x > c->x[0]) || x >= c->x[high])
+            return x >= c->x[high] ? c->y[high] : c->y[0];
+    }
     while (high - low > 1) {
         size_t middle = (low + high) / 2;
 

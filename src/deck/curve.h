@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve.h - a quantity over the crank angle, given at some angles, smooth and periodic between them.
+** curve.h - a quantity over the crank angle, given at some angles, smooth and periodic between them; or over another
+** argument, not periodic.
 */
 #ifndef FOURLINK_CURVE_H
 #define FOURLINK_CURVE_H
@@ -13,10 +14,11 @@ typedef struct curve {
     double *x, *y; /* n points, and the first again one period later; in one piece of memory */
     double *slope; /* dy/dx at the n points */
     size_t n;      /* 0: no curve */
-    double period;
+    double
+        period; /* 0: not periodic; before the first point and behind the last their values hold */
 } curve;
 
-/* Make a curve through n >= 2 points, x increasing, x[n-1] - x[0] < period.  1; 0 if out of memory. */
+/* Make a curve through n >= 2 points, x increasing, x[n-1] - x[0] < period, or period 0.  1; 0 if out of memory. */
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c);
 
 /* Its value at any x. */

@@ -42,6 +42,18 @@ const char *flk_curve_point_example(quantity q)
                                   : "20 deg 3 N m";
 }
 
+/* The same over another argument. */
+static const char *example(quantity argument, quantity q)
+{
+    if (argument == QUANTITY_ANGLE)
+        return flk_curve_point_example(q);
+    if (argument == QUANTITY_LENGTH)
+        return q == QUANTITY_FORCE ? "20 mm (43, 25) N" : "20 mm 3 N m";
+    if (argument == QUANTITY_SPEED)
+        return q == QUANTITY_FORCE ? "2 m/s (43, 25) N" : "2 m/s 3 N m";
+    return q == QUANTITY_FORCE ? "100 rpm (43, 25) N" : "100 rpm 3 N m";
+}
+
 int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result)
 {
     double x;
@@ -49,7 +61,7 @@ int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, 
     text angle;
     size_t i;
 
-    if (!flk_values_number(p, s, &t, QUANTITY_ANGLE, &x))
+    if (!flk_values_number(p, s, &t, p->argument, &x))
         return 0;
     i = flk_curve_point_value(t);
     if (i >= t.length && is_cut)
@@ -59,16 +71,18 @@ int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, 
                            s->value);
     if (i >= t.length)
         return flk_mistake(p->mistakes, s->place,
-                           "expected an angle and a value, such as %s, not '%t'",
-                           flk_curve_point_example(q), s->value);
+                           p->argument == QUANTITY_ANGLE
+                               ? "expected an angle and a value, such as %s, not '%t'"
+                               : "expected points of an argument and a value, such as %s, not '%t'",
+                           example(p->argument, q), s->value);
     angle = t;
     angle.length = i;
     t = flk_text_from(t, i);
-    if (!flk_values_unit(p, s, angle, QUANTITY_ANGLE, &u))
+    if (!flk_values_unit(p, s, angle, p->argument, &u))
         return 0;
     result->x = flk_unit_to_si(x, u);
     result->place = s->place;
-    if (!flk_values_size(p, s, QUANTITY_ANGLE, result->x))
+    if (!flk_values_size(p, s, p->argument, result->x))
         return 0;
     return q == QUANTITY_FORCE ? flk_vector_read_piece(p, s, t, q, result)
                                : read_value(p, s, t, q, result);

@@ -43,6 +43,9 @@ static void free_curves(deck_load *variation)
     flk_curve_free(&variation->torque);
     flk_curve_free(&variation->force[0]);
     flk_curve_free(&variation->force[1]);
+    flk_curve_free(&variation->law.back_torque);
+    flk_curve_free(&variation->law.back_force[0]);
+    flk_curve_free(&variation->law.back_force[1]);
 }
 
 void flk_deck_free(deck *d)
@@ -131,7 +134,10 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
     problem->n_gas_loads = flk_deck_gas_loads(d);
-    problem->n_loads = d->n_loads + problem->n_gas_loads;
+    problem->n_loads = flk_deck_all_loads(d);
+    problem->n_spring_loads = flk_deck_spring_loads(d);
+    problem->n_friction_loads = flk_deck_friction_loads(d);
+    problem->n_springs = d->n_springs;
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
@@ -176,6 +182,10 @@ static void set_load(const fourlink_load *load, const deck_load *variation, doub
                      double theta2, fourlink_load *now)
 {
     *now = *load;
+    if (FLK_DECK_FOLLOWS(&variation->law)) {
+        now->force.x = now->force.y = now->torque = 0; /* forces.c */
+        return;
+    }
     if (variation->torque.n)
         now->torque = flk_curve_value(&variation->torque, theta2);
     if (variation->force[0].n) {
@@ -223,20 +233,60 @@ static void set_gas_in_cylinder(const fourlink_design *design, double force, fou
     loads[1].at.y = design->offset;
 }
 
-int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
-                        fourlink_load *loads, double *gas)
+/* Only one end can be on the ground. */
+static unsigned long loads_of_spring(const deck_spring *s)
+{
+    return s->spring.link == FOURLINK_GROUND || s->spring.to == FOURLINK_GROUND ? 1 : 2;
+}
+
+unsigned long flk_deck_spring_loads(const deck *d)
+{
+    unsigned long n = 0, i;
+
+    for (i = 0; i < d->n_springs; i++)
+        n += loads_of_spring(&d->springs[i]);
+    return n;
+}
+
+unsigned long flk_deck_friction_loads(const deck *d)
+{
+    return d->has_friction ? FOURLINK_FRICTION_LOADS : 0;
+}
+
+unsigned long flk_deck_all_loads(const deck *d)
+{
+    return d->n_loads + flk_deck_spring_loads(d) + flk_deck_friction_loads(d) +
+           flk_deck_gas_loads(d);
+}
+
+/* Places for loads that are set with the motion. */
+static unsigned long leave_room(const deck *d, fourlink_load *loads)
+{
+    unsigned long n = flk_deck_spring_loads(d) + flk_deck_friction_loads(d), i, j = 0;
+
+    for (i = 0; i < n; i++) {
+        memset(&loads[i], 0, sizeof loads[i]);
+        loads[i].link = FOURLINK_CRANK;
+    }
+    for (i = 0; i < d->n_springs; i++) {
+        if (d->springs[i].spring.link != FOURLINK_GROUND)
+            loads[j++].link = d->springs[i].spring.link;
+        if (d->springs[i].spring.to != FOURLINK_GROUND)
+            loads[j++].link = d->springs[i].spring.to;
+    }
+    return n;
+}
+
+void flk_deck_set_loads(const deck *d, fourlink_branch branch, double theta2, fourlink_load *loads,
+                        double *gas)
 {
     double force = 0;
     unsigned long i;
 
-    if (!d || (!loads && (d->n_loads || d->gas.area > 0)))
-        return FOURLINK_NULL;
-    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
-        return FOURLINK_BAD_BRANCH;
-    if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
-        return FOURLINK_BAD_NUMBER;
     for (i = 0; i < d->n_loads; i++)
         set_load(&d->loads[i], &d->variations[i], d->cycle, theta2, &loads[i]);
+    if (d->n_springs || d->has_friction)
+        i += leave_room(d, &loads[i]);
     if (d->gas.area > 0)
         force = gas_force(&d->gas, theta2);
     if (flk_deck_gas_loads(d) == 1)
@@ -245,6 +295,18 @@ int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double t
         set_gas_in_cylinder(&d->design, force, &loads[i]);
     if (gas)
         *gas = force;
+}
+
+int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
+                        fourlink_load *loads, double *gas)
+{
+    if (!d || (!loads && flk_deck_all_loads(d)))
+        return FOURLINK_NULL;
+    if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
+        return FOURLINK_BAD_BRANCH;
+    if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    flk_deck_set_loads(d, branch, theta2, loads, gas);
     return FOURLINK_OK;
 }
 
@@ -262,17 +324,68 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
+/* The spring whose load this is. */
+static const deck_spring *spring_of_load(const deck *d, unsigned long i)
+{
+    const deck_spring *s = d->springs;
+    unsigned long n = 0;
+
+    for (;; s++) {
+        n += loads_of_spring(s);
+        if (i < n)
+            return s;
+    }
+}
+
 int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
 {
-    int is_load;
+    unsigned long springs, friction;
+    const deck_spring *s;
 
     if (!d || !name)
         return FOURLINK_NULL;
-    is_load = i < d->n_loads;
-    if (!is_load && i >= d->n_loads + flk_deck_gas_loads(d))
+    if (i >= flk_deck_all_loads(d))
         return FOURLINK_BAD_LINK;
-    *name = !is_load ? "gas" : d->variations[i].name[0] ? d->variations[i].name : "load";
+    springs = d->n_loads + flk_deck_spring_loads(d);
+    friction = springs + flk_deck_friction_loads(d);
     if (has_torque)
-        *has_torque = is_load && (d->loads[i].torque != 0 || d->variations[i].torque.n > 0);
+        *has_torque = 0;
+    if (i < d->n_loads) {
+        *name = d->variations[i].name[0] ? d->variations[i].name : "load";
+        if (has_torque)
+            *has_torque = d->loads[i].torque != 0 || d->variations[i].torque.n > 0;
+    } else if (i < springs) {
+        s = spring_of_load(d, i - d->n_loads);
+        *name = s->name;
+        if (has_torque)
+            *has_torque = s->spring.is_torsional;
+    } else if (i < friction) {
+        *name = "friction";
+        if (has_torque)
+            *has_torque = 1;
+    } else {
+        *name = "gas";
+    }
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_spring(const fourlink_deck *d, unsigned long i, const char **name,
+                         fourlink_spring *spring)
+{
+    if (!d || !spring)
+        return FOURLINK_NULL;
+    if (i >= d->n_springs)
+        return FOURLINK_NO_SUCH_POINT;
+    if (name)
+        *name = d->springs[i].name;
+    *spring = d->springs[i].spring;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_friction(const fourlink_deck *d, fourlink_friction *friction)
+{
+    if (!d || !friction)
+        return FOURLINK_NULL;
+    *friction = d->friction;
     return FOURLINK_OK;
 }

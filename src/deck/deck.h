@@ -32,14 +32,44 @@ typedef struct deck_gas {
     double back_pressure;   /* Pa, on the crank side */
 } deck_gas;
 
+/* What a load follows in place of the crank angle, and its values on the way back. */
+typedef struct deck_law {
+    int over; /* OVER_THETA2 ... */
+    double exponent,
+        at_speed; /* 1; rad/s or m/s: value sign(w) (|w| / at_speed)^exponent; 0: a curve */
+    int has_back; /* 1: where its argument falls it has these values */
+    fourlink_load back;
+    curve back_torque, back_force[2];
+} deck_law;
+
+#define FLK_DECK_FOLLOWS(law) ((law)->over || (law)->has_back)
+
 /* In addition to a load: its name, and what changes with the crank angle. */
 typedef struct deck_load {
     const char *name; /* of [load NAME]; "": it has none */
     curve torque;     /* over the crank angle, if given as a curve */
     curve force[2];   /* likewise, its components: at the same angles */
-    int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
-    double from, to;  /* rad */
+    deck_law law;
+    int is_windowed; /* 1: it acts only between two crank angles, in every cycle */
+    double from, to; /* rad */
 } deck_load;
+
+#define DECK_SPRING_COLUMNS 4
+
+typedef struct deck_spring {
+    const char *name;
+    fourlink_spring spring;
+    char *column_names[DECK_SPRING_COLUMNS]; /* NAME.length ... */
+} deck_spring;
+
+/* [balance]; without it all is 0. */
+typedef struct deck_balance {
+    int is_there, crank, rocker;
+    fourlink_balance moment; /* of the counterweights */
+    double radius;           /* m; 0: not given */
+    double reciprocating;    /* kg, of a slider-crank */
+    double mass[2];          /* kg, with this radius: of crank and rocker */
+} deck_balance;
 
 #define DECK_POINT_COLUMNS 8
 
@@ -99,6 +129,11 @@ struct fourlink_deck {
     fourlink_load *loads;
     deck_load *variations; /* for each load */
     unsigned long n_loads;
+    deck_spring *springs;
+    unsigned long n_springs;
+    int has_friction, has_law;
+    fourlink_friction friction;
+    deck_balance balance;
     deck_point *points;
     size_t n_points;
     deck_gas gas;
@@ -139,6 +174,23 @@ void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mista
 /* Set up a deck with nothing but the default units; free its memory. */
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
+
+/* 1 if loads depend on speeds, on springs or on the pin forces: they need the motion. */
+int flk_deck_needs_motion(const deck *d);
+
+/* What loads are over: OVER_THETA2 ... */
+double flk_deck_argument(const fourlink_state *state, int over);
+
+/* How many of its loads are springs, behind its own, and friction, behind these. */
+unsigned long flk_deck_spring_loads(const deck *d);
+unsigned long flk_deck_friction_loads(const deck *d);
+
+/* The number of all loads, with the gas. */
+unsigned long flk_deck_all_loads(const deck *d);
+
+/* The loads that do not depend on speeds or forces: places for springs and friction are 0 (deck.c). */
+void flk_deck_set_loads(const deck *d, fourlink_branch branch, double theta2, fourlink_load *loads,
+                        double *gas_force);
 
 /* How many of its loads are the gas: one on the piston; two on the rod and on the cylinder. */
 unsigned long flk_deck_gas_loads(const deck *d);

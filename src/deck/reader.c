@@ -89,6 +89,9 @@ static void build(parser *p)
     flk_build_mechanism(p);
     flk_build_gas(p);
     flk_build_loads(p);
+    flk_build_balance(p);
+    flk_build_springs(p);
+    flk_build_friction(p);
     flk_build_points(p);
     flk_build_series(p);
     flk_build_motion(p);

@@ -82,7 +82,8 @@ typedef struct parser {
     int expectations_only;
     int has_unknown_section;
     int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
-    int not_text; /* 1: the reading ended at a byte that is not text */
+    int not_text;      /* 1: the reading ended at a byte that is not text */
+    quantity argument; /* of the curve that is being read */
     long last_line;
     size_t
         n_characters; /* of the text and the files it names, without comments and blanks around lines */
@@ -159,6 +160,12 @@ void flk_values_read_section(parser *p, const section_use *use);
 void flk_values_read(parser *p, int units_only);
 void flk_sweep_read(parser *p, unsigned long design);
 
+/* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */
+quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key);
+
+/* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
+int flk_spring_is_torsional(const section_use *use);
+
 /* Read a quantity; 0 and a mistake if it is not one.  `whole` is the text that contains it. */
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value);
@@ -205,6 +212,9 @@ void flk_build_mechanism(parser *p);
 void flk_build_link(parser *p, const struct flk_kind *kind, int number);
 void flk_build_gas(parser *p);
 void flk_build_loads(parser *p);
+void flk_build_springs(parser *p);
+void flk_build_friction(parser *p);
+void flk_build_balance(parser *p);
 void flk_build_points(parser *p);
 void flk_build_series(parser *p);
 void flk_build_motion(parser *p);
@@ -214,6 +224,12 @@ void flk_build_expectations(parser *p);
 
 /* 1 if the mechanism can have a stroke instead of the length of its crank. */
 int flk_build_has_stroke(const parser *p);
+
+/* Check the link of a load or a point; allocate room for each section of a kind; check that a name of columns
+** is one word, not too long. */
+void flk_build_check_link(parser *p, const section_use *use, const setting *link);
+void *flk_build_keep_each(parser *p, section_code section, size_t size);
+void flk_build_check_name(parser *p, const section_use *use, const char *columns);
 
 /* A point of a link, in m. */
 void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at);

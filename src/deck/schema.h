@@ -27,6 +27,9 @@
     X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)               \
     X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
     X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
+    X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)                \
+    X(FRICTION, "friction", 0, ANY_KIND, KEY_FRICTION_A)             \
+    X(BALANCE, "balance", 0, ANY_KIND, KEY_BALANCE_CRANK)            \
     X(POINT, "point", 1, ANY_KIND, KEY_POINT_LINK)                   \
     X(TABLE, "table", 0, ANY_KIND, KEY_TABLE_BRANCH)                 \
     X(FLYWHEEL, "flywheel", 0, ANY_KIND, KEY_FLYWHEEL_FLUCTUATION)   \
@@ -45,6 +48,7 @@ typedef enum value_form {
     FORM_PIN,      /* origin, end, or as FORM_POINT */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
+    FORM_EITHER,   /* a quantity or, of a torsional spring, its twin; see flk_quantity_of_key */
     FORM_NAMES     /* names separated by commas or blanks */
 } value_form;
 
@@ -74,75 +78,111 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, TOLERANCE, "tolerance", TEXT, NUMBER, ANY, ANY_KIND)
 
 /* section, key, its name, form, quantity, sign, mechanisms */
-#define KEY_LIST(X)                                                                          \
-    X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                      \
-    X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                              \
-    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                       \
-    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND)                                    \
-    X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                  \
-    X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                     \
-    X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                        \
-    X(UNITS, TIME, "time", UNIT, TIME, ANY, ANY_KIND)                                        \
-    X(UNITS, SPEED, "speed", UNIT, SPEED, ANY, ANY_KIND)                                     \
-    X(UNITS, ACCELERATION, "acceleration", UNIT, ACCELERATION, ANY, ANY_KIND)                \
-    X(UNITS, ANGULAR_SPEED, "angular_speed", UNIT, ANGULAR_SPEED, ANY, ANY_KIND)             \
-    X(UNITS, ANGULAR_ACCELERATION, "angular_acceleration", UNIT, ANGULAR_ACCELERATION, ANY,  \
-      ANY_KIND)                                                                              \
-    X(UNITS, INERTIA, "inertia", UNIT, INERTIA, ANY, ANY_KIND)                               \
-    X(UNITS, FORCE, "force", UNIT, FORCE, ANY, ANY_KIND)                                     \
-    X(UNITS, TORQUE, "torque", UNIT, TORQUE, ANY, ANY_KIND)                                  \
-    X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND)                            \
-    X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND)                                     \
-    X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND)                                  \
-    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)    \
-    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                \
-    X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                \
-    LINK_KEYS(X, CRANK)                                                                      \
-    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)            \
-    LINK_KEYS(X, COUPLER)                                                                    \
-    LINK_KEYS(X, ROCKER)                                                                     \
-    LINK_KEYS(X, ROD)                                                                        \
-    X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                          \
-    MASS_KEYS(X, SLIDER)                                                                     \
-    X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND)                              \
-    X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                 \
-    LINK_KEYS(X, LEVER)                                                                      \
-    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                               \
-    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                          \
-    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                           \
-    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                \
-    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)               \
-    X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                        \
-    X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND)   \
-    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                  \
-    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
-    X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                     \
-    X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                           \
-    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
-    X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                         \
-    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND)                                     \
-    X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND) \
-    X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND)                       \
-    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                       \
-    X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                    \
-    X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                          \
-    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                  \
-    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND)                                     \
-    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                    \
-    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                        \
-    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                      \
-    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                         \
-    X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                  \
-    X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                               \
-    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                            \
-    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)            \
-    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                   \
-    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                          \
-    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                            \
-    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                 \
-    X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                          \
-    X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                    \
-    EXPECT_KEYS(X, EXPECT)                                                                   \
+#define KEY_LIST(X)                                                                                \
+    X(TOP, TITLE, "title", TEXT, NUMBER, ANY, ANY_KIND)                                            \
+    X(TOP, MECHANISM, "mechanism", WORD, NUMBER, ANY, ANY_KIND)                                    \
+    X(TOP, SERIES, "series", WORD, NUMBER, ANY, FOURLINK_SLIDER_CRANK)                             \
+    X(TOP, SOLVER, "solver", WORD, NUMBER, ANY, ANY_KIND)                                          \
+    X(UNITS, LENGTH, "length", UNIT, LENGTH, ANY, ANY_KIND)                                        \
+    X(UNITS, ANGLE, "angle", UNIT, ANGLE, ANY, ANY_KIND)                                           \
+    X(UNITS, MASS, "mass", UNIT, MASS, ANY, ANY_KIND)                                              \
+    X(UNITS, TIME, "time", UNIT, TIME, ANY, ANY_KIND)                                              \
+    X(UNITS, SPEED, "speed", UNIT, SPEED, ANY, ANY_KIND)                                           \
+    X(UNITS, ACCELERATION, "acceleration", UNIT, ACCELERATION, ANY, ANY_KIND)                      \
+    X(UNITS, ANGULAR_SPEED, "angular_speed", UNIT, ANGULAR_SPEED, ANY, ANY_KIND)                   \
+    X(UNITS, ANGULAR_ACCELERATION, "angular_acceleration", UNIT, ANGULAR_ACCELERATION, ANY,        \
+      ANY_KIND)                                                                                    \
+    X(UNITS, INERTIA, "inertia", UNIT, INERTIA, ANY, ANY_KIND)                                     \
+    X(UNITS, FORCE, "force", UNIT, FORCE, ANY, ANY_KIND)                                           \
+    X(UNITS, TORQUE, "torque", UNIT, TORQUE, ANY, ANY_KIND)                                        \
+    X(UNITS, PRESSURE, "pressure", UNIT, PRESSURE, ANY, ANY_KIND)                                  \
+    X(UNITS, POWER, "power", UNIT, POWER, ANY, ANY_KIND)                                           \
+    X(UNITS, ENERGY, "energy", UNIT, ENERGY, ANY, ANY_KIND)                                        \
+    X(UNITS, STIFFNESS, "stiffness", UNIT, STIFFNESS, ANY, ANY_KIND)                               \
+    X(UNITS, DAMPING, "damping", UNIT, DAMPING, ANY, ANY_KIND)                                     \
+    X(UNITS, TORSIONAL_STIFFNESS, "torsional_stiffness", UNIT, TORSIONAL_STIFFNESS, ANY, ANY_KIND) \
+    X(UNITS, TORSIONAL_DAMPING, "torsional_damping", UNIT, TORSIONAL_DAMPING, ANY, ANY_KIND)       \
+    X(UNITS, MASS_MOMENT, "mass_moment", UNIT, MASS_MOMENT, ANY, ANY_KIND)                         \
+    X(GROUND, LENGTH, "length", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)          \
+    X(GROUND, OFFSET, "offset", QUANTITY, LENGTH, ANY, FOURLINK_SLIDER_CRANK)                      \
+    X(GROUND, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                      \
+    LINK_KEYS(X, CRANK)                                                                            \
+    X(CRANK, STROKE, "stroke", QUANTITY, LENGTH, POSITIVE, FOURLINK_SLIDER_CRANK)                  \
+    LINK_KEYS(X, COUPLER)                                                                          \
+    LINK_KEYS(X, ROCKER)                                                                           \
+    LINK_KEYS(X, ROD)                                                                              \
+    X(PISTON, MASS, "mass", QUANTITY, MASS, NOT_NEGATIVE, ANY_KIND)                                \
+    MASS_KEYS(X, SLIDER)                                                                           \
+    X(LEVER, OFFSET, "offset", QUANTITY, LENGTH, ANY, ANY_KIND)                                    \
+    X(LEVER, ANGLE, "angle", QUANTITY, ANGLE, ANY, ANY_KIND)                                       \
+    LINK_KEYS(X, LEVER)                                                                            \
+    X(GAS, BORE, "bore", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                                     \
+    X(GAS, PRESSURE, "pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                                \
+    X(GAS, INDICATOR, "indicator", CURVE, PRESSURE, ANY, ANY_KIND)                                 \
+    X(GAS, BACK_PRESSURE, "back_pressure", QUANTITY, PRESSURE, ANY, ANY_KIND)                      \
+    X(GAS, PISTON_ROD, "piston_rod", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)                     \
+    X(MOTION, SPEED, "speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                              \
+    X(MOTION, ACCELERATION, "acceleration", QUANTITY, ANGULAR_ACCELERATION, ANY, ANY_KIND)         \
+    X(MOTION, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                        \
+    X(MOTION, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                            \
+    X(MOTION, INTERVAL, "interval", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                           \
+    X(MOTION, CYCLE, "cycle", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                                 \
+    X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)                                            \
+    X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                               \
+    X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND)       \
+    X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND)                             \
+    X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                             \
+    X(LOAD, FORCE, "force", VECTOR, FORCE, ANY, ANY_KIND)                                          \
+    X(LOAD, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                                \
+    X(LOAD, TORQUE, "torque", CURVE, TORQUE, ANY, ANY_KIND)                                        \
+    X(LOAD, FRAME, "frame", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(LOAD, FROM, "from", QUANTITY, ANGLE, ANY, ANY_KIND)                                          \
+    X(LOAD, TO, "to", QUANTITY, ANGLE, ANY, ANY_KIND)                                              \
+    X(LOAD, OVER, "over", WORD, NUMBER, ANY, ANY_KIND)                                             \
+    X(LOAD, BACK, "back", CURVE, TORQUE, ANY, ANY_KIND)                                            \
+    X(LOAD, EXPONENT, "exponent", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                            \
+    X(LOAD, AT_SPEED, "at_speed", QUANTITY, SPEED, POSITIVE, ANY_KIND)                             \
+    X(SPRING, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(SPRING, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                              \
+    X(SPRING, TO, "to", WORD, NUMBER, ANY, ANY_KIND)                                               \
+    X(SPRING, TO_AT, "to_at", POINT, LENGTH, ANY, ANY_KIND)                                        \
+    X(SPRING, STIFFNESS, "stiffness", EITHER, STIFFNESS, ANY, ANY_KIND)                            \
+    X(SPRING, FREE_LENGTH, "free_length", QUANTITY, LENGTH, NOT_NEGATIVE, ANY_KIND)                \
+    X(SPRING, FREE_ANGLE, "free_angle", QUANTITY, ANGLE, ANY, ANY_KIND)                            \
+    X(SPRING, PRELOAD, "preload", EITHER, FORCE, ANY, ANY_KIND)                                    \
+    X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND)                         \
+    X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
+    X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
+    X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \
+    X(FRICTION, D, "D", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | INVERTED)              \
+    X(FRICTION, RADIUS_A, "radius_A", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
+    X(FRICTION, RADIUS_B, "radius_B", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                        \
+    X(FRICTION, RADIUS_C, "radius_C", QUANTITY, LENGTH, POSITIVE,                                  \
+      FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK)                                                   \
+    X(FRICTION, RADIUS_D, "radius_D", QUANTITY, LENGTH, POSITIVE, FOURLINK_FOUR_BAR | INVERTED)    \
+    X(FRICTION, GUIDE, "guide", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK | INVERTED)  \
+    X(FRICTION, GUIDE_LENGTH, "guide_length", QUANTITY, LENGTH, POSITIVE,                          \
+      FOURLINK_SLIDER_CRANK | INVERTED)                                                            \
+    X(FRICTION, DIRECTION, "direction", WORD, NUMBER, ANY, ANY_KIND)                               \
+    X(BALANCE, CRANK, "crank", WORD, NUMBER, ANY, ANY_KIND)                                        \
+    X(BALANCE, ROCKER, "rocker", WORD, NUMBER, ANY, FOURLINK_FOUR_BAR | INVERTED)                  \
+    X(BALANCE, FRACTION, "fraction", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_SLIDER_CRANK)        \
+    X(BALANCE, RADIUS, "radius", QUANTITY, LENGTH, POSITIVE, ANY_KIND)                             \
+    X(BALANCE, APPLY, "apply", WORD, NUMBER, ANY, ANY_KIND)                                        \
+    X(POINT, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                            \
+    X(POINT, AT, "at", POINT, LENGTH, ANY, ANY_KIND)                                               \
+    X(TABLE, BRANCH, "branch", WORD, NUMBER, ANY, ANY_KIND)                                        \
+    X(TABLE, COLUMNS, "columns", NAMES, NUMBER, ANY, ANY_KIND)                                     \
+    X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                  \
+    X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
+    X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
+    X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
+    X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
+    X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \
+    X(SWEEP, STATISTICS, "statistics", WORD, NUMBER, ANY, ANY_KIND)                                \
+    X(SWEEP, YIELD, "yield", TEXT, NUMBER, ANY, ANY_KIND)                                          \
+    EXPECT_KEYS(X, EXPECT)                                                                         \
     EXPECT_KEYS(X, MISPRINT)
 
 #define SECTION_CODE(code, name, repeats, kinds, first) SECTION_##code,
@@ -188,6 +228,20 @@ extern const word_info flk_word_table[];
 
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
+
+/* What a load is over: the crank angle, positions, speeds. */
+enum {
+    OVER_THETA2,
+    OVER_THETA4,
+    OVER_X,
+    OVER_SLIDE,
+    OVER_OMEGA2,
+    OVER_OMEGA4,
+    OVER_V,
+    OVER_SLIDE_V
+};
+
+#define OVER_IS_SPEED(over) ((over) >= OVER_OMEGA2)
 
 /* The link, by number, that a section has in some mechanism; 0: the section is no link. */
 int flk_link_of_section(section_code section);

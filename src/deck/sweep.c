@@ -348,7 +348,10 @@ static int find_quantity(parser *p, variation *v)
     if (!flk_setting_target(p, v->place, v->name, &v->target))
         return 0;
     v->key = key = &flk_key_table[v->target.key == KEY_COUNT ? KEY_TOP_TITLE : v->target.key];
-    v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE : key->q;
+    v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE
+           : v->target.key == KEY_COUNT
+               ? key->q
+               : flk_quantity_of_key(p, &p->uses[v->target.use], v->target.key);
     if (v->target.part != PART_NONE)
         return 1;
     if (v->target.key != KEY_COUNT) { /* report nothing else about it until it has a value */
@@ -356,7 +359,8 @@ static int find_quantity(parser *p, variation *v)
         memset(s, 0, sizeof *s);
         s->place = v->place;
     }
-    if (key->form == FORM_QUANTITY || (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
+    if (key->form == FORM_QUANTITY || key->form == FORM_EITHER ||
+        (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
         return 1; /* an indicator card is always a curve */
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
     return flk_mistake(p->mistakes, v->place,

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/number.h"
 #include "reader.h"
 
 static int refuse(parser *p, text_place place)
@@ -70,10 +71,15 @@ static void read_word(parser *p, key_code key, setting *s)
 
 static void check_sign(parser *p, const key_info *key, const setting *s)
 {
+    const char *what = key->section == SECTION_FRICTION && key->q == QUANTITY_NUMBER
+                           ? "coefficient of friction "
+                           : "";
+
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s must not be negative:  %t", key->name, s->value);
+        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative:  %t", what, key->name,
+                    s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
         flk_mistake(p->mistakes, s->place, "'%t' is out of range", s->value);
@@ -139,11 +145,75 @@ static text spelled(parser *p, key_code code, text value)
     return flk_reader_plain(p, value);
 }
 
-static void read_value(parser *p, key_code code, setting *s)
+/* The unit of a quantity's text; 0 if it has none. */
+static int unit_of(text t, unit *u)
+{
+    double number;
+    text bad;
+
+    t = flk_text_trim(t);
+    if (flk_number_read(&t, &number) != NUMBER_OK)
+        return 0;
+    t = flk_text_trim(t);
+    return t.length && flk_unit_read(t, u, &bad);
+}
+
+int flk_spring_is_torsional(const section_use *use)
+{
+    unit u;
+
+    return (unit_of(flk_setting_of(use, KEY_SPRING_STIFFNESS)->value, &u) && u.dim.rad != 0) ||
+           (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
+}
+
+/* The quantity of what a load is over. */
+static quantity argument_of(const section_use *use)
+{
+    text over =
+        use->section == SECTION_LOAD ? flk_setting_of(use, KEY_LOAD_OVER)->value : flk_text_of("");
+
+    return flk_text_equal(over, "v") || flk_text_equal(over, "slide_v") ? QUANTITY_SPEED
+           : flk_text_equal(over, "x") || flk_text_equal(over, "slide") ? QUANTITY_LENGTH
+           : flk_text_equal(over, "omega2") || flk_text_equal(over, "omega4")
+               ? QUANTITY_ANGULAR_SPEED
+               : QUANTITY_ANGLE;
+}
+
+quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
+{
+    (void)p;
+    if (key == KEY_LOAD_AT_SPEED)
+        return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
+    if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
+        return QUANTITY_FORCE;
+    if (flk_key_table[key].form != FORM_EITHER || !flk_spring_is_torsional(use))
+        return flk_key_table[key].q;
+    return key == KEY_SPRING_STIFFNESS ? QUANTITY_TORSIONAL_STIFFNESS
+           : key == KEY_SPRING_DAMPING ? QUANTITY_TORSIONAL_DAMPING
+                                       : QUANTITY_TORQUE;
+}
+
+/* Stiffness and damping need a unit, which says what sort of spring it is. */
+static int has_unit(parser *p, key_code key, const setting *s)
+{
+    double number;
+    text t = s->value;
+
+    if (key == KEY_SPRING_PRELOAD || flk_number_read(&t, &number) != NUMBER_OK ||
+        flk_text_trim(t).length)
+        return 1;
+    return flk_mistake(p->mistakes, s->place, "the %s of a spring needs a unit: %s",
+                       flk_key_table[key].name,
+                       key == KEY_SPRING_STIFFNESS ? "N/m, or N m/rad of a torsional spring"
+                                                   : "N s/m, or N m s/rad of a torsional spring");
+}
+
+static void read_value(parser *p, const section_use *use, key_code code, setting *s)
 {
     const key_info *key = &flk_key_table[code];
 
     s->value = spelled(p, code, s->value);
+    p->argument = argument_of(use);
     switch (key->form) {
     case FORM_TEXT:
         s->value = flk_text_unquoted(s->value);
@@ -156,7 +226,9 @@ static void read_value(parser *p, key_code code, setting *s)
             set_unit(p->d, key->q, s->value, s->unit);
         break;
     case FORM_QUANTITY:
-        if (flk_values_piece(p, s, s->value, key->q, &s->si[0]))
+    case FORM_EITHER:
+        if ((key->form != FORM_EITHER || has_unit(p, code, s)) &&
+            flk_values_piece(p, s, s->value, flk_quantity_of_key(p, use, code), &s->si[0]))
             check_sign(p, key, s);
         break;
     case FORM_COUNT:
@@ -176,7 +248,7 @@ static void read_value(parser *p, key_code code, setting *s)
         flk_vector_read_pin(p, s, key->q);
         break;
     case FORM_CURVE:
-        flk_curve_text_read(p, s, key->q);
+        flk_curve_text_read(p, s, flk_quantity_of_key(p, use, code));
         break;
     case FORM_NAMES:
     default:
@@ -192,7 +264,7 @@ void flk_values_read_section(parser *p, const section_use *use)
         setting *s = flk_setting_of(use, k);
 
         if (IS_SET(s) && s->value.length)
-            read_value(p, k, s);
+            read_value(p, use, k, s);
     }
 }
 

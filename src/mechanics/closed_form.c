@@ -11,18 +11,15 @@
 **
 **    F14 = f4 - F34,   F23 = f3 + F34,   F12 = f2 + F23,   Ts = M2 + a e2 x F23
 */
-void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
-              const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
-              fourlink_forces *forces)
+int flk_dyad_of_bodies(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                       const fourlink_state *state, const flk_body body[3], fourlink_forces *forces)
 {
     const fourlink_vector *e2 = &state->link[2].axis;
     fourlink_vector F34, F23;
-    flk_body body[3];
 
-    flk_cut_free(mechanism, state, loads, n_loads, body);
     forces->M14 = forces->N34 = forces->M34 = 0;
-    kind->forces(mechanism, state, body, flk_moment_about_origin(&body[1]),
-                 flk_moment_about_origin(&body[2]), &F34, forces);
+    kind->forces(mechanism, state, body, FLK_MOMENT_ABOUT_ORIGIN(&body[1]),
+                 FLK_MOMENT_ABOUT_ORIGIN(&body[2]), &F34, forces);
     F23.x = body[1].force.x + F34.x;
     F23.y = body[1].force.y + F34.y;
     forces->F12x = body[0].force.x + F23.x;
@@ -34,12 +31,23 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     forces->F14x = body[2].force.x - F34.x;
     forces->F14y = body[2].force.y - F34.y;
     forces->Ts =
-        flk_moment_about_origin(&body[0]) + mechanism->design.link[2].length * FLK_CROSS(*e2, F23);
+        FLK_MOMENT_ABOUT_ORIGIN(&body[0]) + mechanism->design.link[2].length * FLK_CROSS(*e2, F23);
+    return FOURLINK_OK;
+}
+
+void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
+              const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
+              fourlink_forces *forces)
+{
+    flk_body body[3];
+
+    flk_cut_free(mechanism, state, loads, n_loads, body);
+    flk_dyad_of_bodies(kind, mechanism, state, body, forces);
     flk_virtual_work(state, body, forces);
 }
 
 /* A position never gives a singular state, or one with axes that are NaN, but a caller may. */
-static int is_singular(const fourlink_state *state)
+int flk_dyad_is_singular(const fourlink_state *state)
 {
     int i;
 
@@ -60,7 +68,7 @@ int fourlink_solve_dyad(const fourlink_mechanism *mechanism, const fourlink_stat
         status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status != FOURLINK_OK)
         return status;
-    if (is_singular(state))
+    if (flk_dyad_is_singular(state))
         return FOURLINK_SINGULAR;
     flk_dyad(kind, mechanism, state, loads, n_loads, &result);
     if (!flk_is_finite(&result))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** free_body.h - the three moving links, cut free, and the check by virtual work, for both solutions of the
-** nine equations.
+** nine equations, and for friction.
 **
 ** They are static functions in a header so that the compiler sees each solution in one piece: most of
 ** closed_form.c's time goes into them.
@@ -100,10 +100,7 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
 **
 **    M_O = m + r x f
 */
-static double flk_moment_about_origin(const flk_body *body)
-{
-    return body->moment + FLK_CROSS(body->arm, body->force);
-}
+#define FLK_MOMENT_ABOUT_ORIGIN(body) ((body)->moment + FLK_CROSS((body)->arm, (body)->force))
 
 /* Virtual work: with the velocities of a unit crank speed,
 **

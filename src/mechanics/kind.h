@@ -117,6 +117,20 @@ void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int i
 /* Limit x to -1 ... 1, for acos and asin: rounding, or a linkage that cannot be assembled, may exceed it. */
 double flk_kind_clamp(double x);
 
+/* The nine unknowns, from the links cut free, in closed form (closed_form.c) and by GSL (nine_equations.c), without
+** their check: FOURLINK_OK, FOURLINK_SINGULAR.  The closed form does not test for a singular state. */
+typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                         const fourlink_state *state, const flk_body body[3],
+                         fourlink_forces *forces);
+flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
+int flk_dyad_is_singular(const fourlink_state *state);
+
+/* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
+double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
+
+/* The reciprocating mass of a slider-crank, kg: piston and its part of the rod (balance.c). */
+double flk_balance_reciprocating(const fourlink_design *design);
+
 /* The forces of a position that is not singular, with valid loads (closed_form.c). */
 void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
               const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,

@@ -191,7 +191,7 @@ static int solve(const flk_kind *kind, const fourlink_mechanism *mechanism,
     for (i = 0; i < 3; i++) {
         about[i].arm.x = about[i].arm.y = 0;
         about[i].force = body[i].force;
-        about[i].moment = flk_moment_about_origin(&body[i]);
+        about[i].moment = FLK_MOMENT_ABOUT_ORIGIN(&body[i]);
     }
     assemble(kind, mechanism, state, about, &scale, at, A, b);
     for (i = 0; i < 9; i++)
@@ -246,13 +246,24 @@ static void list_forces(const flk_kind *kind, const fourlink_state *state, const
         }
 }
 
+int flk_matrix_of_bodies(const flk_kind *kind, const fourlink_mechanism *mechanism,
+                         const fourlink_state *state, const flk_body body[3],
+                         fourlink_forces *forces)
+{
+    double x[9];
+    int status = solve(kind, mechanism, state, body, x);
+
+    if (status == FOURLINK_OK)
+        list_forces(kind, state, x, forces);
+    return status;
+}
+
 int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                    const fourlink_load *loads, unsigned long n_loads, fourlink_forces *forces)
 {
     const flk_kind *kind;
     flk_body body[3];
     fourlink_forces result;
-    double x[9];
     int status;
 
     status = flk_kind_find(mechanism, forces, &kind);
@@ -261,10 +272,9 @@ int fourlink_solve(const fourlink_mechanism *mechanism, const fourlink_state *st
     if (status != FOURLINK_OK)
         return status;
     flk_cut_free(mechanism, state, loads, n_loads, body);
-    status = solve(kind, mechanism, state, body, x);
+    status = flk_matrix_of_bodies(kind, mechanism, state, body, &result);
     if (status != FOURLINK_OK)
         return status;
-    list_forces(kind, state, x, &result);
     flk_virtual_work(state, body, &result);
     if (!flk_is_finite(&result))
         return FOURLINK_BAD_NUMBER;

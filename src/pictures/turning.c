@@ -38,16 +38,17 @@ static double theta2_at(const diagram *d, double angle)
 static double moment_at(const diagram *d, double angle)
 {
     const picture *p = d->p;
+    fourlink_losses losses;
     fourlink_forces forces;
     fourlink_state state;
     fourlink_crank crank;
+    double gas_force;
 
     crank.theta2 = theta2_at(d, angle);
     crank.omega2 = p->problem.motion.speed;
     crank.alpha2 = 0;
-    if (fourlink_deck_loads(p->deck, d->branch, crank.theta2, p->loads, NULL) != FOURLINK_OK ||
-        fourlink_analyse(p->mechanism, d->branch, &crank, p->loads, p->problem.n_loads, &state,
-                         &forces) != FOURLINK_OK)
+    if (fourlink_deck_analyse(p->deck, d->branch, &crank, 0, p->loads, &state, &forces, &losses,
+                              &gas_force) != FOURLINK_OK)
         return GSL_NAN;
     return picture_value(p, QUANTITY_TORQUE, -d->sense * forces.Ts);
 }

@@ -14,12 +14,13 @@
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
-                (flk_deck_gas_loads(d) ? NEED_GAS : 0);
+                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->mechanism, &rod);
 
     if (status == FOURLINK_NOT_AN_ENGINE)
         return needs;
+    needs |= d->balance.is_there ? NEED_BALANCE : 0;
     return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
@@ -30,16 +31,39 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->d = d;
     a->possible = possible(d);
     fourlink_motion_range(&d->motion, &a->range); /* the deck's reader has checked it */
-    a->n_loads = d->n_loads + flk_deck_gas_loads(d);
+    a->n_loads = flk_deck_all_loads(d);
+    a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL;
+    return a->loads != NULL && flk_jumps_find(d, &a->jumps);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
     free(a->loads);
+    free(a->jumps.theta2);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
+}
+
+/* Shaking force and moment of the ground ends of springs, and of friction in the pins A and D, which turns the ground
+** with the links. */
+static void add_on_ground(const flk_analysis *a, const fourlink_instant *at, flk_derived *e)
+{
+    const deck *d = a->d;
+    const fourlink_link_state *link = at->state.link;
+    double sense = link[2].omega < 0 || (link[2].omega == 0 && d->friction.direction < 0) ? -1 : 1;
+    fourlink_spring_state s;
+    unsigned long i;
+
+    for (i = 0; i < d->n_springs; i++)
+        if (fourlink_spring_at(&d->mechanism, &at->state, &d->springs[i].spring, &s) ==
+            FOURLINK_OK) {
+            e->Fsx += s.ground.x;
+            e->Fsy += s.ground.y;
+            e->Ms += s.ground_moment;
+        }
+    e->Ms += sense * at->losses.pin[0];
+    e->Ms += link[4].k < 0 ? -sense * at->losses.pin[3] : sense * at->losses.pin[3];
 }
 
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
@@ -49,27 +73,37 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
     int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
                    const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
         a->is_fast || a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
-    int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0;
+    int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0 ||
+                 (a->needs_motion && (needs & NEED_ENGINE));
     fourlink_instant *at = &row->at;
 
     at->branch = branch;
     at->status = FOURLINK_OK;
-    if (forces || (needs & (NEED_ENGINE | NEED_GAS)))
+    if (a->needs_motion && forces)
+        at->status =
+            fourlink_deck_analyse(a->d, branch, crank, analyse == fourlink_analyse_dyad, a->loads,
+                                  &at->state, &at->forces, &at->losses, &at->gas_force);
+    else if (forces || (needs & (NEED_ENGINE | NEED_GAS)))
         at->status = fourlink_deck_loads(a->d, branch, crank->theta2, a->loads, &at->gas_force);
-    if (at->status == FOURLINK_OK)
+    if (at->status == FOURLINK_OK && !(a->needs_motion && forces))
         at->status = analyse(mechanism, branch, crank, a->loads, a->n_loads, &at->state,
                              forces ? &at->forces : NULL);
     if (at->status == FOURLINK_OK && (needs & NEED_ENGINE))
         at->status = fourlink_engine_method(mechanism, &at->state, at->gas_force, a->loads,
-                                            a->d->n_loads, a->d->approximation, &row->engine);
+                                            a->n_loads - flk_deck_gas_loads(a->d),
+                                            a->d->approximation, &row->engine);
     if (at->status == FOURLINK_OK && (needs & NEED_SERIES))
         at->status = fourlink_textbook_series(mechanism, &at->state, &row->series);
     if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))
         at->status = fourlink_klein_construction(mechanism, &at->state, &row->klein);
     if (at->status == FOURLINK_OK && (needs & NEED_DERIVED))
         flk_derive_from_motion(mechanism, &at->state, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_BALANCE))
+        flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
         flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces && a->needs_motion)
+        add_on_ground(a, at, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
         at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
                                               &at->forces, &row->derived);

@@ -7,6 +7,7 @@
 
 #include "deck/deck.h"
 #include "derived.h"
+#include "jumps.h"
 
 /* What is computed in addition to the motion of the links. */
 enum {
@@ -16,7 +17,9 @@ enum {
     NEED_KLEIN = 8,
     NEED_DERIVED = 16,
     NEED_SUPERPOSITION = 32,
-    NEED_GAS = 64
+    NEED_GAS = 64,
+    NEED_LOSSES = 128, /* columns of friction */
+    NEED_BALANCE = 256 /* of an engine with [balance] */
 };
 
 /* One row. */
@@ -32,6 +35,7 @@ typedef struct flk_row {
 typedef struct flk_turning {
     int is_known, is_there;
     fourlink_turning t;
+    double efficiency; /* 1, of the cycle, with friction */
 } flk_turning;
 
 /* A deck with the memory that its analysis needs. */
@@ -39,8 +43,10 @@ typedef struct flk_analysis {
     const deck *d;
     int possible; /* what of the above can be computed */
     fourlink_range range;
-    unsigned long n_loads;  /* the gas included */
-    fourlink_load *loads;   /* memory for the loads of the present row */
+    unsigned long n_loads; /* springs, friction and gas included */
+    int needs_motion;      /* 1: loads depend on the motion or on the forces */
+    fourlink_load *loads;  /* memory for the loads of the present row */
+    flk_jumps jumps;
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */

@@ -60,6 +60,8 @@ struct flk_column_info {
 #define DIFFERENCE_OF(member, exact) NEED_SERIES, DIFFERENCE, SERIES(member), STATE(exact)
 #define OF_GAS NEED_GAS, VALUE, offsetof(flk_row, at.gas_force), 0
 #define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
+#define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
+#define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, VALUE, DERIVED(member), 0
 #define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
 
 /* F12x, F12y; the numbers of the unknowns are ME3491's */
@@ -87,6 +89,10 @@ struct flk_column_info {
       "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")   \
     X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                   \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
+
+/* friction_A */
+#define PIN_FRICTION(X, P, i, kinds) \
+    X(friction_##P, TORQUE, kinds, OF_LOSSES(pin[i]), "moment of friction in the pin " #P, "")
 
 /* I13x, I13y */
 #define CENTRE(X, I, links)                                                                \
@@ -195,6 +201,20 @@ struct flk_column_info {
     X(Ts_inertia, TORQUE, ALL, OF_SPLIT(Ts_inertia), "driving torque of inertia alone", "")        \
     X(superposition, NUMBER, ALL, OF_SPLIT(superposition),                                         \
       "error of the superposition, relative to the largest force", "")                             \
+    X(Ts0, TORQUE, ALL | USUAL, OF_LOSSES(Ts0), "driving torque without friction", "")             \
+    X(power_friction, POWER, ALL | USUAL, OF_LOSSES(power), "power lost by friction", "")          \
+    X(efficiency, NUMBER, ALL | USUAL, OF_LOSSES(efficiency),                                      \
+      "Ts0 / Ts if the crank drives, Ts / Ts0 if it is driven; 0: the load cannot drive", "")      \
+    PIN_FRICTION(X, A, 0, ALL)                                                                     \
+    PIN_FRICTION(X, B, 1, ALL)                                                                     \
+    PIN_FRICTION(X, C, 2, FOUR_BAR | SLIDER_CRANK)                                                 \
+    PIN_FRICTION(X, D, 3, PINNED)                                                                  \
+    X(friction_guide, FORCE, SLIDER_CRANK | INVERTED, OF_LOSSES(guide),                            \
+      "force of friction in the guide", "")                                                        \
+    X(Fs_primary, FORCE, SLIDER_CRANK, OF_BALANCE(primary),                                        \
+      "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
+    X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \
+      "secondary shaking force m_rec r omega2^2 cos(2 theta2) / n, along +x", "")                  \
     X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
       "power balance, relative to its largest term", "")                                           \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
@@ -282,6 +302,20 @@ static const flk_column_info own_table[] = {FLK_POINT_LIST(OWN_POINT)};
 
 #define OWN_COUNT (sizeof own_table / sizeof own_table[0])
 
+/* The columns of springs, and of torsional ones. */
+#define SPRING_INFO(q, meaning)                            \
+    {                                                      \
+        "", QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, "" \
+    }
+static const flk_column_info spring_table[2][DECK_SPRING_COLUMNS] = {
+    {SPRING_INFO(LENGTH, "length of the spring"), SPRING_INFO(FORCE, "tension of the spring"),
+     SPRING_INFO(ENERGY, "energy of the spring"),
+     SPRING_INFO(POWER, "power that spring and damper put into the links")},
+    {SPRING_INFO(ANGLE, "angle of the spring, which counts turns"),
+     SPRING_INFO(TORQUE, "torque of the spring, -T on 'link' and T on 'to'"),
+     SPRING_INFO(ENERGY, "energy of the spring"),
+     SPRING_INFO(POWER, "power that spring and damper put into the links")}};
+
 static void make(const deck *d, const flk_column_info *info, flk_column *c)
 {
     const unit *u = &d->units[info->q].unit;
@@ -290,6 +324,7 @@ static void make(const deck *d, const flk_column_info *info, flk_column *c)
     c->name = info->name;
     c->scale = u->down / u->up;
     c->link = 0;
+    c->springs_of = NULL;
     if (info->form == VALUE && info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
 }
@@ -303,6 +338,17 @@ static void make_of_point(const deck *d, const deck_point *point, int i, flk_col
     c->component = i;
 }
 
+static void make_of_spring(const deck *d, size_t i, flk_column *c)
+{
+    const deck_spring *s = &d->springs[i / DECK_SPRING_COLUMNS];
+
+    c->component = (int)(i % DECK_SPRING_COLUMNS);
+    make(d, &spring_table[s->spring.is_torsional != 0][c->component], c);
+    c->name = s->column_names[c->component];
+    c->springs_of = d;
+    c->spring = i / DECK_SPRING_COLUMNS;
+}
+
 /* Column i of the points that every deck has; returns why this deck has not, or null. */
 static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
 {
@@ -311,19 +357,22 @@ static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
     return flk_point_find(d, (flk_point_code)(i / DECK_POINT_COLUMNS), &c->link, &c->at);
 }
 
-/* Possible columns are those of the table, those of the points that every deck has, those of its points. */
+/* Possible columns are those of the table, those of the points that every deck has, those of its points, those of its
+** springs. */
 #define FIXED_COUNT (TABLE_COUNT + OWN_COUNT)
 
 size_t flk_column_limit(const deck *d)
 {
-    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points;
+    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points + DECK_SPRING_COLUMNS * d->n_springs;
 }
 
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 {
-    size_t of_points = i - FIXED_COUNT;
+    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
 
-    if (i >= FIXED_COUNT)
+    if (i >= FIXED_COUNT + n_of_points)
+        make_of_spring(a->d, of_points - n_of_points, c);
+    else if (i >= FIXED_COUNT)
         make_of_point(a->d, &a->d->points[of_points / DECK_POINT_COLUMNS],
                       (int)(of_points % DECK_POINT_COLUMNS), c);
     else if (i >= TABLE_COUNT)
@@ -350,8 +399,12 @@ static size_t add(flk_column *list, size_t n, const flk_column *c)
 /* The name of possible column i. */
 static const char *name_of(const flk_analysis *a, size_t i)
 {
-    size_t of_points = i - FIXED_COUNT;
+    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
+    size_t of_springs = of_points - n_of_points;
 
+    if (i >= FIXED_COUNT + n_of_points)
+        return a->d->springs[of_springs / DECK_SPRING_COLUMNS]
+            .column_names[of_springs % DECK_SPRING_COLUMNS];
     return i < TABLE_COUNT   ? table[i].name
            : i < FIXED_COUNT ? own_table[i - TABLE_COUNT].name
                              : a->d->points[of_points / DECK_POINT_COLUMNS]
@@ -410,6 +463,10 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a moving crank";
     if (info->need == NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
+    if (info->need & NEED_LOSSES)
+        return "needs a [friction] section; the deck has none";
+    if (info->need & NEED_BALANCE)
+        return "needs a [balance] section; the deck has none";
     if (!d->has_forces)
         return "needs masses, loads or gas; the deck has none";
     if (info->need == NEED_GAS)
@@ -536,14 +593,30 @@ static double point_value(const flk_column *c, const flk_row *row)
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
 }
 
+/* In the order of the columns. */
+static double spring_value(const flk_column *c, const flk_row *row)
+{
+    const deck *d = c->springs_of;
+    fourlink_spring_state at;
+
+    if (fourlink_spring_at(&d->mechanism, &row->at.state, &d->springs[c->spring].spring, &at) !=
+        FOURLINK_OK)
+        return GSL_NAN;
+    return c->scale * (c->component == 0   ? at.length
+                       : c->component == 1 ? at.force
+                       : c->component == 2 ? at.energy
+                                           : at.power);
+}
+
 static int is_of_crank(const flk_column *c)
 {
-    return !c->link && c->info->form == VALUE && c->info->x < offsetof(flk_row, at.branch);
+    return !c->link && !c->springs_of && c->info->form == VALUE &&
+           c->info->x < offsetof(flk_row, at.branch);
 }
 
 int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
 {
-    if (c->link || (c->info->form != DIRECTION && c->info->form != SIZE))
+    if (c->link || c->springs_of || (c->info->form != DIRECTION && c->info->form != SIZE))
         return 0;
     *x = row->at.status == FOURLINK_OK ? number_at(row, c->info->x) : GSL_NAN;
     *y = row->at.status == FOURLINK_OK ? number_at(row, c->info->y) : GSL_NAN;
@@ -564,6 +637,8 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return GSL_NAN;
     if (c->link)
         return point_value(c, row);
+    if (c->springs_of)
+        return spring_value(c, row);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
         return x * c->scale; /* nearly all columns */
@@ -579,7 +654,7 @@ int flk_column_flags(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    if (c->link)
+    if (c->link || c->springs_of)
         return 0;
     return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
            (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |

@@ -86,6 +86,22 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
     }
 }
 
+/* With X = r cos(theta2) +- l cos(phi), the first terms of -m_rec d2X/dt2 at constant speed (Bevan, Khurmi; "Balancing
+** of Reciprocating Masses"):
+**
+**    m_rec r omega^2 cos(theta2),   +- m_rec r omega^2 cos(2 theta2) / n
+*/
+void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        double reciprocating, flk_derived *e)
+{
+    const fourlink_vector *axis = &state->link[2].axis;
+    double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
+    double omega = state->link[2].omega, force = reciprocating * r * omega * omega;
+
+    e->primary = force * axis->x;
+    e->secondary = (double)state->branch * force * (axis->x * axis->x - axis->y * axis->y) * r / l;
+}
+
 static flk_axial in_axes(double Fx, double Fy, const fourlink_link_state *link)
 {
     flk_axial F;
@@ -127,7 +143,7 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 **    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 - e P
 **
 ** the moment about A; P, along the line of stroke y = e, is opposite to the force of the gas on the
-** piston.  In an oscillating cylinder the gas is between moving links. */
+** piston.  In an oscillating cylinder the gas is between moving links.  The friction of a guide is F14x. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *f, double gas_force, flk_derived *e)
 {

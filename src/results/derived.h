@@ -21,6 +21,7 @@ typedef struct flk_offset_force {
 
 typedef struct flk_derived {
     double Fsx, Fsy, Ms;          /* N, N m about A: of the machine on its frame */
+    double primary, secondary;    /* N, along +x: of the reciprocating mass of an engine */
     flk_axial F12, F32;           /* N, on the crank */
     flk_axial F23, F43;           /* N, on coupler or rod */
     flk_axial F34, F14;           /* N, on link 4 */
@@ -44,6 +45,10 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
 /* The part that follows from the forces; `gas_force` is that on the piston, towards the crank. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *forces, double gas_force, flk_derived *e);
+
+/* Primary and secondary shaking force of a slider-crank. */
+void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        double reciprocating, flk_derived *e);
 
 /* Solve for loads and inertia separately; returns a status. */
 int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink_state *state,

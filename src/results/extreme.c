@@ -235,7 +235,8 @@ void flk_extremes_close(flk_extremes *x)
 
 static int is_same(const flk_column *x, const flk_column *y)
 {
-    if (x->info != y->info || x->link != y->link)
+    if (x->info != y->info || x->link != y->link || x->springs_of != y->springs_of ||
+        (x->springs_of && x->spring != y->spring))
         return 0;
     return !x->link || (x->component == y->component && x->at.x == y->at.x && x->at.y == y->at.y);
 }

@@ -39,6 +39,13 @@
     X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
     X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0, "piston farthest from the crankshaft")     \
     X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0, "piston nearest to the crankshaft")        \
+    X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, 0, "mass moment of its counterweight")          \
+    X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, 0, "its direction, from the crank")       \
+    X(BALANCE_MASS, "balance_mass", MASS, 0, "mass of the crank's counterweight")                  \
+    X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, 0, "mass moment of that of link 4")           \
+    X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, 0, "its direction, from link 4")        \
+    X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, 0, "mass of that of link 4")               \
+    X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, 1, "efficiency over a cycle")                  \
     X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
     X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times the speed of the crank")              \
     X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \
@@ -194,6 +201,27 @@ static void tell_rod(teller *t)
     tell(t, FACT_M_G, rod.m_g);
 }
 
+/* A counterweight: mass moment, direction, mass. */
+static void tell_counterweight(teller *t, fact_code first, const fourlink_vector *moment,
+                               double mass)
+{
+    tell(t, first, gsl_hypot(moment->x, moment->y));
+    if (moment->x != 0 || moment->y != 0)
+        tell(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
+    if (t->d->balance.radius > 0)
+        tell(t, (fact_code)(first + 2), mass);
+}
+
+static void tell_balance(teller *t)
+{
+    const deck_balance *b = &t->d->balance;
+
+    if (b->crank)
+        tell_counterweight(t, FACT_BALANCE_CRANK, &b->moment.crank, b->mass[0]);
+    if (b->rocker)
+        tell_counterweight(t, FACT_BALANCE_ROCKER, &b->moment.rocker, b->mass[1]);
+}
+
 static void tell_limits(teller *t)
 {
     fourlink_limits limits;
@@ -269,6 +297,8 @@ static void tell_turning(teller *t, flk_analysis *a)
 
     if (!m)
         return;
+    if (t->d->has_friction)
+        tell(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
     tell(t, FACT_MEAN_TORQUE, m->mean_torque);
     tell(t, FACT_MEAN_POWER, m->mean_power);
     tell(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
@@ -302,6 +332,7 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         if (!has_slide)
             tell_reach_of_rocker(&t);
         tell_rod(&t);
+        tell_balance(&t);
     }
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;

@@ -4,6 +4,7 @@
 */
 #include <string.h>
 
+#include "deck/schema.h"
 #include "list.h"
 
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v)
@@ -128,6 +129,24 @@ static void tell_motion(teller *t)
         tell_words(t, "hold", "yes", "every row has this speed and acceleration");
 }
 
+/* What a load follows. */
+static void tell_law(teller *t, const deck_law *law)
+{
+    static const char *const names[] = {"theta2", "theta4", "x", "slide",
+                                        "omega2", "omega4", "v", "slide_v"};
+    int is_angular = law->over != OVER_V && law->over != OVER_SLIDE_V;
+
+    if (law->over)
+        tell_words(t, "over", names[law->over], "what the load follows");
+    if (law->has_back)
+        tell_words(t, "back", "other values", "where that falls");
+    if (law->at_speed <= 0)
+        return;
+    tell(t, "at_speed", is_angular ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED, law->at_speed,
+         "the speed at which it has its value");
+    tell(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
+}
+
 static void tell_load(teller *t, const fourlink_load *load, const deck_load *variation)
 {
     char section[DECK_NAME_SIZE];
@@ -148,10 +167,59 @@ static void tell_load(teller *t, const fourlink_load *load, const deck_load *var
         tell_words(t, "torque", "a curve", "torque, counter-clockwise positive");
     else
         tell_if(t, "torque", QUANTITY_TORQUE, load->torque, "torque, counter-clockwise positive");
+    tell_law(t, &variation->law);
     if (variation->is_windowed) {
         tell(t, "from", QUANTITY_ANGLE, variation->from, "first crank angle at which it acts");
         tell(t, "to", QUANTITY_ANGLE, variation->to, "last crank angle at which it acts");
     }
+}
+
+/* An end of a spring: its link and, of a linear one, its point. */
+static void tell_end(teller *t, const fourlink_spring *s, int is_second)
+{
+    const fourlink_vector *at = is_second ? &s->to_at : &s->at;
+
+    tell_words(t, is_second ? "to" : "link",
+               fourlink_link_text((int)t->d->design.kind, is_second ? s->to : s->link),
+               is_second ? "the other link, or the ground" : "the link it acts on");
+    if (s->is_torsional)
+        return;
+    tell_if(t, is_second ? "to_at.x" : "at.x", QUANTITY_LENGTH, at->x, "its end there, x");
+    tell_if(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y, "its end there, y");
+}
+
+static void tell_spring(teller *t, const deck_spring *spring)
+{
+    const fourlink_spring *s = &spring->spring;
+    int is_torsional = s->is_torsional;
+    char section[DECK_NAME_SIZE];
+
+    t->section = flk_text_join(section, sizeof section - 14, "spring ", spring->name, (char *)NULL);
+    tell_end(t, s, 0);
+    tell_end(t, s, 1);
+    tell_if(t, "stiffness", is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
+            s->stiffness, "stiffness");
+    if (is_torsional)
+        tell_if(t, "free_angle", QUANTITY_ANGLE, s->free_length, "angle without load");
+    else
+        tell_if(t, "free_length", QUANTITY_LENGTH, s->free_length, "length without load");
+    tell_if(t, "preload", is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE, s->preload,
+            "at the free length or angle");
+    tell_if(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING, s->damping,
+            "damping");
+}
+
+static void tell_friction(teller *t)
+{
+    static const char *const circles[4] = {"circle_A", "circle_B", "circle_C", "circle_D"};
+    const fourlink_friction *f = &t->d->friction;
+    int i;
+
+    t->section = "friction";
+    for (i = 0; i < 4; i++)
+        tell_if(t, circles[i], QUANTITY_LENGTH, f->circle[i], "radius of the friction circle");
+    tell_if(t, "guide", QUANTITY_NUMBER, f->guide, "coefficient of friction of the guide");
+    tell_if(t, "guide_length", QUANTITY_LENGTH, f->guide_length, "length of the guided block");
 }
 
 static void tell_gas(teller *t)
@@ -173,11 +241,14 @@ static void tell_gas(teller *t)
 }
 
 #define MOST_OF_DECK 50 /* links 20, slide 2, gravity 2, motion 8, gas 5, flywheel 2 */
-#define MOST_OF_LOAD 9
+#define MOST_OF_LOAD 12
+#define MOST_OF_SPRING 10
+#define MOST_OF_FRICTION 6
 
 size_t flk_list_input_limit(const deck *d)
 {
-    return MOST_OF_DECK + MOST_OF_LOAD * d->n_loads;
+    return MOST_OF_DECK + MOST_OF_LOAD * d->n_loads + MOST_OF_SPRING * d->n_springs +
+           MOST_OF_FRICTION;
 }
 
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
@@ -203,6 +274,9 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     tell_motion(&t);
     for (i = 0; i < d->n_loads; i++)
         tell_load(&t, &d->loads[i], &d->variations[i]);
+    for (i = 0; i < d->n_springs; i++)
+        tell_spring(&t, &d->springs[i]);
+    tell_friction(&t);
     tell_gas(&t);
     t.section = "flywheel";
     tell_if(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,

@@ -69,6 +69,10 @@ static void offer_loads(search *s)
 
     offer_curve(s, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
+        if (d->variations[i].law.over)
+            continue; /* jumps.c */
+        offer_curve(s, &d->variations[i].law.back_torque);
+        offer_curve(s, &d->variations[i].law.back_force[0]);
         offer_curve(s, &d->variations[i].torque);
         offer_curve(s, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
@@ -121,6 +125,7 @@ static double next_end(const flk_analysis *a, double length, double period, doub
                        flk_piece_end *end)
 {
     search s;
+    size_t i;
 
     s.a = a;
     s.after = after;
@@ -128,6 +133,8 @@ static double next_end(const flk_analysis *a, double length, double period, doub
     s.end = FLK_END_NOWHERE;
     offer_loads(&s);
     offer_positions(&s);
+    for (i = 0; i < a->jumps.n; i++)
+        offer_angle(&s, a->jumps.theta2[i], a->jumps.period, FLK_END_PLAIN);
     if (a->d->motion.run_up > 0)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
     offer(&s, period, FLK_END_PLAIN);

@@ -415,17 +415,25 @@ static int give_row(const fourlink_results *r, const flk_row *row, double *value
             memset(&instant->forces, 0, sizeof instant->forces);
             instant->gas_force = 0;
         }
+        if (!r->a.needs_motion) {
+            memset(&instant->losses, 0, sizeof instant->losses);
+            instant->losses.Ts0 = instant->forces.Ts;
+            instant->losses.efficiency = 1;
+        }
     }
-    if (loads)
+    if (loads && r->a.needs_motion && row->at.status == FOURLINK_OK)
+        memcpy(loads, r->a.loads, r->a.n_loads * sizeof *loads);
+    else if (loads)
         fourlink_deck_loads(&r->d, row->at.branch, row->at.row.crank.theta2, loads, NULL);
     return row->at.status;
 }
 
 /* What a row needs: forces only for their columns, or for an instant. */
 static int needs_of(const fourlink_results *r, const double *values,
-                    const fourlink_instant *instant)
+                    const fourlink_instant *instant, const fourlink_load *loads)
 {
-    return (values ? r->needs : 0) | (instant ? r->a.possible & NEED_FORCES : 0);
+    return (values ? r->needs : 0) |
+           (instant || (loads && r->a.needs_motion) ? r->a.possible & NEED_FORCES : 0);
 }
 
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,
@@ -439,7 +447,7 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
         return FOURLINK_BAD_BRANCH;
     if (i >= r->a.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
-    flk_analysis_row(&r->a, needs_of(r, values, instant), branch, i, &row);
+    flk_analysis_row(&r->a, needs_of(r, values, instant, loads), branch, i, &row);
     return give_row(r, &row, values, instant, loads);
 }
 
@@ -455,7 +463,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
         return FOURLINK_BAD_BRANCH;
     if (!flk_analysis_find_angle(&r->a, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_angle(&r->a, needs_of(r, values, instant), branch, at, &row);
+    flk_analysis_at_angle(&r->a, needs_of(r, values, instant, loads), branch, at, &row);
     return give_row(r, &row, values, instant, loads);
 }
 

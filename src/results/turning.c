@@ -43,7 +43,8 @@ typedef struct moment {
     double *cuts; /* rad, rising: the ends of the pieces */
     double *work; /* N m rad, of T in each piece */
     size_t n_cuts;
-    int left; /* 1: the root finder asked for an angle that the links do not reach */
+    int without_friction; /* 1: T is that of the machine without friction */
+    int left;             /* 1: the root finder asked for an angle that the links do not reach */
 } moment;
 
 /* T - Tm; NaN where the links do not reach. */
@@ -54,7 +55,9 @@ static double excess(double theta2, void *data)
 
     m->crank.theta2 = theta2;
     flk_analysis_at(m->a, NEED_FORCES, m->branch, &m->crank, &row);
-    return row.at.status == FOURLINK_OK ? -row.at.forces.Ts - m->mean : GSL_NAN;
+    if (row.at.status != FOURLINK_OK)
+        return GSL_NAN;
+    return (m->without_friction ? -row.at.losses.Ts0 : -row.at.forces.Ts) - m->mean;
 }
 
 /* Gauss-Legendre with eight or four points (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
@@ -150,12 +153,15 @@ static size_t steps_of(const deck *d)
 }
 
 /* The most pieces that there can be. */
-static size_t most_cuts(const deck *d)
+static size_t most_cuts(const flk_analysis *a)
 {
-    size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n, i;
+    const deck *d = a->d;
+    size_t jumps = a->jumps.n * ((size_t)ceil(d->cycle / (2 * M_PI)) + 1);
+    size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n + jumps, i;
 
     for (i = 0; i < d->n_loads; i++)
-        n += d->variations[i].torque.n + d->variations[i].force[0].n + 2;
+        n += d->variations[i].torque.n + d->variations[i].force[0].n +
+             d->variations[i].law.back_torque.n + d->variations[i].law.back_force[0].n + 2;
     return n;
 }
 
@@ -163,7 +169,7 @@ int flk_turning_open(flk_analysis *a)
 {
     if (!steps_of(a->d))
         return 1;
-    a->turning_memory = malloc(2 * most_cuts(a->d) * sizeof *a->turning_memory);
+    a->turning_memory = malloc(2 * most_cuts(a) * sizeof *a->turning_memory);
     return a->turning_memory != NULL;
 }
 
@@ -172,11 +178,16 @@ static void cut(moment *m)
 {
     const deck *d = m->a->d;
     size_t steps = steps_of(d), i, n;
+    double at;
 
     for (i = 0; i <= steps; i++)
         m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
     cut_at_curve(m, &d->gas.indicator);
     for (i = 0; i < d->n_loads; i++) {
+        if (d->variations[i].law.over)
+            continue; /* jumps.c */
+        cut_at_curve(m, &d->variations[i].law.back_torque);
+        cut_at_curve(m, &d->variations[i].law.back_force[0]);
         cut_at_curve(m, &d->variations[i].torque);
         cut_at_curve(m, &d->variations[i].force[0]);
         if (d->variations[i].is_windowed) {
@@ -184,6 +195,10 @@ static void cut(moment *m)
             cut_at(m, d->variations[i].to);
         }
     }
+    for (i = 0; i < m->a->jumps.n; i++)
+        for (at = m->a->jumps.theta2[i]; at < m->a->jumps.theta2[i] + d->cycle;
+             at += m->a->jumps.period)
+            cut_at(m, at);
     gsl_sort(m->cuts, 1, m->n_cuts);
     for (i = 1, n = 1; i < m->n_cuts; i++)
         if (m->cuts[i] - m->cuts[n - 1] > 4 * INSIDE)
@@ -207,7 +222,7 @@ static void halve(moment *m, size_t i)
 ** does not end, the moment is unbounded. */
 static double mean_of(moment *m, double *scale)
 {
-    size_t most = most_cuts(m->a->d), i = 0;
+    size_t most = most_cuts(m->a), i = 0;
     double sum = 0;
 
     *scale = 0;
@@ -307,6 +322,21 @@ static void find(moment *m, double scale, fourlink_turning *t)
         t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }
 
+/* Work without friction over work with it, if the crank drives; if it is driven, the reverse. */
+static double efficiency_of(moment *m)
+{
+    double sense = m->crank.omega2 < 0 ? 1 : -1, with = sense * m->mean, without = 0;
+    size_t i;
+
+    m->without_friction = 1;
+    m->mean = 0;
+    for (i = 0; i + 1 < m->n_cuts; i++)
+        without += sense * area(m, m->cuts[i], m->cuts[i + 1]) / m->a->d->cycle;
+    if (with > 0)
+        return without > 0 ? without / with : 0;
+    return without < 0 ? with / without : with == without;
+}
+
 const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch)
 {
     flk_turning *t = &a->turning[branch == FOURLINK_OPEN ? 0 : 1];
@@ -321,8 +351,9 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     m.crank.omega2 = a->d->motion.speed;
     m.crank.alpha2 = 0;
     m.mean = 0;
+    m.without_friction = 0;
     m.cuts = a->turning_memory;
-    m.work = m.cuts + most_cuts(a->d);
+    m.work = m.cuts + most_cuts(a);
     m.n_cuts = 0;
     cut(&m);
     m.mean = mean_of(&m, &scale);
@@ -330,5 +361,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     t->is_there = !gsl_isnan(m.mean);
     if (t->is_there)
         find(&m, scale, &t->t);
+    if (t->is_there && a->d->has_friction)
+        t->efficiency = efficiency_of(&m);
     return t->is_there ? &t->t : NULL;
 }

@@ -95,7 +95,8 @@ static void put_masses(sheet *s)
 static void put_loads(sheet *s)
 {
     const fourlink_deck *deck = fourlink_results_deck(s->results);
-    unsigned long n = s->problem.n_loads - s->problem.n_gas_loads, i;
+    const fourlink_problem *p = &s->problem;
+    unsigned long n = p->n_loads - p->n_spring_loads - p->n_friction_loads - p->n_gas_loads, i;
     size_t length = 0;
     const char *name;
 
@@ -108,7 +109,11 @@ static void put_loads(sheet *s)
     else
         for (i = 0; i < n && fourlink_deck_load(deck, i, &name, NULL) == FOURLINK_OK; i++)
             line_put(&s->l, "%s %s", i ? "," : n > 1 ? "; loads" : "; load", name);
-    if (s->problem.n_gas_loads)
+    if (p->n_springs)
+        line_put(&s->l, p->n_springs > 1 ? "; %lu springs" : "; a spring", p->n_springs);
+    if (p->n_friction_loads)
+        line_put(&s->l, "; friction");
+    if (p->n_gas_loads)
         line_put(&s->l, "; gas");
 }
 

@@ -19,6 +19,11 @@ int main(void)
     PRINT_SIZE(fourlink_state);
     PRINT_SIZE(fourlink_load);
     PRINT_SIZE(fourlink_forces);
+    PRINT_SIZE(fourlink_friction);
+    PRINT_SIZE(fourlink_losses);
+    PRINT_SIZE(fourlink_spring);
+    PRINT_SIZE(fourlink_spring_state);
+    PRINT_SIZE(fourlink_balance);
     PRINT_SIZE(fourlink_reach);
     PRINT_SIZE(fourlink_limits);
     PRINT_SIZE(fourlink_series);

@@ -15,6 +15,11 @@ program sizes
   type(fourlink_state) :: state_
   type(fourlink_load) :: load_
   type(fourlink_forces) :: forces_
+  type(fourlink_friction) :: friction_
+  type(fourlink_losses) :: losses_
+  type(fourlink_spring) :: spring_
+  type(fourlink_spring_state) :: spring_state_
+  type(fourlink_balance) :: balance_
   type(fourlink_reach) :: reach_
   type(fourlink_limits) :: limits_
   type(fourlink_series) :: series_
@@ -44,6 +49,11 @@ program sizes
   write (*, '(a, 1x, i0)') 'fourlink_state', c_sizeof(state_)
   write (*, '(a, 1x, i0)') 'fourlink_load', c_sizeof(load_)
   write (*, '(a, 1x, i0)') 'fourlink_forces', c_sizeof(forces_)
+  write (*, '(a, 1x, i0)') 'fourlink_friction', c_sizeof(friction_)
+  write (*, '(a, 1x, i0)') 'fourlink_losses', c_sizeof(losses_)
+  write (*, '(a, 1x, i0)') 'fourlink_spring', c_sizeof(spring_)
+  write (*, '(a, 1x, i0)') 'fourlink_spring_state', c_sizeof(spring_state_)
+  write (*, '(a, 1x, i0)') 'fourlink_balance', c_sizeof(balance_)
   write (*, '(a, 1x, i0)') 'fourlink_reach', c_sizeof(reach_)
   write (*, '(a, 1x, i0)') 'fourlink_limits', c_sizeof(limits_)
   write (*, '(a, 1x, i0)') 'fourlink_series', c_sizeof(series_)

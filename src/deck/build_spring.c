@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_spring.c - builds springs, friction and counterweights from values.
+*/
+#include <gsl/gsl_math.h>
+
+#include "mechanics/kind.h"
+#include "reader.h"
+
+/* ------------------------------------------------------------------------------------------ springs */
+
+/* Refuse a key that springs of the other sort have. */
+static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
+{
+    const setting *s = flk_setting_of(use, key),
+                  *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
+
+    if (!IS_SET(s))
+        return;
+    if (is_torsional)
+        flk_mistake(p->mistakes, s->place, "a torsional spring has no %s", flk_key_table[key].name);
+    else
+        flk_mistake(p->mistakes, s->place,
+                    IS_SET(stiffness)
+                        ? "a free_angle needs a torsional spring, with its stiffness in N m/rad, "
+                          "not '%t'"
+                        : "a free_angle needs a torsional spring, with its damping in N m s/rad",
+                    stiffness->value);
+}
+
+/* An end of a spring: its link, and its point there. */
+static int build_end(parser *p, const section_use *use, key_code link_key, key_code at_key,
+                     int is_torsional, fourlink_vector *at)
+{
+    const setting *link = flk_setting_of(use, link_key), *place = flk_setting_of(use, at_key);
+    int number = link->word;
+
+    if (!IS_SET(link) && link_key == KEY_SPRING_TO) {
+        if (!use->has_unknown)
+            flk_mistake(p->mistakes, use->place,
+                        "[spring] has no 'to': the ground or another link");
+    } else if (number != FOURLINK_GROUND) {
+        flk_build_check_link(p, use, link);
+    }
+    if (is_torsional) {
+        check_sort(p, use, at_key, 1);
+        return number;
+    }
+    if (number && !IS_SET(place) && !use->has_unknown &&
+        !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
+        (number == FOURLINK_GROUND || fourlink_slides((int)p->d->design.kind, number) == 0))
+        flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
+                    flk_key_table[at_key].name, fourlink_link_text((int)p->d->design.kind, number));
+    flk_build_place(p, place, number, at);
+    return number;
+}
+
+/* Refuse a spring between the two sides of a pin: its length is 0 at every position. */
+static void check_length(parser *p, const section_use *use, const fourlink_spring *spring)
+{
+    const fourlink_mechanism *mechanism = &p->d->mechanism;
+    double size = mechanism->design.link[FOURLINK_CRANK].length;
+    fourlink_crank crank = {0, 0, 0};
+    fourlink_spring_state at;
+    fourlink_state state;
+    int i, n = 0;
+
+    for (i = 0; i < 12; i++) {
+        crank.theta2 = 0.3 + i * M_PI / 6;
+        if (fourlink_analyse_dyad(mechanism, FOURLINK_OPEN, &crank, NULL, 0, &state, NULL) !=
+            FOURLINK_OK)
+            continue;
+        if (fourlink_spring_at(mechanism, &state, spring, &at) == FOURLINK_OK &&
+            at.length > 1e-12 * size)
+            return;
+        n++;
+    }
+    if (n)
+        flk_mistake(p->mistakes, use->place,
+                    "the spring has no length: its ends are the same point at every crank angle");
+}
+
+static void build_spring(parser *p, const section_use *use, deck_spring *new)
+{
+    static const char *const endings[2][DECK_SPRING_COLUMNS] = {
+        {".length", ".force", ".energy", ".power"}, {".angle", ".torque", ".energy", ".power"}};
+    const setting *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS),
+                  *damping = flk_setting_of(use, KEY_SPRING_DAMPING),
+                  *preload = flk_setting_of(use, KEY_SPRING_PRELOAD),
+                  *to = flk_setting_of(use, KEY_SPRING_TO),
+                  *free_length = flk_setting_of(use, KEY_SPRING_FREE_LENGTH),
+                  *free_angle = flk_setting_of(use, KEY_SPRING_FREE_ANGLE);
+    fourlink_spring *s = &new->spring;
+    int i;
+
+    flk_build_check_name(p, use, "NAME.length, NAME.force ...");
+    s->is_torsional = flk_spring_is_torsional(use);
+    s->link = build_end(p, use, KEY_SPRING_LINK, KEY_SPRING_AT, s->is_torsional, &s->at);
+    s->to = build_end(p, use, KEY_SPRING_TO, KEY_SPRING_TO_AT, s->is_torsional, &s->to_at);
+    if (s->link && s->link == s->to)
+        flk_mistake(p->mistakes, to->place, "a spring from the %t to itself does nothing",
+                    to->value);
+    check_sort(p, use, s->is_torsional ? KEY_SPRING_FREE_LENGTH : KEY_SPRING_FREE_ANGLE,
+               s->is_torsional);
+    if (!IS_SET(stiffness) && !IS_SET(damping) && !IS_SET(preload) && !use->has_unknown)
+        flk_mistake(p->mistakes, use->place,
+                    "[spring] has neither a stiffness nor a damping nor a preload");
+    if ((IS_SET(free_length) || IS_SET(free_angle)) && !IS_SET(stiffness) && !use->has_unknown)
+        flk_mistake(p->mistakes, (IS_SET(free_length) ? free_length : free_angle)->place,
+                    "'%s' needs a stiffness", IS_SET(free_length) ? "free_length" : "free_angle");
+    s->stiffness = stiffness->si[0];
+    s->free_length = s->is_torsional ? free_angle->si[0] : free_length->si[0];
+    s->preload = preload->si[0];
+    s->damping = damping->si[0];
+    new->name = flk_reader_copy(p, use->name, "");
+    for (i = 0; i < DECK_SPRING_COLUMNS; i++)
+        new->column_names[i] = flk_reader_copy(p, use->name, endings[s->is_torsional][i]);
+    if (p->mistakes->count || p->lacks_values)
+        return;
+    fourlink_spring_prepare(&p->d->mechanism, s);
+    if (!s->is_torsional)
+        check_length(p, use, s);
+}
+
+void flk_build_springs(parser *p)
+{
+    deck *d = p->d;
+    size_t i;
+
+    d->springs = flk_build_keep_each(p, SECTION_SPRING, sizeof *d->springs);
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
+        if (p->uses[i].section == SECTION_SPRING) {
+            build_spring(p, &p->uses[i], &d->springs[d->n_springs++]);
+            d->has_forces = 1;
+        }
+}
+
+/* ----------------------------------------------------------------------------------------- friction */
+
+void flk_build_friction(parser *p)
+{
+    static const key_code coefficients[4] = {KEY_FRICTION_A, KEY_FRICTION_B, KEY_FRICTION_C,
+                                             KEY_FRICTION_D},
+                          radii[4] = {KEY_FRICTION_RADIUS_A, KEY_FRICTION_RADIUS_B,
+                                      KEY_FRICTION_RADIUS_C, KEY_FRICTION_RADIUS_D};
+    const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
+    const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
+                  *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH);
+    fourlink_friction *friction = &p->d->friction;
+    int i, has_any = IS_SET(guide);
+
+    if (!use)
+        return;
+    for (i = 0; i < 4; i++) {
+        const setting *mu = flk_setting_of(use, coefficients[i]),
+                      *radius = flk_setting_of(use, radii[i]);
+
+        has_any |= IS_SET(mu);
+        friction->circle[i] = mu->si[0] * radius->si[0];
+        if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->has_unknown)
+            flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
+                        flk_key_table[coefficients[i]].name, flk_key_table[radii[i]].name);
+        if (IS_SET(radius) && !IS_SET(mu) && !use->has_unknown)
+            flk_mistake(p->mistakes, radius->place, "'%s' needs '%s', the coefficient of friction",
+                        flk_key_table[radii[i]].name, flk_key_table[coefficients[i]].name);
+    }
+    if (IS_SET(length) && !IS_SET(guide) && !use->has_unknown)
+        flk_mistake(p->mistakes, length->place,
+                    "'guide_length' needs 'guide', the coefficient of friction");
+    if (!has_any && !use->has_unknown)
+        flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
+    friction->guide = guide->si[0];
+    friction->guide_length = length->si[0];
+    friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
+    p->d->has_friction = 1;
+}
+
+/* ------------------------------------------------------------------------------------------ balance */
+
+static void apply(parser *p, int link, const fourlink_vector *moment, double *mass)
+{
+    deck_balance *b = &p->d->balance;
+    fourlink_link balanced;
+
+    if (fourlink_add_counterweight(&p->d->design.link[link], moment, b->radius, &balanced, mass) ==
+            FOURLINK_OK &&
+        flk_setting_find(p, KEY_BALANCE_APPLY)->word)
+        p->d->design.link[link] = balanced;
+}
+
+void flk_build_balance(parser *p)
+{
+    const section_use *use = flk_section_find(p, SECTION_BALANCE, NULL);
+    const setting *fraction = flk_setting_find(p, KEY_BALANCE_FRACTION),
+                  *radius = flk_setting_find(p, KEY_BALANCE_RADIUS),
+                  *add = flk_setting_find(p, KEY_BALANCE_APPLY);
+    deck_balance *b = &p->d->balance;
+
+    if (!use)
+        return;
+    b->is_there = 1;
+    b->crank = flk_setting_find(p, KEY_BALANCE_CRANK)->word || IS_SET(fraction);
+    b->rocker = flk_setting_find(p, KEY_BALANCE_ROCKER)->word;
+    b->radius = radius->si[0];
+    if (!b->crank && !b->rocker && !use->has_unknown)
+        flk_mistake(p->mistakes, use->place, "[balance] needs %s",
+                    p->d->design.kind == FOURLINK_SLIDER_CRANK
+                        ? "the fraction of the reciprocating mass to be balanced"
+                        : "'crank = yes', 'rocker = yes' or both");
+    if (add->word && !IS_SET(radius) && !use->has_unknown)
+        flk_mistake(p->mistakes, add->place,
+                    "'apply' needs a radius, at which the counterweights are");
+    if (p->mistakes->count || p->lacks_values ||
+        fourlink_balance_of(&p->d->mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
+        return;
+    if (p->d->design.kind == FOURLINK_SLIDER_CRANK)
+        b->reciprocating = flk_balance_reciprocating(&p->d->design);
+    if (b->crank && b->radius > 0)
+        apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);
+    if (b->rocker && b->radius > 0)
+        apply(p, FOURLINK_FOLLOWER, &b->moment.rocker, &b->mass[1]);
+    fourlink_prepare(&p->d->design, &p->d->mechanism);
+}

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** spring.c - springs and dampers between two links, or a link and the ground.
+**
+** Between P of link i and Q of link j, with L = |Q - P|, e = (Q - P) / L and dL/dt = e . (v_Q - v_P),
+**
+**    T = T0 + k (L - L0) + c dL/dt,   T e on i at P,   -T e on j at Q
+**
+** and torsional, with the angle phi = theta_i - theta_j,
+**
+**    T = T0 + k (phi - phi0) + c dphi/dt,   -T on i,   T on j
+**
+** The energy is k s^2 / 2 + T0 s, s = L - L0 or phi - phi0.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "kind.h"
+
+/* An end of a spring: position and velocity. */
+static void find_end(const fourlink_state *state, int link, const fourlink_vector *at,
+                     fourlink_vector *place, fourlink_vector *velocity)
+{
+    if (link != FOURLINK_GROUND) {
+        fourlink_point(state, link, at, place, velocity, NULL);
+        return;
+    }
+    *place = *at;
+    velocity->x = velocity->y = 0;
+}
+
+/* Force and moment on a link. */
+static void add_load(int link, const fourlink_vector *at, double Fx, double Fy, double torque,
+                     fourlink_spring_state *s)
+{
+    fourlink_load *load = &s->load[s->n_loads];
+
+    if (link == FOURLINK_GROUND) {
+        s->ground.x = Fx;
+        s->ground.y = Fy;
+        s->ground_moment = torque + at->x * Fy - at->y * Fx;
+        return;
+    }
+    load->link = link;
+    load->at = *at;
+    load->force.x = Fx;
+    load->force.y = Fy;
+    load->torque = torque;
+    s->n_loads++;
+}
+
+static int linear_at(const fourlink_state *state, const fourlink_spring *spring,
+                     fourlink_spring_state *s)
+{
+    fourlink_vector P, Q, v_P, v_Q, e, zero = {0, 0};
+    double k = spring->stiffness, beyond;
+
+    find_end(state, spring->link, &spring->at, &P, &v_P);
+    find_end(state, spring->to, &spring->to_at, &Q, &v_Q);
+    e.x = Q.x - P.x;
+    e.y = Q.y - P.y;
+    s->length = gsl_hypot(e.x, e.y);
+    if (s->length > 0) {
+        e.x /= s->length;
+        e.y /= s->length;
+    } else {
+        if (spring->preload != 0 || (spring->free_length != 0 && k != 0) || spring->damping != 0)
+            return FOURLINK_NO_DIRECTION;
+        e = zero;
+    }
+    v_Q.x -= v_P.x;
+    v_Q.y -= v_P.y;
+    beyond = s->length - spring->free_length;
+    s->rate = FLK_DOT(e, v_Q);
+    s->force = spring->preload + k * beyond + spring->damping * s->rate;
+    s->energy = 0.5 * k * beyond * beyond + spring->preload * beyond;
+    add_load(spring->link, &spring->at, s->force * e.x, s->force * e.y, 0, s);
+    add_load(spring->to, &spring->to_at, -s->force * e.x, -s->force * e.y, 0, s);
+    return FOURLINK_OK;
+}
+
+static double omega_of(const fourlink_state *state, int link)
+{
+    return link == FOURLINK_GROUND ? 0 : state->link[link].omega;
+}
+
+static double angle_between(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_spring *spring)
+{
+    return flk_turns_angle(mechanism, state, spring->link) -
+           flk_turns_angle(mechanism, state, spring->to);
+}
+
+static void torsional_at(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_spring *spring, fourlink_spring_state *s)
+{
+    fourlink_vector zero = {0, 0};
+    double beyond;
+
+    s->length = angle_between(mechanism, state, spring) +
+                spring->turns[state->branch == FOURLINK_OPEN ? 0 : 1];
+    beyond = s->length - spring->free_length;
+    s->rate = omega_of(state, spring->link) - omega_of(state, spring->to);
+    s->force = spring->preload + spring->stiffness * beyond + spring->damping * s->rate;
+    s->energy = 0.5 * spring->stiffness * beyond * beyond + spring->preload * beyond;
+    add_load(spring->link, &zero, 0, 0, -s->force, s);
+    add_load(spring->to, &zero, 0, 0, s->force, s);
+}
+
+int fourlink_spring_at(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                       const fourlink_spring *spring, fourlink_spring_state *at)
+{
+    const flk_kind *kind;
+    fourlink_spring_state s;
+    int status = flk_kind_find(mechanism, at, &kind);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (!state || !spring)
+        return FOURLINK_NULL;
+    memset(&s, 0, sizeof s);
+    if (spring->is_torsional)
+        torsional_at(mechanism, state, spring, &s);
+    else
+        status = linear_at(state, spring, &s);
+    if (status != FOURLINK_OK)
+        return status;
+    s.power = -s.force * s.rate;
+    *at = s;
+    return FOURLINK_OK;
+}
+
+static int check_spring(const fourlink_spring *spring)
+{
+    if (spring->link < FOURLINK_GROUND || spring->link > FOURLINK_FOLLOWER ||
+        spring->to < FOURLINK_GROUND || spring->to > FOURLINK_FOLLOWER)
+        return FOURLINK_BAD_LINK;
+    if (!FLK_BOTH_WITHIN(spring->at, FOURLINK_LENGTH_MAX) ||
+        !FLK_BOTH_WITHIN(spring->to_at, FOURLINK_LENGTH_MAX) ||
+        !FLK_WITHIN(spring->stiffness, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(spring->free_length, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(spring->preload, FOURLINK_NUMBER_MAX) ||
+        !FLK_WITHIN(spring->damping, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    return spring->link == spring->to || spring->damping < 0 ? FOURLINK_BAD_SPRING : FOURLINK_OK;
+}
+
+#define BESIDE \
+    1e-6 /* of the range that can be reached, rad: a position that is neither dead nor a change point */
+
+/* The first crank angle from 0 that can be reached, or just behind it. */
+static double first_reached(const fourlink_mechanism *mechanism)
+{
+    fourlink_reach reach;
+    double first = GSL_POSINF;
+    int i;
+
+    fourlink_reach_of(mechanism, &reach);
+    for (i = 0; i < reach.n_ranges; i++) {
+        double from = reach.from[i] + BESIDE * (reach.to[i] - reach.from[i]);
+
+        if (from < BESIDE && BESIDE < reach.to[i])
+            return BESIDE;
+        from -= 2 * M_PI * floor(from / (2 * M_PI));
+        first = from < first ? from : first;
+    }
+    return first;
+}
+
+int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring *spring)
+{
+    static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    const flk_kind *kind;
+    fourlink_state state;
+    int status = flk_kind_find(mechanism, spring, &kind), i;
+
+    if (status == FOURLINK_OK)
+        status = check_spring(spring);
+    for (i = 0; i < 2 && status == FOURLINK_OK; i++) {
+        spring->turns[i] = 0;
+        if (spring->is_torsional &&
+            fourlink_position(mechanism, branches[i], first_reached(mechanism), &state) ==
+                FOURLINK_OK) {
+            double angle = angle_between(mechanism, &state, spring) - spring->free_length;
+
+            spring->turns[i] = -2 * M_PI * floor(angle / (2 * M_PI) + 0.5);
+        }
+    }
+    return status;
+}

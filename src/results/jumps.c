@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** jumps.c - the crank angles at which a joint with friction stands still, so that its friction changes its sense: dead
+** centres, limits of a rocker, positions in which two links turn alike; and those at which a load is at a point of a curve
+** over another argument than the crank angle.
+**
+** Relative speeds and arguments are smooth in theta2 on each branch, at the speed with which the motion begins.  They are
+** sampled twice a degree over a period, and a change of sign is halved down to rounding.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "deck/schema.h"
+#include "jumps.h"
+#include "mechanics/kind.h"
+
+#define SAMPLES 720 /* of a turn */
+#define HALVINGS 60
+
+/* A function of the crank angle whose zeros are wanted. */
+typedef struct zero {
+    int joint; /* 0 to 3: the relative speed in it; -1: an argument less a point of a curve */
+    int over;
+    double at; /* of the argument, in SI units */
+} zero;
+
+typedef struct search {
+    const deck *d;
+    fourlink_branch branch;
+    double speed; /* rad/s, of the crank */
+    zero *zeros;
+    size_t n;
+    double *last, *now;
+} search;
+
+/* The relative speed in a joint. */
+static double speed_in(const flk_kind *kind, const fourlink_state *state, int joint)
+{
+    if (kind->joint[joint].slider)
+        return joint == 2 ? state->slide_v : state->v;
+    return joint == 0   ? state->link[2].omega
+           : joint == 1 ? state->link[3].omega - state->link[2].omega
+           : joint == 2 ? state->link[4].omega - state->link[3].omega
+                        : state->link[4].omega;
+}
+
+static double value_of(const search *s, const zero *z, const fourlink_state *state)
+{
+    double x;
+
+    if (z->joint >= 0)
+        return speed_in(flk_kind_of(s->d->design.kind), state, z->joint);
+    x = flk_deck_argument(state, z->over) - z->at;
+    return z->over == OVER_THETA4 ? x - 2 * M_PI * floor(x / (2 * M_PI) + 0.5) : x;
+}
+
+/* 0 if there is no position. */
+static int move(const search *s, double theta2, fourlink_state *state)
+{
+    fourlink_crank crank = {0, 0, 0};
+
+    crank.theta2 = theta2;
+    crank.omega2 = s->speed;
+    return fourlink_analyse_dyad(&s->d->mechanism, s->branch, &crank, NULL, 0, state, NULL) ==
+           FOURLINK_OK;
+}
+
+/* A zero between two angles at which the function differs in sign. */
+static double halve(const search *s, const zero *z, double low, double high, int is_negative)
+{
+    fourlink_state state;
+    int i;
+
+    for (i = 0; i < HALVINGS; i++) {
+        double middle = 0.5 * (low + high);
+
+        if (!move(s, middle, &state))
+            break;
+        if ((value_of(s, z, &state) < 0) == is_negative)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/* 1 if there is a zero between two values; an angle that goes over 180 deg has none. */
+static int has_zero(const zero *z, double last, double now)
+{
+    return (last < 0) != (now < 0) &&
+           !(z->joint < 0 && z->over == OVER_THETA4 && fabs(last - now) > M_PI);
+}
+
+/* Keep an angle; 0 when out of memory.  */
+static int keep(flk_jumps *jumps, double theta2)
+{
+    if (jumps->n % 64 == 0) {
+        double *more = realloc(jumps->theta2, (jumps->n + 64) * sizeof *more);
+
+        if (!more)
+            return 0;
+        jumps->theta2 = more;
+    }
+    jumps->theta2[jumps->n++] = theta2;
+    return 1;
+}
+
+static int search_branch(flk_jumps *jumps, search *s)
+{
+    size_t n = (size_t)floor(SAMPLES * jumps->period / (2 * M_PI) + 0.5), i, j;
+    double step = jumps->period / (double)n;
+    fourlink_state state;
+    int was_there = 0;
+
+    for (i = 0; i <= n; i++) {
+        double theta2 = step * ((double)i - 0.37);
+        int is_there = move(s, theta2, &state);
+
+        for (j = 0; j < s->n && is_there; j++) {
+            s->now[j] = value_of(s, &s->zeros[j], &state);
+            if (was_there && has_zero(&s->zeros[j], s->last[j], s->now[j]) &&
+                !keep(jumps, halve(s, &s->zeros[j], theta2 - step, theta2, s->last[j] < 0)))
+                return 0;
+            s->last[j] = s->now[j];
+        }
+        was_there = is_there;
+    }
+    return 1;
+}
+
+static void add_curve(search *s, const curve *c, int over)
+{
+    size_t i;
+
+    for (i = 0; i < c->n && over; i++, s->n++)
+        if (s->zeros) {
+            s->zeros[s->n].joint = -1;
+            s->zeros[s->n].over = over;
+            s->zeros[s->n].at = c->x[i];
+        }
+}
+
+/* List the functions; without memory only their number.  A power of a speed has a corner where the speed is 0, and a
+** load jumps there if it has other values on the way back. */
+static void list_zeros(search *s)
+{
+    const deck *d = s->d;
+    const flk_kind *kind = flk_kind_of(d->design.kind);
+    unsigned long i;
+    int joint;
+
+    s->n = 0;
+    for (joint = 1; joint < 4; joint++) {
+        double friction = kind->joint[joint].slider ? d->friction.guide : d->friction.circle[joint];
+
+        if (!(friction > 0) && !(d->has_law && joint >= 2))
+            continue;
+        if (s->zeros)
+            s->zeros[s->n].joint = joint;
+        s->n++;
+    }
+    for (i = 0; i < d->n_loads; i++) {
+        const deck_load *variation = &d->variations[i];
+        int over = variation->law.over;
+
+        add_curve(s, &variation->torque, over);
+        add_curve(s, &variation->force[0], over);
+        add_curve(s, &variation->law.back_torque, over);
+        add_curve(s, &variation->law.back_force[0], over);
+    }
+}
+
+int flk_jumps_find(const deck *d, flk_jumps *jumps)
+{
+    int found;
+    search s;
+
+    if (!d->has_friction && !d->has_law)
+        return 1;
+    memset(&s, 0, sizeof s);
+    s.d = d;
+    s.speed = d->motion.speed != 0 ? d->motion.speed : 1;
+    jumps->period =
+        2 * M_PI * (s.d->mechanism.change_stretched != s.d->mechanism.change_folded ? 2 : 1);
+    list_zeros(&s);
+    s.last = malloc((2 * s.n + 1) * sizeof *s.last);
+    s.now = s.last + s.n;
+    s.zeros = malloc((s.n + 1) * sizeof *s.zeros);
+    if (s.zeros)
+        list_zeros(&s);
+    s.branch = FOURLINK_OPEN;
+    found = s.zeros && s.last && search_branch(jumps, &s);
+    s.branch = FOURLINK_CROSSED;
+    found = found && search_branch(jumps, &s);
+    free(s.zeros);
+    free(s.last);
+    return found;
+}

@@ -1,0 +1,556 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_friction.c - friction: against an independent solver, against the fixed point on random machines, locking
+** against statics by hand, mirrored and reversed motions.
+*/
+#include "references.h"
+
+/* Both solvers, which agree; the status of both. */
+static int solve(const sample *s, const fourlink_friction *friction, fourlink_forces *f,
+                 fourlink_losses *l)
+{
+    fourlink_forces other;
+    fourlink_losses lost;
+    int status =
+        fourlink_solve_friction(&s->mechanism, &s->state, s->load, s->n_loads, friction, 1, f, l);
+    double a[N_FORCES], b[N_FORCES], largest = 0, arm = s->design.link[2].length;
+    int i;
+
+    assert_int_equal(fourlink_solve_friction(&s->mechanism, &s->state, s->load, s->n_loads,
+                                             friction, 0, &other, &lost),
+                     status);
+    if (status != FOURLINK_OK)
+        return status;
+    list(f, arm, a);
+    list(&other, arm, b);
+    for (i = 0; i < N_FORCES; i++)
+        largest = fmax(largest, fabs(a[i]));
+    for (i = 0; i < N_FORCES; i++)
+        assert_near(a[i], b[i], 1e-10 * largest / fabs(s->state.sine));
+    return status;
+}
+
+static fourlink_friction pins(double circle)
+{
+    fourlink_friction friction;
+    int i;
+
+    memset(&friction, 0, sizeof friction);
+    for (i = 0; i < 4; i++)
+        friction.circle[i] = circle;
+    return friction;
+}
+
+/* theta2, F12x, F12y, F23x, F23y, F14x, F14y, Ts, Ts0, lost power, efficiency; N34 and M34, or F34x and F34y */
+typedef struct reference {
+    double degrees, force[6], Ts, Ts0, power, efficiency, F34[2];
+} reference;
+
+static void assert_reference(sample s, const fourlink_friction *friction, const reference *r)
+{
+    fourlink_forces f;
+    fourlink_losses l;
+
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, friction, &f, &l), FOURLINK_OK);
+    assert_close(f.F12x, r->force[0], 1e-9);
+    assert_close(f.F12y, r->force[1], 1e-9);
+    assert_close(f.F23x, r->force[2], 1e-9);
+    assert_close(f.F23y, r->force[3], 1e-9);
+    assert_close(f.F14x, r->force[4], 1e-9);
+    assert_close(f.F14y, r->force[5], 1e-9);
+    assert_close(f.Ts, r->Ts, 1e-9);
+    assert_close(l.Ts0, r->Ts0, 1e-9);
+    assert_close(l.power, r->power, 1e-9);
+    assert_close(l.efficiency, r->efficiency, 1e-9);
+    assert_close(f.N34 != 0 ? f.N34 : f.F34x, r->F34[0], 1e-9);
+    assert_close(f.N34 != 0 ? f.M34 : f.F34y, r->F34[1], 1e-9);
+    assert_close(f.Ts_work, f.Ts, 1e-12);
+    assert_near(f.residual, 0, 1e-13);
+    assert_close((f.Ts - l.Ts0) * s.crank.omega2, l.power, 1e-9);
+}
+
+static void test_four_bar(void **unused)
+{
+    static const reference references[] = {{110,
+                                            {8.766144791062, 6.861707989146, 8.72843707026,
+                                             5.984309100588, -8.613884475295, -1.165095204646},
+                                            -0.1953021404763,
+                                            -0.2127901021527,
+                                            0.1836235976018,
+                                            0.9178159063817,
+                                            {8.618222854256, 3.512273815718}},
+                                           {290,
+                                            {5.437921324441, 13.29681071566, 5.475629045243,
+                                             12.21220960422, -5.211263694417, -6.253027943911},
+                                            0.2064494505283,
+                                            0.1869562212887,
+                                            0.2046789070158,
+                                            0.9055786819015,
+                                            {5.387176335761, 8.779931080159}}};
+    fourlink_friction friction = pins(0.1 * 0.006);
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        sample s = rocker(references[i].degrees);
+
+        s.load[0].link = 4;
+        s.load[0].torque = 0.5;
+        s.n_loads = 1;
+        assert_reference(s, &friction, &references[i]);
+    }
+}
+
+static void test_lever(void **unused)
+{
+    static const reference references[] = {{35,
+                                            {31.11529688947, 113.7959744092, 34.208360607,
+                                             108.5044088088, 95.99269631206, -142.1698628334},
+                                            8.905418404292,
+                                            7.022088406826,
+                                            18.83329997466,
+                                            0.7885186397802,
+                                            {-113.118331184, 0.09565743423756}},
+                                           {205,
+                                            {10.07969068443, 2.004225220451, 6.589697380043,
+                                             -7.824266318364, 151.8004276763, 39.68875722477},
+                                            0.8684111045763,
+                                            0.691394431308,
+                                            1.770166732683,
+                                            0.7961602836082,
+                                            {12.63840407024, 0.02241174975554}}};
+    fourlink_friction friction = pins(0);
+    int i;
+
+    (void)unused;
+    friction.circle[0] = 0.1 * 0.015;
+    friction.circle[1] = 0.1 * 0.010;
+    friction.circle[3] = 0.1 * 0.020;
+    friction.guide = 0.12;
+    friction.guide_length = 0.050;
+    for (i = 0; i < 2; i++)
+        assert_reference(lever(references[i].degrees), &friction, &references[i]);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Random machines
+** ------------------------------------------------------------------------------------------- */
+
+static fourlink_friction draw_friction(uint64_t *seed)
+{
+    fourlink_friction friction;
+    int i;
+
+    memset(&friction, 0, sizeof friction);
+    for (i = 0; i < 4; i++)
+        friction.circle[i] = uniform(seed, 0, 0.02);
+    friction.guide = uniform(seed, 0, 0.2);
+    friction.guide_length = uniform(seed, 0, 1) < 0.3 ? 0 : uniform(seed, 0.1, 1);
+    friction.direction = uniform(seed, 0, 1) < 0.5 ? -1 : 1;
+    return friction;
+}
+
+/* Friction as it should be, from the forces of a solution: moments at the pins, the force of the guide. */
+static void expected_sizes(const sample *s, const fourlink_friction *friction,
+                           const fourlink_forces *f, double y[4])
+{
+    double N = 0, M = 0;
+    int guide = s->design.kind == FOURLINK_FOUR_BAR       ? -1
+                : s->design.kind == FOURLINK_SLIDER_CRANK ? 3
+                                                          : 2;
+
+    y[0] = friction->circle[0] * hypot(f->F12x, f->F12y);
+    y[1] = friction->circle[1] * hypot(f->F23x, f->F23y);
+    y[2] = friction->circle[2] * hypot(f->F34x, f->F34y);
+    y[3] = friction->circle[3] * hypot(f->F14x, f->F14y);
+    if (guide == 3) {
+        N = f->F14y;
+        M = f->M14;
+    } else if (guide == 2) {
+        N = f->N34;
+        M = f->M34;
+    }
+    if (guide > 0)
+        y[guide] = friction->guide * (friction->guide_length > 0
+                                          ? fmax(fabs(N), 2 * fabs(M) / friction->guide_length)
+                                          : fabs(N));
+}
+
+/* The loads of friction of sizes y, by the law: against the relative speed of each joint. */
+static unsigned long friction_loads(const sample *s, const double y[4], double sense,
+                                    fourlink_load *load)
+{
+    const fourlink_link_state *link = s->state.link;
+    int guide = s->design.kind == FOURLINK_FOUR_BAR       ? -1
+                : s->design.kind == FOURLINK_SLIDER_CRANK ? 3
+                                                          : 2;
+    double k[4] = {1, link[3].k - 1, link[4].k - link[3].k, link[4].k};
+    static const int from[4] = {1, 2, 3, 1}, on[4] = {2, 3, 4, 4};
+    unsigned long n = 0;
+    int i;
+
+    memset(load, 0, 8 * sizeof *load);
+    for (i = 0; i < 4; i++) {
+        double sign = k[i] * sense > 0 ? 1 : -1;
+
+        if (i == guide && i == 3) {
+            sign = link[4].k_origin.x * sense > 0 ? 1 : -1;
+            load[n].link = 4;
+            load[n++].force.x = -sign * y[i];
+        } else if (i == guide) {
+            double rx = link[3].origin.x - link[4].origin.x,
+                   ry = link[3].origin.y - link[4].origin.y;
+            double v = (link[3].k_origin.x + link[4].k * ry) * link[3].axis.x +
+                       (link[3].k_origin.y - link[4].k * rx) * link[3].axis.y;
+
+            sign = v * sense > 0 ? 1 : -1;
+            load[n].link = 3;
+            load[n].force.x = -sign * y[i] * link[3].axis.x;
+            load[n++].force.y = -sign * y[i] * link[3].axis.y;
+            load[n].link = 4;
+            load[n].at.x = rx * link[4].axis.x + ry * link[4].axis.y;
+            load[n].at.y = -rx * link[4].axis.y + ry * link[4].axis.x;
+            load[n].force.x = sign * y[i] * link[3].axis.x;
+            load[n++].force.y = sign * y[i] * link[3].axis.y;
+        } else {
+            load[n].link = on[i];
+            load[n++].torque = -sign * y[i];
+            if (from[i] > 1) {
+                load[n].link = from[i];
+                load[n++].torque = sign * y[i];
+            }
+        }
+    }
+    return n;
+}
+
+/* The fixed point y = phi(x(y)); 0 if it does not converge. */
+static int fixed_point(const sample *s, const fourlink_friction *friction, double sense,
+                       fourlink_forces *f)
+{
+    fourlink_load load[MOST_LOADS + 8];
+    double y[4] = {0, 0, 0, 0}, next[4];
+    int step, i;
+
+    memcpy(load, s->load, sizeof s->load);
+    for (step = 0; step < 300; step++) {
+        unsigned long n = friction_loads(s, y, sense, load + s->n_loads);
+        double change = 0, size = 0;
+
+        if (fourlink_solve(&s->mechanism, &s->state, load, s->n_loads + n, f) != FOURLINK_OK)
+            return 0;
+        expected_sizes(s, friction, f, next);
+        for (i = 0; i < 4; i++) {
+            change = fmax(change, fabs(next[i] - y[i]));
+            size = fmax(size, fabs(next[i]));
+            y[i] = next[i];
+        }
+        if (change <= 1e-14 * size)
+            return 1;
+        if (!(size < 1e20))
+            return 0;
+    }
+    return 0;
+}
+
+#define MACHINES 10000
+
+static void test_fixed_point(void **unused)
+{
+    uint64_t seed = 11;
+    int n = 0, kinds[5] = {0, 0, 0, 0, 0}, locked = 0, tried = 0;
+
+    (void)unused;
+    while (n < MACHINES) {
+        fourlink_friction friction = draw_friction(&seed);
+        fourlink_forces f, by_iteration;
+        fourlink_losses l;
+        double a[N_FORCES], b[N_FORCES], largest = 0, sense;
+        sample s;
+        int i, status;
+
+        draw_any(&seed, tried++, &s);
+        if (move(&s) != FOURLINK_OK || fabs(s.state.sine) < 0.1)
+            continue;
+        sense = s.crank.omega2 != 0 ? s.crank.omega2 : friction.direction;
+        status = solve(&s, &friction, &f, &l);
+        if (!fixed_point(&s, &friction, sense, &by_iteration)) {
+            locked += status == FOURLINK_LOCKED;
+            continue;
+        }
+        if (status == FOURLINK_LOCKED) { /* the fixed point need not be the continuation */
+            locked++;
+            continue;
+        }
+        assert_int_equal(status, FOURLINK_OK);
+        list(&f, s.design.link[2].length, a);
+        list(&by_iteration, s.design.link[2].length, b);
+        if (s.design.kind == FOURLINK_SLIDER_CRANK)
+            a[6] = b[6]; /* the friction of the guide */
+        for (i = 0; i < N_FORCES; i++)
+            largest = fmax(largest, fabs(b[i]));
+        for (i = 0; i < N_FORCES; i++)
+            assert_near(a[i], b[i], 1e-10 * largest);
+        assert_near(f.residual, 0, 1e-12);
+        assert_true(l.power >= 0 && l.efficiency >= 0 && l.efficiency <= 1 + 1e-12);
+        assert_near((f.Ts - l.Ts0) * s.crank.omega2, l.power,
+                    1e-9 * (l.power + fabs(l.Ts0 * s.crank.omega2) + 100 * fabs(f.residual)));
+        kinds[s.design.kind]++;
+        n++;
+    }
+    print_message(
+        "%d machines (%d four-bar, %d slider-crank, %d inverted) agree with the fixed point; "
+        "%d locked\n",
+        n, kinds[1], kinds[2], kinds[4], locked);
+    assert_true(kinds[1] > 1000 && kinds[2] > 1000 && kinds[4] > 1000 && locked < MACHINES / 10);
+}
+
+/* Half the friction, half the rise of Ts: to second order. */
+static void test_small(void **unused)
+{
+    sample s = rocker(110);
+    fourlink_forces f;
+    fourlink_losses l;
+    double rise[3];
+    int i;
+
+    (void)unused;
+    s.load[0].link = 4;
+    s.load[0].torque = 0.5;
+    s.n_loads = 1;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    for (i = 0; i < 3; i++) {
+        fourlink_friction friction = pins(1e-6 / (1 << i));
+
+        assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+        assert_close(l.Ts0, s.forces.Ts, 1e-14);
+        rise[i] = f.Ts - l.Ts0;
+    }
+    assert_true(rise[0] > 0);
+    assert_close(rise[0], 2 * rise[1], 1e-3);
+    assert_near((rise[0] - 2 * rise[1]) / (rise[1] - 2 * rise[2]), 4, 0.1);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Signs
+** ------------------------------------------------------------------------------------------- */
+
+/* Mirrored at the x axis, the machine has the mirrored forces. */
+static void test_mirrored(void **unused)
+{
+    uint64_t seed = 3;
+    int n = 0, tried = 0;
+
+    (void)unused;
+    while (n < 300) {
+        fourlink_friction friction = draw_friction(&seed);
+        fourlink_forces f, g;
+        fourlink_losses l, k;
+        sample s, m;
+        unsigned long i;
+        int link;
+
+        draw_any(&seed, tried++, &s);
+        if (move(&s) != FOURLINK_OK || fabs(s.state.sine) < 0.1 ||
+            solve(&s, &friction, &f, &l) != FOURLINK_OK)
+            continue;
+        m = s;
+        m.crank.theta2 = -s.crank.theta2;
+        m.crank.omega2 = -s.crank.omega2;
+        m.crank.alpha2 = -s.crank.alpha2;
+        m.design.offset = -s.design.offset;
+        m.design.angle = -s.design.angle;
+        m.design.gravity.y = -s.design.gravity.y;
+        for (link = 2; link <= 4; link++)
+            m.design.link[link].cg.y = -s.design.link[link].cg.y;
+        for (i = 0; i < s.n_loads; i++) {
+            m.load[i].force.y = -s.load[i].force.y;
+            m.load[i].at.y = -s.load[i].at.y;
+            m.load[i].torque = -s.load[i].torque;
+        }
+        if (s.design.kind == FOURLINK_FOUR_BAR)
+            m.branch = s.branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
+        friction.direction = -friction.direction;
+        assert_int_equal(move(&m), FOURLINK_OK);
+        assert_int_equal(solve(&m, &friction, &g, &k), FOURLINK_OK);
+        assert_near(g.Ts, -f.Ts, 1e-9 * (fabs(f.Ts) + fabs(l.Ts0)));
+        assert_near(k.efficiency, l.efficiency, 1e-9);
+        assert_near(k.power, l.power, 1e-9 * l.power);
+        n++;
+    }
+}
+
+/* The same positions in the other sense: the friction of a static load is reversed. */
+static void test_reversed(void **unused)
+{
+    fourlink_friction friction = pins(1e-4);
+    fourlink_forces f, g, at_rest;
+    fourlink_losses l;
+    sample s = rocker(70);
+
+    (void)unused;
+    s.load[0].link = 4;
+    s.load[0].torque = 5;
+    s.n_loads = 1;
+    s.crank.omega2 = 1e-6; /* no inertia to speak of */
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+    s.crank.omega2 = -1e-6;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &g, &l), FOURLINK_OK);
+    assert_true(f.Ts > l.Ts0 && g.Ts < l.Ts0);
+    assert_close(f.Ts - l.Ts0, l.Ts0 - g.Ts, 0.02);
+    s.crank.omega2 = 0;
+    friction.direction = -1;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &at_rest, &l), FOURLINK_OK);
+    assert_close(at_rest.Ts, g.Ts, 1e-9);
+    assert_true(l.power == 0);
+    friction.direction = 0;
+    assert_int_equal(solve(&s, &friction, &at_rest, &l), FOURLINK_OK);
+    assert_close(at_rest.Ts, f.Ts, 1e-9);
+}
+
+/* At a dead centre the piston stands still: its guide has no friction. */
+static void test_dead_centre(void **unused)
+{
+    fourlink_friction friction = pins(0);
+    fourlink_forces f;
+    fourlink_losses l;
+    sample s;
+
+    (void)unused;
+    memset(&s, 0, sizeof s);
+    s.design.kind = FOURLINK_SLIDER_CRANK;
+    s.design.link[2].length = 0.05;
+    s.design.link[3].length = 0.2;
+    s.design.link[4].mass = 1;
+    s.design.gravity.y = -9.81;
+    s.branch = FOURLINK_OPEN;
+    s.crank.omega2 = 10;
+    friction.guide = 0.1;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+    assert_true(l.guide == 0 && f.Ts == l.Ts0);
+    s.crank.theta2 = 1e-6;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+    assert_close(l.guide, 0.1 * fabs(f.F14y), 1e-12);
+    assert_close(f.F14x, l.guide, 1e-12); /* the piston moves towards the crank */
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Locking
+** ------------------------------------------------------------------------------------------- */
+
+/* A massless slider-crank with friction in its guide, whose crank drives against P on the piston: with the obliquity
+** phi of the rod, Q in the rod, N = Q sin(phi) and P + mu N = Q cos(phi), so that Q = P / (cos(phi) - mu sin(phi)).
+** It locks where tan(phi) = 1 / mu. */
+static void test_locking(void **unused)
+{
+    double mu = 1.25;
+    double locks = asin(1.2 * sin(atan(1 / mu)));
+    fourlink_friction friction = pins(0);
+    fourlink_forces f, before;
+    fourlink_losses l, before_l;
+    sample s;
+    int i;
+
+    (void)unused;
+    memset(&s, 0, sizeof s);
+    s.design.kind = FOURLINK_SLIDER_CRANK;
+    s.design.link[2].length = 0.1;
+    s.design.link[3].length = 0.12;
+    s.branch = FOURLINK_OPEN;
+    s.crank.omega2 = -1; /* towards the inner dead centre: the crank pushes the piston out */
+    s.load[0].link = 4;
+    s.load[0].force.x = -100;
+    s.n_loads = 1;
+    friction.guide = mu;
+    for (i = 0; i < 20; i++) {
+        double theta2 = locks + (i % 2 ? 1 : -1) * pow(10, -1 - i / 4.0), phi;
+
+        s.crank.theta2 = theta2;
+        phi = asin(sin(theta2) / 1.2);
+        assert_int_equal(move(&s), FOURLINK_OK);
+        memset(&before, i, sizeof before);
+        memset(&before_l, i, sizeof before_l);
+        f = before;
+        l = before_l;
+        if (i % 2) {
+            assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_LOCKED);
+            assert_memory_equal(&f, &before, sizeof f);
+            assert_memory_equal(&l, &before_l, sizeof l);
+        } else {
+            double Q = 100 / (cos(phi) - mu * sin(phi));
+
+            assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+            assert_close(hypot(f.F34x, f.F34y), Q, 1e-9 * Q);
+            assert_close(l.guide, mu * Q * sin(phi), 1e-9 * Q);
+        }
+    }
+    s.crank.theta2 =
+        locks + 0.1; /* the other way the load drives: never locked, but it does not drive */
+    s.crank.omega2 = 1;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+    assert_close(f.F34x, 100 / (1 + mu * tan(asin(sin(s.crank.theta2) / 1.2))), 1e-9);
+}
+
+static void test_bad(void **unused)
+{
+    fourlink_friction good = pins(0.001), friction;
+    sample s = rocker(40);
+    fourlink_forces f, before;
+    fourlink_losses l;
+    double *numbers[6];
+    int i;
+
+    (void)unused;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    for (i = 0; i < 4; i++)
+        numbers[i] = &friction.circle[i];
+    numbers[4] = &friction.guide;
+    numbers[5] = &friction.guide_length;
+    memset(&before, 1, sizeof before);
+    f = before;
+    for (i = 0; i < 6; i++) {
+        friction = good;
+        *numbers[i] = -1e-9;
+        assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_BAD_FRICTION);
+        *numbers[i] = NAN;
+        assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_BAD_NUMBER);
+        *numbers[i] = INFINITY;
+        assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_BAD_NUMBER);
+    }
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, &s.state, NULL, 1, &good, 1, &f, &l),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, &s.state, NULL, 0, NULL, 1, &f, &l),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, &s.state, NULL, 0, &good, 1, &f, NULL),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, NULL, NULL, 0, &good, 1, &f, &l),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_solve_friction(NULL, &s.state, NULL, 0, &good, 1, &f, &l),
+                     FOURLINK_NULL);
+    s.load[0].link = 1;
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, &s.state, s.load, 1, &good, 1, &f, &l),
+                     FOURLINK_BAD_LINK);
+    s.state.sine = 0;
+    assert_int_equal(fourlink_solve_friction(&s.mechanism, &s.state, NULL, 0, &good, 1, &f, &l),
+                     FOURLINK_SINGULAR);
+    assert_memory_equal(&f, &before, sizeof f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_four_bar),    cmocka_unit_test(test_lever),
+        cmocka_unit_test(test_fixed_point), cmocka_unit_test(test_small),
+        cmocka_unit_test(test_mirrored),    cmocka_unit_test(test_reversed),
+        cmocka_unit_test(test_dead_centre), cmocka_unit_test(test_locking),
+        cmocka_unit_test(test_bad),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

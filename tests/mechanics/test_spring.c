@@ -1,0 +1,381 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_spring.c - springs and dampers: against an independent solver, against their energy, and angles that count
+** turns against small steps.
+*/
+#include "references.h"
+
+#define MOST_SPRINGS 4
+
+static fourlink_spring spring(const fourlink_mechanism *m, int link, int to, double stiffness,
+                              double free_length, double preload, double damping)
+{
+    fourlink_spring s;
+
+    memset(&s, 0, sizeof s);
+    s.link = link;
+    s.to = to;
+    s.stiffness = stiffness;
+    s.free_length = free_length;
+    s.preload = preload;
+    s.damping = damping;
+    assert_int_equal(fourlink_spring_prepare(m, &s), FOURLINK_OK);
+    return s;
+}
+
+static fourlink_spring torsional(const fourlink_mechanism *m, int link, int to, double stiffness,
+                                 double free_angle, double preload, double damping)
+{
+    fourlink_spring s = spring(m, link, to, stiffness, free_angle, preload, damping);
+
+    s.is_torsional = 1;
+    assert_int_equal(fourlink_spring_prepare(m, &s), FOURLINK_OK);
+    return s;
+}
+
+/* Forces with springs; their energy and power in a sum. */
+typedef struct sum {
+    fourlink_forces f;
+    double energy, power;
+    fourlink_vector ground;
+    double ground_moment;
+} sum;
+
+static sum solve(const sample *s, const fourlink_spring *springs, int n)
+{
+    fourlink_load load[MOST_LOADS + 2 * MOST_SPRINGS];
+    unsigned long n_loads = s->n_loads, k;
+    sum all;
+    int i;
+
+    memset(&all, 0, sizeof all);
+    memcpy(load, s->load, sizeof s->load);
+    for (i = 0; i < n; i++) {
+        fourlink_spring_state at;
+
+        assert_int_equal(fourlink_spring_at(&s->mechanism, &s->state, &springs[i], &at),
+                         FOURLINK_OK);
+        for (k = 0; k < at.n_loads; k++)
+            load[n_loads++] = at.load[k];
+        all.energy += at.energy;
+        all.power += at.power;
+        all.ground.x += at.ground.x;
+        all.ground.y += at.ground.y;
+        all.ground_moment += at.ground_moment;
+    }
+    assert_int_equal(fourlink_solve(&s->mechanism, &s->state, load, n_loads, &all.f), FOURLINK_OK);
+    return all;
+}
+
+/* The springs of the reference. */
+static void reference_springs(const fourlink_mechanism *m, fourlink_spring s[4])
+{
+    s[0] = spring(m, 4, 1, 800, 0.05, 3, 12);
+    s[0].at.x = 0.04;
+    s[0].at.y = 0.01;
+    s[0].to_at.x = 0.1;
+    s[0].to_at.y = 0.09;
+    s[1] = spring(m, 3, 2, 150, 0.03, 0, 2.5);
+    s[1].at.x = 0.05;
+    s[1].at.y = 0.02;
+    s[1].to_at.x = 0.005;
+    s[2] = torsional(m, 4, 1, 1.5, 100 * DEG, 0.1, 0.02);
+    s[3] = torsional(m, 4, 3, 0.4, 60 * DEG, 0, 0.005);
+}
+
+static void test_reference(void **unused)
+{
+    static const double references[2][12] = {
+        {40, -13.94686838673, -7.086571136206, -10.61334679921, -3.124365680511, 0.08786954953999,
+         -13.1545732336, -10.57067977369, 3.211834601652, -0.06384142989009, 1.182805882024,
+         -5.875971398654},
+        {200, -49.93688821903, -28.36620084402, -49.4658454506, -27.74488399605, 0.1805714555034,
+         -50.50803964291, -32.60640095075, 26.31611054824, 3.956141882121, -0.7133737203754,
+         -6.846847433245}};
+    fourlink_spring springs[4];
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        const double *r = references[i];
+        sample s = rocker(r[0]);
+        sum all;
+
+        assert_int_equal(move(&s), FOURLINK_OK);
+        reference_springs(&s.mechanism, springs);
+        all = solve(&s, springs, 4);
+        assert_close(all.f.F12x, r[1], 1e-9);
+        assert_close(all.f.F12y, r[2], 1e-9);
+        assert_close(all.f.F23x, r[3], 1e-9);
+        assert_close(all.f.F23y, r[4], 1e-9);
+        assert_close(all.f.Ts, r[5], 1e-9);
+        assert_close(all.f.F34x, r[6], 1e-9);
+        assert_close(all.f.F34y, r[7], 1e-9);
+        assert_close(all.f.F14x, r[8], 1e-9);
+        assert_close(all.f.F14y, r[9], 1e-9);
+        assert_close(-all.f.F12x - all.f.F14x + all.ground.x, r[10], 1e-9);
+        assert_close(-all.f.F12y - all.f.F14y + all.ground.y, r[11], 1e-9);
+        assert_near(all.f.residual, 0, 1e-13);
+    }
+}
+
+/* Any machine with springs of all sorts. */
+static int draw(uint64_t *seed, int n, sample *s, fourlink_spring springs[3])
+{
+    int i;
+
+    draw_any(seed, n, s);
+    s->n_loads = 0;
+    if (move(s) != FOURLINK_OK || fabs(s->state.sine) < 0.2)
+        return 0;
+    for (i = 0; i < 3; i++) {
+        int link = 1 + (int)uniform(seed, 0, 4), to = 1 + (link + (int)uniform(seed, 0, 3)) % 4;
+
+        springs[i] =
+            i == 0 ? torsional(&s->mechanism, link, to, uniform(seed, 1, 9), uniform(seed, -3, 3),
+                               uniform(seed, -5, 5), uniform(seed, 0, 2))
+                   : spring(&s->mechanism, link, to, uniform(seed, 1, 9), uniform(seed, 0, 3),
+                            uniform(seed, -5, 5), uniform(seed, 0, 2));
+        springs[i].at.x = uniform(seed, -1, 1);
+        springs[i].at.y = uniform(seed, -1, 1);
+        springs[i].to_at.x = uniform(seed, -1, 1);
+        springs[i].to_at.y = uniform(seed, -1, 1);
+    }
+    return 1;
+}
+
+/* At rest, without weight: Ts = dU/dtheta2, by differences of sixth order. */
+static void test_energy(void **unused)
+{
+    uint64_t seed = 5;
+    int n = 0, tried = 0;
+
+    (void)unused;
+    while (n < 300) {
+        static const double weight[6] = {-1, 9, -45, 45, -9, 1}, step[6] = {-3, -2, -1, 1, 2, 3};
+        fourlink_spring springs[3];
+        double slope = 0, h = 1e-3, largest = 0;
+        sample s;
+        int i;
+
+        if (!draw(&seed, tried++, &s, springs))
+            continue;
+        s.design.gravity.x = s.design.gravity.y = 0;
+        s.crank.omega2 = s.crank.alpha2 = 0;
+        for (i = 0; i < 6; i++) {
+            sample beside = s;
+            sum all;
+
+            beside.crank.theta2 += step[i] * h;
+            if (move(&beside) != FOURLINK_OK)
+                break;
+            all = solve(&beside, springs, 3);
+            slope += weight[i] * all.energy / (60 * h);
+            largest = fmax(largest, fabs(all.energy));
+        }
+        if (i < 6)
+            continue;
+        assert_int_equal(move(&s), FOURLINK_OK);
+        assert_near(solve(&s, springs, 3).f.Ts, slope, 1e-7 * (largest + 1));
+        n++;
+    }
+}
+
+/* Over a cycle at constant speed the crank puts in what the dampers take: masses, weights and springs give back all. */
+static void test_work_of_dampers(void **unused)
+{
+    double work = 0, lost = 0;
+    fourlink_spring springs[4];
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 360; i++) {
+        sample s = rocker(i);
+        sum all;
+
+        assert_int_equal(move(&s), FOURLINK_OK);
+        reference_springs(&s.mechanism, springs);
+        all = solve(&s, springs, 4);
+        work += all.f.Ts * s.crank.omega2;
+        lost -= all.power;
+    }
+    assert_true(lost > 0);
+    assert_close(work, lost, 1e-12);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Turns
+** ------------------------------------------------------------------------------------------- */
+
+/* The angle of a torsional spring against steps that are added up, through every position that is reached. */
+static void follow(sample *s, int link, int to)
+{
+    double before = 0, previous = 0, free_angle = -0.7;
+    int i, has_previous = 0, steps = 0;
+    fourlink_spring_state at;
+    fourlink_spring spring;
+
+    assert_int_equal(fourlink_prepare(&s->design, &s->mechanism), FOURLINK_OK);
+    spring = torsional(&s->mechanism, link, to, 1, free_angle, 0, 0);
+    for (i = 1; i < 4 * 7200; i += 2) {
+        double angle;
+
+        s->crank.theta2 = i * PI / 7200;
+        if (fourlink_analyse(&s->mechanism, s->branch, &s->crank, NULL, 0, &s->state, NULL) !=
+            FOURLINK_OK) {
+            has_previous = 0;
+            continue;
+        }
+        assert_int_equal(fourlink_spring_at(&s->mechanism, &s->state, &spring, &at), FOURLINK_OK);
+        angle =
+            (link == 1 ? 0 : s->state.link[link].theta) - (to == 1 ? 0 : s->state.link[to].theta);
+        assert_near(remainder(at.length - angle, 2 * PI), 0, 1e-6);
+        if (has_previous) {
+            assert_near(at.length - before, remainder(angle - previous, 2 * PI), 1e-6);
+            steps++;
+        } else if (steps == 0) {
+            assert_true(fabs(at.length - free_angle) <= PI + 0.2);
+        }
+        previous = angle;
+        before = at.length;
+        has_previous = 1;
+    }
+    assert_true(steps > 0);
+}
+
+static void follow_all(int kind, double a, double b, double c, double d, double offset)
+{
+    int link, to, branch;
+    sample s;
+
+    for (branch = -1; branch <= 1; branch += 2)
+        for (link = 1; link <= 4; link++)
+            for (to = 1; to <= 4; to++) {
+                if (link == to)
+                    continue;
+                memset(&s, 0, sizeof s);
+                s.design.kind = (fourlink_kind)kind;
+                s.design.link[1].length = d;
+                s.design.link[2].length = a;
+                s.design.link[3].length = b;
+                s.design.link[4].length = c;
+                s.design.offset = offset;
+                s.branch = (fourlink_branch)branch;
+                follow(&s, link, to);
+            }
+}
+
+static void test_turns(void **unused)
+{
+    (void)unused;
+    follow_all(FOURLINK_FOUR_BAR, 1, 3, 3, 4, 0);     /* crank-rocker */
+    follow_all(FOURLINK_FOUR_BAR, 3, 3, 3.5, 1, 0);   /* double crank */
+    follow_all(FOURLINK_FOUR_BAR, 3, 1, 2.5, 3, 0);   /* double rocker */
+    follow_all(FOURLINK_FOUR_BAR, 3, 3, 1, 4, 0);     /* rocker-crank */
+    follow_all(FOURLINK_FOUR_BAR, 4, 3, 1, 3, 0);     /* the same, a > d */
+    follow_all(FOURLINK_FOUR_BAR, 3, 3.1, 3, 4.5, 0); /* triple rocker */
+    follow_all(FOURLINK_FOUR_BAR, 1, 3, 1, 3, 0);     /* parallelogram */
+    follow_all(FOURLINK_FOUR_BAR, 3, 1, 3, 1, 0);     /* the same, long cranks */
+    follow_all(FOURLINK_FOUR_BAR, 1, 1, 3, 3, 0);     /* deltoids */
+    follow_all(FOURLINK_FOUR_BAR, 3, 3, 1, 1, 0);
+    follow_all(FOURLINK_FOUR_BAR, 1, 3, 3, 1, 0);
+    follow_all(FOURLINK_FOUR_BAR, 3, 1.7, 1.7, 3, 0);
+    follow_all(FOURLINK_FOUR_BAR, 1, 1, 1, 1, 0); /* rhombus */
+    follow_all(FOURLINK_FOUR_BAR, 1, 3, 4, 2, 0); /* change point at 0, c > b */
+    follow_all(FOURLINK_FOUR_BAR, 1, 4, 3, 2, 0); /* b > c */
+    follow_all(FOURLINK_FOUR_BAR, 2, 3, 4, 1, 0); /* a > d */
+    follow_all(FOURLINK_FOUR_BAR, 1, 2, 3, 4, 0); /* change point at 180 deg */
+    follow_all(FOURLINK_FOUR_BAR, 4, 3, 2, 1, 0);
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 3, 0, 0, 0.3);
+    follow_all(FOURLINK_SLIDER_CRANK, 3, 2, 0, 0, 0.3);
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 1, 0, 0, 0);
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 1.5, 0, 0, 0.5);  /* change point at -90 deg */
+    follow_all(FOURLINK_SLIDER_CRANK, 1, 1.5, 0, 0, -0.5); /* at 90 deg */
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 1, 0, 0, 2, 0.1);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 2, 0, 0, 1, 0.1);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 2, 0, 0, 1, -0.1);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 1, 0, 0, 2, 1.5);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 1, 0, 0, 1, 0);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 1, 0, 0, 2, 1); /* change point */
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 1, 0, 0, 2, -1);
+    follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 2, 0, 0, 1, 1);
+}
+
+static void test_no_direction(void **unused)
+{
+    sample s = rocker(40);
+    fourlink_spring_state at, before;
+    fourlink_spring k;
+
+    (void)unused;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    k = spring(&s.mechanism, 4, 1, 100, 0, 0, 0);
+    k.to_at.x = 0.08; /* D */
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &k, &at), FOURLINK_OK);
+    assert_true(at.length == 0 && at.force == 0 && at.load[0].force.x == 0);
+    before = at;
+    k.preload = 1;
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &k, &at), FOURLINK_NO_DIRECTION);
+    k.preload = 0;
+    k.damping = 1;
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &k, &at), FOURLINK_NO_DIRECTION);
+    k.damping = 0;
+    k.free_length = 1;
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &k, &at), FOURLINK_NO_DIRECTION);
+    assert_memory_equal(&at, &before, sizeof at);
+}
+
+static void test_bad(void **unused)
+{
+    sample s = rocker(40);
+    fourlink_spring good, k;
+    fourlink_spring_state at;
+    double *numbers[8];
+    int i;
+
+    (void)unused;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    good = spring(&s.mechanism, 4, 1, 100, 0, 0, 0);
+    k = good;
+    k.to = 4;
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_SPRING);
+    k.to = 5;
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_LINK);
+    k = good;
+    k.link = 0;
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_LINK);
+    k = good;
+    k.damping = -1;
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_SPRING);
+    numbers[0] = &k.at.x;
+    numbers[1] = &k.at.y;
+    numbers[2] = &k.to_at.x;
+    numbers[3] = &k.to_at.y;
+    numbers[4] = &k.stiffness;
+    numbers[5] = &k.free_length;
+    numbers[6] = &k.preload;
+    numbers[7] = &k.damping;
+    for (i = 0; i < 8; i++) {
+        k = good;
+        *numbers[i] = NAN;
+        assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_NUMBER);
+        *numbers[i] = -1e31;
+        assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_NUMBER);
+    }
+    assert_int_equal(fourlink_spring_prepare(NULL, &k), FOURLINK_NULL);
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_spring_at(NULL, &s.state, &good, &at), FOURLINK_NULL);
+    assert_int_equal(fourlink_spring_at(&s.mechanism, NULL, &good, &at), FOURLINK_NULL);
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, NULL, &at), FOURLINK_NULL);
+    assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &good, NULL), FOURLINK_NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_reference),       cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_work_of_dampers), cmocka_unit_test(test_turns),
+        cmocka_unit_test(test_no_direction),    cmocka_unit_test(test_bad),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

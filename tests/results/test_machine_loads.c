@@ -1,0 +1,488 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_machine_loads.c - decks with springs, dampers, friction, loads over positions and speeds, and counterweights:
+** values of an independent solver by name, extremes and means against dense scans, and mistakes.
+*/
+#include "machines.h"
+
+#define ROCKER               \
+    "mechanism = four-bar\n" \
+    "[ground]\n"             \
+    "length = 80 mm\n"       \
+    "[crank]\n"              \
+    "length = 20 mm\n"       \
+    "mass = 0.1 kg\n"        \
+    "gyration = 8 mm\n"      \
+    "cg = 10 mm\n"           \
+    "[coupler]\n"            \
+    "length = 66 mm\n"       \
+    "mass = 0.3 kg\n"        \
+    "gyration = 25 mm\n"     \
+    "cg = 30 mm at 10 deg\n" \
+    "[rocker]\n"             \
+    "length = 56 mm\n"       \
+    "mass = 0.25 kg\n"       \
+    "gyration = 20 mm\n"     \
+    "cg = 28 mm at -5 deg\n" \
+    "[motion]\n"             \
+    "speed = 10.5 rad/s\n"
+
+#define SPRINGS                                                                                \
+    "[spring S]\nlink = rocker\nat = (40, 10) mm\nto = ground\nto_at = (100, 90) mm\n"         \
+    "stiffness = 0.8 N/mm\nfree_length = 50 mm\npreload = 3 N\ndamping = 12 N s/m\n"           \
+    "[spring T]\nlink = coupler\nat = (50, 20) mm\nto = crank\nto_at = 5 mm\nstiffness = 150 " \
+    "N/m\n"                                                                                    \
+    "free_length = 30 mm\ndamping = 2.5 N s/m\n"                                               \
+    "[spring U]\nlink = rocker\nto = ground\nstiffness = 1.5 N m/rad\nfree_angle = 100 deg\n"  \
+    "preload = 0.1 N m\ndamping = 0.02 N m s/rad\n"                                            \
+    "[spring V]\nlink = rocker\nto = coupler\nstiffness = 0.4 N m/rad\nfree_angle = 60 deg\n"  \
+    "damping = 0.005 N m s/rad\n"
+
+#define PINS                                                                                       \
+    "[load L]\nlink = rocker\ntorque = 0.5 N m\n[friction]\nA = 0.1\nB = 0.1\nC = 0.1\nD = 10 %\n" \
+    "radius_A = 6 mm\nradius_B = 6 mm\nradius_C = 6 mm\nradius_D = 6 mm\n"
+
+#define LEVER                                                                                      \
+    "mechanism = inverted-slider-crank\n[ground]\nlength = 240 mm\n[crank]\nlength = 120 mm\n"     \
+    "mass = 0.8 kg\ninertia = 0.0015 kg m2\ncg = (50, 4) mm\n[slider]\nmass = 0.3 kg\n"            \
+    "inertia = 0.00012 kg m2\ncg = (2, -1) mm\n[lever]\nmass = 2.5 kg\ninertia = 0.035 kg m2\n"    \
+    "cg = (210, 12) mm\n[motion]\nspeed = 10 rad/s\n[load L]\nlink = lever\nforce = (-150, 0) N\n" \
+    "at = (450, 0) mm\n[friction]\nA = 0.1\nB = 0.1\nD = 0.1\nradius_A = 15 mm\nradius_B = 10 "    \
+    "mm\n"                                                                                         \
+    "radius_D = 20 mm\nguide = 0.12\nguide_length = 50 mm\n"
+
+#define PUMP                                                                                    \
+    "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
+    "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
+    "cg = 70 mm\n[ground]\noffset = 10 mm\n[piston]\nmass = 1.2 kg\n[motion]\nspeed = 14 rad/s\n"
+
+#define PUMP_FRICTION                                                                       \
+    "[friction]\nguide = 0.1\nguide_length = 60 mm\nA = 0.05\nradius_A = 20 mm\nC = 0.08\n" \
+    "radius_C = 10 mm\nB = 0.05\nradius_B = 15 mm\n"
+
+static double value(fourlink_results *r, const char *name, double angle)
+{
+    fourlink_value v;
+    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
+
+    if (status != FOURLINK_OK)
+        fail_msg("%s: %s", name, fourlink_status_text(status));
+    return v.value * v.to_si;
+}
+
+static void check_value(const char *contents, const char *name, double angle, double expected)
+{
+    fourlink_results *r = opened(contents);
+    double computed = value(r, name, angle);
+
+    if (!(fabs(computed - expected) <= 1e-9 * fabs(expected)))
+        fail_msg("%s at %g: %.13g, expected %.13g", name, angle, computed, expected);
+    fourlink_results_free(r);
+}
+
+static void test_references(void **unused)
+{
+    (void)unused;
+    check_value(ROCKER SPRINGS, "Ts", 40, 0.08786954953999);
+    check_value(ROCKER SPRINGS, "F34x", 40, -13.1545732336);
+    check_value(ROCKER SPRINGS, "Fsx", 40, 1.182805882024);
+    check_value(ROCKER SPRINGS, "Fs", 200, 6.883910359604);
+    check_value("solver = dyad\n" ROCKER SPRINGS, "F14y", 200, 3.956141882121);
+    check_value(ROCKER PINS, "Ts", 110, -0.1953021404763);
+    check_value(ROCKER PINS, "Ts0", 110, -0.2127901021527);
+    check_value(ROCKER PINS, "power_friction", 110, 0.1836235976018);
+    check_value(ROCKER PINS, "efficiency", 290, 0.9055786819015);
+    check_value(ROCKER PINS, "Fs", 290, 7.047428567704);
+    check_value("solver = dyad\n" LEVER, "Ts", 35, 8.905418404292);
+    check_value(LEVER, "N34", 35, -113.118331184);
+    check_value(LEVER, "power_friction", 205, 1.770166732683);
+    check_value(LEVER, "Fs", 205, 167.1630267304);
+    check_value(LEVER, "friction_guide", 35, 0.12 * 113.118331184);
+}
+
+/* The shaking moment of springs and friction: the ground's part of all torques about A, by the balance of the whole
+** machine, which is at rest and without weight: then forces and moments on the ground are those of the loads. */
+static void test_shaking_moment(void **unused)
+{
+
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
+        "length = 66 mm\n[rocker]\nlength = 56 mm\n[gravity]\nacceleration = 0\n" SPRINGS PINS);
+
+    (void)unused;
+
+    assert_near(value(r, "Fs", 50), 0, 1e-13);
+    assert_close(value(r, "Ms", 50), 0.5,
+                 1e-12); /* the load brings 0.5 N m in, Ts is the ground's */
+    fourlink_results_free(r);
+    r = opened("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n"
+               "[gravity]\nacceleration = 0\n[load L]\nlink = crank\ntorque = 3 N m\n"
+               "[load P]\nlink = piston\nforce = -100 N\n" PUMP_FRICTION);
+    assert_close(value(r, "Fsx", 50), -100.0, 1e-12);
+    assert_near(value(r, "Fsy", 50), 0, 1e-12);
+    assert_close(value(r, "Ms", 50), 3.0, 1e-12);
+    fourlink_results_free(r);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Over the motion
+** ------------------------------------------------------------------------------------------- */
+
+/* Extremes, mean and rms against rows at every 0.05 deg; an extreme may be beside a jump or between rows. */
+static void compare_rows(const char *contents, const char *name)
+{
+    fourlink_results *r = opened(contents);
+    double high = -INFINITY, low = INFINITY, sum = 0, size;
+    char text[80];
+    int i, n = 7200;
+
+    for (i = 0; i < n; i++) {
+        double x = value(r, name, (i + 0.5) * 360 / n);
+
+        high = fmax(high, x);
+        low = fmin(low, x);
+        sum += x;
+    }
+    size = fmax(fabs(high), fabs(low));
+    sprintf(text, "max(%s)", name);
+    if (!(value(r, text, 0) >= high - 1e-9 * size && value(r, text, 0) <= high + 2e-3 * size))
+        fail_msg("%s = %.12g, rows %.12g\n%s", text, value(r, text, 0), high, contents);
+    sprintf(text, "min(%s)", name);
+    if (!(value(r, text, 0) <= low + 1e-9 * size && value(r, text, 0) >= low - 2e-3 * size))
+        fail_msg("%s = %.12g, rows %.12g\n%s", text, value(r, text, 0), low, contents);
+    sprintf(text, "mean(%s)", name);
+    assert_near(value(r, text, 0), sum / n, 1e-5 * size);
+    fourlink_results_free(r);
+}
+
+static void test_scans(void **unused)
+{
+    static const char *const names[] = {"Ts",   "Ts0", "power_friction", "friction_A", "friction_B",
+                                        "F12x", "Fs",  "efficiency"};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof names / sizeof names[0]; i++) {
+        compare_rows(ROCKER PINS, names[i]);
+        compare_rows(LEVER, names[i]);
+        compare_rows(PUMP PUMP_FRICTION, names[i]);
+    }
+    compare_rows(ROCKER SPRINGS PINS, "S.force");
+    compare_rows(ROCKER SPRINGS PINS, "S.length");
+    compare_rows(ROCKER SPRINGS, "T.power");
+    compare_rows(ROCKER SPRINGS, "U.angle");
+    compare_rows(ROCKER SPRINGS, "V.torque");
+    compare_rows(ROCKER SPRINGS, "V.energy");
+    compare_rows(
+        PUMP "[load P]\nlink = piston\nover = x\nforce = 0 mm -100 N, 50 mm -300 N, 90 mm -900 N\n"
+             "back = -50 N\n",
+        "Ts");
+    compare_rows(
+        PUMP
+        "[load P]\nlink = piston\nover = v\nforce = -300 N\nat_speed = 0.5 m/s\nexponent = 2\n",
+        "Ts");
+    compare_rows(
+        ROCKER "[load L]\nlink = rocker\nover = omega4\ntorque = -5 rad/s 1 N m, 0 rad/s 0.1 N m, "
+               "5 rad/s -2 N m\n",
+        "Ts");
+    compare_rows(ROCKER
+                 "[load L]\nlink = rocker\nover = theta4\ntorque = 110 deg 1 N m, 130 deg 2 N m, "
+                 "150 deg 1 N m\n",
+                 "Ts");
+    compare_rows(LEVER "[load K]\nlink = slider\nover = slide\nback = 20 N at 45 deg\n"
+                       "force = 150 mm 10 N at 30 deg, 250 mm 40 N at 90 deg, 300 mm (0, 0) N\n",
+                 "Ts");
+}
+
+/* Work of a cycle: what the crank puts in, friction and dampers take; loads without a law of their own give it back. */
+static void test_work(void **unused)
+{
+    fourlink_results *r = opened(ROCKER SPRINGS PINS);
+    double Ts = value(r, "mean(Ts)", 0) * 10.5, Ts0 = value(r, "mean(Ts0)", 0) * 10.5;
+    double lost = value(r, "mean(power_friction)", 0);
+    double dampers = value(r, "mean(S.power)", 0) + value(r, "mean(T.power)", 0) +
+                     value(r, "mean(U.power)", 0) + value(r, "mean(V.power)", 0);
+
+    (void)unused;
+    assert_true(lost > 0 && dampers < 0);
+    assert_near(Ts, lost - dampers, 1e-6 * Ts);
+    assert_near(Ts0, -dampers, 1e-6 * Ts);
+    assert_close(value(r, "efficiency_cycle", 0), Ts0 / Ts, 1e-6);
+    assert_close(value(r, "mean_torque", 0), -Ts / 10.5, 1e-6);
+    assert_true(fabs(value(r, "max(residual)", 0)) < 1e-13);
+    assert_true(fabs(value(r, "min(residual)", 0)) < 1e-13);
+    fourlink_results_free(r);
+}
+
+/* A crank at rest: impending motion, in either direction. */
+static void test_at_rest(void **unused)
+{
+    fourlink_results *r =
+        opened(ROCKER PINS "[load K]\nlink = rocker\ntorque = 1 N m\nover = theta4\nback = 2 N m\n"
+                           "[table]\ncolumns = Ts\n");
+    fourlink_load loads[16];
+
+    (void)unused;
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 110, NULL, NULL, loads), FOURLINK_OK);
+    assert_true(loads[1].torque == 1); /* omega4 > 0 */
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 290, NULL, NULL, loads), FOURLINK_OK);
+    assert_true(loads[1].torque == 2);
+    fourlink_results_free(r);
+}
+
+static void test_power_law(void **unused)
+{
+    fourlink_results *r = opened(ROCKER "[load fan]\nlink = crank\ntorque = -2 N m\nover = omega2\n"
+                                        "at_speed = 21 rad/s\nexponent = 2\n");
+    fourlink_load load;
+    const char *name;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 30, NULL, NULL, &load), FOURLINK_OK);
+    assert_close(load.torque, -0.5, 1e-14);
+    assert_int_equal(fourlink_deck_loads(fourlink_results_deck(r), FOURLINK_OPEN, 0, &load, NULL),
+                     FOURLINK_OK);
+    assert_true(load.torque == 0);
+    assert_int_equal(fourlink_deck_load(fourlink_results_deck(r), 0, &name, NULL), FOURLINK_OK);
+    assert_string_equal(name, "fan");
+    fourlink_results_free(r);
+}
+
+/* Beyond the ends of a curve that is not periodic its values hold. */
+static void test_ends_of_curves(void **unused)
+{
+    fourlink_results *r = opened(
+        PUMP
+        "[load P]\nlink = piston\nover = x\nforce = 20 mm -100 N, 50 mm -300 N, 60 mm -900 N\n");
+    fourlink_load load;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 2, NULL, NULL, &load), FOURLINK_OK);
+    assert_true(load.force.x == -100);
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 180, NULL, NULL, &load), FOURLINK_OK);
+    assert_true(load.force.x == -900);
+    fourlink_results_free(r);
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Springs, friction and loads for a host; counterweights; sweeps
+** ------------------------------------------------------------------------------------------- */
+
+static void test_host(void **unused)
+{
+    fourlink_results *r = opened(ROCKER SPRINGS PINS);
+    const fourlink_deck *deck = fourlink_results_deck(r);
+    fourlink_problem p = problem_of(r);
+    fourlink_load loads[20];
+    fourlink_instant at;
+    fourlink_spring spring;
+    fourlink_friction friction;
+    double A[9][9], b[9], x[9];
+    const char *name;
+    int i, j, has_torque;
+
+    (void)unused;
+    assert_int_equal(p.n_springs, 4);
+    assert_int_equal(p.n_spring_loads, 6);
+    assert_int_equal(p.n_friction_loads, FOURLINK_FRICTION_LOADS);
+    assert_int_equal(p.n_loads, 1 + 6 + 6);
+    assert_int_equal(fourlink_deck_spring(deck, 2, &name, &spring), FOURLINK_OK);
+    assert_string_equal(name, "U");
+    assert_true(spring.is_torsional && spring.stiffness == 1.5);
+    assert_int_equal(fourlink_deck_spring(deck, 4, &name, &spring), FOURLINK_NO_SUCH_POINT);
+    assert_int_equal(fourlink_deck_spring(NULL, 0, &name, &spring), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_friction(deck, &friction), FOURLINK_OK);
+    assert_close(friction.circle[3], 0.0006, 1e-14);
+    assert_int_equal(fourlink_deck_friction(deck, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_load(deck, 3, &name, &has_torque), FOURLINK_OK);
+    assert_string_equal(name, "T");
+    assert_false(has_torque);
+    assert_int_equal(fourlink_deck_load(deck, 4, &name, &has_torque), FOURLINK_OK);
+    assert_string_equal(name, "U");
+    assert_true(has_torque);
+    assert_int_equal(fourlink_deck_load(deck, 12, &name, &has_torque), FOURLINK_OK);
+    assert_string_equal(name, "friction");
+    assert_int_equal(fourlink_deck_load(deck, 13, &name, &has_torque), FOURLINK_BAD_LINK);
+    /* the forces solve the nine equations with these loads */
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &at, loads), FOURLINK_OK);
+    assert_int_equal(fourlink_system(&p.mechanism, &at.state, loads, p.n_loads, A, b), FOURLINK_OK);
+    assert_int_equal(fourlink_unknowns(&p.mechanism, &at.forces, x), FOURLINK_OK);
+    for (i = 0; i < 9; i++) {
+        for (j = 0; j < 9; j++)
+            b[i] -= A[i][j] * x[j];
+        assert_near(b[i], 0, 1e-12);
+    }
+    assert_true(at.losses.power > 0);
+    fourlink_results_free(r);
+}
+
+static void test_balance(void **unused)
+{
+    const char *weightless = "[gravity]\nacceleration = 0\n[balance]\ncrank = yes\nrocker = yes\n"
+                             "radius = 40 mm\n";
+    fourlink_results *r = opened(print("%s%s", ROCKER, weightless));
+
+    (void)unused;
+    assert_true(value(r, "max(Fs)", 0) > 0.5);
+    /* -[m2 z2 + m3 a (1 - z3 / b)] */
+    assert_close(value(r, "balance_crank", 0) * cos(value(r, "balance_crank_angle", 0)),
+                 -(0.1 * 0.010 + 0.3 * 0.020 * (1 - 0.030 * cos(10 * DEG) / 0.066)), 1e-12);
+    assert_close(value(r, "balance_mass", 0), value(r, "balance_crank", 0) / 0.040, 1e-12);
+    assert_close(value(r, "balance_rocker_mass", 0), value(r, "balance_rocker", 0) / 0.040, 1e-12);
+    fourlink_results_free(r);
+    r = opened(print("%s%sapply = yes\n", ROCKER, weightless));
+    assert_true(value(r, "max(Fs)", 0) < 1e-13 * value(r, "max(F12)", 0));
+    fourlink_results_free(r);
+    r = opened(print("%s%s%s", PUMP, "[balance]\nfraction = 0.5\nradius = 60 mm\n",
+                     "[gravity]\nacceleration = 0\n"));
+    assert_close(value(r, "Fs_primary", 60), (1.2 + 0.8 * 0.35) * 0.05 * 14 * 14 * 0.5, 1e-12);
+    assert_close(value(r, "Fs_secondary", 60), -(1.2 + 0.8 * 0.35) * 0.05 * 14 * 14 * 0.5 / 4,
+                 1e-12);
+    fourlink_results_free(r);
+}
+
+static void test_sweep(void **unused)
+{
+    static const char *const sweeps[] = {"spring U.stiffness = 0.5 N m/rad, 2.5 N m/rad\n",
+                                         "spring S.stiffness = 100 N/m, 900 N/m\n",
+                                         "spring V.damping = 0.001 N m s/rad, 0.02 N m s/rad\n",
+                                         "friction.D = 0.05, 0.2\n"};
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < 4; i++) {
+        fourlink_source source =
+            deck_source(print("%s[sweep]\noutput = max(Ts)\n%s", ROCKER SPRINGS PINS, sweeps[i]));
+        fourlink_results *r[2];
+        unsigned long k;
+
+        for (k = 0; k < 2; k++) {
+            source.design = k;
+            assert_int_equal(fourlink_results_open(&source, 0, &r[k], NULL, NULL), FOURLINK_OK);
+        }
+        assert_true(fabs(value(r[0], "max(Ts)", 0) - value(r[1], "max(Ts)", 0)) > 1e-3);
+        fourlink_results_free(r[0]);
+        fourlink_results_free(r[1]);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------
+** Mistakes
+** ------------------------------------------------------------------------------------------- */
+
+/* Eight lines. */
+#define BARE                                                                               \
+    "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n" \
+    "length = 66 mm\n[rocker]\nlength = 56 mm\n"
+
+static void test_mistakes(void **unused)
+{
+    static const struct {
+        const char *more;
+        long line;
+        const char *message;
+    } cases[] = {
+        {"[friction]\nA = -0.1\nradius_A = 5 mm\n", 11,
+         "the coefficient of friction A must not be negative:  -0.1"},
+        {"[friction]\nA = 0.1\n", 11, "the friction of A needs 'radius_A', that of its pin"},
+        {"[friction]\nguide = 0.1\n", 11, "the friction of a four-bar linkage has no guide"},
+        {"[friction]\n", 10, "[friction] has no coefficient of friction"},
+        {"[spring S]\nlink = rocker\nto = rocker\nat = 10 mm\nto_at = 5 mm\nstiffness = 9 N/m\n",
+         12, "a spring from the rocker to itself does nothing"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 20 mm\nto_at = 0 mm\nstiffness = 9 N/m\n",
+         10, "the spring has no length: its ends are the same point at every crank angle"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 20 mm\nto_at = 1 mm\ndamping = 10\n", 15,
+         "the damping of a spring needs a unit: N s/m, or N m s/rad of a torsional spring"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 20 mm\nto_at = 1 mm\ndamping = -1 N s/m\n",
+         15, "the damping must not be negative:  -1 N s/m"},
+        {"[spring S]\nlink = crank\nto = coupler\nfree_angle = 20 deg\nstiffness = 10 N/m\n", 13,
+         "a free_angle needs a torsional spring, with its stiffness in N m/rad, not '10 N/m'"},
+        {"[spring S]\nlink = crank\nto = coupler\nfree_angle = 2 deg\nstiffness = 9 N m/rad\n"
+         "damping = 3 N s/m\n",
+         15, "'3 N s/m' is a damping; expected a torsional damping, such as 0.02 N m s/rad"},
+        {"[spring S]\nlink = crank\nto = coupler\nat = 3 mm\nstiffness = 9 N m/rad\n", 13,
+         "a torsional spring has no at"},
+        {"[spring S]\nlink = crank\nto = ground\nat = 5 mm\nstiffness = 10 N/m\n", 10,
+         "the spring needs 'to_at', its end on the ground"},
+        {"[spring]\nlink = crank\nto = ground\nstiffness = 10 N m/rad\n", 10,
+         "a spring needs a name: [spring S]"},
+        {"[spring S]\nlink = crank\nto = piston\nstiffness = 10 N m/rad\n", 12,
+         "a four-bar linkage has no piston: its links are crank, coupler and rocker"},
+        {"[spring S]\nlink = crank\nstiffness = 10 N m/rad\n", 10,
+         "[spring] has no 'to': the ground or another link"},
+        {"[load L]\nlink = crank\ntorque = 0 mm 1 N m, 5 mm 2 N m\nover = slide\n", 13,
+         "a four-bar linkage has no slide"},
+        {"[load L]\nlink = crank\ntorque = 2 N m\nover = omega4\n", 13,
+         "a load over a speed needs 'at_speed', the speed at which it has its value, or a curve"},
+        {"[load L]\nlink = crank\ntorque = 2 N m\nexponent = 2\n", 13,
+         "'exponent' needs 'over', the speed that the load follows"},
+        {"[load L]\nlink = crank\ntorque = 0 deg 1 N m, 5 deg 2 N m\nover = omega4\n", 12,
+         "'0 deg 1 N m, 5 deg 2 N m' is an angle; expected an angular speed, such as 1000 rpm"},
+        {"[load L]\nlink = crank\ntorque = 5 rpm 1 N m, 5 rpm 2 N m\nover = omega2\n", 12,
+         "the arguments of a curve must increase"},
+        {"[load L]\nlink = crank\ntorque = 5 N m\nback = 3 N m\nfrom = 3 deg\n", 14,
+         "'from' is a crank angle: a load with 'over' or 'back' has none"},
+        {"[load L]\nlink = crank\ntorque = 5 N m\nback = 3 N\n", 13,
+         "'3 N' is a force; expected a torque, such as 0.5 N m"},
+        {"[balance]\nradius = 3 mm\n", 10, "[balance] needs 'crank = yes', 'rocker = yes' or both"},
+        {"[balance]\ncrank = yes\napply = yes\n", 12,
+         "'apply' needs a radius, at which the counterweights are"},
+        {"[balance]\nfraction = 0.5\n", 11, "the balance of a four-bar linkage has no fraction"},
+    };
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fourlink_source source = deck_source(print("%s%s", BARE, cases[i].more));
+        fourlink_results *r;
+        fourlink_mistake mistakes[4];
+        unsigned long n = 0, k;
+
+        assert_int_equal(fourlink_results_open(&source, 4, &r, mistakes, &n), FOURLINK_BAD_DECK);
+        for (k = 0; k < n && k < 4; k++)
+            if (mistakes[k].line == cases[i].line &&
+                strcmp(mistakes[k].message, cases[i].message) == 0)
+                break;
+        if (k == n)
+            fail_msg("%s: line %ld, %s", cases[i].more, mistakes[0].line, mistakes[0].message);
+    }
+    {
+        fourlink_source source = deck_source(PUMP "[load L]\nlink = crank\nover = slide\n"
+                                                  "torque = 0 mm 1 N m, 5 mm 2 N m\n");
+        fourlink_results *r;
+        fourlink_mistake mistake;
+
+        assert_int_equal(fourlink_results_open(&source, 1, &r, &mistake, NULL), FOURLINK_BAD_DECK);
+        assert_string_equal(mistake.message, "a slider-crank has no slide");
+    }
+}
+
+/* A position at which friction locks the machine is a row with its reason. */
+static void test_locked(void **unused)
+{
+    fourlink_results *r = opened("mechanism = slider-crank\n[crank]\nlength = 100 mm\n[rod]\n"
+                                 "length = 120 mm\n[load P]\nlink = piston\nforce = -100 N\n"
+                                 "[motion]\nspeed = -1 rad/s\n[friction]\nguide = 1.25\n"
+                                 "[table]\ncolumns = theta2 Ts\n");
+    double values[2];
+
+    (void)unused;
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, -300, values, NULL, NULL),
+                     FOURLINK_LOCKED);
+    assert_true(isnan(values[1]));
+    assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, -340, values, NULL, NULL), FOURLINK_OK);
+    fourlink_results_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_references),     cmocka_unit_test(test_shaking_moment),
+        cmocka_unit_test(test_scans),          cmocka_unit_test(test_work),
+        cmocka_unit_test(test_at_rest),        cmocka_unit_test(test_power_law),
+        cmocka_unit_test(test_ends_of_curves), cmocka_unit_test(test_host),
+        cmocka_unit_test(test_balance),        cmocka_unit_test(test_sweep),
+        cmocka_unit_test(test_mistakes),       cmocka_unit_test(test_locked),
+    };
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}
