@@ -6,7 +6,6 @@
 ** Input: the bytes of the numbers, each behind a byte that chooses its sort.  Beyond the end they are 0.
 */
 #include <float.h>
-#include <limits.h>
 #include <math.h>
 
 #include "fourlink.h"
@@ -58,17 +57,17 @@ static double next_number(void)
     return x;
 }
 
-/* One of 1 to n, or now and then any. */
-static int next_code(int n)
+/* One of `n` from `first`, or now and then any. */
+static int next_code(int first, int n)
 {
     unsigned sort = next_byte();
 
-    return sort < 240 ? (int)(sort % (unsigned)n) + 1 : (int)next_bytes(4);
+    return sort < 240 ? (int)(sort % (unsigned)n) + first : (int)next_bytes(4);
 }
 
 static fourlink_branch next_branch(void)
 {
-    int code = next_code(2);
+    int code = next_code(1, 2);
 
     return (fourlink_branch)(code == 2 ? -1 : code);
 }
@@ -86,7 +85,7 @@ static fourlink_design next_design(void)
 {
     static const int kinds[] = {0, FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
                                 FOURLINK_INVERTED_SLIDER_CRANK};
-    int code = next_code(3), i;
+    int code = next_code(1, 3), i;
     unsigned simple = next_byte();
     fourlink_design d;
 
@@ -118,8 +117,8 @@ static fourlink_load next_load(void)
 {
     fourlink_load l;
 
-    l.link = next_code(3) % INT_MAX + 1;
-    l.frame = (fourlink_frame)(next_code(2) - 1);
+    l.link = next_code(2, 3);
+    l.frame = (fourlink_frame)(next_code(0, 2));
     l.force = next_vector();
     l.at = next_vector();
     l.torque = next_number();
@@ -211,7 +210,7 @@ static void ask_engine(const fourlink_mechanism *m, const fourlink_state *s,
         MUST_BE_UNTOUCHED(series);
     PREPARE(engine);
     if (fourlink_engine_method(m, s, next_number(), loads, n,
-                               (fourlink_approximation)(next_code(3) - 1), &engine) == FOURLINK_OK)
+                               (fourlink_approximation)(next_code(0, 3)), &engine) == FOURLINK_OK)
         MUST(are_finite(NUMBERS(engine)));
     else
         MUST_BE_UNTOUCHED(engine);
@@ -275,7 +274,7 @@ static void ask_position(const fourlink_mechanism *m)
     }
     MUST(is_finite_state(&s));
     PREPARE(p);
-    if (fourlink_point(&s, next_code(3) % INT_MAX + 1, &at, &p[0], &p[1], &p[2]) == FOURLINK_OK)
+    if (fourlink_point(&s, next_code(2, 3), &at, &p[0], &p[1], &p[2]) == FOURLINK_OK)
         MUST(are_finite(&p[0].x, 6));
     else
         MUST_BE_UNTOUCHED(p);
@@ -312,7 +311,7 @@ static void ask_wrong_state(const fourlink_mechanism *m)
 static void ask_motion(void)
 {
     fourlink_motion m = {next_number(), next_number(), next_number(), next_number(),
-                         next_number(), next_number(), next_number(), next_code(2) - 1};
+                         next_number(), next_number(), next_number(), next_code(0, 2)};
     fourlink_range range;
     fourlink_row row;
     int status;
@@ -345,7 +344,7 @@ static void ask_fortran77(void)
 {
     double links[20], grav[2], crank[3], loads[14], state[36], slide[4], forces[10];
     double offset = next_number(), angle = next_number();
-    int branch = (int)next_branch(), n_loads = next_code(3) - 1, status = -1, i;
+    int branch = (int)next_branch(), n_loads = next_code(0, 3), status = -1, i;
     char text[40];
 
     for (i = 0; i < 20; i++)
@@ -370,7 +369,7 @@ static void ask_fortran77(void)
 
 static void ask_texts(void)
 {
-    int code = (int)next_bytes(4), other = next_code(5);
+    int code = (int)next_bytes(4), other = next_code(1, 5);
 
     MUST(fourlink_status_text(code) && fourlink_branch_text(code) && fourlink_type_text(code));
     MUST(fourlink_kind_text(code) && fourlink_link_text(code, other));
