@@ -8,8 +8,9 @@
 #
 # BUILD is a folder for the build (build-fuzz), which needs clang with its libFuzzer; the fuzzers are decks,
 # units, library and runs.  AT_ONCE in the environment is how many run at once (1).  CORPUS is a folder in which
-# what was found to be new is kept, and begun with; otherwise each run begins with the seeds alone.  Prints how
-# much was tried and ends with status 1 if there was a finding, which it leaves in BUILD/findings.
+# inputs that reached something new are kept for the next run; without it each run begins with the seeds alone.
+# Prints how much was tried, and a finding, which is kept in BUILD/findings; ends with the line
+# "N passed, M failed", the fuzzers.
 set -eu
 seconds=$1 build=${2:-build-fuzz}
 [ $# -lt 2 ] && shift || shift 2
@@ -23,6 +24,7 @@ build=$(cd "$build" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
+rm -rf "$build/findings"
 mkdir -p "$build/findings" "$work/seeds/decks" "$work/seeds/units" "$work/seeds/library" "$work/seeds/runs"
 "$build/tests/fuzz/fuzz_words" >"$work/words"
 
@@ -48,7 +50,6 @@ fuzz() {
     mkdir -p "$corpus" "$work/tmp"
     hide=0
     [ "$1" = runs ] && hide=3
-    # the C library's own memory is looked at by its own tests
     TMPDIR=$work/tmp "$build/tests/fuzz/fuzz_$1" -seed=1 -max_total_time="$seconds" -timeout=25 -rss_limit_mb=2048 \
         -max_len="$2" -dict="$work/words" -close_fd_mask=$hide -print_final_stats=1 \
         -artifact_prefix="$build/findings/$1-" "$corpus" "$work/seeds/$1" >"$work/$1.log" 2>&1 </dev/null &&
@@ -58,7 +59,10 @@ fuzz() {
         END {printf "%s: %d executions, %d edges, slowest %d s: %s\n", name, n, cov, slow, status}' "$work/$1.log"
     [ $status = ok ] && return
     grep -a -v '^#' "$work/$1.log" | tail -n 60
-    : >"$work/found"
+    for finding in "$build/findings/$1-"*; do
+        [ ! -f "$finding" ] || { echo "$finding, in base64:"; base64 "$finding"; }
+    done
+    echo "$1" >>"$work/failed"
 }
 
 running=0
@@ -69,4 +73,6 @@ for name in "$@"; do
     [ $running -lt "${AT_ONCE:-1}" ] || { wait; running=0; }
 done
 wait
-[ ! -e "$work/found" ]
+failed=$(sort -u "$work/failed" 2>/dev/null | wc -l)
+echo "$(($# - failed)) passed, $failed failed"
+[ "$failed" -eq 0 ]
