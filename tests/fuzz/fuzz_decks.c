@@ -100,6 +100,42 @@ static void ask_checks(fourlink_results *r, const fourlink_problem *p)
     }
 }
 
+/* Names and units of the deck. */
+static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
+{
+    static const char *const quantities[] = {"length", "pressure", "number", "inertia", "?"};
+    fourlink_vector at;
+    fourlink_unit unit;
+    const char *name;
+    unsigned long i;
+    int link, has_torque;
+
+    for (i = 0; i < p->n_points; i++)
+        MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_OK && *name);
+    MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_NO_SUCH_POINT);
+    for (i = 0; i < p->n_loads; i++)
+        MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_OK && *name);
+    MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_BAD_LINK);
+    for (i = 0; i < 5; i++)
+        MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
+}
+
+static void ask_design(const fourlink_source *source, fourlink_results *r)
+{
+    const fourlink_value *list;
+    double *low, *high;
+    unsigned long n;
+
+    fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
+    low = calloc(n + 1, sizeof *low);
+    high = calloc(n + 1, sizeof *high);
+    MUST(low && high);
+    MUST(fourlink_source_design(source, n, low) == FOURLINK_OK);
+    MUST(fourlink_source_neighbours(source, n, low, high) == FOURLINK_OK);
+    free(low);
+    free(high);
+}
+
 static void ask_all(fourlink_results *r)
 {
     const fourlink_deck *deck = fourlink_results_deck(r);
@@ -114,6 +150,7 @@ static void ask_all(fourlink_results *r)
     MUST(memchr(p.title, 0, sizeof p.title));
     MUST(fourlink_results_notes(r, MOST_MISTAKES, notes, &n_notes) == FOURLINK_OK);
     ask_lists(r);
+    ask_deck(deck, &p);
     if (p.n_rows > MOST_ROWS || p.n_designs > MOST_DESIGNS)
         return;
     fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &n);
@@ -158,8 +195,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         MUST(memchr(mistakes[i].message, 0, sizeof mistakes[i].message));
         MUST(mistakes[i].message[0] && mistakes[i].line >= 0);
     }
-    if (status == FOURLINK_OK)
+    if (status == FOURLINK_OK) {
+        ask_design(&source, r);
         ask_all(r);
+    }
     fourlink_results_free(r);
     free(assignment);
     return 0;

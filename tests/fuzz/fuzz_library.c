@@ -260,6 +260,7 @@ static void ask_position(const fourlink_mechanism *m)
     unsigned long n = next_byte() % 4, i;
     fourlink_crank crank = {next_number(), next_number(), next_number()};
     fourlink_vector at = next_vector(), p[3]; /* position, velocity, acceleration */
+    fourlink_forces f;
     fourlink_state s;
     int status;
 
@@ -273,6 +274,13 @@ static void ask_position(const fourlink_mechanism *m)
         return;
     }
     MUST(is_finite_state(&s));
+    PREPARE(f);
+    status = fourlink_analyse_dyad(m, branch, &crank, loads, n, &s, &f);
+    MUST(is_known(status) && status != FOURLINK_SINGULAR);
+    if (status == FOURLINK_OK)
+        MUST(are_finite(NUMBERS(f)));
+    else
+        MUST_BE_UNTOUCHED(f);
     PREPARE(p);
     if (fourlink_point(&s, next_code(2, 3), &at, &p[0], &p[1], &p[2]) == FOURLINK_OK)
         MUST(are_finite(&p[0].x, 6));

@@ -12,21 +12,21 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "command/output.h"
+#include "command/terminal.h"
 #include "fourlink.h"
 #include "input.h"
+#include "pictures/gnuplot.h"
 #include "pictures/svg.h"
 
 int command_main(int argc, char **argv);
 int LLVMFuzzerInitialize(int *argc, char ***argv);
-void __wrap_output_prepare(void);
-unsigned long __wrap_terminal_width(FILE *out);
-const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *caption);
-int __wrap_fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
-                                 fourlink_results **results, fourlink_mistake *mistakes,
-                                 unsigned long *n_mistakes);
-int __real_fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
-                                 fourlink_results **results, fourlink_mistake *mistakes,
-                                 unsigned long *n_mistakes);
+/* Functions that the linker replaces: each must be one of the command's. */
+extern __typeof__(output_prepare) __wrap_output_prepare;
+extern __typeof__(terminal_width) __wrap_terminal_width;
+extern __typeof__(gnuplot_run) __wrap_gnuplot_run;
+extern __typeof__(fourlink_results_open) __wrap_fourlink_results_open;
+extern __typeof__(fourlink_results_open) __real_fourlink_results_open;
 
 #define MOST_ROWS 100
 #define MOST_DESIGNS 10
