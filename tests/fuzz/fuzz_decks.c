@@ -11,6 +11,7 @@
 
 /* Work is in proportion to these, so a deck with more is only read. */
 #define MOST_ROWS 400
+#define MOST_COLUMNS 12
 #define MOST_DESIGNS 100000
 #define MOST_MISTAKES 8
 
@@ -151,9 +152,9 @@ static void ask_all(fourlink_results *r)
     MUST(fourlink_results_notes(r, MOST_MISTAKES, notes, &n_notes) == FOURLINK_OK);
     ask_lists(r);
     ask_deck(deck, &p);
-    if (p.n_rows > MOST_ROWS || p.n_designs > MOST_DESIGNS)
-        return;
     fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &n);
+    if (p.n_rows > MOST_ROWS || p.n_designs > MOST_DESIGNS || n > MOST_COLUMNS)
+        return;
     values = calloc(n + 1, sizeof *values);
     loads = calloc(p.n_loads + 1, sizeof *loads);
     MUST(values && loads);

@@ -30,6 +30,7 @@ extern __typeof__(fourlink_results_open) __real_fourlink_results_open;
 
 #define MOST_ROWS 100
 #define MOST_DESIGNS 10
+#define MOST_COLUMNS 20
 #define MOST_ARGUMENTS 40
 
 static char folder[400];
@@ -61,18 +62,21 @@ const char *__wrap_gnuplot_run(FILE *script, FILE *out, const plot_caption *capt
     return NULL;
 }
 
-/* Long tables and sweeps take as long as they are asked to: here they are as if memory ran out. */
+/* Long and wide tables and sweeps take as long as they are asked to: here they are as if memory ran out. */
 int __wrap_fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                  fourlink_results **results, fourlink_mistake *mistakes,
                                  unsigned long *n_mistakes)
 {
     int status = __real_fourlink_results_open(source, max_mistakes, results, mistakes, n_mistakes);
+    const fourlink_value *columns;
+    unsigned long n_columns;
     fourlink_problem p;
 
     if (status != FOURLINK_OK)
         return status;
     fourlink_deck_problem(fourlink_results_deck(*results), &p);
-    if (p.n_rows <= MOST_ROWS && p.n_designs <= MOST_DESIGNS)
+    fourlink_results_list(*results, FOURLINK_COLUMNS, &columns, &n_columns);
+    if (p.n_rows <= (n_columns > MOST_COLUMNS ? 4 : MOST_ROWS) && p.n_designs <= MOST_DESIGNS)
         return status;
     fourlink_results_free(*results);
     *results = NULL;
