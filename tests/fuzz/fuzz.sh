@@ -30,19 +30,19 @@ mkdir -p "$build/findings" "$work/seeds/decks" "$work/seeds/units" "$work/seeds/
 
 # Decks as they are and, for the command, each command line with decks in turn.  Units begin with all values of
 # the decks.
-set_of_decks=$(ls "$top"/data/*.deck "$top"/tests/decks/*.deck "$top"/doc/*.deck "$top"/tests/fuzz/decks/*.deck)
-cp $set_of_decks "$work/seeds/decks"
+cp "$top"/data/*.deck "$top"/tests/decks/*.deck "$top"/doc/*.deck "$top"/tests/fuzz/decks/*.deck \
+    "$work/seeds/decks"
 n=0
 while read -r line; do
-    for deck in $set_of_decks; do
+    for deck in "$work"/seeds/decks/*.deck; do
         n=$((n + 1))
         [ $((n % 5)) -eq 0 ] || continue # every command line with some of them
         { printf '%s\n' "$line" | awk '{gsub(/  /, "\t"); print}'; cat "$deck"; } >"$work/seeds/runs/$n"
     done
 done <"$top/tests/fuzz/commands"
-cat $set_of_decks | sed -n 's/^[^#=]*= *\([^#]*[^# ]\).*/\1/p' | sort -u | head -n 400 |
+cat "$work"/seeds/decks/*.deck | sed -n 's/^[^#=]*= *\([^#]*[^# ]\).*/\1/p' | sort -u | head -n 400 |
     awk -v folder="$work/seeds/units" '{printf "%c%s", 65 + NR % 26, $0 >(folder "/" NR); close(folder "/" NR)}'
-cp $set_of_decks "$work/seeds/library" # any bytes do
+cp "$work"/seeds/decks/*.deck "$work/seeds/library" # any bytes do
 
 # fuzz NAME LONGEST: a slow input is a finding too.
 fuzz() {
