@@ -96,7 +96,7 @@ static int search_grid(search *s, FILE *out)
 {
     fourlink_source source = s->in->source;
     unsigned long best = 0, n = s->in->problem.n_designs, i;
-    fourlink_branch branch;
+    fourlink_branch branch = FOURLINK_OPEN;
     progress p;
 
     s->found = WORST;

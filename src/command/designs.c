@@ -124,6 +124,7 @@ static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_nu
         statistics_write(s, in->results, &x);
     }
     statistics_close(&x);
+    s->statistics = NULL;
     return status;
 }
 

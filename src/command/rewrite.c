@@ -30,7 +30,7 @@ int rewrite_same(text x, text y)
     size_t i;
 
     for (i = 0; i < x.length && i < y.length; i++) {
-        int a = x.start[i], b = y.start[i];
+        int a = (unsigned char)x.start[i], b = (unsigned char)y.start[i];
 
         a += 'A' <= a && a <= 'Z' ? 'a' - 'A' : 0;
         b += 'A' <= b && b <= 'Z' ? 'a' - 'A' : 0;

@@ -155,7 +155,7 @@ static text after_last(text t, const char *marks)
 /* What stands in the last brackets of a field; 0 if there are none. */
 static int in_brackets(text field, text *inside)
 {
-    size_t open = field.length, end = field.length;
+    size_t open, end = field.length;
 
     while (end > 0 && !strchr(")]", field.start[end - 1]))
         end--;

@@ -242,6 +242,8 @@ static void inverted_limits(const fourlink_mechanism *mechanism, fourlink_branch
         swing_of_lever(mechanism, branch, limits);
     } else if (type == FOURLINK_WHITWORTH) {
         sigma = acos(flk_kind_clamp((d - h) / a)) + acos(flk_kind_clamp((d + h) / a));
+        if (sigma > M_PI) /* by rounding, if D is at A */
+            sigma = M_PI;
         limits->time_ratio = (2 * M_PI - sigma) / sigma;
     }
 }

@@ -627,6 +627,10 @@ static void test_whitworth(void **unused)
     half = acos(0.04 / 0.15);
     assert_near(at(&m, FOURLINK_OPEN, half, 1, 0).link[4].theta, PI / 2, 1e-13);
     assert_near(limits.time_ratio, 2 * PI / (half + acos(0.08 / 0.15)) - 1, 1e-13);
+    m = prepared(32.4296875, 1e-15, 32.27734375, 0,
+                 0); /* D at A: the sum of the angles is 180 deg */
+    assert_int_equal(fourlink_limits_of(&m, FOURLINK_OPEN, &limits), FOURLINK_OK);
+    assert_true(limits.time_ratio >= 1);
 }
 
 /* One range around 180 deg, whose ends are dead positions; none where the slide passes too far. */

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** fuzz_decks.c - decks, with all that a host can ask of them.
+**
+** Input: a deck; after a form feed, a file that it names; after another, answers; after another, a change.
+*/
+#include <math.h>
+
+#include "fourlink.h"
+#include "input.h"
+
+/* Work is in proportion to these, so a deck with more is only read. */
+#define MOST_ROWS 400
+#define MOST_COLUMNS 12
+#define MOST_DESIGNS 100000
+#define MOST_MISTAKES 8
+
+static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+
+static const char *load(void *host, const char *file_name, unsigned long *length)
+{
+    const part *card = host;
+
+    (void)file_name;
+    *length = (unsigned long)card->length;
+    return card->text;
+}
+
+static void ask_rows(fourlink_results *r, const fourlink_problem *p, double *values,
+                     fourlink_load *loads)
+{
+    fourlink_instant now;
+    unsigned long i;
+    int b, status;
+
+    for (b = 0; b < 2; b++)
+        for (i = 0; i <= p->n_rows; i++) {
+            status = fourlink_results_row(r, branches[b], i, values, &now, loads);
+            MUST((i == p->n_rows) == (status == FOURLINK_NO_SUCH_ROW));
+            MUST(status < 20 || status == FOURLINK_NO_SUCH_ROW);
+            if (status != FOURLINK_OK)
+                continue;
+            MUST(isfinite(now.state.sine) && isfinite(now.row.time));
+            MUST(isfinite(now.forces.F12x) && isfinite(now.forces.F12y));
+            MUST(isfinite(now.forces.F34x) && isfinite(now.forces.Ts));
+            status = fourlink_results_at(r, branches[b], now.row.angle, values, &now, loads);
+            MUST(status < 20 || status == FOURLINK_NO_SUCH_ANGLE);
+        }
+}
+
+static void ask_lists(fourlink_results *r)
+{
+    const fourlink_value *list;
+    fourlink_value value;
+    unsigned long n, i;
+    char name[200];
+    int which;
+
+    for (which = FOURLINK_COLUMNS; which <= FOURLINK_CONDITIONS; which++) {
+        MUST(fourlink_results_list(r, which, &list, &n) == FOURLINK_OK);
+        for (i = 0; i < n; i++)
+            MUST(list[i].name && list[i].unit && list[i].meaning && strlen(list[i].name) < 4096);
+        if (which == FOURLINK_OUTPUTS)
+            for (i = 0; i < n && i < 10; i++)
+                fourlink_results_value(r, list[i].name, FOURLINK_OPEN, 0, &value);
+        if (which == FOURLINK_COLUMNS)
+            for (i = 0; i < n && i < 3; i++) {
+                snprintf(name, sizeof name, i == 1 ? "rms(%s)" : "mean(%s)", list[i].name);
+                fourlink_results_value(r, name, FOURLINK_CROSSED, 0, &value);
+            }
+    }
+}
+
+static void ask_facts(fourlink_results *r)
+{
+    const fourlink_value *facts;
+    fourlink_turning turning;
+    unsigned long n, i;
+    int b;
+
+    MUST(fourlink_results_facts(r, 0, 7, &facts, &n) == FOURLINK_OK);
+    for (i = 0; i < n; i++) {
+        MUST(facts[i].name && facts[i].unit && facts[i].meaning);
+        MUST(facts[i].words || !isnan(facts[i].value));
+    }
+    for (b = 0; b < 2; b++)
+        if (fourlink_results_turning(r, branches[b], &turning) == FOURLINK_OK)
+            MUST(isfinite(turning.mean_torque) && isfinite(turning.energy_fluctuation));
+}
+
+static void ask_checks(fourlink_results *r, const fourlink_problem *p)
+{
+    fourlink_check check;
+    unsigned long i;
+
+    for (i = 0; i < p->n_expected && i < 20; i++) {
+        MUST(fourlink_results_check(r, i, &check) == FOURLINK_OK);
+        MUST(check.verdict >= FOURLINK_AGREES && check.verdict <= FOURLINK_NO_VALUE);
+        MUST(memchr(check.name, 0, sizeof check.name));
+        MUST((check.verdict == FOURLINK_NO_VALUE) == (check.message[0] != '\0'));
+    }
+}
+
+/* Names and units of the deck. */
+static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
+{
+    static const char *const quantities[] = {"length", "pressure", "number", "inertia", "?"};
+    fourlink_vector at;
+    fourlink_unit unit;
+    const char *name;
+    unsigned long i;
+    int link, has_torque;
+
+    for (i = 0; i < p->n_points; i++)
+        MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_OK && *name);
+    MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_NO_SUCH_POINT);
+    for (i = 0; i < p->n_loads; i++)
+        MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_OK && *name);
+    MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_BAD_LINK);
+    for (i = 0; i < 5; i++)
+        MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
+}
+
+static void ask_design(const fourlink_source *source, fourlink_results *r)
+{
+    const fourlink_value *list;
+    double *low, *high;
+    unsigned long n;
+
+    fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
+    low = calloc(n + 1, sizeof *low);
+    high = calloc(n + 1, sizeof *high);
+    MUST(low && high);
+    MUST(fourlink_source_design(source, n, low) == FOURLINK_OK);
+    MUST(fourlink_source_neighbours(source, n, low, high) == FOURLINK_OK);
+    free(low);
+    free(high);
+}
+
+static void ask_all(fourlink_results *r)
+{
+    const fourlink_deck *deck = fourlink_results_deck(r);
+    fourlink_mistake notes[MOST_MISTAKES];
+    const fourlink_value *columns;
+    unsigned long n_notes, n;
+    fourlink_problem p;
+    fourlink_load *loads;
+    double *values;
+
+    MUST(fourlink_deck_problem(deck, &p) == FOURLINK_OK);
+    MUST(memchr(p.title, 0, sizeof p.title));
+    MUST(fourlink_results_notes(r, MOST_MISTAKES, notes, &n_notes) == FOURLINK_OK);
+    ask_lists(r);
+    ask_deck(deck, &p);
+    fourlink_results_list(r, FOURLINK_COLUMNS, &columns, &n);
+    if (p.n_rows > MOST_ROWS || p.n_designs > MOST_DESIGNS || n > MOST_COLUMNS)
+        return;
+    values = calloc(n + 1, sizeof *values);
+    loads = calloc(p.n_loads + 1, sizeof *loads);
+    MUST(values && loads);
+    ask_rows(r, &p, values, loads);
+    ask_facts(r);
+    ask_checks(r, &p);
+    free(values);
+    free(loads);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    part rest = {(const char *)data, size}, deck = take_part(&rest, '\f');
+    part card = take_part(&rest, '\f'), answers = take_part(&rest, '\f');
+    char *assignment = copy_part(rest);
+    fourlink_mistake mistakes[MOST_MISTAKES];
+    fourlink_change change = {"--set", assignment};
+    fourlink_source source;
+    fourlink_results *r = NULL;
+    unsigned long n = 0, i;
+    int status;
+
+    memset(&source, 0, sizeof source);
+    source.name = "x.deck";
+    source.text = deck.text;
+    source.length = (unsigned long)deck.length;
+    source.load = load;
+    source.host = &card;
+    source.changes = &change;
+    source.n_changes = rest.length ? 1 : 0;
+    source.answers_name = "x.expect";
+    source.answers = answers.length ? answers.text : NULL;
+    source.answers_length = (unsigned long)answers.length;
+    status = fourlink_results_open(&source, MOST_MISTAKES, &r, mistakes, &n);
+    MUST(status == FOURLINK_OK || status == FOURLINK_BAD_DECK);
+    if (status == FOURLINK_BAD_DECK)
+        MUST(n > 0);
+    for (i = 0; status && i < n && i < MOST_MISTAKES; i++) {
+        MUST(memchr(mistakes[i].message, 0, sizeof mistakes[i].message));
+        MUST(mistakes[i].message[0] && mistakes[i].line >= 0);
+    }
+    if (status == FOURLINK_OK) {
+        ask_design(&source, r);
+        ask_all(r);
+    }
+    fourlink_results_free(r);
+    free(assignment);
+    return 0;
+}
