@@ -516,7 +516,8 @@ typedef struct fourlink_change {
 } fourlink_change;
 
 /* For fourlink_results_open: the first design without mistakes, among the first thousand and a
-** thousand spread over all; if these all have mistakes, the first design. */
+** thousand spread over all; if these all have mistakes, the first design.  Of a deck of more than
+** 100,000 bytes only the first design is tried. */
 #define FOURLINK_ANY_DESIGN 0xffffffffUL
 
 /* What a deck is read from.  Set it to zero first: what stays 0 is absent. */

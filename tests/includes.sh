@@ -7,7 +7,7 @@
 #   tables, pictures < report < command  the command: of the library, only fourlink.h and base/
 #
 # tables and pictures do not include each other, and no file includes itself by way of others, where a
-# header and its source count as one file.  Prints each offender; exits with 1 if there is one.
+# header and its source count as one file.  Headers of an operating system are for base/system_*.c alone.  Prints each offender; exits with 1 if there is one.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
@@ -32,6 +32,10 @@ FNR == 1 {
     offend("", file ": not in one of the folders of src/")
   else
     seen[folder] = 1
+}
+
+/^[ \t]*#[ \t]*include[ \t]*<(sys\/|unistd|fcntl|windows|io\.h|dirent|glob|poll|pthread|termios)/ && file !~ /^src\/base\/system_/ {
+  offend("system", file ":" FNR ": includes a header of the operating system")
 }
 
 # Includes of the project, by path.  A name without a folder is a neighbour, or the public header.
@@ -60,7 +64,7 @@ END {
   find_circle()
   for (folder in seen)
     checks++
-  checks += 2 # every file has a folder; no circle
+  checks += 3 # every file has a folder; no circle; systems
   for (what in bad)
     failed++
   print checks - failed " passed, " failed + 0 " failed"

@@ -36,12 +36,12 @@ export LD_LIBRARY_PATH="$work/$lib"
 check 'command and example deck' usr/bin/fourlink --check usr/share/fourlink/data/me3491-matrix.deck
 check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
 check 'licence' test -s usr/share/doc/fourlink/LICENSE
-for file in README.md doc/library.md doc/mechanism.svg; do
+for file in README.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.gif; do
     check "$file" test -s "usr/share/doc/fourlink/$file"
 done
 check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
 check 'completion' test -s usr/share/bash-completion/completions/fourlink
-for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-script part list help \
+for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x plot-script part list help \
     version; do
     escaped=$(echo "$option" | sed 's/-/\\-/g')
     check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1

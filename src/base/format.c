@@ -3,6 +3,8 @@
 ** format.c - numbers to text, the same in every locale and as printf in the C locale: printf does what
 ** digits.c leaves.
 */
+#define __USE_MINGW_ANSI_STDIO 1 /* on Windows: all digits, and exponents of two */
+
 #include <locale.h>
 #include <stdio.h>
 #include <string.h>
@@ -21,6 +23,8 @@ static char *finish(char *end, char *out, const char *format, double value, int 
         return end;
     if (value != value) /* whatever its sign */
         return strcpy(out, "nan") + 3;
+    if (value - value != 0)
+        return value > 0 ? strcpy(out, "inf") + 3 : strcpy(out, "-inf") + 4;
     decimal = localeconv()->decimal_point;
     sprintf(out, format, digits, value);
     if (strcmp(decimal, ".") != 0 && (mark = strstr(out, decimal)) != NULL) {

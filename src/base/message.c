@@ -104,7 +104,7 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     if (!m->list)
         m->list = malloc(MOST_MISTAKES * sizeof *m->list);
     if (!m->list || m->count == MOST_MISTAKES) {
-        m->out_of_memory = !m->list;
+        m->out_of_memory |= !m->list;
         m->left_out++;
         return 0;
     }
@@ -114,6 +114,11 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     write_message(new->message, sizeof new->message, format, values);
     va_end(values);
     return 0;
+}
+
+int flk_mistakes_are_full(const mistakes *m)
+{
+    return m->count == MOST_MISTAKES;
 }
 
 /* An insertion sort: the list is short, and mistakes in the same line keep their order. */

@@ -42,6 +42,9 @@ struct mistake {
 /* Note a mistake, with a format as above.  Returns 0, for a function that fails to return. */
 int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
+/* 1: further mistakes are only counted, so that nothing need be found out about them. */
+int flk_mistakes_are_full(const mistakes *m);
+
 /* Sort by line, for printing. */
 void flk_mistakes_sort(mistakes *m);
 void flk_mistakes_free(mistakes *m);

@@ -110,6 +110,47 @@ int flk_text_split(text *rest, int stop, text *piece)
     return 1;
 }
 
+size_t flk_text_letter(text t)
+{
+    const unsigned char *c = (const unsigned char *)t.start;
+    size_t n = !t.length     ? 0
+               : c[0] < 0x80 ? 1
+               : c[0] < 0xc2 ? 0
+               : c[0] < 0xe0 ? 2
+               : c[0] < 0xf0 ? 3
+               : c[0] < 0xf5 ? 4
+                             : 0,
+           i;
+
+    if (n > t.length)
+        return 0;
+    for (i = 1; i < n; i++)
+        if ((c[i] & 0xc0) != 0x80)
+            return 0;
+    /* overlong forms, surrogates, numbers above U+10FFFF */
+    if (n > 1 && ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
+                  (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f)))
+        return 0;
+    return n;
+}
+
+size_t flk_text_printable(text t)
+{
+    const unsigned char *c = (const unsigned char *)t.start;
+    size_t n = flk_text_letter(t);
+    int is_control =
+        (n == 1 && (c[0] < ' ' || c[0] == 0x7f)) || (n == 2 && c[0] == 0xc2 && c[1] < 0xa0);
+    int is_none = n == 3 && c[0] == 0xef && c[1] == 0xbf && c[2] >= 0xbe; /* U+FFFE, U+FFFF */
+
+    return is_control || is_none ? 0 : n;
+}
+
+int flk_text_line_end(text t)
+{
+    return t.length && !memchr(t.start, '\n', t.length) && memchr(t.start, '\r', t.length) ? '\r'
+                                                                                           : '\n';
+}
+
 size_t flk_text_count(text t, int c)
 {
     size_t i, n = 0;

@@ -7,6 +7,8 @@
 
 #include <stddef.h>
 
+#include "arithmetic.h"
+
 /* A piece of a text, not null-terminated. */
 typedef struct text {
     const char *start;
@@ -47,6 +49,14 @@ int flk_text_same(text t, const char *word);
 
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
+
+/* The length of the UTF-8 character at the front; 0 if there is none.  The same if it can be shown: it is no
+** control character, which could command a terminal, and allowed in XML. */
+size_t flk_text_letter(text t);
+size_t flk_text_printable(text t);
+
+/* What ends the lines of a text: LF, or CR if it has no LF. */
+int flk_text_line_end(text t);
 
 /* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
 ** A tab counts as a blank of the separator. */

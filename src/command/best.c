@@ -14,9 +14,10 @@
 #include <gsl/gsl_multimin.h>
 
 #include "base/message.h"
+#include "base/system.h"
 #include "best.h"
 #include "command.h"
-#include "interrupt.h"
+#include "progress.h"
 #include "rewrite.h"
 #include "tables/statistics.h"
 
@@ -100,7 +101,7 @@ static int search_grid(search *s, FILE *out)
 
     s->found = WORST;
     progress_begin(&p, out);
-    for (i = 0; i < n && !s->out_of_memory && !interrupt_signal(); i++) {
+    for (i = 0; i < n && !s->out_of_memory && !system_caught(); i++) {
         double value;
 
         source.design = i;
@@ -211,7 +212,7 @@ static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vect
     f.f = value_at;
     f.params = s;
     gsl_multimin_fminimizer_set(m, &f, x, steps);
-    for (step = 0; step < MOST_STEPS && !s->out_of_memory && !interrupt_signal(); step++)
+    for (step = 0; step < MOST_STEPS && !s->out_of_memory && !system_caught(); step++)
         if (gsl_multimin_fminimizer_iterate(m) != GSL_SUCCESS ||
             gsl_multimin_fminimizer_size(m) < TOLERANCE)
             break;
@@ -452,9 +453,9 @@ static int find_best(FILE *out, search *s)
     char message[MESSAGE_SIZE];
     int is_found = search_grid(s, out);
 
-    if (is_found && !interrupt_signal())
+    if (is_found && !system_caught())
         refine(s);
-    if (interrupt_signal())
+    if (system_caught())
         return command_complain("stopped", s->in->name, "interrupted");
     if (s->out_of_memory)
         return command_complain("cannot analyse", s->in->name, "not enough memory");
@@ -473,12 +474,12 @@ int best_write(FILE *out, const input *in, int *signal_number)
     search s;
     int status;
 
-    interrupt_watch(1);
+    system_catch(1);
     status = open_search(&s, in)
                  ? find_best(out, &s)
                  : command_complain("cannot analyse", in->name, "not enough memory");
-    interrupt_watch(0);
-    *signal_number = interrupt_signal();
+    system_catch(0);
+    *signal_number = system_caught();
     close_search(&s);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "command.h"
 
 int command_worse(int status, int other)
@@ -12,9 +13,30 @@ int command_worse(int status, int other)
     return other > status ? other : status;
 }
 
+void command_print(const char *words)
+{
+    text rest = flk_text_of(words);
+
+    while (rest.length) {
+        size_t n = flk_text_printable(rest);
+
+        if (n)
+            fwrite(rest.start, 1, n, stderr);
+        else
+            putc('?', stderr);
+        rest = flk_text_from(rest, n ? n : 1);
+    }
+}
+
 int command_complain(const char *what, const char *name, const char *why)
 {
-    fprintf(stderr, "fourlink: %s %s: %s\n", what, name, why);
+    fputs("fourlink: ", stderr);
+    command_print(what);
+    putc(' ', stderr);
+    command_print(name);
+    fputs(": ", stderr);
+    command_print(why);
+    putc('\n', stderr);
     return EXIT_FILES;
 }
 
@@ -22,11 +44,17 @@ static void tell(const char *what, const char *file, long line, const char *mess
                  const char *deck_name)
 {
     if (!line)
-        fprintf(stderr, "fourlink: %s: %s: %s", file, what, message);
-    else
-        fprintf(stderr, "%s:%ld: %s: %s", file, line, what, message);
-    if (deck_name && strcmp(file, deck_name) != 0)
-        fprintf(stderr, " (%s)", deck_name);
+        fputs("fourlink: ", stderr);
+    command_print(file);
+    if (line)
+        fprintf(stderr, ":%ld", line);
+    fprintf(stderr, ": %s: ", what);
+    command_print(message);
+    if (deck_name && strcmp(file, deck_name) != 0) {
+        fputs(" (", stderr);
+        command_print(deck_name);
+        putc(')', stderr);
+    }
     putc('\n', stderr);
 }
 

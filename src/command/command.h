@@ -10,6 +10,10 @@ enum { EXIT_ROWS = 1, EXIT_USAGE = 2, EXIT_FILES = 3 };
 /* The worse of two exit statuses. */
 int command_worse(int status, int other);
 
+/* Print words as a part of a message; what is not printable becomes a question mark, so that no name can command
+** the terminal or pretend to be another line. */
+void command_print(const char *words);
+
 /* Print "fourlink: WHAT NAME: WHY"; returns EXIT_FILES. */
 int command_complain(const char *what, const char *name, const char *why);
 

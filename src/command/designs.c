@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "designs.h"
-#include "interrupt.h"
+#include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
 
@@ -55,7 +56,7 @@ static int write_all(sheet *s, const input *in, double *varied)
     int enough = 1;
 
     progress_begin(&p, out);
-    for (i = from; i < to && enough && !interrupt_signal() && !ferror(out); i++) {
+    for (i = from; i < to && enough && !system_caught() && !ferror(out); i++) {
         enough = write_design(s, in, i, varied);
         progress_tell(&p, i + 1 - from, to - from);
     }
@@ -84,14 +85,14 @@ static int run(sheet *s, FILE *out, const input *in, int *signal_number)
     double *varied = malloc((s->n_variables + 1) * sizeof *varied);
     int enough = varied != NULL;
 
-    interrupt_watch(1);
+    system_catch(1);
     if (enough) {
         sheet_begin(s, out, !in->o->parts || in->o->part == 1);
         enough = write_all(s, in, varied);
     }
-    interrupt_watch(0);
+    system_catch(0);
     free(varied);
-    *signal_number = interrupt_signal();
+    *signal_number = system_caught();
     if (!enough)
         return command_complain("cannot analyse", in->name, "not enough memory");
     if (*signal_number)

@@ -6,55 +6,119 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "drawing.h"
 #include "output.h"
 #include "pictures/gnuplot.h"
 
 /* Let gnuplot draw a script; returns the exit status. */
-static int draw(const char *path, FILE *script)
+static int draw(const options *o, FILE *script, const plot_caption *caption)
 {
     output file;
-    const char *why;
+    const char *path = o->plot, *why;
     int status = output_begin(&file, path);
 
     if (status)
         return status;
-    why = gnuplot_run(script, file.file);
+    why = gnuplot_run(script, file.file, o->drawing.file == PLOT_SVG ? caption : NULL);
     status = why ? command_complain("cannot draw", path, why) : 0;
     return command_worse(status, output_end(&file, path, status == 0));
 }
 
-static int write_script(FILE *script, const input *in)
+/* Copy a script; returns the exit status. */
+static int copy(const char *path, FILE *script)
+{
+    output file;
+    int status = output_begin(&file, path), c;
+
+    if (status)
+        return status;
+    rewind(script);
+    while ((c = getc(script)) != EOF)
+        putc(c, file.file);
+    if (ferror(script))
+        status = command_complain("cannot write", path, strerror(errno));
+    return command_worse(status, output_end(&file, path, status == 0));
+}
+
+static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     fourlink_mistake mistake;
+    int written = picture_write(script, &in->source, &in->o->drawing, caption, &mistake);
 
-    if (picture_write(script, &in->source, &in->o->drawing, &mistake))
-        return 0;
+    if (written < 0)
+        return command_complain("cannot draw", in->name, "not enough memory");
+    if (written > 0)
+        return fflush(script) == 0 && !ferror(script)
+                   ? 0
+                   : command_complain("cannot draw", in->name, strerror(errno));
     command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
     return EXIT_USAGE;
 }
 
-int drawing_write(const input *in)
+/* Tell how many of the rows, or of the lines of a sweep, are missing in a picture, which is printed without the
+** table that would tell; returns the exit status. */
+static int tell_missing(const input *in, unsigned long missing, unsigned long all, const char *what,
+                        const char *why)
 {
-    const options *o = in->o;
-    FILE *script;
-    output file;
+    if (missing)
+        fprintf(stderr, "fourlink: %s: %lu of %lu %s could not be computed%s%s\n", in->name,
+                missing, all, what, *why ? ": " : "", why);
+    return missing ? EXIT_ROWS : 0;
+}
+
+/* The same for the rows of the deck, or of the first design of its sweep. */
+static int tell_missing_rows(const input *in)
+{
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    unsigned long missing = 0, all = 0, k;
+    fourlink_range range;
+    fourlink_instant now;
+    const char *why = "";
+    int i, status;
+
+    for (i = 0; i < 2; i++)
+        for (k = 0; (i ? in->problem.crossed : in->problem.open) && k < in->problem.n_rows; k++) {
+            status = fourlink_results_row(in->results, branches[i], k, NULL, &now, NULL);
+            all++;
+            missing += status != FOURLINK_OK;
+            why = status != FOURLINK_OK && !*why ? fourlink_status_text(status) : why;
+        }
+    fourlink_motion_range(&in->problem.motion, &range);
+    if (range.stops && !missing)
+        return tell_missing(in, 1, all + 1, "rows", "the crank comes to rest before the last one");
+    return tell_missing(in, missing, all, "rows", why);
+}
+
+int drawing_begin(drawing *d, const input *in)
+{
     int status;
 
-    if (o->plot_script) {
-        status = output_begin(&file, o->plot_script);
-        if (status)
-            return status;
-        status = write_script(file.file, in);
-        return command_worse(status, output_end(&file, o->plot_script, status == 0));
+    d->in = in;
+    d->script = system_scratch();
+    if (!d->script)
+        return command_complain("cannot draw", in->name, strerror(errno));
+    status = write_script(d->script, in, &d->caption);
+    if (status) {
+        fclose(d->script);
+        d->script = NULL;
     }
-    script = tmpfile();
-    if (!script)
-        return command_complain("cannot draw", o->plot, strerror(errno));
-    status = write_script(script, in);
-    if (!status)
-        status = draw(o->plot, script);
-    fclose(script);
     return status;
+}
+
+int drawing_end(drawing *d, int keep)
+{
+    const options *o = d->in->o;
+    int status = 0;
+
+    if (keep)
+        status = o->plot_script ? copy(o->plot_script, d->script) : draw(o, d->script, &d->caption);
+    fclose(d->script);
+    if (status || !keep || options_want_table(o))
+        return status;
+    if (d->caption.n_lines)
+        return tell_missing(d->in, d->caption.n_missing, d->caption.n_lines, "lines of the [sweep]",
+                            "");
+    return tell_missing_rows(d->in);
 }

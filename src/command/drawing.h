@@ -5,9 +5,21 @@
 #ifndef FOURLINK_DRAWING_H
 #define FOURLINK_DRAWING_H
 
+#include <stdio.h>
+
 #include "input.h"
 
-/* Draw what the options ask for; returns the exit status. */
-int drawing_write(const input *in);
+typedef struct drawing {
+    const input *in;
+    FILE *script; /* null: there is none to draw */
+    plot_caption caption;
+} drawing;
+
+/* Write the script of a picture, before anything is printed; a picture that is refused is a mistake of the options.
+** Returns the exit status. */
+int drawing_begin(drawing *d, const input *in);
+
+/* Draw a script, or give it out; or drop it.  Returns the exit status. */
+int drawing_end(drawing *d, int keep);
 
 #endif

@@ -2,15 +2,12 @@
 **
 ** files.c - the files of the command line: reading them, and which are the same.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 
@@ -43,7 +40,7 @@ static char *read_stream(FILE *file, size_t *length)
 
 char *files_read_path(const char *path, size_t *length)
 {
-    FILE *file = fopen(path, "rb");
+    FILE *file = system_open(path, "rb");
     char *contents;
     int reason;
 
@@ -61,17 +58,66 @@ char *files_read(const char *path, size_t *length)
     return strcmp(path, "-") == 0 ? read_stream(stdin, length) : files_read_path(path, length);
 }
 
+/* 1 if a path names a folder above it, or begins at the root. */
+static int climbs(const char *path)
+{
+    const char *at;
+
+    if (system_is_absolute(path))
+        return 1;
+    for (at = path; *at; at++)
+        if (at[0] == '.' && at[1] == '.' && (!at[2] || system_is_separator(at[2])) &&
+            (at == path || system_is_separator(at[-1])))
+            return 1;
+    return 0;
+}
+
+int files_is_beside(const char *path, const char *name)
+{
+    char *folder = files_beside(path, "."), *file = files_beside(path, name);
+    int is_beside = 0;
+
+    if (!folder || !file)
+        errno = ENOMEM;
+    else if (climbs(name))
+        errno = 0;
+    else
+        is_beside = system_is_within(folder, file);
+    free(folder);
+    free(file);
+    return is_beside;
+}
+
+char *files_read_regular(const char *path, size_t *length)
+{
+    FILE *file = system_open_regular(path);
+    char *contents = file ? read_stream(file, length) : NULL;
+    int reason = errno;
+
+    if (file)
+        fclose(file);
+    errno = reason;
+    return contents;
+}
+
 int files_is_folder(const char *path)
 {
-    struct stat s;
+    return system_kind_of(path) == SYSTEM_FOLDER;
+}
 
-    return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+const char *files_name(const char *path)
+{
+    const char *name = path;
+
+    for (; *path; path++)
+        if (system_is_separator(*path))
+            name = path + 1;
+    return name;
 }
 
 char *files_beside(const char *path, const char *name)
 {
-    const char *slash = strrchr(path, '/');
-    size_t folder = slash && name[0] != '/' ? (size_t)(slash - path) + 1 : 0;
+    size_t folder = system_is_absolute(name) ? 0 : (size_t)(files_name(path) - path);
     char *beside = malloc(folder + strlen(name) + 1);
 
     if (beside) {
@@ -81,24 +127,31 @@ char *files_beside(const char *path, const char *name)
     return beside;
 }
 
-static int is_same(const struct stat *x, const struct stat *y)
+char *files_resolve(const char *path)
 {
-    return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
+    char *real = files_beside("", path), *next, target[4096];
+    int links;
+
+    for (links = 0; real && links < 40 && system_read_link(real, target, sizeof target); links++) {
+        next = files_beside(real, target);
+        free(real);
+        real = next;
+    }
+    return real;
 }
 
 /* 1 if an output would replace an input, which is "-" for standard input. */
 static int replaces(const char *output, const char *input)
 {
-    struct stat out, in;
-
-    return output && stat(output, &out) == 0 && S_ISREG(out.st_mode) &&
-           (strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &in) : stat(input, &in)) == 0 &&
-           is_same(&in, &out);
+    return output && system_kind_of(output) == SYSTEM_FILE &&
+           (strcmp(input, "-") == 0 ? system_is_open_as(output, stdin)
+                                    : system_is_same(output, input));
 }
 
 int files_is_output(const options *o, const char *path)
 {
-    return replaces(o->output, path) || replaces(o->plot, path) || replaces(o->plot_script, path);
+    return replaces(o->output, path) || replaces(o->plot, path) || replaces(o->plot_script, path) ||
+           replaces(o->report, path);
 }
 
 /* 1 if an output is one of the decks, or the file of answers. */
@@ -113,43 +166,51 @@ static int is_input(const char *output, const options *o)
            (o->statistics_file && replaces(output, o->statistics_file));
 }
 
-/* Find the folder of a path; returns the file's name in it, or null. */
-static const char *find_folder(const char *path, struct stat *folder)
+/* 1 if two paths, without links at their ends, name the same file of one folder. */
+static int is_same_name(const char *x, const char *y)
 {
-    const char *slash = strrchr(path, '/');
-    char *name = files_beside(path, ".");
-    int found = name && stat(name, folder) == 0;
+    char *folder = files_beside(x, "."), *other = files_beside(y, ".");
+    int is_one = folder && other && system_is_same(folder, other) &&
+                 strcmp(files_name(x), files_name(y)) == 0;
 
-    free(name);
-    return !found ? NULL : slash ? slash + 1 : path;
+    free(folder);
+    free(other);
+    return is_one;
 }
 
 /* 1 if two paths lead to the same place, even if there is no file yet. */
 static int is_same_place(const char *x, const char *y)
 {
-    struct stat a, b;
+    char *target, *other;
+    int is_one;
 
     if (!x || !y || strcmp(x, "-") == 0 || strcmp(y, "-") == 0)
         return 0;
-    if (stat(x, &a) == 0 && stat(y, &b) == 0)
-        return S_ISREG(a.st_mode) && is_same(&a, &b);
-    x = find_folder(x, &a);
-    y = find_folder(y, &b);
-    return x && y && is_same(&a, &b) && strcmp(x, y) == 0;
+    if (system_kind_of(x) != SYSTEM_NOTHING && system_kind_of(y) != SYSTEM_NOTHING)
+        return system_kind_of(x) == SYSTEM_FILE && system_is_same(x, y);
+    target = files_resolve(x);
+    other = files_resolve(y);
+    is_one = target && other && is_same_name(target, other);
+    free(target);
+    free(other);
+    return is_one;
 }
 
 int files_tell_clash(const options *o)
 {
-    const char *input = is_input(o->output, o)        ? o->output
-                        : is_input(o->plot, o)        ? o->plot
-                        : is_input(o->plot_script, o) ? o->plot_script
-                                                      : NULL;
-    const char *twice = is_same_place(o->output, o->plot) || is_same_place(o->plot, o->plot_script)
-                            ? o->plot
-                        : is_same_place(o->output, o->plot_script) ? o->plot_script
-                                                                   : NULL;
+    const char *outputs[4];
+    int i, k;
 
-    if (input)
-        return command_complain("cannot write", input, "it is also read");
-    return twice ? command_complain("cannot write", twice, "two outputs have this name") : 0;
+    outputs[0] = o->output;
+    outputs[1] = o->plot_script;
+    outputs[2] = o->plot;
+    outputs[3] = o->report;
+    for (i = 0; i < 4; i++)
+        if (is_input(outputs[i], o))
+            return command_complain("cannot write", outputs[i], "it is also read");
+    for (i = 1; i < 4; i++)
+        for (k = 0; k < i; k++)
+            if (is_same_place(outputs[k], outputs[i]))
+                return command_complain("cannot write", outputs[i], "two outputs have this name");
+    return 0;
 }

@@ -12,11 +12,25 @@
 char *files_read(const char *path, size_t *length);
 char *files_read_path(const char *path, size_t *length);
 
+/* Read a file that is no device or FIFO, which could wait for ever; null with errno 0 if it is one. */
+char *files_read_regular(const char *path, size_t *length);
+
+/* 1 if a name, relative to the folder of `path`, does not lead out of this folder; symbolic links are
+** followed.  0 with errno ENOMEM if out of memory, otherwise with 0. */
+int files_is_beside(const char *path, const char *name);
+
 /* 1 if a path is that of a folder. */
 int files_is_folder(const char *path);
 
+/* The name of a file in a path, after its folders. */
+const char *files_name(const char *path);
+
 /* The path of a name in the folder of another path: memory to free, or null. */
 char *files_beside(const char *path, const char *name);
+
+/* The file that a path leads to through symbolic links, even if it does not exist yet: memory to free, or
+** null. */
+char *files_resolve(const char *path);
 
 /* 1 if a file is one that will be written. */
 int files_is_output(const options *o, const char *path);

@@ -2,8 +2,6 @@
 **
 ** grade.c - the answers that decks are checked against: a file, or one of a folder for each deck.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,14 +26,14 @@ int grade_open(grade_answers *a, const options *o)
 /* FOLDER/NAME.expect: memory to free, or null. */
 static char *path_of(const char *folder, const char *deck)
 {
-    const char *slash = strrchr(deck, '/'), *name = slash ? slash + 1 : deck;
+    const char *name = files_name(deck);
     size_t length = strlen(name), room = strlen(folder) + length + sizeof "/.expect";
     char *path = malloc(room);
 
     if (!path)
         return NULL;
     strcpy(path, folder);
-    if (folder[strlen(folder) - 1] != '/')
+    if (*files_name(folder))
         strcat(path, "/");
     if (length > 5 && strcmp(name + length - 5, ".deck") == 0)
         length -= 5;

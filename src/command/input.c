@@ -2,14 +2,12 @@
 **
 ** input.c - a deck of the command line, opened for results.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "base/text.h"
 #include "command.h"
 #include "files.h"
@@ -22,6 +20,25 @@ typedef struct named_file {
     char *contents;
     size_t length;
 } named_file;
+
+/* Read a file that the deck names. */
+static char *read_named(input *in, const char *path, const char *name, size_t *length)
+{
+    char *contents = NULL;
+
+    if (!in->o->allow_files && !files_is_beside(in->name, name)) {
+        if (errno != ENOMEM)
+            in->no_file =
+                "a deck may name files of its own folder only; --allow-files permits others";
+    } else {
+        in->names_output |= files_is_output(in->o, path);
+        contents = files_read_regular(path, length);
+        if (!contents && errno == 0)
+            in->no_file = "it is not a regular file";
+    }
+    in->out_of_memory |= !contents && errno == ENOMEM;
+    return contents;
+}
 
 /* Load a file that the deck names, for the deck's reader. */
 static const char *load_file(void *host, const char *file_name, unsigned long *length)
@@ -40,10 +57,10 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     if (!path || !f || (f->name = files_beside("", file_name)) == NULL) {
         free(path);
         free(f);
+        in->out_of_memory = 1;
         return NULL;
     }
-    in->names_output |= files_is_output(in->o, path);
-    f->contents = files_read_path(path, &f->length);
+    f->contents = read_named(in, path, file_name, &f->length);
     f->next = in->files;
     in->files = f;
     free(path);
@@ -140,12 +157,17 @@ static int open_results(input *in)
 
     if (list)
         status = fourlink_results_open(&in->source, MOST_MISTAKES, &in->results, list, &n);
+    if (in->out_of_memory)
+        status = FOURLINK_NO_MEMORY;
     if (in->names_output) {
         status = command_complain("cannot write", "a file that the deck names", "it is also read");
         refuse(in);
     } else if (status == FOURLINK_BAD_DECK) {
         keep_mistake(in, list[0].file, list[0].line, list[0].message);
         tell_all(in, list, n, command_tell_mistake, "mistake");
+        in->has_mistakes = 1;
+        if (in->no_file)
+            command_tell_note(in->name, 0, in->no_file, NULL);
         status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
@@ -164,7 +186,7 @@ static int read_text(input *in, const char *path)
     size_t length = 0;
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
-    if (in->name != path && isatty(STDIN_FILENO))
+    if (in->name != path && system_is_terminal(stdin))
         fputs("fourlink: reading a deck from the keyboard; see fourlink --help\n", stderr);
     in->text = files_read(path, &length);
     in->source.name = in->name;

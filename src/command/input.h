@@ -17,7 +17,10 @@ typedef struct input {
     fourlink_source source;
     struct named_file *files;  /* the files that the deck names */
     int names_output;          /* 1: one of them would be written */
+    const char *no_file;       /* why one of them is not read; null: the system says why */
+    int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
+    int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers;      /* its own, of a folder */
     char refusal[MESSAGE_SIZE]; /* why it is not usable: the first mistake */

@@ -12,6 +12,7 @@
 
 #include "base/message.h"
 #include "base/number.h"
+#include "base/system.h"
 #include "command.h"
 #include "joined.h"
 #include "tables/statistics.h"
@@ -284,7 +285,7 @@ int joined_write(FILE *out, const options *o, const input *in)
 
     memset(&r, 0, sizeof r);
     r.name = is_standard ? "<stdin>" : o->statistics_file;
-    r.file = is_standard ? stdin : fopen(o->statistics_file, "rb");
+    r.file = is_standard ? stdin : system_open(o->statistics_file, "rb");
     if (!r.file)
         return command_complain("cannot read", r.name, strerror(errno));
     status = write_statistics(out, o, in, &r);

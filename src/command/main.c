@@ -2,14 +2,13 @@
 **
 ** main.c - the command: decks in, sheets and pictures out, exit status.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/system.h"
 #include "best.h"
 #include "command.h"
 #include "designs.h"
@@ -18,6 +17,7 @@
 #include "input.h"
 #include "joined.h"
 #include "output.h"
+#include "reporting.h"
 #include "terminal.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
@@ -116,6 +116,25 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
     return command_worse(written, output_end(&out, o->output, written != EXIT_FILES));
 }
 
+/* Write the sheet and the picture, neither if the picture is refused; returns the exit status. */
+static int write_all(const options *o, const input *inputs, int usable, int *signal_number)
+{
+    drawing d;
+    int status = 0;
+
+    d.script = NULL;
+    if ((o->plot || o->plot_script) && inputs[0].results)
+        status = drawing_begin(&d, &inputs[0]);
+    if (status == EXIT_USAGE)
+        return status;
+    if (options_want_table(o) && (usable || (o->statistics_file && !o->n_decks) ||
+                                  (o->content == SHEET_CHECK && o->n_decks > 1)))
+        status = command_worse(status, write_sheet(o, inputs, signal_number));
+    if (d.script)
+        status = command_worse(status, drawing_end(&d, !*signal_number));
+    return status;
+}
+
 static int run(const options *o)
 {
     input *inputs = calloc(o->n_decks + 1, sizeof *inputs);
@@ -134,11 +153,9 @@ static int run(const options *o)
         status = command_worse(status, input_read(&inputs[i], o->decks[i], o, &answers));
         usable += inputs[i].results != NULL;
     }
-    if (usable || (o->statistics_file && !o->n_decks) ||
-        (o->content == SHEET_CHECK && o->n_decks > 1))
-        status = command_worse(status, write_sheet(o, inputs, &signal_number));
-    if ((o->plot || o->plot_script) && inputs[0].results && !signal_number)
-        status = command_worse(status, drawing_write(&inputs[0]));
+    status = command_worse(status, write_all(o, inputs, usable, &signal_number));
+    if (o->report && (inputs[0].results || inputs[0].has_mistakes) && !signal_number)
+        status = command_worse(status, reporting_write(&inputs[0]));
     for (i = 0; i < o->n_decks; i++)
         input_close(&inputs[i]);
     free(inputs);
@@ -166,13 +183,17 @@ int main(int argc, char **argv)
                                           "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
     options o;
-    int status = options_read(argc, argv, &o, message);
+    int status;
 
+    system_begin(&argc, &argv);
     output_prepare();
+    status = options_read(argc, argv, &o, message);
     if (status < 0) {
         status = command_complain("cannot start", "", "not enough memory");
     } else if (status == 0) {
-        fprintf(stderr, "fourlink: %s\nTry 'fourlink --help'.\n", message);
+        fputs("fourlink: ", stderr);
+        command_print(message);
+        fputs("\nTry 'fourlink --help'.\n", stderr);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
         status = write_text(o.help ? options_help : version);

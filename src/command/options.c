@@ -29,14 +29,20 @@ const char *const options_help[] = {
     "                                    or FOLDER/NAME.expect for NAME.deck",
     "      --expect                      print the values of the deck as answers for --check=FILE",
     "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
+    "      --allow-files                 let a deck name files outside its folder",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
-    "  -p, --plot=FILE                   also draw a picture: .svg .png .pdf .txt .gif, or -",
+    "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
+    "                                    is printed too with --format or --output",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
-    "                                    polar, vectors, klein, animation (default for .gif);",
-    "                                    of a [sweep]: histogram, columns",
+    "                                    polar, vectors, klein, animation (default for .gif),",
+    "                                    columns: those of the table, or outputs of a [sweep];",
+    "                                    of a [sweep]: histogram",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
+    "      --plot-x=NAME                 draw columns over this one (default: theta2)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
+    "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
+    "                                    sample calculation, pictures and tables",
     "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
     "                                    or of a csv FILE that has them",
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
@@ -47,7 +53,7 @@ const char *const options_help[] = {
     "  -V, --version                     print the version",
     "",
     "Exit status: 0 success; 1 some rows could not be computed, or a check failed;",
-    "2 wrong usage or mistakes in a deck; 3 reading, writing or gnuplot failed.",
+    "2 wrong usage or mistakes in a deck; 3 reading, writing, gnuplot or memory failed.",
     NULL};
 
 /* Stand for the letter of options that have none. */
@@ -55,11 +61,14 @@ enum {
     PLOT_KIND = 1,
     PLOT_AT,
     PLOT_SCRIPT,
+    REPORT,
+    PLOT_X,
     EXPECT,
     AT,
     STATISTICS,
     BEST,
-    LAST_WITHOUT_LETTER = BEST
+    ALLOW_FILES,
+    LAST_WITHOUT_LETTER = ALLOW_FILES
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -77,6 +86,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'c', "--columns", 1, "table.columns="},
                                     {'w', "--wide", 0, NULL},
                                     {'s', "--set", 1, ""},
+                                    {ALLOW_FILES, "--allow-files", 0, NULL},
                                     {'m', "--matrix", 0, NULL},
                                     {'C', "--check", 2, NULL},
                                     {EXPECT, "--expect", 0, NULL},
@@ -85,7 +95,9 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {'p', "--plot", 1, NULL},
                                     {PLOT_KIND, "--plot-kind", 1, NULL},
                                     {PLOT_AT, "--plot-at", 1, NULL},
+                                    {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
+                                    {REPORT, "--report", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
@@ -113,6 +125,7 @@ static int set_format(options *o, const char *value, char message[400])
     char names[SHEET_FORMAT_NAMES];
 
     o->format = sheet_find_format(value);
+    o->asks_for_table = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
@@ -179,6 +192,21 @@ static int set_plot(options *o, const char *value, char message[400])
     return 1;
 }
 
+/* 1 if a name ends in this, whatever the case of its letters. */
+static int ends_in(const char *name, const char *ending)
+{
+    size_t n = strlen(name), length = strlen(ending);
+
+    return n > length && flk_text_equal(flk_text_of(name + n - length), ending);
+}
+
+static int set_report(options *o, const char *value, char message[400])
+{
+    o->report = value;
+    return ends_in(value, ".html") || ends_in(value, ".htm") ||
+           say(message, "--report needs a file name that ends in .html, not '", value, "'");
+}
+
 /* Change a key of the deck: `key` ends in "=". */
 static int set_change(options *o, const char *origin, const char *key, const char *value)
 {
@@ -225,7 +253,7 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_format(o, value, message);
     case 'o':
         o->output = strcmp(value, "-") == 0 ? NULL : value;
-        return 1;
+        return o->asks_for_table = 1;
     case 'P':
         return set_part(o, value, message);
     case 'p':
@@ -235,9 +263,14 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case PLOT_AT:
         o->drawing.at = value;
         return 1;
+    case PLOT_X:
+        o->drawing.x = value;
+        return 1;
     case PLOT_SCRIPT:
         o->plot_script = value;
         return 1;
+    case REPORT:
+        return set_report(o, value, message);
     case 'C':
         if (value[0] == '\0' && value != no_value)
             return say(message, "--check= needs a file name", "", "");
@@ -249,6 +282,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_statistics(o, value, message);
     case EXPECT:
         return set_content(o, SHEET_EXPECT);
+    case ALLOW_FILES:
+        return o->allow_files = 1;
     case AT:
         o->at = value;
         return 1;
@@ -328,9 +363,13 @@ static int check_plot(options *o, char message[400])
 {
     int wanted = o->plot || o->plot_script;
 
-    if (!wanted && (o->drawing.at || o->drawing.kind != PLOT_COUNT))
-        return say(message, o->drawing.at ? "--plot-at" : "--plot-kind",
+    if (!wanted && o->drawing.at && !o->report)
+        return say(message, "--plot-at needs --plot, --plot-script or --report", "", "");
+    if (!wanted && (o->drawing.x || o->drawing.kind != PLOT_COUNT))
+        return say(message, o->drawing.x ? "--plot-x" : "--plot-kind",
                    " needs --plot or --plot-script", "");
+    if (o->report && o->n_decks > 1)
+        return say(message, "--report takes one deck, not several", "", "");
     if (!wanted)
         return 1;
     if (o->n_decks > 1)
@@ -343,6 +382,9 @@ static int check_plot(options *o, char message[400])
         o->drawing.kind != PLOT_KLEIN)
         return say(message,
                    "--plot-at works with the kinds mechanism, vectors and klein, not with  ",
+                   plot_names[o->drawing.kind], "");
+    if (o->drawing.x && o->drawing.kind != PLOT_COLUMNS)
+        return say(message, "--plot-x works with --plot-kind=columns, not with ",
                    plot_names[o->drawing.kind], "");
     if (o->drawing.kind == PLOT_ANIMATION && o->plot && o->drawing.file != PLOT_GIF)
         return say(message, "an animation needs a file name that ends in .gif, not '", o->plot,
@@ -359,8 +401,9 @@ static int check_statistics(const options *o, char message[400])
 {
     char names[SHEET_FORMAT_NAMES];
 
-    if (o->best && (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics ||
-                    o->plot || o->plot_script || o->n_decks > 1 || o->format != &table_format))
+    if (o->best &&
+        (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics || o->plot ||
+         o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
     if (o->n_statistics && o->parts)
         return say(message,
@@ -369,7 +412,8 @@ static int check_statistics(const options *o, char message[400])
                    "", "");
     if (!o->statistics_file)
         return 1;
-    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script)
+    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script ||
+        o->report)
         return say(message, "--statistics=FILE works alone, or with a deck", "", "");
     if (o->n_decks > 1)
         return say(message, "--statistics=FILE takes one deck, not several", "", "");
@@ -431,6 +475,14 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
+}
+
+int options_want_table(const options *o)
+{
+    int comes_alone = o->plot || o->plot_script || o->report;
+
+    return !comes_alone || o->asks_for_table || o->content != SHEET_ROWS || o->n_statistics ||
+           o->parts;
 }
 
 void options_free(options *o)

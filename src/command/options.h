@@ -13,6 +13,8 @@ typedef struct options {
     sheet_content content;
     int n_contents; /* how many were asked for */
     int help, version;
+    int asks_for_table;     /* 1: --format or --output was given */
+    int allow_files;        /* 1: decks may name files of other folders */
     int wide;               /* 1: a table need not fit the terminal */
     const char *check_file; /* null: the deck's own expectations */
     const char *at;         /* the crank angles of --expect; null: the rows */
@@ -24,6 +26,7 @@ typedef struct options {
     unsigned long part, parts;   /* --part=K/N; parts 0: not given */
     const char *plot;            /* the picture's file; null: none */
     const char *plot_script;     /* the script's file; null: none */
+    const char *report;          /* the report's file; null: none */
     plot_request drawing;        /* PLOT_COUNT: no kind is given */
     fourlink_change *changes;    /* --set, and options that set a key of the deck */
     unsigned long n_changes;
@@ -35,6 +38,10 @@ typedef struct options {
 /* Read the command line.  Returns 1; 0 and the reason in `message`; -1 if out of memory. */
 int options_read(int argc, char **argv, options *o, char message[400]);
 void options_free(options *o);
+
+/* 1 if a table, or another text, is printed: a picture or a report comes alone unless one is asked for
+** too. */
+int options_want_table(const options *o);
 
 /* The lines of --help, ended by a null pointer. */
 extern const char *const options_help[];

@@ -2,15 +2,11 @@
 **
 ** output.c - an output file, replaced only when complete.
 */
-#define _XOPEN_SOURCE 600 /* POSIX.1-2001, with mkstemp */
-
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "command.h"
 #include "files.h"
 #include "output.h"
@@ -18,124 +14,55 @@
 /* Bytes.  With millions of rows, a system call for each 4 kB costs time. */
 #define BUFFER 65536
 
-/* The temporary file that a signal must remove; null if there is none. */
-static char *volatile at_work;
-
-static void on_signal(int number)
-{
-    if (at_work)
-        unlink(at_work);
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-/* Remove the temporary file if a signal ends the program. */
-static void watch_signals(char *temporary)
-{
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ, SIGXCPU};
-    struct sigaction action, old;
-    size_t i;
-
-    memset(&action, 0, sizeof action);
-    action.sa_handler = on_signal;
-    sigemptyset(&action.sa_mask);
-    at_work = temporary;
-    for (i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
-            sigaction(numbers[i], &action, NULL);
-}
-
-static char *join(const char *x, const char *y)
-{
-    char *both = malloc(strlen(x) + strlen(y) + 1);
-
-    if (both) {
-        strcpy(both, x);
-        strcat(both, y);
-    }
-    return both;
-}
-
-/* The target of a symbolic link; null if the path is not one, or if out of memory. */
-static char *read_link(const char *path)
-{
-    char target[4096];
-    ssize_t n = readlink(path, target, sizeof target - 1);
-
-    if (n < 0)
-        return NULL;
-    target[n] = '\0';
-    return files_beside(path, target);
-}
-
-/* The file that a path leads to through symbolic links, even if it does not exist yet. */
-static char *resolve(const char *path)
-{
-    char *real = join(path, ""), *next;
-    int links;
-
-    for (links = 0; real && links < 40 && (next = read_link(real)) != NULL; links++) {
-        free(real);
-        real = next;
-    }
-    return real;
-}
-
 /* Open a temporary file beside a regular file, or beside one that does not exist yet. */
-static FILE *open_beside(output *o, int exists, mode_t mode)
+static FILE *open_beside(output *o)
 {
-    mode_t mask = umask(0);
-    int descriptor;
+    FILE *file;
 
-    umask(mask);
-    o->temporary = join(o->path, ".XXXXXX");
-    descriptor = o->temporary ? mkstemp(o->temporary) : -1;
-    if (descriptor < 0) {
+    o->temporary = files_beside(o->path, ".fourlinkXXXXXX"); /* whatever the length of the name */
+    file = o->temporary ? system_create(o->temporary, o->path) : NULL;
+    if (!file) {
         free(o->temporary);
         o->temporary = NULL;
-        return NULL;
     }
-    watch_signals(o->temporary);
-    fchmod(descriptor, exists ? mode & 07777 : 0666 & ~mask);
-    return fdopen(descriptor, "w");
+    return file;
 }
 
 void output_prepare(void)
 {
-    if (!isatty(STDOUT_FILENO))
+    if (!system_is_terminal(stdout))
         setvbuf(stdout, NULL, _IOFBF, BUFFER);
 }
 
 /* 1; 0 with errno set. */
 static int open_output(output *o, const char *path)
 {
-    struct stat status, standard;
-    int exists, is_regular;
+    system_kind kind;
+    int is_regular;
 
     memset(o, 0, sizeof *o);
     if (!path) {
         o->file = stdout;
         return 1;
     }
-    exists = stat(path, &status) == 0;
-    if (!exists && errno != ENOENT)
+    kind = system_kind_of(path);
+    if (kind == SYSTEM_ERROR)
         return 0;
-    if (exists && fstat(STDOUT_FILENO, &standard) == 0 && standard.st_dev == status.st_dev &&
-        standard.st_ino == status.st_ino) {
+    if (system_is_open_as(path, stdout)) {
         o->file = stdout; /* as for /dev/stdout: other programs may write to it too */
         return 1;
     }
-    if (exists && S_ISDIR(status.st_mode)) {
+    if (kind == SYSTEM_FOLDER) {
         errno = EISDIR;
         return 0;
     }
-    if (exists && access(path, W_OK) != 0)
+    if (kind != SYSTEM_NOTHING && !system_may_write(path))
         return 0;
-    is_regular = !exists || S_ISREG(status.st_mode);
-    o->path = is_regular ? resolve(path) : join(path, "");
+    is_regular = kind == SYSTEM_NOTHING || kind == SYSTEM_FILE;
+    o->path = is_regular ? files_resolve(path) : files_beside("", path);
     if (!o->path)
         return 0;
-    o->file = is_regular ? open_beside(o, exists, status.st_mode) : fopen(path, "w");
+    o->file = is_regular ? open_beside(o) : system_open(path, "wb");
     if (o->file)
         setvbuf(o->file, NULL, _IOFBF, BUFFER);
     return o->file != NULL;
@@ -170,11 +97,10 @@ int output_end(output *o, const char *path, int keep)
         reason = reason_of(o->file);
     if (o->path && o->file && fclose(o->file) != 0 && keep && !reason)
         reason = errno;
-    if (o->temporary && keep && !reason && rename(o->temporary, o->path) != 0)
+    if (o->temporary && keep && !reason && !system_rename(o->temporary, o->path))
         reason = errno;
     if (o->temporary && (!keep || reason))
-        remove(o->temporary);
-    at_work = NULL;
+        system_remove(o->temporary);
     free(o->temporary);
     free(o->path);
     memset(o, 0, sizeof *o);

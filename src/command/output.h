@@ -13,7 +13,8 @@ typedef struct output {
     char *temporary; /* null: written directly, as to a device or a pipe */
 } output;
 
-/* Call this before anything is written to standard output. */
+/* Call this before anything is written: a signal that ends the program then leaves no temporary file and no
+** gnuplot. */
 void output_prepare(void);
 
 /* Open a path, or standard output for null and "-"; prints a failure and returns the exit status.  A regular

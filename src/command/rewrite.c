@@ -19,6 +19,7 @@ typedef struct deck_line {
 /* Where the walk through a deck is. */
 typedef struct walk {
     text rest;
+    int line_end;
     text section, name; /* of the section */
     int is_value;       /* 1: the line continues the value of the line before it */
     int went_on;
@@ -70,7 +71,7 @@ static void split_section(text t, text *section, text *name)
 /* The next line; 0 at the end. */
 static int next_line(walk *w, deck_line *l)
 {
-    if (!w->rest.start || !w->rest.length || !flk_text_split(&w->rest, '\n', &l->whole))
+    if (!w->rest.start || !w->rest.length || !flk_text_split(&w->rest, w->line_end, &l->whole))
         return 0;
     if (l->whole.length && l->whole.start[l->whole.length - 1] == '\r')
         l->whole.length--;
@@ -97,6 +98,7 @@ static void begin(walk *w, text deck)
 {
     memset(w, 0, sizeof *w);
     w->rest = flk_text_without_mark(deck);
+    w->line_end = flk_text_line_end(w->rest);
     w->section = w->name = flk_text_of("");
 }
 

@@ -2,12 +2,9 @@
 **
 ** terminal.c - the terminal that results are shown on.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <stdlib.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "terminal.h"
 
 #define USUAL_WIDTH 80
@@ -26,16 +23,10 @@ unsigned long terminal_width(FILE *out)
 {
     unsigned long width = 0;
 
-    if (!isatty(fileno(out)))
+    if (!system_is_terminal(out))
         return 0;
     width = width_of_environment();
-#ifdef TIOCGWINSZ /* not in POSIX.1-2001, but on every system that has terminals */
-    if (!width) {
-        struct winsize size;
-
-        if (ioctl(fileno(out), TIOCGWINSZ, &size) == 0)
-            width = size.ws_col;
-    }
-#endif
+    if (!width)
+        width = system_width(out);
     return width ? width : USUAL_WIDTH;
 }

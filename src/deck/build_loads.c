@@ -30,6 +30,10 @@ static size_t check_curve(parser *p, const setting *s, double period)
 
     if (!c || !(p->d->cycle > 0))
         return 0;
+    if (n > MOST_POINTS) {
+        flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
+        return 0;
+    }
     for (i = 1; i < n; i++)
         if (c[i].x - c[i - 1].x < (period > 0 ? LEAST_STEP : 0) || c[i].x == c[i - 1].x) {
             flk_mistake(p->mistakes, c[i].place,

@@ -15,11 +15,14 @@
 #define MOST_FIELDS 4
 #define ROW_SIZE 400
 #define UNIT_SIZE 64
+#define MOST_QUOTED 20 /* bytes of the file in a message: it may not have been meant to be read */
 
 /* A file that is being read. */
 typedef struct card {
     parser *p;
-    setting row; /* the setting, with the present line as its value and place */
+    text line;   /* the present line */
+    setting row; /* the setting, with the start of the line as its value, and its place */
+    char quote[MOST_QUOTED + 1]; /* that start */
     quantity q[2];
     char unit[2][UNIT_SIZE]; /* of bare numbers in the columns; empty: the deck's */
     int is_told[2];          /* 1: the deck gives it with the name of the file */
@@ -43,9 +46,10 @@ static text without_comment(text line)
 
     for (i = 0; i < line.length; i++) {
         before.length = i;
-        after = flk_text_trim(flk_text_from(line, i + 1));
-        if (i > 0 && !flk_text_blank_before(before))
+        if ((line.start[i] != '#' && line.start[i] != ';') ||
+            (i > 0 && !flk_text_blank_before(before)))
             continue;
+        after = flk_text_trim(flk_text_from(line, i + 1));
         if (line.start[i] == '#' ||
             (line.start[i] == ';' && (i == 0 || is_row) && after.length && !is_number_start(after)))
             break;
@@ -189,13 +193,15 @@ static int keep_unit(card *c, int column, text t)
 
     if (!t.length)
         return 1;
+    if (t.length > MOST_QUOTED)
+        return flk_mistake(c->p->mistakes, c->row.place, "'%t': this is too long for a unit",
+                           c->row.value);
     if (!flk_quantity_unit(t, t, c->q[column], c->p->d->units[c->q[column]].unit, &u, c->p->why))
         return flk_mistake(c->p->mistakes, c->row.place, "%s", c->p->why);
     if (c->is_told[column] && !flk_text_same(t, c->unit[column]))
         return flk_mistake(c->p->mistakes, c->row.place,
                            "the header has the unit '%t', the deck '%s'", t, c->unit[column]);
-    if (t.length < UNIT_SIZE)
-        flk_text_copy(t, c->unit[column], UNIT_SIZE);
+    flk_text_copy(t, c->unit[column], UNIT_SIZE);
     return 1;
 }
 
@@ -203,7 +209,7 @@ static int keep_unit(card *c, int column, text t)
 static void read_header(card *c)
 {
     text fields[MOST_FIELDS];
-    size_t n = cut_line(c, c->row.value, fields);
+    size_t n = cut_line(c, c->line, fields);
     int i;
 
     c->headers++;
@@ -218,7 +224,7 @@ static void read_header(card *c)
 /* 1 if a line is a header: the first one without a number, and one of units below it. */
 static int is_header(const card *c)
 {
-    text fields[MOST_FIELDS], line = c->row.value;
+    text fields[MOST_FIELDS], line = c->line;
 
     if (is_number_start(flk_text_unquoted(line)) ||
         (line.start[0] == '"' && line.length > 1 && is_number_start(flk_text_from(line, 1))))
@@ -269,7 +275,7 @@ static int add_field(card *c, int column, text field, char *out)
 /* Check the columns of a row; 0 and a mistake if there are not two of them, separated as in other rows. */
 static int check_columns(card *c, const text *fields, size_t n)
 {
-    text line = c->row.value;
+    text line = c->line;
     size_t i;
     int is_mixed = (c->separator == ';') != (flk_text_count(line, ';') > 0);
 
@@ -279,39 +285,74 @@ static int check_columns(card *c, const text *fields, size_t n)
     if (is_mixed)
         return flk_mistake(c->p->mistakes, c->row.place,
                            "'%t': mixed separators; numbers with decimal commas are separated by ;",
-                           line);
+                           c->row.value);
     if (n > 2)
         return refuse_columns(c, n);
     return 1;
+}
+
+/* Read the text of a point.  A mistake in it may quote any of it, so that a long one has a mistake of its
+** own. */
+static int read_point(card *c, text t, int is_long, point *result)
+{
+    mistakes *all = c->p->mistakes, aside;
+    int is_one;
+
+    memset(&aside, 0, sizeof aside);
+    if (is_long)
+        c->p->mistakes = &aside;
+    is_one = flk_curve_point_read(c->p, &c->row, t, c->q[1], 0, result);
+    c->p->mistakes = all;
+    flk_mistakes_free(&aside);
+    return is_one || !is_long ||
+           flk_mistake(all, c->row.place, "expected an angle and a value, such as %s, not '%t'",
+                       flk_curve_point_example(c->q[1]), c->row.value);
 }
 
 /* Read a row; 0 and a mistake if it is none. */
 static int read_row(card *c, point *result)
 {
     text fields[MOST_FIELDS];
-    size_t n = cut_line(c, c->row.value, fields), i;
+    size_t n = cut_line(c, c->line, fields), i;
     char out[ROW_SIZE] = "";
+    int is_long = 0;
 
     if (!check_columns(c, fields, n))
         return 0;
-    for (i = 0; i < n; i++)
+    for (i = 0; i < n; i++) {
+        is_long |= fields[i].length > MOST_QUOTED;
         if (!add_field(c, (int)i, fields[i], out))
             return 0;
-    return flk_curve_point_read(c->p, &c->row, flk_text_trim(flk_text_of(out)), c->q[1], 0, result);
+    }
+    return read_point(c, flk_text_trim(flk_text_of(out)), is_long, result);
 }
 
 static void read_lines(card *c, text contents, setting *s)
 {
     text line;
+    int end = flk_text_line_end(contents);
 
     contents = flk_text_without_mark(contents);
-    while (!c->p->out_of_memory && flk_text_split(&contents, '\n', &line)) {
+    while (!c->p->out_of_memory && flk_text_split(&contents, end, &line)) {
         c->row.place.line++;
-        c->row.value = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
-        if (!c->row.value.length)
+        if (!flk_line_is_text(c->p, line, c->row.place))
+            return;
+        c->line = without_comment(flk_reader_plain(c->p, flk_text_trim(line)));
+        if (!c->line.length)
             continue;
+        c->p->n_characters += c->line.length;
+        if (c->p->n_characters > MOST_CHARACTERS) {
+            flk_mistake(c->p->mistakes, c->row.place,
+                        "more than 8,000,000 characters: not a curve");
+            return;
+        }
+        c->row.value = flk_text_of(flk_text_copy(c->line, c->quote, sizeof c->quote));
+        if (s->n_points == MOST_POINTS) {
+            flk_mistake(c->p->mistakes, c->row.place, "more than 100,000 points: not a curve");
+            return;
+        }
         if (!c->separator)
-            c->separator = flk_text_count(c->row.value, ';') ? ';' : ' ';
+            c->separator = flk_text_count(c->line, ';') ? ';' : ' ';
         if (!s->n_points && is_header(c))
             read_header(c);
         else
@@ -363,7 +404,7 @@ static const char *load(parser *p, text name, unsigned long *length)
 
 int flk_card_read(parser *p, setting *s, quantity q, text name)
 {
-    size_t before = p->mistakes->count;
+    size_t before = p->mistakes->count, rows;
     unsigned long length;
     text contents = {NULL, 0}, units[2];
     card c;
@@ -389,7 +430,10 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
     contents.length = length;
     c.row.place.source = flk_reader_copy(p, flk_text_unquoted(name), "");
     c.row.place.line = 0;
-    s->curve = flk_reader_keep(p, (flk_text_count(contents, '\n') + 1) * sizeof *s->curve);
+    rows = flk_text_count(contents, flk_text_line_end(contents)) + 1;
+    if (rows > MOST_POINTS)
+        rows = MOST_POINTS;
+    s->curve = flk_reader_keep(p, rows * sizeof *s->curve);
     if (s->curve)
         read_lines(&c, contents, s);
     s->is_bare = c.row.is_bare;

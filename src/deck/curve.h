@@ -8,6 +8,8 @@
 
 #include <stddef.h>
 
+#include "base/arithmetic.h"
+
 typedef struct curve {
     double *x, *y; /* n points, and the first again one period later; in one piece of memory */
     double *slope; /* dy/dx at the n points */

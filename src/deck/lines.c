@@ -7,6 +7,7 @@
 #include "reader.h"
 
 #define LINE_MAX_LENGTH 65536
+#define MOST_LINES 4000000
 #define MOST_SECTIONS 10000
 
 /* 1 if such a section is allowed here; otherwise 0 and a mistake. */
@@ -15,6 +16,8 @@ static int check_section(parser *p, text_place place, section_code section, text
     const section_info *info = &flk_section_table[section];
     const section_use *use = flk_section_find(p, section, NULL);
 
+    if (p->n_uses >= MOST_SECTIONS)
+        return flk_mistake(p->mistakes, place, "too many sections");
     if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT)
         return flk_mistake(p->mistakes, place,
                            "expected [expect] or [misprint] in this file, not [%s]", info->name);
@@ -25,8 +28,6 @@ static int check_section(parser *p, text_place place, section_code section, text
                            use->place.line);
     if (name.length && flk_section_find(p, section, &name))
         return flk_mistake(p->mistakes, place, "[%s %t] is given twice", info->name, name);
-    if (p->n_uses >= MOST_SECTIONS)
-        return flk_mistake(p->mistakes, place, "too many sections");
     return 1;
 }
 
@@ -70,7 +71,7 @@ text flk_line_without_comment(text line)
     return flk_text_trim(line);
 }
 
-static int is_text(parser *p, text line, text_place place)
+int flk_line_is_text(parser *p, text line, text_place place)
 {
     static const char hex[] = "0123456789abcdef";
     char code[3] = "00";
@@ -79,6 +80,10 @@ static int is_text(parser *p, text line, text_place place)
     if (line.length > LINE_MAX_LENGTH) {
         p->not_text = 1;
         return flk_mistake(p->mistakes, place, "line longer than 65536 characters: not a deck");
+    }
+    if (place.line > MOST_LINES) {
+        p->not_text = 1;
+        return flk_mistake(p->mistakes, place, "more than 4,000,000 lines: not a deck");
     }
     for (i = 0; i < line.length; i++) {
         unsigned char c = (unsigned char)line.start[i];
@@ -99,15 +104,21 @@ static int next_line(parser *p, text *rest, text *line)
 {
     if (p->last_line > 0 && !rest->length)
         return 0; /* nothing after the last end of line */
-    if (!flk_text_split(rest, '\n', line))
+    if (!flk_text_split(rest, p->line_end, line))
         return 0;
     p->last_line++;
-    if (!is_text(p, *line, flk_reader_end(p))) {
+    if (!flk_line_is_text(p, *line, flk_reader_end(p))) {
         rest->start = NULL;
         return 0;
     }
     *line = flk_line_without_comment(*line);
-    return 1;
+    p->n_characters += line->length;
+    if (p->n_characters <= MOST_CHARACTERS)
+        return 1;
+    p->not_text = 1;
+    rest->start = NULL;
+    return flk_mistake(p->mistakes, flk_reader_end(p),
+                       "more than 8,000,000 characters: not a deck");
 }
 
 /* A line that ends in a comma continues in the next, unless that is an assignment or a section.  The comment
@@ -118,7 +129,7 @@ static void join_lines(parser *p, char *copy, text *rest, text *line)
         text ahead = *rest, next;
         char *gap;
 
-        if (!flk_text_split(&ahead, '\n', &next))
+        if (!flk_text_split(&ahead, p->line_end, &next))
             return;
         next = flk_line_without_comment(next);
         if (next.length && (next.start[0] == '[' || memchr(next.start, '=', next.length)))
@@ -143,6 +154,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
     place.line = 1;
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
     rest = flk_text_without_mark(rest);
+    p->line_end = flk_text_line_end(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;
 

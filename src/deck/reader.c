@@ -162,7 +162,7 @@ static int run(deck *d, const fourlink_source *source, const char *name,
     free(p.uses);
     free(p.named);
     free(p.named_slots);
-    return !p.out_of_memory && !d->mistakes.out_of_memory;
+    return !p.out_of_memory && !d->mistakes.out_of_memory && !d->notes.out_of_memory;
 }
 
 int flk_deck_read(const fourlink_source *source, deck *d)

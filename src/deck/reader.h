@@ -74,6 +74,7 @@ typedef struct parser {
     void *host; /* for the loader */
     section_use *uses;
     size_t n_uses, uses_capacity;
+    size_t first_use[SECTION_COUNT]; /* number of the first of each section + 1; 0: none */
     named_value *named;
     size_t n_named, named_capacity;
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
@@ -84,6 +85,9 @@ typedef struct parser {
     int not_text;      /* 1: the reading ended at a byte that is not text */
     quantity argument; /* of the curve that is being read */
     long last_line;
+    size_t
+        n_characters; /* of the text and the files it names, without comments and blanks around lines */
+    int line_end;
     int out_of_memory;
 } parser;
 
@@ -96,6 +100,9 @@ char *flk_reader_copy(parser *p, text t, const char *ending);
 /* A value in plain characters (see base/spelling.h), which lasts as long; its blanks alone. */
 text flk_reader_plain(parser *p, text t);
 text flk_reader_blanks(parser *p, text t);
+
+#define MOST_POINTS 100000      /* of a curve */
+#define MOST_CHARACTERS 8000000 /* of a text, besides comments */
 
 /* The last line read: the end of the deck, for a mistake about something missing. */
 text_place flk_reader_end(const parser *p);
@@ -141,6 +148,9 @@ void flk_setting_assign(parser *p, text_place place, text key, text value);
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
 ** quotes. */
 text flk_line_without_comment(text line);
+
+/* 1 if a line is text, of a file that is not too large; otherwise 0 and a mistake: read no further. */
+int flk_line_is_text(parser *p, text line, text_place place);
 
 /* First pass: the lines of the deck, all within `copy`. */
 void flk_lines_read(parser *p, text rest, char *copy);

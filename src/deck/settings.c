@@ -36,6 +36,8 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     if (!uses || !settings)
         return NULL;
     use = &uses[p->n_uses++];
+    if (!p->first_use[section])
+        p->first_use[section] = p->n_uses;
     use->section = section;
     use->name = name;
     use->place = place;
@@ -54,7 +56,9 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
 {
     size_t i;
 
-    for (i = 0; i < p->n_uses; i++)
+    if (!p->first_use[section])
+        return NULL;
+    for (i = p->first_use[section] - 1; i < p->n_uses; i++)
         if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
             return &p->uses[i];
     return NULL;
@@ -128,6 +132,10 @@ int flk_section_unknown(parser *p, text_place place, text name)
     const char *known[SECTION_COUNT];
     int i;
 
+    if (flk_mistakes_are_full(p->mistakes)) {
+        p->has_unknown_section = 1;
+        return flk_mistake(p->mistakes, place, "");
+    }
     for (i = 1; i < SECTION_COUNT; i++)
         known[i - 1] = flk_section_table[i].name;
     known[SECTION_COUNT - 1] = NULL;
@@ -151,9 +159,12 @@ static int refuse_key(parser *p, text_place place, section_code section, text ke
 {
     const char *known[KEY_COUNT + 1], *nearest;
     char where[MESSAGE_SIZE];
-    section_code other = section_with(key);
+    section_code other;
     key_code first = flk_first_key(section), i;
 
+    if (flk_mistakes_are_full(p->mistakes))
+        return flk_mistake(p->mistakes, place, "");
+    other = section_with(key);
     for (i = first; i < flk_first_key(section + 1); i++)
         known[i - first] = flk_key_table[i].name;
     known[i - first] = NULL;

@@ -17,6 +17,7 @@
 #include "base/number.h"
 #include "reader.h"
 
+#define MOST_VARIABLES 1000
 #define MOST_DESIGNS 4e9 /* fits an unsigned long on every machine */
 
 /* How one quantity is varied. */
@@ -420,7 +421,7 @@ static double read_line(parser *p, variation *list, const named_value *named, un
     double count = 0;
 
     for (i = 0; i < n; i++) {
-        variation *v = &list[sweep->n_variables];
+        variation *v = &list[sweep->n_variables]; /* there is room for one more */
 
         memset(v, 0, sizeof *v);
         v->name = piece_of(named->name, i);
@@ -428,6 +429,10 @@ static double read_line(parser *p, variation *list, const named_value *named, un
         v->place = named->place;
         v->piece = i;
         v->n_pieces = n;
+        if (sweep->n_variables == MOST_VARIABLES) {
+            flk_mistake(p->mistakes, v->place, "[sweep] varies more than 1000 quantities");
+            return 0;
+        }
         if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
             return 0;
         sweep->n_variables++;
@@ -462,7 +467,7 @@ static size_t most_variations(const parser *p)
     for (i = 0; i < p->n_named; i++)
         if (p->uses[p->named[i].use].section == SECTION_SWEEP)
             n += (size_t)count_pieces(p->named[i].name);
-    return n;
+    return GSL_MIN(n, MOST_VARIABLES + 1);
 }
 
 /* The digits of a combination's number: the last quantity changes fastest. */

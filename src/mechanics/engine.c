@@ -3,6 +3,7 @@
 ** engine.c - what textbooks compute for a slider-crank: the series, the two masses of the rod, the
 ** analytical engine method.
 */
+#include <float.h>
 #include <math.h>
 
 #include <gsl/gsl_math.h>
@@ -62,18 +63,13 @@ int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink
 **
 **    m_g = m d / (b + d) at the gudgeon pin,  m_d = m b / (b + d) at d beyond G,  d = k^2 / b
 */
-int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
+static int find_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 {
-    const fourlink_link *link;
-    double m, l;
+    const fourlink_link *link = &mechanism->design.link[3];
+    double m = link->mass, l = link->length;
 
-    if (!mechanism || !rod)
-        return FOURLINK_NULL;
     if (mechanism->design.kind != FOURLINK_SLIDER_CRANK)
         return FOURLINK_NOT_AN_ENGINE;
-    link = &mechanism->design.link[3];
-    m = link->mass;
-    l = link->length;
     if (m > 0 && fabs(link->cg.y) > 1e-12 * l)
         return FOURLINK_ROD_OFF_LINE;
     rod->n = l / mechanism->design.link[2].length;
@@ -86,6 +82,23 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
     rod->m_d = rod->L != 0 ? m * rod->b / rod->L : 0;
     rod->m_g = rod->L != 0 ? m * rod->d / rod->L : 0;
     rod->k1 = rod->b * (l - rod->b) > 0 ? sqrt(rod->b * (l - rod->b)) : 0;
+    return FOURLINK_OK;
+}
+
+int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
+{
+    fourlink_rod found;
+    int status;
+
+    if (!mechanism || !rod)
+        return FOURLINK_NULL;
+    status = find_masses(mechanism, &found);
+    if (status != FOURLINK_OK)
+        return status;
+    if (!FLK_WITHIN(found.k, DBL_MAX) || !FLK_WITHIN(found.L, DBL_MAX) ||
+        !FLK_WITHIN(found.m_g, DBL_MAX))
+        return FOURLINK_BAD_NUMBER; /* nearly no mass, but an inertia */
+    *rod = found;
     return FOURLINK_OK;
 }
 
@@ -125,7 +138,7 @@ int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_s
     if (approximation != FOURLINK_EXACT && approximation != FOURLINK_SERIES_PISTON &&
         approximation != FOURLINK_SERIES_ALL)
         return FOURLINK_BAD_APPROXIMATION;
-    status = fourlink_rod_masses(mechanism, &rod);
+    status = find_masses(mechanism, &rod);
     if (status == FOURLINK_OK)
         status = flk_check_loads(loads, n_loads);
     if (status != FOURLINK_OK)

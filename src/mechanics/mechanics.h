@@ -6,6 +6,7 @@
 #define FOURLINK_MECHANICS_H
 
 #include "fourlink.h"
+#include "base/arithmetic.h"
 
 /* A position with sine^2 below this is dead: the rest is rounding error. */
 #define FLK_DEAD 1e-14

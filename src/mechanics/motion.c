@@ -40,9 +40,10 @@ static double direction(const fourlink_motion *motion)
 */
 static double stopping_angle(const fourlink_motion *motion)
 {
+    int slows = motion->speed > 0 ? motion->acceleration < 0 : motion->acceleration > 0;
     double s;
 
-    if (motion->hold || motion->run_up > 0 || motion->acceleration * motion->speed >= 0)
+    if (motion->hold || motion->run_up > 0 || motion->speed == 0 || !slows)
         return -1;
     s = motion->speed * (motion->speed / (2 * motion->acceleration));
     return fabs(s) / motion->angle_unit;
@@ -107,7 +108,8 @@ int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range)
 static void accelerate(double speed, double acceleration, double s, fourlink_row *row)
 {
     double square = speed * speed + 2 * acceleration * s;
-    double omega2 = square > 0 ? sqrt(square) : 0;
+    /* the square of a tiny speed is 0 */
+    double omega2 = acceleration == 0 ? fabs(speed) : square > 0 ? sqrt(square) : 0;
 
     if (speed < 0 || (speed == 0 && acceleration < 0))
         omega2 = -omega2;

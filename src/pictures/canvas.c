@@ -16,15 +16,29 @@
 #define BELOW (4 * CANVAS_LINE)
 #define SHORTENED "\342\200\246" /* an ellipsis, in UTF-8 */
 
-/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line. */
-static void put_quoted(FILE *out, const char *words)
+/* Inside double quotes gnuplot interprets backslashes, commands in backquotes, and the end of the line.  The name
+** of a file is written as it is.  In a text what is not printable is shown as a question mark, so that every script
+** and picture is valid UTF-8, and ]]> gets a blank: gnuplot would copy it, and no SVG may have it. */
+static void put_quoted(FILE *out, const char *words, int is_file)
 {
+    text rest = flk_text_of(words);
+
     putc('"', out);
-    for (; *words; words++)
-        if (strchr("\"\\`", *words) || ((unsigned char)*words < ' '))
-            fprintf(out, "\\%03o", (unsigned)*words);
-        else
-            putc(*words, out);
+    while (rest.length) {
+        size_t n = is_file ? 1 : flk_text_printable(rest);
+
+        if (!is_file && strncmp(rest.start, "]]>", 3) == 0) {
+            fputs("]] ", out);
+            n = 2;
+        } else if (n == 0) {
+            putc('?', out);
+        } else if (strchr("\"\\`", *rest.start) || (unsigned char)*rest.start < ' ') {
+            fprintf(out, "\\%03o", (unsigned)*rest.start);
+        } else {
+            fwrite(rest.start, 1, n, out);
+        }
+        rest = flk_text_from(rest, n ? n : 1);
+    }
     putc('"', out);
 }
 
@@ -40,8 +54,8 @@ void canvas_print(const canvas *c, const char *format, ...)
             putc(*format, c->out);
         } else if (*format == 's') {
             fputs(va_arg(arguments, const char *), c->out);
-        } else if (*format == 'q') {
-            put_quoted(c->out, va_arg(arguments, const char *));
+        } else if (*format == 'q' || *format == 'f') {
+            put_quoted(c->out, va_arg(arguments, const char *), *format == 'f');
         } else if (*format == 'd') {
             fprintf(c->out, "%d", va_arg(arguments, int));
         } else { /* .8g */
@@ -180,7 +194,8 @@ void canvas_titles(const canvas *c, const char *title, const char *x, const char
 
 void canvas_key(const canvas *c)
 {
-    double line = c->is_text ? 1.7 * CANVAS_LINE : CANVAS_LINE; /* the terminal rounds down */
+    double line =
+        (c->is_text ? 0.85 : 0.5) * (c->lines - 1) * CANVAS_LINE; /* the terminal rounds down */
 
     canvas_print(c, "set key at graph 0.5, graph %.6g center center horizontal\n",
                  1 + line / c->box_height);

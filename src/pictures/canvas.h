@@ -53,8 +53,8 @@ void canvas_note(const canvas *c, int line, const char *words);
 /* Put grid lines, except on a text terminal, where they would hide the curves. */
 void canvas_grid(const canvas *c);
 
-/* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, and %q quotes a
-** text for gnuplot. */
+/* Write to the script, as printf does with %s, %d and %%; %.8g is the same in every locale, %q quotes a
+** text for gnuplot, and %f the name of a file. */
 void canvas_print(const canvas *c, const char *format, ...);
 
 /* The number of UTF-8 characters; their width in pixels. */

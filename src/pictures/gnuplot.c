@@ -4,83 +4,14 @@
 ** output, so that it never reads a file name.  gnuplot does not check whether it can write, so the picture is
 ** copied here.
 */
-#define _POSIX_C_SOURCE 200112L
-
 #include <errno.h>
-#include <fcntl.h>
-#include <signal.h>
 #include <string.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "gnuplot.h"
+#include "svg.h"
 
-#define NOT_FOUND 127
-#define NOT_STARTED 126
-
-/* Run gnuplot with only the three standard files open. */
-static void run(FILE *complaints)
-{
-    int file, reason;
-
-    for (file = STDERR_FILENO + 1; file < 64; file++)
-        if (file != fileno(complaints))
-            close(file);
-    fcntl(fileno(complaints), F_SETFD, FD_CLOEXEC);
-    execlp("gnuplot", "gnuplot", "--default-settings", "-", (char *)NULL);
-    reason = errno;
-    fprintf(complaints, "fourlink: gnuplot: %s\n", strerror(reason));
-    fflush(complaints);
-    errno = reason;
-}
-
-/* Become gnuplot, in the child; never returns. */
-static void become_gnuplot(FILE *script, int picture, FILE *complaints)
-{
-    if (dup2(fileno(script), STDIN_FILENO) >= 0 && dup2(picture, STDOUT_FILENO) >= 0 &&
-        dup2(fileno(complaints), STDERR_FILENO) >= 0)
-        run(complaints);
-    _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
-}
-
-/* Start gnuplot; returns the pipe that the picture comes from, or -1. */
-static int start(FILE *script, FILE *complaints, pid_t *child)
-{
-    int ends[2];
-
-    if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
-        pipe(ends) != 0)
-        return -1;
-    signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
-    *child = fork();
-    if (*child == 0) {
-        close(ends[0]);
-        become_gnuplot(script, ends[1], complaints);
-    }
-    close(ends[1]);
-    if (*child < 0) {
-        close(ends[0]);
-        return -1;
-    }
-    return ends[0];
-}
-
-/* Copy a stream; returns the number of bytes, or -1 with errno set if they cannot be written. */
-static long copy(int from, FILE *to)
-{
-    long copied = 0;
-    char part[8192];
-    ssize_t n;
-
-    while ((n = read(from, part, sizeof part)) > 0 || (n < 0 && errno == EINTR))
-        if (n > 0) {
-            if (fwrite(part, 1, (size_t)n, to) != (size_t)n)
-                return -1;
-            copied += (long)n;
-        }
-    return copied;
-}
+#define PART 8192 /* bytes; an SVG has its title and description in the first of them */
 
 static void show(FILE *complaints)
 {
@@ -92,40 +23,61 @@ static void show(FILE *complaints)
 }
 
 /* Null, or the reason why there is no picture. */
-static const char *outcome(int status, long copied, FILE *complaints)
+static const char *reason_of(const system_outcome *o, FILE *complaints)
 {
-    if (WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
+    if (!o->is_found)
         return "gnuplot is not installed; its package is gnuplot-nox (Debian, Ubuntu) or gnuplot; "
                "--plot-script writes its script";
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    if (o->status != 0)
         show(complaints);
-    else if (copied > 0)
+    else if (o->copied > 0)
         return NULL;
     return "gnuplot failed";
 }
 
-static const char *draw(FILE *script, FILE *picture, FILE *complaints)
+static const char *draw(FILE *script, FILE *out, FILE *complaints)
 {
-    pid_t child, ended;
-    int status = 0, pipe_end = start(script, complaints, &child), reason;
-    long copied;
+    static const char *const gnuplot[] = {"gnuplot", "--default-settings", "-", NULL};
+    system_outcome outcome;
 
-    if (pipe_end < 0)
-        return strerror(errno);
-    copied = copy(pipe_end, picture);
-    reason = errno;
-    close(pipe_end);
-    while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
-        ;
-    if (ended < 0 || copied < 0)
-        return strerror(copied < 0 ? reason : errno);
-    return outcome(status, copied, complaints);
+    return system_run(gnuplot, script, out, complaints, &outcome) ? reason_of(&outcome, complaints)
+                                                                  : strerror(errno);
 }
 
-const char *gnuplot_run(FILE *script, FILE *picture)
+/* Copy an SVG, with this caption; null, or the reason why not. */
+static const char *copy_svg(FILE *svg, FILE *out, const plot_caption *caption)
 {
-    FILE *complaints = tmpfile();
-    const char *why = complaints ? draw(script, picture, complaints) : strerror(errno);
+    char part[PART];
+    size_t n;
+
+    if (fflush(svg) != 0)
+        return strerror(errno);
+    rewind(svg);
+    n = fread(part, 1, sizeof part, svg);
+    svg_put_head(out, part, n, caption);
+    while ((n = fread(part, 1, sizeof part, svg)) > 0)
+        fwrite(part, 1, n, out);
+    return ferror(svg) || ferror(out) ? strerror(errno) : NULL;
+}
+
+static const char *draw_svg(FILE *script, FILE *out, const plot_caption *caption, FILE *complaints)
+{
+    FILE *svg = system_scratch();
+    const char *why = svg ? draw(script, svg, complaints) : strerror(errno);
+
+    if (!why)
+        why = copy_svg(svg, out, caption);
+    if (svg)
+        fclose(svg);
+    return why;
+}
+
+const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption)
+{
+    FILE *complaints = system_scratch();
+    const char *why = !complaints ? strerror(errno)
+                      : caption   ? draw_svg(script, out, caption, complaints)
+                                  : draw(script, out, complaints);
 
     if (complaints)
         fclose(complaints);

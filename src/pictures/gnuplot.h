@@ -5,10 +5,11 @@
 #ifndef FOURLINK_GNUPLOT_H
 #define FOURLINK_GNUPLOT_H
 
-#include <stdio.h>
+#include "picture.h"
 
-/* Run gnuplot on a script, from its beginning; the picture goes to `picture`.  Returns null, or the reason
-** why there is none; gnuplot's own messages go to standard error. */
-const char *gnuplot_run(FILE *script, FILE *picture);
+/* Run gnuplot on a script, from its beginning; the picture goes to `out`, an SVG with `caption`, which is
+** null for other files.  Returns null, or the reason why there is none; gnuplot's own messages go to standard
+** error. */
+const char *gnuplot_run(FILE *script, FILE *out, const plot_caption *caption);
 
 #endif

@@ -18,6 +18,12 @@ const graph_extent graph_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGI
 #define SOUND 0.6
 #define HIGHER 3
 
+/* A step larger than this fraction of the curve may be a jump: it is halved so many times, and is one if
+** more than this fraction of it remains. */
+#define LARGE 0.02
+#define HALVINGS 20
+#define REMAINS 0.5
+
 void graph_extend(graph_extent *e, double value, double mu)
 {
     e->low = GSL_MIN_DBL(e->low, value);
@@ -33,6 +39,20 @@ int graph_is_cut(const graph_extent *e)
 {
     return e->mu < NEAR && e->sound_high > e->sound_low &&
            e->high - e->low > HIGHER * (e->sound_high - e->sound_low);
+}
+
+void graph_cut(graph_extent *e, double low, double high)
+{
+    e->sound_low = GSL_MAX_DBL(low, e->low);
+    e->sound_high = GSL_MIN_DBL(high, e->high);
+    e->mu = 0;
+}
+
+double graph_span(const graph_extent *e)
+{
+    double span = graph_is_cut(e) ? e->sound_high - e->sound_low : e->high - e->low;
+
+    return span > 0 ? span : GSL_POSINF;
 }
 
 int graph_column(const picture *p, const char *name)
@@ -118,36 +138,126 @@ static double rounding_of(const picture *p, int y)
     return 1e-12 * fabs(size);
 }
 
-void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-               graph_extent *e, graph_line *line)
+/* A full turn of an angle that is followed, in its unit; 0 for another column. */
+static double turn_of(const picture *p, int column)
 {
-    int is_angle = strcmp(p->columns[y].quantity, "angle") == 0;
-    double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0;
-    double last = GSL_NAN, behind = GSL_NAN, values[PICTURE_COLUMNS], rounding = rounding_of(p, y);
-    int k, gap = 0, from = behind_gap(p, branch, y, turn, &behind);
+    const fourlink_value *c = &p->columns[column];
+
+    return strcmp(c->quantity, "angle") == 0 && !(c->flags & FOURLINK_CRANK_ANGLE)
+               ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI)
+               : 0;
+}
+
+/* A column on its way. */
+typedef struct follower {
+    int column, from;
+    double turn, rounding, last, behind;
+} follower;
+
+static void follow(const picture *p, fourlink_branch branch, int column, follower *f)
+{
+    f->column = column;
+    f->turn = turn_of(p, column);
+    f->rounding = rounding_of(p, column);
+    f->last = f->behind = GSL_NAN;
+    f->from = behind_gap(p, branch, column, f->turn, &f->behind);
+}
+
+static double next_of(follower *f, int k, const double *values)
+{
+    f->last = go_on(values[f->column], k == f->from ? f->behind : f->last, f->turn);
+    if (fabs(f->last) < f->rounding)
+        f->last = 0;
+    return f->last;
+}
+
+void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
+                  graph_line *line)
+{
+    double values[PICTURE_COLUMNS];
+    follower along, up;
+    int k, gap = 0;
     fourlink_instant now;
 
-    fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
+    follow(p, branch, x, &along);
+    follow(p, branch, y, &up);
     line->n_points = 0;
     for (k = 0; k <= GRAPH_STEPS; k++) {
         line->x[k] = line->y[k] = GSL_NAN;
-        if (!sound_sample(p, branch, k, values, &now)) {
-            putc('\n', p->on.out);
+        if (!sound_sample(p, branch, k, values, &now) || !gsl_finite(values[x]) ||
+            !gsl_finite(values[y])) {
             if (++gap > 1) /* of a change point alone an angle goes on */
-                last = GSL_NAN;
+                along.last = up.last = GSL_NAN;
             continue;
         }
-        last = go_on(values[y], k == from ? behind : last, turn);
         gap = 0;
-        if (fabs(last) < rounding)
-            last = 0;
-        line->x[k] = values[x];
-        line->y[k] = last;
-        graph_extend(e, last, now.state.mu);
-        canvas_print(&p->on, "%.8g %.8g\n", values[x], last);
+        line->x[k] = next_of(&along, k, values);
+        line->y[k] = next_of(&up, k, values);
+        line->mu[k] = now.state.mu;
+        graph_extend(e, line->y[k], line->mu[k]);
         line->n_points++;
     }
+}
+
+void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
+               graph_extent *e, graph_line *line)
+{
+    int k;
+
+    graph_follow(p, branch, x, y, e, line);
+    fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
+    for (k = 0; k <= GRAPH_STEPS; k++)
+        if (gsl_isnan(line->y[k]))
+            putc('\n', p->on.out);
+        else
+            canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
     fputs("EOD\n", p->on.out);
+}
+
+static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)
+{
+    return gsl_hypot((q.x - p.x) / size.x, (q.y - p.y) / size.y);
+}
+
+int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
+                    double low, double high, fourlink_vector *from, fourlink_vector *to)
+{
+    double step = distance(*from, *to, size), values[PICTURE_COLUMNS], middle;
+    double x_turn = turn_of(p, x), y_turn = turn_of(p, y);
+    fourlink_instant now;
+    fourlink_vector at;
+    int k;
+
+    if (step < LARGE)
+        return 0;
+    for (k = 0; k < HALVINGS; k++) {
+        middle = (low + high) / 2;
+        if (fourlink_results_at(p->results, branch, middle, values, &now, NULL) != FOURLINK_OK ||
+            now.state.mu < 1e-3)
+            return 0;
+        at.x = go_on(values[x], from->x, x_turn);
+        at.y = go_on(values[y], from->y, y_turn);
+        if (!gsl_finite(at.x) || !gsl_finite(at.y))
+            return 0;
+        if (distance(*from, at, size) > distance(at, *to, size)) {
+            high = middle;
+            *to = at;
+        } else {
+            low = middle;
+            *from = at;
+        }
+    }
+    return distance(*from, *to, size) > REMAINS * step;
+}
+
+void graph_widen(double *low, double *high, double part)
+{
+    double size = GSL_MAX_DBL(fabs(*low), fabs(*high)), room = part * (*high - *low);
+
+    if (*high - *low <= 1e-9 * size || size == 0)
+        room = size > 0 ? 0.1 * size : 1;
+    *low -= room;
+    *high += room;
 }
 
 /* In degrees the steps are parts of a turn. */

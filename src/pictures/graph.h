@@ -23,6 +23,12 @@ void graph_extend(graph_extent *e, double value, double mu);
 /* 1 if the picture cuts the curves. */
 int graph_is_cut(const graph_extent *e);
 
+/* Cut the curves to this range. */
+void graph_cut(graph_extent *e, double low, double high);
+
+/* What is shown of the curves, from the smallest to the largest; infinite if that is 0. */
+double graph_span(const graph_extent *e);
+
 /* The index of one of the picture's columns; -1 if the deck does not have it. */
 int graph_column(const picture *p, const char *name);
 
@@ -30,16 +36,29 @@ int graph_column(const picture *p, const char *name);
 int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
                  fourlink_instant *now);
 
-/* A curve as it is drawn; y is NaN in its gaps. */
+/* A curve as it is drawn: x and y are NaN in its gaps. */
 typedef struct graph_line {
     double x[GRAPH_STEPS + 1], y[GRAPH_STEPS + 1];
-    int n_points; /* that are not in a gap */
+    double mu[GRAPH_STEPS + 1]; /* rad, the transmission angle */
+    int n_points;               /* that are not in a gap */
 } graph_line;
 
-/* Write column y over column x as $NAME_BRANCH, with breaks where the linkage cannot be assembled.  Angles are
-** followed past half a turn; what is rounding becomes 0. */
+/* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no number.
+** Angles are followed past half a turn; what is rounding becomes 0. */
+void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
+                  graph_line *line);
+
+/* The same, written as $NAME_BRANCH. */
 void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
                graph_extent *e, graph_line *line);
+
+/* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
+** there is one, returns 1 and the ends of the jump.  `size` is that of the curve. */
+int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
+                    double low, double high, fourlink_vector *from, fourlink_vector *to);
+
+/* Widen a range by this part of it; an empty one, for which gnuplot would choose its own, by more. */
+void graph_widen(double *low, double *high, double part);
 
 /* The step of the numbers on the axis of crank angles, which depends on the width of the panel. */
 double graph_angle_step(const picture *p, double span);

@@ -12,15 +12,15 @@
 #include "picture.h"
 #include "sketch.h"
 
-#define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values) name,
+#define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values, shows) name,
 const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 
-#define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values) \
-    {columns, rows, width, height, needs, draw, values},
+#define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values, shows) \
+    {columns, rows, width, height, needs, draw, values, shows},
 static const struct plot_info {
     int columns, rows, width, height, needs;
     const char *(*draw)(picture *p, fourlink_branch branch);
-    const char *values;
+    const char *values, *shows;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define LONGEST_NAME 24 /* letters, next to a value */
@@ -222,19 +222,28 @@ static double height_of_drawing(const picture *p, double width)
     return GSL_MIN_DBL(highest, HIGHEST);
 }
 
+int picture_has_outputs(const picture *p)
+{
+    return p->problem.has_outputs && p->problem.n_designs &&
+           (p->request->kind == PLOT_HISTOGRAM || p->request->kind == PLOT_COLUMNS);
+}
+
 static void lay_out(picture *p, FILE *out)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
     int rows = info->rows ? info->rows : p->n_branches, columns = info->columns;
     const fourlink_value *outputs;
-    unsigned long n;
+    unsigned long n = 0;
     double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
-    if (info->needs & PLOT_SWEEP) {
+    if (p->request->kind == PLOT_COLUMNS)
+        n = (unsigned long)picture_column_panels(p);
+    if (picture_has_outputs(p))
         fourlink_results_list(p->results, FOURLINK_OUTPUTS, &outputs, &n);
+    if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
     }
@@ -263,13 +272,14 @@ static void put_terminal(const canvas *c, const plot_request *request)
     else if (request->file == PLOT_TXT)
         fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
     else if (request->file == PLOT_GIF)
-        fprintf(c->out, terminal, request->kind == PLOT_ANIMATION ? "animate delay 6 loop 0" : "",
-                width, height);
+        fprintf(c->out, terminal,
+                request->kind == PLOT_ANIMATION ? "animate optimize delay 6 loop 0" : "", width,
+                height);
     else
         fprintf(c->out, terminal, width, height);
     putc('\n', c->out);
     if (request->picture) /* neither a pipe nor a home folder, whatever its first letter */
-        canvas_print(c, request->picture[0] == '/' ? "set output %q\n" : "set output './' . %q\n",
+        canvas_print(c, request->picture[0] == '/' ? "set output %f\n" : "set output './' . %f\n",
                      request->picture);
 }
 
@@ -309,7 +319,6 @@ static void put_styles(const canvas *c)
 static void put_head(const picture *p, const char *deck_name, const char *held)
 {
     const canvas *c = &p->on;
-    int is_sweep = (plot_table[p->request->kind].needs & PLOT_SWEEP) != 0;
     char rest[200];
 
     fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
@@ -328,14 +337,20 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
           c->out);
     canvas_name(c, p->problem.title[0] ? p->problem.title : deck_name, deck_name,
                 flk_text_join(rest, sizeof rest,
-                              is_sweep               ? ", all designs of its sweep"
+                              picture_has_outputs(p) ? ", all designs of its sweep"
                               : p->problem.n_designs ? ", first design of its sweep"
                                                      : "",
                               held, "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
 /* Returns 0, for the caller to return. */
-static int refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
+static int run_out_of_memory(picture *p)
+{
+    p->out_of_memory = 1;
+    return 0;
+}
+
+int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
 {
     memset(mistake, 0, sizeof *mistake);
     flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
@@ -359,7 +374,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     if (status == FOURLINK_BAD_DECK)
         return 0;
     if (status != FOURLINK_OK)
-        return refuse(mistake, "--plot-kind", fourlink_status_text(status), "");
+        return run_out_of_memory(p);
     p->deck = fourlink_results_deck(p->results);
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
@@ -379,7 +394,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     p->end = p->range.stops ? p->range.stop_angle : last.angle;
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
-    return p->loads || refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
+    return p->loads || run_out_of_memory(p);
 }
 
 /* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
@@ -399,12 +414,13 @@ static int both_in(text line)
 static int asks_for_both(const fourlink_source *source)
 {
     text rest, line;
-    int both = 0, here;
+    int both = 0, here, line_end;
     unsigned long i;
 
     rest.start = source->text;
     rest.length = source->length;
-    while (flk_text_split(&rest, '\n', &line))
+    line_end = flk_text_line_end(rest);
+    while (flk_text_split(&rest, line_end, &line))
         if ((here = both_in(line)) >= 0)
             both = here;
     for (i = 0; i < source->n_changes; i++)
@@ -425,27 +441,37 @@ static int has_column(const picture *p, text name)
     return 0;
 }
 
-/* Open the deck again with the columns of the picture that it has; one instant becomes a whole cycle. */
+/* Those columns of a kind's list that the deck has. */
+static void choose_columns(const picture *p, const char *columns, char out[PICTURE_NAMES])
+{
+    text rest = flk_text_of(columns), either, name;
+
+    out[0] = '\0';
+    while (flk_text_split(&rest, ',', &either)) {
+        while (flk_text_split(&either, '|', &name) && !has_column(p, name))
+            ;
+        if (has_column(p, name))
+            strcat(strncat(out, name.start, name.length), " ");
+    }
+}
+
+/* Open the deck again with the columns of the picture, unless these are null; one instant becomes a whole
+** cycle. */
 static int reopen(picture *p, const fourlink_source *source, const char *columns,
                   fourlink_mistake *mistake)
 {
     fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
     fourlink_source other = *source;
-    char assignment[400] = "table.columns=";
-    text rest = flk_text_of(columns ? columns : ""), either, name;
+    char assignment[PICTURE_NAMES + 20];
     int opened;
 
     if (!changes)
-        return refuse(mistake, "--plot-kind", fourlink_status_text(FOURLINK_NO_MEMORY), "");
-    while (flk_text_split(&rest, ',', &either)) {
-        while (flk_text_split(&either, '|', &name) && !has_column(p, name))
-            ;
-        if (has_column(p, name))
-            strcat(strncat(assignment, name.start, name.length), " ");
-    }
+        return run_out_of_memory(p);
+    flk_text_join(assignment, sizeof assignment, "table.columns=", columns ? columns : "",
+                  (char *)NULL);
     if (source->n_changes)
         memcpy(changes, source->changes, source->n_changes * sizeof *changes);
-    changes[source->n_changes].origin = "--plot-kind";
+    changes[source->n_changes].origin = p->request->x ? "--plot-x" : "--plot-kind";
     changes[source->n_changes].assignment = assignment;
     other.changes = changes;
     other.n_changes += columns ? 1 : 0;
@@ -454,6 +480,43 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     opened = open_deck(p, &other, mistake);
     free(changes);
     return opened;
+}
+
+/* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */
+static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
+{
+    const char *unit_name = p->units[QUANTITY_ANGLE].name;
+    fourlink_reach reach;
+    double from[2], to[2];
+    int i, status = FOURLINK_OK;
+
+    for (i = 0; i < p->n_branches; i++) {
+        status = fourlink_results_at(p->results, p->branches[i], angle, NULL, NULL, NULL);
+        if (status == FOURLINK_OK)
+            return 1;
+    }
+    if (status == FOURLINK_NO_SUCH_ANGLE) {
+        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the motion goes from %.6g to %.6g %s",
+                    angle, unit_name, p->problem.motion.from, p->end, unit_name);
+        return 0;
+    }
+    fourlink_reach_of(p->mechanism, &reach);
+    for (i = 0; i < reach.n_ranges; i++) {
+        from[i] = picture_value(p, QUANTITY_ANGLE, reach.from[i]);
+        to[i] = picture_value(p, QUANTITY_ANGLE, reach.to[i]);
+    }
+    if (reach.n_ranges == 1)
+        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the links reach from %.6g to %.6g %s",
+                    angle, unit_name, from[0], to[0], unit_name);
+    else if (reach.n_ranges == 2)
+        flk_message(message, MESSAGE_SIZE,
+                    "theta2 = %.6g %s: the links reach from %.6g to %.6g %s, and from %.6g to "
+                    "%.6g %s",
+                    angle, unit_name, from[0], to[0], unit_name, from[1], to[1], unit_name);
+    else
+        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle, unit_name,
+                    fourlink_status_text(status));
+    return 0;
 }
 
 /* The crank angles of --plot-at, separated by commas. */
@@ -472,18 +535,16 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (p->n_angles == PICTURE_POSITIONS)
-            return refuse(mistake, "--plot-at", "more than 24 positions", "");
+            return picture_refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
-            return refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                          " draws one position, not several");
+            return picture_refuse(mistake, "--plot-at", plot_names[p->request->kind],
+                                  " draws one position, not several");
         if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
-            return refuse(mistake, "--plot-at", words, "");
+            return picture_refuse(mistake, "--plot-at", words, "");
         angle = &p->angles[p->n_angles++];
         *angle = picture_value(p, QUANTITY_ANGLE, value.si);
-        if (fourlink_results_at(p->results, p->branches[0], *angle, NULL, NULL, NULL) ==
-            FOURLINK_NO_SUCH_ANGLE)
-            return refuse(mistake, "--plot-at",
-                          "the motion does not reach theta2 = ", flk_text_copy(item, words, 60));
+        if (!is_in_range(p, *angle, words))
+            return picture_refuse(mistake, "--plot-at", words, "");
     }
     return 1;
 }
@@ -496,6 +557,9 @@ static const char *missing(const picture *p)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction needs a slider-crank";
+    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
+        p->n_columns > PICTURE_COLUMNS - 1)
+        return "a picture shows at most 24 columns; name those to draw with --columns";
     if ((needs & PLOT_SWEEP) && (!p->problem.n_designs || !p->problem.has_outputs))
         return "this picture needs a [sweep] with outputs; the deck has none";
     if ((needs & PLOT_DRAWING) && (p->problem.n_loads - p->problem.n_gas_loads > PICTURE_LOADS ||
@@ -525,32 +589,85 @@ static const char *draw(picture *p)
     return drawn ? NULL : why;
 }
 
+/* 1 if all branches of the deck are drawn. */
+static int shows_all_branches(const picture *p)
+{
+    plot_kind kind = p->request->kind;
+
+    return kind == PLOT_POLAR ? p->wants_both : kind != PLOT_VECTORS && kind != PLOT_KLEIN;
+}
+
+/* "theta4, omega4 over theta2" */
+static void name_columns(const picture *p, char *out, size_t size)
+{
+    unsigned long i;
+
+    out[0] = '\0';
+    for (i = 1; i < p->n_columns; i++)
+        flk_text_join(out + strlen(out), size - strlen(out), i > 1 ? ", " : "", p->columns[i].name,
+                      (char *)NULL);
+    flk_text_join(out + strlen(out), size - strlen(out), " over ", p->columns[0].name,
+                  (char *)NULL);
+}
+
+static void write_caption(const picture *p, const char *deck_name, plot_caption *caption)
+{
+    const char *shows = plot_table[p->request->kind].shows;
+    int all = p->n_branches > 1 && shows_all_branches(p);
+    char names[PICTURE_NAMES];
+
+    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
+        name_columns(p, names, sizeof names);
+        shows = names;
+    }
+    caption->n_lines = p->n_lines;
+    caption->n_missing = p->n_missing;
+    flk_text_join(caption->title, sizeof caption->title,
+                  p->problem.title[0] ? p->problem.title : deck_name, (char *)NULL);
+    flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
+                  all ? "open and crossed branches" : fourlink_branch_text((int)p->branches[0]),
+                  all ? ": " : " branch: ", shows, (char *)NULL);
+}
+
 /* Write the script of an open deck. */
 static int write_script(picture *p, FILE *out, const fourlink_source *source,
                         fourlink_mistake *mistake)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
-    const char *why = missing(p), *held = "";
+    const char *why = missing(p), *held = "", *chosen = NULL;
+    char names[PICTURE_NAMES];
 
     if (why)
-        return refuse(mistake, "--plot-kind", why, "");
+        return picture_refuse(mistake, "--plot-kind", why, "");
+    if (picture_has_outputs(p) && p->request->x)
+        return picture_refuse(mistake, "--plot-x",
+                              "the outputs of a [sweep] are drawn over what it varies", "");
+    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
+        if (!picture_choose_columns(p, names, mistake))
+            return 0;
+        chosen = names;
+    } else if (info->values) {
+        choose_columns(p, info->values, names);
+        chosen = names;
+    }
     p->instant = p->problem.motion.from;
-    p->has_instant = p->problem.one_instant && (info->needs & PLOT_RANGE);
+    p->has_instant =
+        p->problem.one_instant && (info->needs & PLOT_RANGE) && !picture_has_outputs(p);
     if (p->has_instant)
         held =
             p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-    if ((info->values || held[0]) && !reopen(p, source, info->values, mistake))
+    if ((chosen || held[0]) && !reopen(p, source, chosen, mistake))
         return 0;
     lay_out(p, out);
     put_head(p, source->name, held);
     if (p->request->at && !read_angles(p, mistake))
         return 0;
     why = draw(p);
-    return why ? refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
+    return why ? picture_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 
 int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
-                  fourlink_mistake *mistake)
+                  plot_caption *caption, fourlink_mistake *mistake)
 {
     int written;
     picture p;
@@ -560,6 +677,8 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     p.source = source;
     p.wants_both = asks_for_both(source);
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
+    if (written)
+        write_caption(&p, source->name, caption);
     close_deck(&p);
-    return written;
+    return p.out_of_memory ? -1 : written;
 }

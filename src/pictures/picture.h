@@ -12,25 +12,32 @@
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
-** A|B the first */
+** A|B the first; what it shows */
 #define PLOT_LIST(X)                                                                               \
-    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL) \
+    X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL, \
+      "mechanism with its loads and pin forces")                                                   \
     X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,              \
-      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a")              \
+      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",              \
+      "positions, velocities and accelerations over the crank angle")                              \
     X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,        \
-      picture_forces, "theta2,F12,F23,F34,F14,N,Ts")                                               \
+      picture_forces, "theta2,F12,F23,F34,F14,N,Ts",                                               \
+      "pin forces and driving torque over the crank angle")                                        \
     X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,           \
-      picture_turning, NULL)                                                                       \
+      picture_turning, NULL, "turning moment over a cycle, with its mean")                         \
     X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
       "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across")                            \
-    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL)                     \
-    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL)                     \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across",                            \
+      "polar diagrams of the pin forces")                                                          \
+    X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
+      "polygons of velocity, acceleration and forces")                                             \
+    X(KLEIN, "klein", 1, 1, 1050, 600, PLOT_SLIDER_CRANK, picture_klein, NULL,                     \
+      "Klein's construction")                                                                      \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
-      picture_animation, NULL)                                                                     \
+      picture_animation, NULL, "mechanism in motion")                                              \
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
-      NULL)                                                                                        \
-    X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_columns, NULL)
+      NULL, "histograms of the outputs of the sweep")                                              \
+    X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
+      "outputs of the sweep")
 
 enum {
     PLOT_FORCES_OF_DECK = 1,
@@ -42,7 +49,7 @@ enum {
     PLOT_FILLED = 64 /* as high as its drawing */
 };
 
-#define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values) PLOT_##code,
+#define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
 /* By plot_kind, with a null pointer at the end. */
@@ -66,19 +73,30 @@ typedef struct plot_request {
     plot_file file;
     const char *picture; /* the file that the script writes; null: to standard output */
     const char *at;      /* the crank angles of --plot-at; null: it was not given */
+    const char *x;       /* the column of --plot-x; null: it was not given */
 } plot_request;
 
+/* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
+typedef struct plot_caption {
+    char title[256];
+    char words[1200];
+    unsigned long n_lines,
+        n_missing; /* of a sweep's outputs: lines, one for each design and branch, and those
+                                         that could not be computed */
+} plot_caption;
+
 /* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
-** to draw. */
+** to draw; -1 if out of memory. */
 int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
-                  fourlink_mistake *mistake);
+                  plot_caption *caption, fourlink_mistake *mistake);
 
 /* What a drawing has room for; the gas is one more load. */
 #define PICTURE_LOADS 40
 #define PICTURE_POINTS 24
 #define PICTURE_POSITIONS 24
 
-#define PICTURE_COLUMNS 16
+#define PICTURE_COLUMNS 25
+#define PICTURE_NAMES 2000 /* of columns */
 
 /* A picture in the making. */
 typedef struct picture {
@@ -105,8 +123,10 @@ typedef struct picture {
     const fourlink_value *columns; /* the columns of its kind that the deck has */
     unsigned long n_columns;
     fourlink_load *loads;             /* room for the loads at one crank angle */
+    unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
+    int out_of_memory;
 } picture;
 
 /* One crank angle, with its loads. */
@@ -117,9 +137,22 @@ typedef struct picture_row {
 
 /* The functions of the kinds.  Those with a panel for each branch are called for each, the others for the
 ** first. They return null, or the reason why there is nothing to draw. */
-#define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values) \
+#define PLOT_FUNCTION(code, name, columns, rows, width, height, needs, draw, values, shows) \
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
+
+/* Returns 0, for the caller to return, and the reason. */
+int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
+
+/* 1 if the picture shows the outputs of the deck's sweep; draw them as `columns`. */
+int picture_has_outputs(const picture *p);
+const char *picture_outputs(picture *p);
+
+/* The names of the columns to draw: first that of the x axis, then those of the table.  1; 0 and the reason. */
+int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake);
+
+/* The number of panels of `columns`. */
+int picture_column_panels(const picture *p);
 
 /* A value in the deck's unit of its quantity, and in SI units. */
 double picture_value(const picture *p, quantity q, double si);

@@ -16,12 +16,6 @@
 #define LETTERED 3                 /* every third dot has its angle beside it */
 #define BORDER (5 * CANVAS_LETTER) /* around the curve, for the angles */
 
-/* A step larger than this fraction of the curve may be a jump: it is halved so many times, and is one if
-** more than this fraction of it remains. */
-#define LARGE 0.02
-#define HALVINGS 20
-#define REMAINS 0.5
-
 #define MOST_JUMPS 40
 
 /* A pin force: the columns of its components. */
@@ -119,26 +113,10 @@ static double distance(fourlink_vector p, fourlink_vector q)
 /* Look for a jump between two angles; 1 if there is one, with its ends. */
 static int find_jump(const bearing *b, int i, double low, double high, jump *found)
 {
-    double step = distance(found->from, found->to), size, middle;
-    fourlink_vector F;
-    int k;
+    double size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
 
-    size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
-    if (step < LARGE * size)
-        return 0;
-    for (k = 0; k < HALVINGS; k++) {
-        middle = (low + high) / 2;
-        if (!force_at(b, i, middle, &F))
-            return 0;
-        if (distance(found->from, F) > distance(F, found->to)) {
-            high = middle;
-            found->to = F;
-        } else {
-            low = middle;
-            found->from = F;
-        }
-    }
-    return distance(found->from, found->to) > REMAINS * step;
+    return graph_find_jump(b->p, b->p->branches[i], b->x, b->y, sketch_at(size, size), low, high,
+                           &found->from, &found->to);
 }
 
 static void put_point(bearing *b, fourlink_vector F)

@@ -17,7 +17,6 @@
 #define MOST_DESIGNS 1000000UL
 #define MOST_BINS 60
 #define NO_VALUES "no design of the [sweep] has a number to draw"
-#define NO_MEMORY "not enough memory"
 
 /* The designs of a sweep. */
 typedef struct designs {
@@ -74,6 +73,24 @@ static void keep_variables(designs *d, unsigned long i, const double *now, doubl
     memcpy(last, now, d->n_variables * sizeof *last);
 }
 
+/* Keep the outputs of design i on a branch; 0 if one could not be computed.  A fact that the design does not
+** have is no failure. */
+static int keep_outputs(const picture *p, designs *d, unsigned long i, int branch,
+                        fourlink_results *r, double from)
+{
+    fourlink_value v;
+    unsigned long k;
+    int status, good = 1;
+
+    for (k = 0; k < d->n_outputs; k++) {
+        status = fourlink_results_value(r, d->outputs[k].name, p->branches[branch], from, &v);
+        if (status == FOURLINK_OK && !v.words && gsl_finite(v.value))
+            values_of(d, p, i, branch)[k] = v.value;
+        good = good && (status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT);
+    }
+    return good;
+}
+
 /* Compute the outputs of design i; a design with mistakes has none. */
 static int compute(picture *p, designs *d, unsigned long i, double *variables)
 {
@@ -81,29 +98,26 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
     fourlink_results *r = NULL;
     fourlink_problem problem;
     fourlink_mistake mistake;
-    fourlink_value v;
-    unsigned long k;
     int status, b;
 
     source.design = i;
+    p->n_lines += (unsigned long)p->n_branches;
     status = fourlink_results_open(&source, 1, &r, &mistake, NULL);
     if (fourlink_source_design(&source, d->n_variables, variables) != FOURLINK_OK)
         status = FOURLINK_NO_MEMORY;
     if (status == FOURLINK_OK) {
         fourlink_deck_problem(fourlink_results_deck(r), &problem);
         for (b = 0; b < p->n_branches; b++)
-            for (k = 0; k < d->n_outputs; k++)
-                if (fourlink_results_value(r, d->outputs[k].name, p->branches[b],
-                                           problem.motion.from, &v) == FOURLINK_OK &&
-                    !v.words && gsl_finite(v.value))
-                    values_of(d, p, i, b)[k] = v.value;
+            p->n_missing += !keep_outputs(p, d, i, b, r, problem.motion.from);
     }
+    if (status != FOURLINK_OK)
+        p->n_missing += (unsigned long)p->n_branches;
     fourlink_results_free(r);
     return status != FOURLINK_NO_MEMORY;
 }
 
-/* Compute all designs; returns null, or the reason why that failed. */
-static const char *compute_all(picture *p, designs *d)
+/* Compute all designs; returns 0 if out of memory. */
+static int compute_all(picture *p, designs *d)
 {
     double *now = malloc(2 * (d->n_variables + 1) * sizeof *now);
     char *fast = calloc(d->n_variables + 1, 1);
@@ -123,7 +137,7 @@ static const char *compute_all(picture *p, designs *d)
     free(now);
     free(fast);
     free(xs);
-    return enough ? NULL : NO_MEMORY;
+    return enough;
 }
 
 /* The range of an output over all designs and branches; 0 if it has no number. */
@@ -147,18 +161,15 @@ static int find_range(const picture *p, const designs *d, unsigned long output, 
     return *low <= *high;
 }
 
-/* A range with room on both sides; gnuplot would choose its own for an empty one. */
+/* Set the range of an axis, with room on both sides. */
 static void put_range(const canvas *on, char axis, double low, double high, double part)
 {
-    double size = GSL_MAX_DBL(fabs(low), fabs(high)), room = part * (high - low);
-
-    if (high - low <= 1e-9 * size || size == 0)
-        room = size > 0 ? 0.1 * size : 1;
-    canvas_print(on, axis == 'x' ? "set xrange [%.8g:%.8g]\n" : "set yrange [%.8g:%.8g]\n",
-                 low - room, high + room);
+    graph_widen(&low, &high, part);
+    canvas_print(on, axis == 'x' ? "set xrange [%.8g:%.8g]\n" : "set yrange [%.8g:%.8g]\n", low,
+                 high);
     if (axis == 'x')
         canvas_print(on, "set xtics %.6g\n",
-                     sketch_round(10 * CANVAS_LETTER * (high - low + 2 * room) / on->box_width));
+                     sketch_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
 }
 
 static void begin_panel(picture *p)
@@ -313,25 +324,23 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
 /* Compute the designs and draw each output. */
 static const char *draw_outputs(picture *p, int is_histogram)
 {
-    const char *why = NULL, *style;
+    const char *style;
     unsigned long k;
     int drawn = 0, status = 0;
     designs d;
 
     if (p->problem.n_designs > MOST_DESIGNS)
         return "a picture shows at most 1000000 designs";
-    if (!open_designs(p, &d))
-        why = NO_MEMORY;
-    else
-        why = compute_all(p, &d);
-    style = !why && is_monotonic(&d) ? "linespoints" : "points";
-    for (k = 0; !why && k < d.n_outputs; k++) {
+    if (!open_designs(p, &d) || !compute_all(p, &d))
+        status = -1;
+    style = status == 0 && is_monotonic(&d) ? "linespoints" : "points";
+    for (k = 0; status >= 0 && k < d.n_outputs; k++) {
         status = is_histogram ? put_histogram(p, &d, k) : put_curve(p, &d, k, style);
         drawn += status > 0;
-        why = status < 0 ? NO_MEMORY : NULL;
     }
+    p->out_of_memory = status < 0;
     close_designs(&d);
-    return why ? why : drawn ? NULL : NO_VALUES;
+    return drawn ? NULL : NO_VALUES;
 }
 
 const char *picture_histogram(picture *p, fourlink_branch branch)
@@ -340,8 +349,7 @@ const char *picture_histogram(picture *p, fourlink_branch branch)
     return draw_outputs(p, 1);
 }
 
-const char *picture_columns(picture *p, fourlink_branch branch)
+const char *picture_outputs(picture *p)
 {
-    (void)branch;
     return p->problem.n_designs < 2 ? "the [sweep] has a single design" : draw_outputs(p, 0);
 }

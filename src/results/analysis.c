@@ -22,7 +22,7 @@ static int possible(const deck *d)
         return needs;
     needs |= d->balance.is_there ? NEED_BALANCE : 0;
     return needs | NEED_KLEIN | (d->design.offset == 0 ? NEED_SERIES : 0) |
-           (d->has_forces && status == FOURLINK_OK ? NEED_ENGINE | NEED_GAS : 0);
+           (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
 int flk_analysis_open(flk_analysis *a, const deck *d)

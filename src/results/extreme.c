@@ -124,6 +124,27 @@ static void settle(const flk_search *x, flk_tracked *t, int which)
         f->value = value;
 }
 
+#define NOISE 1e-10 /* of a column's size: what a constant one varies by near a change point */
+
+/* A column that is constant but for rounding has its extremes at the first row. */
+static void settle_constant(const flk_search *x, flk_tracked *t)
+{
+    flk_found *max = &t->best[0], *min = &t->best[1];
+    double first = x->a->d->motion.from, value;
+    flk_row row;
+
+    if (!max->is_there || !min->is_there || !gsl_finite(max->value) ||
+        !(max->value - min->value <= NOISE * fabs(max->value)))
+        return;
+    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, first, &row);
+    value = flk_column_value(t->c, &row);
+    if (t->turn > 0)
+        value = flk_search_nearest(t, value, max->value);
+    if (row.at.status == FOURLINK_CHANGE_POINT ||
+        fabs(value - max->value) <= NOISE * fabs(max->value))
+        max->angle = min->angle = first;
+}
+
 static void give(const flk_found *f, flk_extreme *extreme)
 {
     extreme->is_there = f->is_there;
@@ -150,6 +171,7 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
             if (fabs(t->best[which].value) >= t->bound)
                 t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
         }
+        settle_constant(x, t);
         give(&t->best[0], &pairs[c].max);
         give(&t->best[1], &pairs[c].min);
     }
@@ -198,9 +220,11 @@ int flk_extremes_open(flk_extremes *x, size_t most)
         FLK_SEARCH_MOST_SAMPLES * (most + 1) + most * (sizeof(flk_tracked) / sizeof(double) + 1);
 
     x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
-    x->pairs[1] = x->pairs[0] + most + 1;
     x->memory = malloc(numbers * sizeof *x->memory);
-    return x->pairs[0] && x->memory;
+    if (!x->pairs[0] || !x->memory)
+        return 0;
+    x->pairs[1] = x->pairs[0] + most + 1;
+    return 1;
 }
 
 void flk_extremes_close(flk_extremes *x)

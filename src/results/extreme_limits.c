@@ -269,31 +269,36 @@ static double first_sample(const flk_search *x, const double *values, const appr
     return e->is_dead ? sqrt(away) : away;
 }
 
+/* The limit of a column at x = 0, from the scale on which it is most exact. */
+typedef struct limit {
+    double value, error, size; /* the column's magnitude near the end */
+    int scale;
+} limit;
+
 /* Offer the extremes of a column between the end of the piece and the first of its samples, by the polynomial
-** that gives its limit. */
+** that gives its limit, if they are better than that. */
 #define PARTS 8
 
 static void offer_flats(const flk_search *x, flk_tracked *t, const double *values,
-                        const approach *e, const double *away, const double *y)
+                        const approach *e, const limit *l, const double *y)
 {
-    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), slope, at;
+    const double *away = e->x[l->scale];
+    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), slope, at, value;
     flk_polynomial p;
     int k;
 
     p.n = 0;
     for (k = 0; k < NODES; k++)
         flk_polynomial_add(&p, away[k], y[k]);
-    for (k = 0; k < PARTS; k++)
-        if (flk_polynomial_find_flat(&p, most * (double)k / PARTS, most * (double)(k + 1) / PARTS,
-                                     &at))
-            offer_near(x, t, e, at, flk_polynomial_value(&p, at, &slope));
+    for (k = 0; k < PARTS; k++) {
+        if (!flk_polynomial_find_flat(&p, most * (double)k / PARTS, most * (double)(k + 1) / PARTS,
+                                      &at))
+            continue;
+        value = flk_polynomial_value(&p, at, &slope);
+        if (fabs(value - l->value) > l->error)
+            offer_near(x, t, e, at, value);
+    }
 }
-
-/* The limit of a column at x = 0, from the scale on which it is most exact. */
-typedef struct limit {
-    double value, error, size; /* the column's magnitude near the end */
-    int scale;
-} limit;
 
 static limit limit_of(const approach *e, double y[][NODES], int order)
 {
@@ -534,7 +539,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
     else if (l.error <= KNOWN * size)
         offer_near(x, t, e, 0, l.value);
     if (l.error <= EXACT * size)
-        offer_flats(x, t, values, e, e->x[l.scale], y[l.scale]);
+        offer_flats(x, t, values, e, &l, y[l.scale]);
 }
 
 void flk_search_find_limits(flk_search *x, int at_end)

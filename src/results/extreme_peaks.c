@@ -199,14 +199,22 @@ static int is_peak_beside(const flk_search *x, const double *values, int which, 
            flk_search_signed(which, values[flk_search_beside(x, values, i, 1)]) <= here;
 }
 
+/* The second difference of three samples, as if all steps were the longer one of the two. */
+static double bend_of(const flk_search *x, const double *values, size_t i)
+{
+    double before = x->s[i] - x->s[i - 1], behind = x->s[i + 1] - x->s[i],
+           step = GSL_MAX_DBL(before, behind);
+
+    return 2 * step * step / (before + behind) *
+           fabs((values[i + 1] - values[i]) / behind - (values[i] - values[i - 1]) / before);
+}
+
 /* By how much a column may be better beside a peak of the samples. */
 static double gain_beside(const flk_search *x, const double *values, size_t i)
 {
     double gain = FLK_SEARCH_MARGIN * flk_search_roughness(x, values, i, flk_search_is_even(x, i)),
-           bend = GSL_NAN;
+           bend = i > 0 && i + 1 < x->n ? bend_of(x, values, i) : GSL_NAN;
 
-    if (i > 0 && i + 1 < x->n)
-        bend = fabs(values[i - 1] - 2 * values[i] + values[i + 1]);
     return gain + (bend == bend ? bend : flk_search_size_about(x, values, i));
 }
 

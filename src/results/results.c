@@ -209,6 +209,7 @@ static int open_deck(fourlink_results *r)
 }
 
 #define TRIES 1000
+#define LONG_DECK 100000 /* bytes: too long to be read so often */
 
 /* Read a deck.  FOURLINK_ANY_DESIGN reads the first design without mistakes, or the first design if all those
 ** tried have mistakes. */
@@ -227,6 +228,8 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
     one.design = 0;
     status = flk_deck_read(&one, &r->d);
     n = r->d.sweep.n_designs;
+    if (source->length > LONG_DECK)
+        n = 1;
     for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
         one.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
         if (flk_deck_read(&one, &other) == 1) {

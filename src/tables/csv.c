@@ -9,22 +9,39 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "sheet.h"
 
 #define DIGITS (DBL_DIG + 2)
 
-/* A field that holds a comma, a quote or an end of line is quoted, and its quotes are doubled. */
+/* 1 if a spreadsheet would compute a text; a number with its unit is none. */
+static int is_formula(const char *s)
+{
+    text rest = flk_text_of(s);
+    double number;
+
+    if (!*s || !strchr("=+-@\t\r", *s))
+        return 0;
+    if (strcmp(s, "-inf") != 0 && flk_number_read(&rest, &number) == NUMBER_NONE)
+        return 1;
+    return strpbrk(rest.start, "=+@|!('\"") != NULL;
+}
+
+/* A field that holds a comma, a quote or an end of line is quoted, and its quotes are doubled.  A formula gets
+** an apostrophe, which makes it text. */
 static void put_words(line *l, const char *s)
 {
-    if (!strpbrk(s, ",\"\r\n")) {
-        line_text(l, s, strlen(s));
-        return;
+    size_t is_quoted = strpbrk(s, ",\"\r\n") ? 1 : 0, n;
+
+    line_text(l, "\"", is_quoted);
+    line_text(l, "'", is_formula(s) ? 1 : 0);
+    for (; (n = strcspn(s, "\"\n")), s[n]; s += n + 1) {
+        line_words(l, s, n);
+        line_text(l, s[n] == '"' ? "\"\"" : "\n", s[n] == '"' ? 2 : 1);
     }
-    line_text(l, "\"", 1);
-    for (; *s; s++)
-        line_text(l, *s == '"' ? "\"\"" : s, *s == '"' ? 2 : 1);
-    line_text(l, "\"", 1);
+    line_words(l, s, n);
+    line_text(l, "\"", is_quoted);
 }
 
 /* NAME (UNIT) and a comma */

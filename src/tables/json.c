@@ -8,62 +8,18 @@
 
 #include <gsl/gsl_math.h>
 
+#include "json_text.h"
 #include "sheet.h"
 
-/* The length of the UTF-8 sequence at the beginning of a text; 0 if there is none. */
-static size_t sequence(const unsigned char *c)
-{
-    size_t n = c[0] < 0x80                   ? 1
-               : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
-               : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
-               : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
-                                             : 0;
-    size_t i;
-
-    for (i = 1; i < n; i++)
-        if ((c[i] & 0xc0) != 0x80)
-            return 0;
-    /* overlong forms, surrogates, numbers above U+10FFFF */
-    if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
-        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
-        return 0;
-    return n;
-}
-
-/* A string.  Bytes that are not UTF-8 become the replacement character.  "<" is written as \u003c, so that
-** the text can stand in a <script>. */
+/* A string.  "<" is written as \u003c, so that the text can stand in a <script>. */
 static void put_string(line *l, const char *s)
 {
-    static const char hex[] = "0123456789abcdef";
-
-    line_text(l, "\"", 1);
-    while (*s) {
-        unsigned char c = (unsigned char)*s;
-        size_t n = sequence((const unsigned char *)s);
-
-        if (c < ' ' || c == 0x7f || c == '<') {
-            line_put(l, "\\u00");
-            line_text(l, &hex[c / 16], 1);
-            line_text(l, &hex[c % 16], 1);
-        } else if (n) {
-            line_text(l, "\\", c == '"' || c == '\\');
-            line_text(l, s, n);
-        } else {
-            line_put(l, "\\ufffd");
-        }
-        s += n ? n : 1;
-    }
-    line_text(l, "\"", 1);
+    json_text_put(l, s, "<");
 }
 
 static void put_number(line *l, double x)
 {
-    if (gsl_isnan(x))
-        line_put(l, "null");
-    else if (gsl_isinf(x))
-        line_put(l, x > 0 ? "\"inf\"" : "\"-inf\"");
-    else
-        line_number(l, x, DBL_DIG + 2);
+    json_text_number(l, x, DBL_DIG + 2);
 }
 
 /* Write "name": with a comma before it, unless it is the first in its object. */
@@ -74,10 +30,10 @@ static void put_name(line *l, const char *name, int is_first)
     line_text(l, ":", 1);
 }
 
-static void put_text(line *l, const char *name, const char *text)
+static void put_text(line *l, const char *name, const char *words)
 {
     put_name(l, name, 0);
-    put_string(l, text);
+    put_string(l, words);
 }
 
 static void put_value(line *l, const fourlink_value *v)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/digits.h"
+#include "base/text.h"
 #include "line.h"
 
 void line_start(line *l, FILE *out)
@@ -38,7 +39,22 @@ void line_text(line *l, const char *s, size_t length)
     }
 }
 
-void line_right(line *l, const char *s, size_t length, size_t width)
+void line_words(line *l, const char *s, size_t length)
+{
+    text rest;
+
+    rest.start = s;
+    rest.length = length;
+    while (rest.length) {
+        size_t n = flk_text_printable(rest);
+
+        line_text(l, n ? rest.start : "?", n ? n : 1);
+        rest = flk_text_from(rest, n ? n : 1);
+    }
+}
+
+/* The blanks before a text of this length. */
+static void put_blanks(line *l, size_t length, size_t width)
 {
     size_t blanks = length < width ? width - length : 1;
 
@@ -49,6 +65,11 @@ void line_right(line *l, const char *s, size_t length, size_t width)
         for (; blanks > 0; blanks--)
             putc(' ', l->out);
     }
+}
+
+void line_right(line *l, const char *s, size_t length, size_t width)
+{
+    put_blanks(l, length, width);
     line_text(l, s, length);
 }
 
@@ -73,7 +94,8 @@ int line_fixed(line *l, double value, int decimals, size_t width)
 
 void line_field(line *l, const char *s, size_t width)
 {
-    line_right(l, s, strlen(s), width);
+    put_blanks(l, strlen(s), width);
+    line_words(l, s, strlen(s));
 }
 
 void line_number(line *l, double value, int digits)
@@ -89,11 +111,11 @@ static void put_padded(line *l, const char *s, int is_left, size_t width)
     size_t n = strlen(s), i;
 
     if (is_left)
-        line_text(l, s, n);
+        line_words(l, s, n);
     for (i = n; i < width; i++)
         line_text(l, " ", 1);
     if (!is_left)
-        line_text(l, s, n);
+        line_words(l, s, n);
 }
 
 void line_put(line *l, const char *format, ...)

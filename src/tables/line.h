@@ -21,6 +21,9 @@ void line_end(line *l);
 
 void line_text(line *l, const char *s, size_t length);
 
+/* The same for text that is not this program's own: bytes that are not printable become question marks. */
+void line_words(line *l, const char *s, size_t length);
+
 /* Right-aligned text; if it is wider than the field, a blank is still put before it. */
 void line_right(line *l, const char *s, size_t length, size_t width);
 void line_field(line *l, const char *s, size_t width);

@@ -176,8 +176,7 @@ static int is_near(double x, double y)
     return x == y || fabs(x - y) <= 1e-7 * GSL_MAX_DBL(fabs(x), fabs(y));
 }
 
-/* 1 if a fact is the same on the other branch. */
-static int is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n)
+int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n)
 {
     unsigned long i;
 
@@ -199,7 +198,7 @@ static void write_facts(sheet *s, int branch, int groups)
     for (i = 0; i < n; i++) {
         fourlink_value f = facts[i];
 
-        if (s->format->is_brief && is_on_both(&f, facts, n)) {
+        if (s->format->is_brief && sheet_is_on_both(&f, facts, n)) {
             if (f.branch == FOURLINK_CROSSED)
                 continue;
             f.branch = 0;

@@ -162,6 +162,9 @@ long sheet_column_under(const sheet *s, unsigned long i);
 /* Write the blank lines between decks or designs, and the deck's name. */
 void sheet_write_gap(sheet *s);
 
+/* 1 if a fact of a list is the same on the other branch. */
+int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsigned long n);
+
 /* Give the deck's inputs to a function of the format. */
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input));
 

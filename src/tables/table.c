@@ -43,7 +43,7 @@ static void block_begins(sheet *s, fourlink_branch branch)
     if (s->page > 0)
         line_put(&s->l, "\n");
     else
-        line_put(&s->l, "%s# branch: %s\n", s->list ? "\n\n" : "",
+        line_put(&s->l, s->list ? "\n\n# branch: %s\n" : "# branch: %s\n",
                  fourlink_branch_text((int)branch));
     s->list = "branches";
     put_names(s, 0);

@@ -84,9 +84,9 @@ void table_close(sheet *s)
         return;
     score = sheet_score(s, &of);
     for (i = 0; i < 5; i++)
-        line_put(&s->l, "%s%s: %lu%s", i ? ", " : "# ", sheet_verdicts[order[i]],
-                 s->checks[order[i]], i < 4 ? "" : "\n");
-    line_put(&s->l, "# score: %lu of %lu\n", score, of);
+        line_put(&s->l, "%s%s: %lu", i ? ", " : "# ", sheet_verdicts[order[i]],
+                 s->checks[order[i]]);
+    line_put(&s->l, "\n# score: %lu of %lu\n", score, of);
 }
 
 /* ------------------------------------------------------------------------------------------- designs */

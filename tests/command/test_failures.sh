@@ -61,6 +61,35 @@ run 1 -s 'motion.at=180 deg' reach.deck
 run 1 -s 'motion.acceleration=-1 rad/s2' "$alvi" -s 'motion.speed=1 rad/s'
 prints '# the crank comes to rest at'
 
+# what is refused prints nothing, in no format and with no content; of several decks the others are printed
+cp "$alvi" good.deck
+printf '[sweep]\ncrank.length = -1 mm, 300 mm\noutput = mu_min\n' | cat good.deck - >none.deck
+for format in table csv json paper; do
+    for option in --check --expect --list --matrix --summary --statistics --best='max mu_min' --part=1/2 --plot=x.svg \
+        --plot=- --plot-script=-; do
+        for deck in bad.deck empty.deck none.deck; do
+            run 2 -f $format "$option" $deck
+            nothing
+        done
+    done
+    run 2 -f $format bad.deck empty.deck
+    nothing
+    run 2 -f $format bad.deck good.deck
+    check "$format: the other deck" grep -q good.deck out
+    check "$format: nothing of the refused one" none 'bad.deck\|empty.deck' out
+    for option in --plot=x.svg --plot=- --plot-script=x.gp --plot-script=-; do
+        run 2 -f $format $option --plot-kind=klein good.deck
+        nothing
+        says '--plot-kind: error: '
+        run 2 -f $format $option --plot-at='9 m' good.deck
+        nothing
+        says '--plot-at: error: '
+        check 'no file' test ! -e x.svg -a ! -e x.gp
+    done
+    run 2 -f $format -o x.txt --plot=x.svg --plot-kind=klein good.deck
+    check 'neither file' test ! -e x.svg -a ! -e x.txt
+done
+
 # writing fails
 if [ -c /dev/full ]; then
     for arguments in "$alvi" "-i 0.1 $alvi" "-f csv $alvi" --help --version "-l $alvi" "-m $matrix"; do

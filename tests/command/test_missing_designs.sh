@@ -14,11 +14,13 @@ check 'the last design' grep -q '^5000,0.02,open,58[.0-9]*,ok' out
 { printf 'mechanism = slider-crank\n[crank]\nlength = 5 cm\n[rod]\nlength = 20 cm\n[piston]\nmass = 1 kg\n'
     printf '[gas]\nbore = 10 cm\nindicator = file card.txt\n[motion]\nspeed = 10 rad/s\n'
     printf '[sweep]\ncrank.length = 2 cm to 9 cm in 4000\noutput = max(gas_force)\n'; } >card.deck
-mkfifo card.txt # which has its contents once
-printf '0 1e5\n180 3e5\n' >card.txt &
-run 0 -f csv card.deck
-mv out pipe.csv
-check 'the file was read once' test "$(grep -c ',ok' pipe.csv)" -eq 4000
+printf '0 1e5\n180 3e5\n' >card.txt
+"$fourlink" -f csv card.deck 2>err | { # its output is longer than a pipe holds
+    dd bs=1 count=1 2>/dev/null
+    rm card.txt
+    cat
+} >rows.csv
+check 'the file was read once' test "$(grep -c ',ok' rows.csv)" -eq 4000
 
 reason='the crank, 300 mm, is longer than the other three together, 202 mm: the linkage cannot be assembled'
 for lengths in '20 mm, 300 mm, 22 mm' '300 mm, 20 mm, 22 mm'; do

@@ -64,6 +64,41 @@ same o/x old
 only_file o x # also after a signal
 rm -f o/x.*
 
+# nor does any other signal that ends the program; what runs in the background ignores SIGQUIT
+for signal in HUP QUIT ALRM XCPU USR1 USR2 VTALRM PROF; do
+    set -- "$fourlink"
+    if [ $signal = QUIT ]; then
+        env --default-signal=QUIT true 2>/dev/null || continue
+        set -- env --default-signal=QUIT "$fourlink"
+    fi
+    (ulimit -c 0 && exec "$@" -o o/x -i 0.00001 "$alvi" 2>err) &
+    pid=$!
+    for tenths in 1 2 3 4 5 6 7 8 9 10; do
+        [ "$(ls -A o | wc -l)" -eq 2 ] && break
+        sleep 0.1 2>/dev/null || sleep 1
+    done
+    check "$signal: a temporary file while it runs" test "$(ls -A o | wc -l)" -eq 2
+    kill -$signal $pid
+    wait $pid 2>/dev/null
+    status=$?
+    check "$signal: status $status" test "$(kill -l $status)" = $signal
+    only_file o x
+    same o/x old
+done
+
+# a name may be as long as the file system allows
+longest=$(printf '%0255d' 0)
+if : >"o/$longest" 2>/dev/null; then
+    run 0 -o "o/$longest" "$alvi"
+    same "o/$longest" table
+    run 0 -f csv -o "o/$longest" "$alvi"
+    same "o/$longest" csv
+    rm "o/$longest"
+    run 3 -o "o/0$longest" "$alvi"
+    says 'name too long' # File name, or Filename
+fi
+only_file o x
+
 # rows that could not be computed are results like others
 run 1 -o o/x reach.deck
 check 'rows that fail are written' grep -q '^# 120 to 240 deg: ' o/x
@@ -162,5 +197,49 @@ same mine.deck "$alvi"
 "$fourlink" -o mine.deck <mine.deck >out 2>err
 check 'the deck on standard input is not overwritten' test $? -eq 3
 same mine.deck "$alvi"
+
+# two outputs are one file, also through links to nothing
+mkdir twice
+ln -s a.svg twice/b.svg
+ln -s b.svg twice/c.svg
+ln -s twice folder
+for pair in 'twice/a.svg twice/a.svg' 'twice/a.svg twice/b.svg' 'twice/b.svg twice/a.svg' \
+    'twice/c.svg twice/b.svg' 'folder/c.svg ./twice/../twice/a.svg'; do
+    for option in --plot --plot-script; do
+        run 3 -o ${pair% *} $option=${pair#* } "$alvi"
+        says 'two outputs have this name'
+        check 'no output' test ! -e twice/a.svg
+        check 'the links stay' test -h twice/b.svg -a -h twice/c.svg
+    done
+done
+
+# nor is anything else that is read: answers, a card, a file of csv, whatever the option and the way to it
+sed 's/^indicator.*/indicator = file card.csv deg bar/' "$decks/gas-engine.deck" >card.deck
+printf '0 1\n20 30\n90 6\n540 1\n' >card.csv
+mkdir answers
+printf '[expect]\nat = 0 deg\nmu = 59.4 deg\n' >answers/mine.expect
+"$fourlink" -f csv "$alvi" >rows.svg
+for file in card.csv answers/mine.expect rows.svg; do
+    rm -rf alias.svg hard.svg keep
+    ln -s $file alias.svg
+    ln $file hard.svg
+    cp $file keep
+    for output in $file alias.svg hard.svg; do
+        for option in -o --plot-script=; do
+            case $file in
+            card.csv) run 3 $option$output card.deck ;;
+            rows.svg) run 3 -o $output --statistics=rows.svg ;;
+            *)
+                run 3 $option$output --check=$file mine.deck
+                says 'it is also read'
+                run 3 $option$output --check=answers mine.deck
+                ;;
+            esac
+            says 'it is also read'
+            nothing
+            same $file keep
+        done
+    done
+done
 
 finish

@@ -41,34 +41,12 @@ run 0 -f csv -o whole t.deck
 if command -v parallel >/dev/null; then
     HOME=$work
     export HOME
-    cat >fake_ssh <<'SCRIPT'
-#!/bin/sh
-# ssh [OPTION]... HOST COMMAND...: the command on this machine, with SHELL set, as sshd does
-while [ $# -gt 0 ]; do
-    case $1 in
-    -[lp]) shift 2 ;;
-    -*) shift ;;
-    *) break ;;
-    esac
-done
-echo "$1" >>"$HOSTS"
-[ "$2" = -- ] && shift
-shift
-SHELL=/bin/sh exec sh -c "$*"
-SCRIPT
-    chmod +x fake_ssh
-    HOSTS=$work/hosts
-    export HOSTS
     rm -f part*
     check 'parallel' parallel --will-cite "$fourlink" '--part={}/4' -f csv -o 'part{}.csv' t.deck ::: 1 2 3 4 </dev/null 2>err
     cat part1.csv part2.csv part3.csv part4.csv >together
     same together whole
     check 'parallel --keep-order' parallel --will-cite -k "$fourlink" '--part={}/4' -f csv t.deck ::: 1 2 3 4 </dev/null >together 2>err
     same together whole
-    check 'parallel over ssh' parallel --will-cite -k --ssh "$work/fake_ssh" -S 1/one,1/two --wd "$work" \
-        "$fourlink" '--part={}/4' -f csv t.deck ::: 1 2 3 4 </dev/null >together 2>err
-    same together whole
-    check 'both hosts had work' test "$(sort -u hosts | grep -c '^one$\|^two$')" -eq 2
 else
     echo 'skipped: GNU parallel is not there'
 fi

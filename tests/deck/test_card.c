@@ -213,7 +213,7 @@ static void test_random_files(void **unused)
         for (k = 0; k + 1 < n; k++) {
             file[k] = i % 4 ? likely[(size_t)uniform(&seed, 0, sizeof likely - 1)]
                             : (char)(1 + (unsigned char)uniform(&seed, 0, 255));
-            lines += file[k] == '\n';
+            lines += file[k] == '\n' || file[k] == '\r';
         }
         file[k] = '\0';
         if (i % 8 == 1) /* often a curve */

@@ -1119,7 +1119,7 @@ static int check_outcome(const char *contents, size_t length)
     long lines = 1;
 
     for (i = 0; i < length; i++)
-        lines += contents[i] == '\n';
+        lines += contents[i] == '\n' || contents[i] == '\r';
     t.start = contents;
     t.length = length;
     status = read_text(t, NULL, 0, &d);

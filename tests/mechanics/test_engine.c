@@ -347,6 +347,18 @@ static void test_rod_masses_limits(void **unused)
     rod = before;
     slider_crank(0.25, 0.7, 0, 0, 0, &s);
     s.design.link[3].cg.x = 0.3;
+    /* nearly no mass, but an inertia: the radius of gyration is out of range */
+    s.design.link[3].mass = 1e-300;
+    s.design.link[3].inertia = 1e10;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_BAD_NUMBER);
+    assert_memory_equal(&rod, &before, sizeof rod);
+    s.design.link[3].inertia = 1e-300;
+    assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
+    assert_int_equal(fourlink_rod_masses(&s.mechanism, &rod), FOURLINK_OK);
+    assert_close(rod.k, 1.0, 1e-15);
+    rod = before;
+    s.design.link[3].mass = s.design.link[3].inertia = 0;
     s.design.link[3].cg.y = 1e-7;
     assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
     assert_int_equal(fourlink_rod_masses(&s.mechanism, NULL), FOURLINK_NULL);

@@ -3,6 +3,9 @@
 ** test_motion.c - the crank positions to visit: the three motions of the paper's program, any range
 ** at constant acceleration, a crank that stops on its way, the placing of the rows, statuses.
 */
+#include <float.h>
+#include <limits.h>
+
 #include "check.h"
 #include "fourlink.h"
 
@@ -464,7 +467,7 @@ static void test_short_last_interval(void **unused)
     int i, k;
 
     (void)unused;
-    for (i = 0; i < 7; i++)
+    for (i = 0; i < 7 && whole[i] + 2 <= (double)ULONG_MAX; i++) /* rows are counted in it */
         for (k = 0; k < 5; k++) {
             fourlink_motion motion = degrees(0, whole[i] + rest[k], 1, 1, 0);
             fourlink_range range = range_of(&motion);
@@ -558,6 +561,37 @@ static void test_no_row_of_no_motion(void **unused)
     assert_memory_equal(&row, &before, sizeof row);
 }
 
+/* The square of a tiny speed is 0, the speed is not. */
+static void test_tiny_speeds(void **unused)
+{
+    static const double speeds[] = {5e-324, -5e-324, 1e-310, 1e-200, -1e-200, 1e-163};
+    fourlink_motion motion;
+    fourlink_range range;
+    fourlink_row row;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof speeds / sizeof speeds[0]; i++) {
+        motion = degrees(30, 30, 10, speeds[i], 0);
+        assert_int_equal(fourlink_motion_at(&motion, 30, &row), FOURLINK_OK);
+        assert_true(row.crank.omega2 == speeds[i] && row.time == 0);
+    }
+    motion = degrees(0, 360, 10, 1e-200, 0);
+    range = range_of(&motion);
+    row = row_of(&motion, &range, 36);
+    assert_true(row.crank.omega2 == 1e-200);
+    assert_close(row.time, 2 * PI / 1e-200, 1e-15);
+    motion = degrees(0, 360, 10, 1e-200, -1e-200); /* it comes to rest at once */
+    assert_int_equal(fourlink_motion_range(&motion, &range), FOURLINK_OK);
+    assert_true(range.stops);
+    assert_int_equal(range.n_rows, 1);
+    motion = degrees(0, 0, 10, 0, 1e-310); /* a run-up that takes for ever */
+    motion.run_up = 90;
+    assert_int_equal(fourlink_motion_range(&motion, &range), FOURLINK_OK);
+    row = row_of(&motion, &range, range.n_rows - 1);
+    assert_true(row.time > 0 && row.time <= DBL_MAX && row.crank.omega2 > 0);
+}
+
 static void test_too_many_rows(void **unused)
 {
     fourlink_motion bad = degrees(0, 360, 1e-13, 5, 0);
@@ -649,6 +683,7 @@ int main(void)
         cmocka_unit_test(test_short_last_interval),
         cmocka_unit_test(test_bad_motions),
         cmocka_unit_test(test_no_row_of_no_motion),
+        cmocka_unit_test(test_tiny_speeds),
         cmocka_unit_test(test_too_many_rows),
         cmocka_unit_test(test_bad_ranges),
         cmocka_unit_test(test_no_such_row),

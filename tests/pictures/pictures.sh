@@ -91,6 +91,16 @@ shows() { # shows FILE TEXT...: each is a text of its own in the picture
         check "$file: no text '$text'" grep -qxF -e "$text" "$work/texts"
     done
 }
+# same_drawing FILE FILE: two pictures; of an SVG without title and description, which a script does not have
+same_drawing() {
+    for drawing in "$1" "$2"; do
+        case $drawing in
+        *.gif | *.png) cat "$drawing" ;;
+        *) sed 's/^<title>.*//; s/^<desc>.*//' "$drawing" ;;
+        esac >"$work/drawing.$([ "$drawing" = "$1" ] && echo 1 || echo 2)"
+    done
+    check "$1 and $2 differ" cmp -s "$work/drawing.1" "$work/drawing.2"
+}
 # bytes FILE FROM COUNT: as numbers
 bytes() { od -An -v -tu1 -j "$2" -N "$3" "$1" | tr -s ' \n' '  ' | sed 's/^ //; s/ $//'; }
 magic() { check "$1: begins with $(bytes "$1" 0 8)" test "$(bytes "$1" 0 "$2")" = "$3"; }

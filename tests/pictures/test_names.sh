@@ -42,7 +42,7 @@ for name in 'a b' "it's" "''" 'q"q' 'x$(touch pwned)' '`touch pwned`' '|touch pw
         check "gnuplot on $show: $(head -n 2 ../said)" test ! -s ../said
         check "executed by the script: $show" test ! -e pwned
         check "the script of $show has written: $(ls -A)" test "$(ls -A | wc -l)" -eq 3
-        same "./$name.svg" ../before.svg
+        same_drawing "./$name.svg" ../before.svg
         ;;
     esac
     cd .. || exit 1

@@ -17,25 +17,28 @@ refused "--plot-kind must be mechanism, motion, forces, turning-moment, polar, v
 refused "did you mean 'motion'?" --plot=x.svg --plot-kind=motoin "$fourbar"
 refused '--plot-kind must be' --plot=x.svg --plot-kind= "$fourbar"
 refused '--plot-kind needs --plot or --plot-script' --plot-kind=motion "$fourbar"
-refused '--plot-at needs --plot or --plot-script' --plot-at='40 deg' "$fourbar"
+refused '--plot-at needs --plot, --plot-script or --report' --plot-at='40 deg' "$fourbar"
 refused '--plot takes one deck' --plot=x.svg "$fourbar" "$engine"
 refused '--plot takes one deck' --plot-script=x.gp "$fourbar" "$engine"
+refused '--plot-x needs --plot or --plot-script' --plot-x=time "$fourbar"
+refused '--plot-x works with --plot-kind=columns, not with mechanism' --plot=x.svg --plot-x=time "$fourbar"
+refused '--plot-x works with --plot-kind=columns, not with forces' --plot=x.svg --plot-kind=forces --plot-x=time "$fourbar"
+refused '--plot-at works with' --plot=x.svg --plot-kind=columns --plot-at=40 "$fourbar"
+refused '--plot-x needs a value' "$fourbar" --plot=x.svg --plot-x
 refused "an animation needs a file name that ends in .gif, not 'x.svg'" --plot=x.svg --plot-kind=animation "$fourbar"
 refused '--plot needs a value' "$fourbar" --plot
 refused '-p needs a value' "$fourbar" -p
 refused '--plot-at needs a value' "$fourbar" --plot=x.svg --plot-at
 refused '--plot-script needs a value' "$fourbar" --plot-script
 
-# at MESSAGE ANGLES [DECK]: refused after the table, which is printed all the same
-run 0 "$fourbar"
-mv out table
+# at MESSAGE ANGLES [DECK]: refused, and no table printed
 at() {
     for option in --plot=x.svg --plot-script=x.svg; do
         run 2 $option --plot-at="$2" "${3:-$fourbar}"
         says '--plot-at: error:'
         says "$1"
         lines err 1
-        [ $# -gt 2 ] || same out table
+        nothing
         check 'no picture of a wrong angle' test ! -e x.svg
     done
 }
@@ -45,8 +48,14 @@ at 'expected an angle' '40 deg,'
 at 'expected an angle' '40 deg,,50 deg'
 at 'expected an angle' 'nowhere'
 at 'more than 24 positions' 1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25
-at 'the motion does not reach theta2 = 150' 150 "$data/me3491-exercise-1.deck"
-at 'the motion does not reach theta2 = 150 deg' '20 deg, 150 deg' "$data/me3491-exercise-1.deck"
+sed 's/^from .*/from = 0 deg/; s/^to .*/to = 360 deg/' "$data/me3491-exercise-1.deck" >turning.deck
+printf '%s\n' 'mechanism = four-bar' '[ground]' 'length = 5' '[crank]' 'length = 5' '[coupler]' 'length = 6' '[rocker]' \
+    'length = 3' '[motion]' 'speed = 1 rad/s' 'interval = 10 deg' >twice.deck
+at 'theta2 = 150 deg: the motion goes from 110 to -110 deg' 150 "$data/me3491-exercise-1.deck"
+at 'theta2 = 150 deg: the motion goes from 110 to -110 deg' '20 deg, 150 deg' "$data/me3491-exercise-1.deck"
+at 'theta2 = 200 deg: the links reach from -110.487 to 110.487 deg' 200 turning.deck
+at 'theta2 = 200 deg: the links reach from -110.487 to 110.487 deg' '20 deg, 200 deg' turning.deck
+at 'theta2 = 180 deg: the links reach from 34.9152 to 128.316 deg, and from 231.684 to 325.085 deg' 180 twice.deck
 run 0 --plot-script=x.gp --plot-at='40 deg, 50 deg' "$fourbar"
 mv x.gp plain.gp
 run 0 --plot-script=x.gp --plot-at='40°, 50 degrees' "$fourbar"
@@ -54,17 +63,18 @@ same x.gp plain.gp
 run 0 --plot-script=x.gp --plot-at=1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24 "$fourbar"
 quiet
 
-# cannot MESSAGE KIND ARGUMENT...: no such picture of this deck; the table is there
+# cannot MESSAGE KIND ARGUMENT...: no such picture of this deck, and no table printed
 cannot() {
     message=$1
     kind=$2
     shift 2
-    "$fourlink" "$@" >table 2>err
     rm -f x.gp
+    run 2 --plot-script=x.gp --plot-kind=$kind --format=table "$@"
+    nothing
     run 2 --plot-script=x.gp --plot-kind=$kind "$@"
+    nothing
     says "--plot-kind: error: $message"
     lines err 1
-    same out table
     check "a script of nothing: $kind" test ! -e x.gp
 }
 cannot "Klein's construction needs a slider-crank" klein "$fourbar"
@@ -83,5 +93,74 @@ for kind in motion forces polar; do
     cannot 'the linkage cannot be assembled at any angle of the motion' $kind "$data/me3491-exercise-1.deck" \
         --set='motion.from=150 deg' --set='motion.to=200 deg'
 done
+
+# x MESSAGE NAME [DECK]: no such column to draw over
+x() {
+    rm -f x.gp
+    run 2 --plot-script=x.gp --plot-kind=columns --plot-x="$2" "${3:-$fourbar}"
+    nothing
+    says "--plot-x: error: $1"
+    lines err 1
+    check "a script of nothing over $2" test ! -e x.gp
+}
+x "unknown column 'foo'" foo
+x "unknown column 'thetaa2'; did you mean 'theta2'?" thetaa2
+x "unknown column 'timee'; did you mean 'time'?" timee
+x "the column 'x' belongs to the slider-crank" x
+x "the column 'F12' needs masses, loads or gas; the deck has none" F12 "$alvi"
+for name in status branch deck type; do
+    x "'$name' is a word, not a number to draw over" $name
+done
+for name in mu_min 'max(theta4)'; do
+    x "'$name' is one value, not a column" "$name"
+done
+for name in '' all 'theta3,theta4' 'theta3 theta4' 'theta3#' 'theta3;' 'theta3=1' "theta3'"; do
+    x 'expected the name of a column, not' "$name"
+done
+cannot 'no column to draw; name some with --columns' columns --columns=theta2 "$fourbar"
+cannot 'a picture shows at most 24 columns; name those to draw with --columns' columns --columns=all "$fourbar"
+
+# --- a picture comes alone, unless a table or another text is asked for
+run 0 "$fourbar"
+mv out table
+for option in --format=table --output=-; do
+    run 0 --plot-script=x.gp $option "$fourbar"
+    quiet
+    same out table
+done
+run 0 --plot-script=x.gp --output=o.txt "$fourbar"
+same o.txt table
+nothing
+run 0 --plot-script=x.gp --wide --columns=theta4 --interval='10 deg' --branch=open "$fourbar"
+nothing
+for option in --summary --list --matrix --expect --format=csv; do
+    run 0 $option "$fourbar"
+    mv out wanted
+    run 0 --plot-script=x.gp $option "$fourbar"
+    same out wanted
+done
+"$fourlink" --check "$alvi" >wanted 2>err
+run $? --plot-script=x.gp --check "$alvi"
+same out wanted
+"$fourlink" --plot-script=- "$fourbar" >out 2>err
+run 0 --plot-script=x.gp "$fourbar"
+"$fourlink" --plot-script=- "$fourbar" >out
+same out x.gp
+
+# the exit status tells of missing rows, as that of the table does
+run 1 --plot-script=x.gp turning.deck
+nothing
+says 'turning.deck: 26 of 74 rows could not be computed: cannot be assembled: B and D are too far apart'
+lines err 1
+check 'the picture is there' test -s x.gp
+run 1 --plot-script=x.gp --format=table turning.deck
+quiet
+run 1 --plot-script=x.gp --plot-kind=motion --set='motion.acceleration=-100 rad/s2' "$fourbar"
+says 'the crank comes to rest'
+lines err 1
+run 2 --plot-script=x.gp --plot-kind=klein turning.deck
+lines err 1
+run 3 --plot-script=missing/x.gp turning.deck
+lines err 1
 
 finish

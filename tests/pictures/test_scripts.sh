@@ -10,8 +10,6 @@ pictures_of "$engine" $kinds
 
 for deck in "$fourbar" "$engine"; do
     base=$(basename "$deck" .deck)
-    run 0 "$deck"
-    mv out table
     for kind in $kinds; do
         [ $kind = klein ] && [ $base = coupler-point ] && continue
         picture=$base-$kind.svg
@@ -19,15 +17,15 @@ for deck in "$fourbar" "$engine"; do
         rm -f x.gp
         run 0 --plot-script=x.gp --plot-kind=$kind "$deck"
         quiet
-        same out table
+        nothing
         draw x.gp
-        same drawn $picture
+        same_drawing drawn $picture
         case $kind in animation | forces | polar | vectors) continue ;; esac
         mkdir scripts
         run 0 --plot-script=x.gp --plot=scripts/x.svg --plot-kind=$kind "$deck"
         only_file scripts '' # the script is not run
         draw x.gp
-        same scripts/x.svg $picture
+        same_drawing scripts/x.svg $picture
         rm -r scripts
     done
 done

@@ -67,12 +67,15 @@ if command -v gnuplot >/dev/null; then
 fi
 
 # what is refused
+run 2 --plot-script=t.gp --plot-kind=histogram single.deck
+says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'
+sweep 'crank.length = 18 mm, 20 mm'
+run 2 --plot-script=t.gp --plot-kind=histogram t.deck
+says 'needs a [sweep] with outputs'
+# without outputs `columns` draws those of the first design
+run 0 --plot-script=t.gp --plot-kind=columns -c theta4 t.deck
+check 'the first design' grep -q '", first design of its sweep' t.gp
 for kind in histogram columns; do
-    run 2 --plot-script=t.gp --plot-kind=$kind single.deck
-    says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'
-    sweep 'crank.length = 18 mm, 20 mm'
-    run 2 --plot-script=t.gp --plot-kind=$kind t.deck
-    says 'needs a [sweep] with outputs'
     sweep 'crank.length = 18 mm, 20 mm' 'output = type'
     run 2 --plot-script=t.gp --plot-kind=$kind t.deck
     says 'no design of the [sweep] has a number to draw'
@@ -81,6 +84,17 @@ sweep 'crank.length = 18 mm' 'output = mu_min'
 run 2 --plot-script=t.gp --plot-kind=columns t.deck
 says 'the [sweep] has a single design'
 run 0 --plot-script=t.gp --plot-kind=histogram t.deck
+sweep 'crank.length = 18 mm, 20 mm' 'output = mu_min'
+run 2 --plot-script=t.gp --plot-kind=columns --plot-x=theta4 t.deck
+says '--plot-x: error: the outputs of a [sweep] are drawn over what it varies'
+# designs that are missing in the picture are told, unless the table does
+sweep 'ground.length = 80 mm, 800 mm' 'output = max(Ts), mu_min'
+run 1 --plot-script=t.gp --plot-kind=columns t.deck
+nothing
+says '2 of 4 lines of the [sweep] could not be computed'
+run 1 --plot-script=t.gp --plot-kind=columns --output=t.txt t.deck
+quiet
+check 'the table' test -s t.txt
 usage "did you mean 'histogram'?" --plot=p.svg --plot-kind=histogramm t.deck
 
 finish

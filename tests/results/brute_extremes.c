@@ -1076,7 +1076,8 @@ static double size_of(unsigned long c, int is_unbounded)
     return sorted[is_unbounded ? m / 2 : m - 1];
 }
 
-/* The row at the angle that is told, or the limit there: how far it is from the value. */
+/* How far the row at the angle that is told, or the limit there, is from the value: the nearer of them, as extremes
+** can be closer to an edge than a row's place is known. */
 static double distance(unsigned long c, const fourlink_value *f, double size)
 {
     double p = sense * (f->angle - from) * unit, v[COLUMNS], d = INFINITY;
@@ -1093,25 +1094,23 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
         far = far > DOUBT * error + 1e-12 * size ? far : 0;
         d = far < d ? far : d;
     }
-    if (d < INFINITY)
-        return d;
     if (!fourlink_results_at(results, branch, f->angle, v, NULL, NULL) ||
         (columns[c].flags & FOURLINK_OF_CRANK)) {
-        d = fabs(is_angle(c) ? turn_of(c) * leap(v[c], f->value, turn_of(c)) : v[c] - f->value);
-        d -= noise_at(c, p);
-        return d > 0 ? d : 0;
+        double far = is_angle(c) ? turn_of(c) * leap(v[c], f->value, turn_of(c)) : v[c] - f->value;
+
+        d = fmin(d, fmax(fabs(far) - noise_at(c, p), 0));
     }
     return d;
 }
 
 /* 1 for a pole that is narrower than the rows: they grow towards it without end. */
-static int is_narrow_pole(unsigned long c, const fourlink_value *f, double size)
+static int is_narrow_pole(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * unit, near[COLUMNS], nearer[COLUMNS];
+    double p = sense * (f->angle - from) * unit, far[COLUMNS], near[COLUMNS], nearer[COLUMNS];
 
-    return isinf(f->value) && has_bound(c) && !compute(p + 1e-7, near) &&
+    return isinf(f->value) && has_bound(c) && !compute(p + 1e-3, far) && !compute(p + 1e-7, near) &&
            !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
-           fabs(nearer[c]) > 1e-4 * size;
+           fabs(near[c]) > 1e3 * fabs(far[c]);
 }
 
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
@@ -1129,7 +1128,7 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
     }
     if (isinf(f->value) || isinf(b->value)) {
         unbounded++;
-        if (f->value != b->value && !is_narrow_pole(c, f, size))
+        if (f->value != b->value && !is_narrow_pole(c, f))
             fail(f, b, "unbounded", INFINITY);
         return;
     }

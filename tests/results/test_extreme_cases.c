@@ -2,6 +2,7 @@
 **
 ** test_extreme_cases.c - extremes of decks whose right values are known.
 */
+#include <stdio.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -97,6 +98,41 @@ static void test_parallelogram(void **state)
     check(deck, FOURLINK_OPEN, "max(F12x)", INFINITY, 0);
     check(deck, FOURLINK_OPEN, "min(F12x)", -INFINITY, 0);
     check(deck, FOURLINK_OPEN, "max(Ts)", 9.81, 1e-8);
+}
+
+/* A constant column has its extremes at the first row, though rounding makes it vary. */
+static void test_constant(void **state)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[ground]\nlength = 1 m\nangle = -14.3 deg\n[crank]\nlength = 2.25 "
+        "m\n"
+        "mass = 4 kg\n[coupler]\nlength = 1 m\nmass = 3 kg\n[rocker]\nlength = 2.25 m\nmass = 5 "
+        "kg\n"
+        "inertia = 3 kg m2\n[gravity]\nacceleration = 0\n[motion]\nspeed = 16.7 rad/s\n"
+        "acceleration = -40 rad/s2\nfrom = %d deg\nto = 160 deg\ninterval = 7 deg\n";
+    static const char *const names[] = {"max(alpha4)", "min(alpha4)", "max(alpha2)", "min(alpha2)"};
+    static const int first[] = {0, 10};
+    size_t i, k;
+
+    (void)state;
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < 4; i++) {
+            char text[sizeof deck];
+            fourlink_source source;
+            fourlink_results *results;
+            fourlink_value value;
+
+            memset(&source, 0, sizeof source);
+            sprintf(text, deck, first[k]);
+            source.text = text;
+            source.length = strlen(text);
+            assert_int_equal(fourlink_results_open(&source, 0, &results, NULL, NULL), FOURLINK_OK);
+            assert_int_equal(fourlink_results_value(results, names[i], FOURLINK_OPEN, 0, &value),
+                             FOURLINK_OK);
+            fourlink_results_free(results);
+            assert_true(fabs(value.value + 40) <= 1e-6);
+            assert_true(value.angle == first[k]);
+        }
 }
 
 /* Fsy = weight and inertia of the rod, bounded at the dead positions: its limits. */
@@ -302,11 +338,12 @@ static void test_narrow(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_turns),     cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_deltoid),        cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_limits),         cmocka_unit_test(test_short_reach),
-        cmocka_unit_test(test_pole_at_sample), cmocka_unit_test(test_half_turns),
-        cmocka_unit_test(test_time_and_edge),  cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_full_turns),  cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_deltoid),     cmocka_unit_test(test_parallelogram),
+        cmocka_unit_test(test_constant),    cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_short_reach), cmocka_unit_test(test_pole_at_sample),
+        cmocka_unit_test(test_half_turns),  cmocka_unit_test(test_time_and_edge),
+        cmocka_unit_test(test_narrow),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

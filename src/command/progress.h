@@ -1,18 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** interrupt.h - long work: signals that stop it, and its progress.
+** progress.h - the progress of long work, on a terminal.
 */
-#ifndef FOURLINK_INTERRUPT_H
-#define FOURLINK_INTERRUPT_H
+#ifndef FOURLINK_PROGRESS_H
+#define FOURLINK_PROGRESS_H
 
 #include <stdio.h>
 #include <time.h>
-
-/* Catch the signals that end a program, or restore the old actions. */
-void interrupt_watch(int begin);
-
-/* The signal that came since then; 0: none. */
-int interrupt_signal(void);
 
 /* Progress on a terminal, once a second. */
 typedef struct progress {

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** arithmetic.h - what the compiler must keep: NaN marks what has no value, and infinity what is unbounded, so
+** that results would be wrong without a word.
+*/
+#ifndef FOURLINK_ARITHMETIC_H
+#define FOURLINK_ARITHMETIC_H
+
+#ifdef __FAST_MATH__
+#error "fourlink needs NaN and infinity: compile without -ffast-math and -Ofast"
+#endif
+
+#ifdef __FINITE_MATH_ONLY__
+#if __FINITE_MATH_ONLY__ > 0
+#error "fourlink needs NaN and infinity: compile without -ffinite-math-only"
+#endif
+#endif
+
+#endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** system.h - what the command needs of the operating system: files, terminals, signals, programs.  Only
+** system_posix.c and system_windows.c, of which one is empty, know which system it is.  The library uses none of
+** it.
+**
+** Paths are as the user typed them; on Windows they are UTF-8, and \ and a drive's colon separate names too.
+** What fails sets errno.
+*/
+#ifndef FOURLINK_SYSTEM_H
+#define FOURLINK_SYSTEM_H
+
+#include <stdio.h>
+
+/* Call this first: it may replace the arguments, and makes the standard streams binary.  From then on a signal
+** that ends the program leaves no temporary file and no program that was started. */
+void system_begin(int *argc, char ***argv);
+
+/* ---- names */
+
+/* 1 if a character separates the names of a path. */
+int system_is_separator(char c);
+
+/* 1 if a path does not depend on the working folder. */
+int system_is_absolute(const char *path);
+
+/* The target of a symbolic link, cut to `size`; 0 if the path is not one. */
+int system_read_link(const char *path, char *target, size_t size);
+
+/* ---- files */
+
+typedef enum system_kind {
+    SYSTEM_NOTHING, /* no such file */
+    SYSTEM_FILE,
+    SYSTEM_FOLDER,
+    SYSTEM_OTHER, /* a device or a pipe */
+    SYSTEM_ERROR  /* it cannot be found out */
+} system_kind;
+
+system_kind system_kind_of(const char *path);
+
+/* 1 if both paths lead to one file or folder, which is there; 1 if a path leads to what a stream has open. */
+int system_is_same(const char *x, const char *y);
+int system_is_open_as(const char *path, FILE *stream);
+
+int system_may_write(const char *path);
+FILE *system_open(const char *path, const char *mode);
+
+/* The same for reading, without waiting for another program; null with errno 0 if it is not a regular file. */
+FILE *system_open_regular(const char *path);
+
+/* 1 if a file, through symbolic links, is in a folder or in one of its folders, or is not there; 0 with errno
+** ENOMEM if out of memory, otherwise with 0. */
+int system_is_within(const char *folder, const char *path);
+
+/* A temporary file without a name, for reading and writing. */
+FILE *system_scratch(void);
+
+/* Create a file with a name of its own: the last six characters of `name`, XXXXXX, are replaced.  It gets the
+** permissions of another path, or those of a new file.  A signal removes it, until one of the functions below
+** has been called. */
+FILE *system_create(char *name, const char *like);
+int system_rename(const char *name, const char *path); /* 1; 0 with errno set */
+void system_remove(const char *name);
+
+/* ---- terminals */
+
+int system_is_terminal(FILE *stream);
+unsigned long system_width(FILE *stream); /* of a terminal; 0: unknown */
+
+/* ---- signals */
+
+/* Catch the signals that end a program, or restore the old actions. */
+void system_catch(int begin);
+
+/* The signal that came since then; 0: none. */
+int system_caught(void);
+
+/* ---- programs */
+
+typedef struct system_outcome {
+    int is_found;
+    int status;  /* exit status; -1: ended by a signal */
+    long copied; /* bytes of its output */
+} system_outcome;
+
+/* Run a program from PATH without a shell; `arguments`, the name first, end in null.  It reads `input` from its
+** beginning; its standard output is copied to `output`.  1; 0 with errno set. */
+int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *complaints,
+               system_outcome *outcome);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** reporting.c - the report of a deck, in a file.
+*/
+#include <stdio.h>
+
+#include "command.h"
+#include "output.h"
+#include "report/report.h"
+#include "reporting.h"
+
+int reporting_write(const input *in)
+{
+    const char *path = in->o->report;
+    report_outcome outcome;
+    fourlink_mistake mistake;
+    report_request request;
+    output file;
+    int status = output_begin(&file, path), written;
+
+    if (status)
+        return status;
+    request.at = in->o->drawing.at;
+    written = report_write(file.file, &in->source, &request, &outcome, &mistake);
+    if (written < 0) {
+        output_end(&file, path, 0);
+        return command_complain("cannot write", path, fourlink_status_text(FOURLINK_NO_MEMORY));
+    }
+    if (!written) {
+        command_tell_mistake(mistake.file, mistake.line, mistake.message, NULL);
+        output_end(&file, path, 0);
+        return EXIT_USAGE;
+    }
+    status = output_end(&file, path, 1);
+    if (status)
+        return status;
+    if (outcome.gnuplot)
+        fprintf(stderr, "fourlink: %s has no pictures: %s\n", path, outcome.gnuplot);
+    if (outcome.has_failed)
+        fprintf(stderr, "fourlink: %s: rows could not be computed, or expected values differ\n",
+                path);
+    return outcome.has_failed ? EXIT_ROWS : 0;
+}

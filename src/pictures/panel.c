@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** panel.c - a panel of curves over the crank angle or another column: ranges, extremes, the deck's instant.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "panel.h"
+
+#define RINGS 3       /* a number stands beside its extreme */
+#define KEY_LINE 3    /* curves named in one line of the key */
+#define X_BORDER 0.03 /* of the range, at its ends */
+#define X_LETTERS 7   /* between the numbers of the x axis */
+
+/* 1 if the crank angle is on the x axis. */
+static int over_crank(const picture *p)
+{
+    return (p->columns[0].flags & FOURLINK_CRANK_ANGLE) != 0;
+}
+
+/* The step of the numbers on the x axis of another column. */
+static double x_step(const picture *p, double span)
+{
+    return strcmp(p->columns[0].quantity, "angle") == 0
+               ? graph_angle_step(p, span)
+               : sketch_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
+}
+
+/* Mark the deck's one instant in a picture of its cycle, over the crank angle. */
+static void put_instant(const picture *p, panel *q)
+{
+    double from = p->problem.motion.from, cycle = p->end - from, angle = p->instant;
+    char words[PICTURE_MARK + 10], number[PICTURE_MARK];
+    double half, x;
+
+    if (!p->has_instant || cycle == 0)
+        return;
+    angle -= cycle * floor((angle - from) / cycle);
+    flk_text_join(words, sizeof words, "\316\270" SUB_2 " = ",
+                  picture_mark(p, p->instant, 4, number), (char *)NULL);
+    half = 0.55 * canvas_width_of(words) / q->r.x_scale;
+    x = angle + (fabs(cycle) / 2 > fabs(angle - from) ? half : -half);
+    canvas_print(&p->on,
+                 "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
+                 "set label %q at %.8g,graph 0 center front boxed offset 0,0.7\n",
+                 angle, angle, PEN_CONSTRUCTION, words, x);
+    room_take(&q->r, sketch_at(x, q->r.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
+}
+
+/* The same on curves over another column. */
+static void put_instants(const picture *p, panel *q)
+{
+    double from = p->problem.motion.from, cycle = p->end - from, part;
+    int i, k;
+
+    if (!p->has_instant || cycle == 0)
+        return;
+    part = (p->instant - from) / cycle;
+    k = (int)(GRAPH_STEPS * (part - floor(part)) + 0.5);
+    for (i = 0; i < q->n; i++)
+        if (!gsl_isnan(q->line[i].y[k]))
+            canvas_print(&p->on,
+                         "set label \"\" at %.8g,%.8g point pt 6 ps 1.2 lc rgb 'black' front\n",
+                         q->line[i].x[k], q->line[i].y[k]);
+}
+
+/* The range of y, with room for the numbers of the extremes.  An empty range is widened here; gnuplot would
+** choose its own. */
+static void find_range(const picture *p, const panel *q, double *low, double *high)
+{
+    const graph_extent *e = &q->e;
+    int is_cut = graph_is_cut(e);
+    double size, border, part = 1.8 * CANVAS_LINE / p->on.box_height;
+
+    *low = is_cut ? e->sound_low : e->low;
+    *high = is_cut ? e->sound_high : e->high;
+    size = GSL_MAX_DBL(fabs(*low), fabs(*high));
+    border = (*high - *low) * part / (1 - 2 * part);
+    if (*high - *low <= 1e-9 * size || size == 0)
+        border = size > 0 ? size : 1;
+    *low -= border;
+    *high += border;
+}
+
+/* The range of x, for another column than the crank angle. */
+static void find_x_range(const panel *q, double *from, double *to)
+{
+    *from = graph_is_cut(&q->x) ? q->x.sound_low : q->x.low;
+    *to = graph_is_cut(&q->x) ? q->x.sound_high : q->x.high;
+    graph_widen(from, to, X_BORDER);
+}
+
+/* Widen the ranges of two lengths until both have the same scale. */
+static void find_scale(const canvas *on, double *from, double *to, double *low, double *high)
+{
+    double scale = GSL_MAX_DBL((*to - *from) / on->box_width, (*high - *low) / on->box_height);
+    double x = (*from + *to) / 2, y = (*low + *high) / 2;
+
+    *from = x - scale * on->box_width / 2;
+    *to = x + scale * on->box_width / 2;
+    *low = y - scale * on->box_height / 2;
+    *high = y + scale * on->box_height / 2;
+}
+
+/* Keep the texts of the panel away from the curves. */
+static void keep_clear(panel *q)
+{
+    int i, k;
+
+    for (i = 0; i < q->n; i++) {
+        room_break(&q->r);
+        for (k = 0; k <= GRAPH_STEPS; k++)
+            if (gsl_isnan(q->line[i].y[k]))
+                room_break(&q->r);
+            else
+                room_point(&q->r, q->line[i].x[k], q->line[i].y[k]);
+    }
+}
+
+void panel_range(const picture *p, panel *q)
+{
+    double low, high, from = p->problem.motion.from, to = p->end;
+
+    if (q->e.low > q->e.high)
+        return;
+    find_range(p, q, &low, &high);
+    if (!over_crank(p))
+        find_x_range(q, &from, &to);
+    if (q->to_scale)
+        find_scale(&p->on, &from, &to, &low, &high);
+    if (!over_crank(p))
+        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, to,
+                     x_step(p, to - from));
+    canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
+    if (graph_is_cut(&q->e) || (!over_crank(p) && graph_is_cut(&q->x)))
+        canvas_print(&p->on,
+                     "set label '%s' at graph 0.5, graph 1 center front boxed offset 0,-0.8\n",
+                     q->is_unbounded ? "beyond the frame where a value is unbounded"
+                                     : "beyond the frame near a dead position");
+    room_open(&q->r, &p->on, from, to, low, high);
+    q->r.rings = RINGS;
+    keep_clear(q);
+    if (over_crank(p))
+        put_instant(p, q);
+    else
+        put_instants(p, q);
+}
+
+void panel_begin(picture *p, panel *q, int n)
+{
+    double from = p->problem.motion.from;
+
+    q->e = q->x = graph_nothing;
+    q->n = q->to_scale = q->is_unbounded = 0;
+    fputs("unset label; unset arrow\n", p->on.out);
+    canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
+    canvas_key(&p->on);
+    canvas_grid(&p->on);
+    if (over_crank(p))
+        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
+                     graph_angle_step(p, fabs(p->end - from)));
+}
+
+/* The value on a curve at an angle that is the same but for whole turns. */
+static double on_curve(const graph_line *line, fourlink_value value, double turn)
+{
+    double nearest = GSL_POSINF, y = value.value;
+    int k;
+
+    for (k = 0; k <= GRAPH_STEPS; k++)
+        if (fabs(line->x[k] - value.angle) < nearest) {
+            nearest = fabs(line->x[k] - value.angle);
+            y = line->y[k];
+        }
+    return turn > 0 ? value.value + turn * floor((y - value.value) / turn + 0.5) : value.value;
+}
+
+/* Mark an extreme, with its value above a maximum or below a minimum if there is room. */
+static void put_extreme(const picture *p, panel *q, double value, double angle, int is_minimum,
+                        int line)
+{
+    char number[FORMAT_SIZE];
+    fourlink_vector middle;
+
+    canvas_print(&p->on, "set label \"\" at %.8g,%.8g point pt 7 ps 0.6 lc rgb 'black' front\n",
+                 angle, value);
+    format_general(value, 4, number);
+    if (room_find(&q->r, sketch_at(angle, value), 0, is_minimum ? -1 : 1, 1, number, &middle))
+        canvas_print(&p->on, "set label %q at %.8g,%.8g center front tc lt %d\n", number, middle.x,
+                     middle.y, line);
+}
+
+void panel_extremes(const picture *p, panel *q, int y, int i)
+{
+    const fourlink_value *column = &p->columns[y];
+    int is_cut = graph_is_cut(&q->e), k, is_angle = strcmp(column->quantity, "angle") == 0;
+    double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0, value, first = GSL_NAN;
+    double size = GSL_MAX_DBL(fabs(q->e.low), fabs(q->e.high));
+    fourlink_value found;
+    char extreme[80];
+
+    for (k = 0; k < 2; k++) {
+        flk_text_join(extreme, sizeof extreme, k ? "min(" : "max(", column->name, ")",
+                      (char *)NULL);
+        if (fourlink_results_value(p->results, extreme, p->branches[i], 0, &found) != FOURLINK_OK ||
+            !gsl_finite(found.value) ||
+            (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
+            continue;
+        value = on_curve(&q->line[i], found, turn);
+        if (fabs(value) <= 1e-6 * size)
+            value = 0;
+        if (k == 0 || !(fabs(value - first) <= 1e-9 * size)) /* not a constant's minimum */
+            put_extreme(p, q, value, found.angle, k, i + 1);
+        first = value;
+    }
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** panel.h - a panel of curves over the crank angle or another column, the first of the picture's columns.
+*/
+#ifndef FOURLINK_PANEL_H
+#define FOURLINK_PANEL_H
+
+#include "graph.h"
+#include "room.h"
+
+#define PANEL_CURVES 5
+
+#define PANEL_NO_REACH "the linkage cannot be assembled at any angle of the motion"
+
+/* The curves of a panel, and the places of its texts. */
+typedef struct panel {
+    graph_extent e, x; /* of the curves; of another column than the crank angle on the x axis */
+    graph_line line[PANEL_CURVES];
+    int n;
+    int to_scale;     /* 1: x and y have the same scale */
+    int is_unbounded; /* 1: the frame cuts the curves where a value is unbounded */
+    room r;
+} panel;
+
+/* Go on to the next panel, with a key of n curves. */
+void panel_begin(picture *p, panel *q, int n);
+
+/* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
+void panel_range(const picture *p, panel *q);
+
+/* Put the extremes of column y on branch i, curve i, that are in the panel, over the crank angle; what is
+** rounding compared with the curves is 0. */
+void panel_extremes(const picture *p, panel *q, int y, int i);
+
+#endif

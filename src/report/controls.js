@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** controls.js - what a report does with its drawing: slider, crank, play, assembly mode; and the buttons that save
+** a table.
+*/
+fourlink.start = (function () {
+
+/* Let the crank be dragged, by mouse or finger. */
+function drag(drawing, go) {
+    const sheet = drawing.main.panel.drawing;
+    let dragged = null;
+    const follow = (event) => {
+        const box = sheet.getBoundingClientRect(), view = sheet.viewBox.baseVal;
+        const at = [(event.clientX - box.left) * view.width / box.width, (event.clientY - box.top) * view.height / box.height];
+        go(drawing.main.rowAt(at));
+    };
+    drawing.main.handle.addEventListener("pointerdown", (event) => {
+        dragged = event.pointerId;
+        event.preventDefault();
+        try {
+            sheet.setPointerCapture(dragged);
+        } catch (error) { /* a pointer that is already gone */ }
+        follow(event);
+    });
+    sheet.addEventListener("pointermove", (event) => {
+        if (event.pointerId === dragged)
+            follow(event);
+    });
+    for (const end of ["pointerup", "pointercancel"])
+        sheet.addEventListener(end, () => { dragged = null; });
+}
+
+/* Connect the controls of a report to its drawing. */
+function connect(data, drawing) {
+    const find = (id) => document.getElementById("fourlink-" + id);
+    const slider = find("angle"), shown = find("shown"), button = find("play"), status = find("status");
+    const last = data.angles.length - 1;
+    let playing = null;
+
+    function go(i) {
+        drawing.show(i);
+        slider.value = drawing.row();
+        shown.textContent = fourlink.angleText(data, data.angles[drawing.row()]);
+        slider.setAttribute("aria-valuetext", drawing.name());
+        status.textContent = drawing.reason(drawing.row()); /* read aloud when it changes */
+    }
+    function stop() {
+        if (playing === null)
+            return;
+        cancelAnimationFrame(playing);
+        playing = null;
+        button.textContent = "Play";
+        status.textContent = drawing.name();
+    }
+    /* Once through the motion in eight seconds; slower for who wants less motion.  Rows without a position are
+    ** passed over. */
+    function play() {
+        const wait = (window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 32000 : 8000) / (last + 1);
+        let before = null, rest = 0;
+        const step = (time) => {
+            let i = drawing.row();
+            rest += before === null ? 0 : Math.min((time - before) / wait, last);
+            before = time;
+            for (let k = 0; k <= last && rest >= 1; k++) {
+                i = i === last ? 0 : i + 1;
+                rest -= drawing.reason(i) ? 0 : 1;
+            }
+            if (i !== drawing.row())
+                go(i);
+            playing = requestAnimationFrame(step);
+        };
+        button.textContent = "Pause";
+        playing = requestAnimationFrame(step);
+    }
+    function byKey(event) {
+        const page = Math.max(1, Math.round((last + 1) / 24));
+        const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: page, PageDown: -page,
+                       Home: -last, End: last}[event.key];
+        if (!steps || event.altKey || event.ctrlKey || event.metaKey)
+            return;
+        event.preventDefault();
+        stop();
+        go(drawing.row() + steps);
+    }
+
+    slider.max = last;
+    slider.addEventListener("input", () => {
+        stop();
+        go(Number(slider.value));
+    });
+    slider.addEventListener("keydown", byKey);
+    button.addEventListener("click", () => playing === null ? play() : stop());
+    button.disabled = last === 0;
+    if (data.branches.length > 1) {
+        data.branches.forEach((branch, k) => {
+            const radio = fourlink.html("input", {type: "radio", name: "fourlink-branch", value: branch.name});
+            radio.checked = k === 0;
+            radio.addEventListener("change", () => {
+                drawing.choose(k);
+                stop();
+                go(drawing.row());
+            });
+            find("branches").append(fourlink.html("label", {}, radio, " " + branch.name));
+        });
+        find("branches").hidden = false;
+    }
+    drag(drawing, (i) => {
+        stop();
+        go(i);
+    });
+    let width = window.innerWidth;
+    window.addEventListener("resize", () => {
+        if (window.innerWidth !== width) {
+            width = window.innerWidth;
+            drawing.layOut();
+        }
+    });
+    window.addEventListener("beforeprint", stop);
+    go(data.start);
+}
+
+/* Show the buttons that save a table as a file. */
+function offerFiles() {
+    for (const button of document.querySelectorAll("button[data-save]")) {
+        button.hidden = false;
+        button.addEventListener("click", () => {
+            const words = document.getElementById(button.dataset.from).textContent;
+            const address = URL.createObjectURL(new Blob([words], {type: "text/csv"}));
+            const link = fourlink.html("a", {href: address, download: button.dataset.save});
+            link.click();
+            setTimeout(() => URL.revokeObjectURL(address), 1000);
+        });
+    }
+}
+
+/* Of a report: the drawing takes the place of the pictures that stand there without a script. */
+function start() {
+    const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-drawing");
+    offerFiles();
+    if (!rows || !place)
+        return;
+    const data = JSON.parse(rows.textContent);
+    if (!data.branches.length)
+        return;
+    place.hidden = false;
+    connect(data, fourlink.draw(data, document.getElementById("fourlink-panels")));
+    const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
+    if (picture) {
+        const number = picture.querySelector("figcaption").textContent.split(".")[0];
+        place.querySelector("figcaption").prepend(number + ". ");
+        picture.hidden = true;
+    }
+}
+
+return start;
+}());
+
+fourlink.start();

@@ -1,0 +1,574 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** drawing.js - the interactive drawing of a report.
+**
+** It does no mechanics.  The program computes rows, one for each crank angle, and this script draws them: the
+** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it
+** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in
+** the same data, from scene.c.
+*/
+fourlink.draw = (function () {
+
+const {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
+       reached, present, pairs, digits} = fourlink;
+
+/* ------------------------------------------------------------------------------------------- parts of machines */
+
+/* Hatched ground along a line, on the side of d. */
+function ground(panel, from, to, d) {
+    const u = direction(minus(to, from)), count = Math.floor(size(minus(to, from)) / 8);
+    line(panel, "ground", from, to);
+    for (let k = 0; k <= count; k++) {
+        const at = add(from, times(8 * k, u));
+        line(panel, "hatch", at, add(at, add(times(6, d), times(-5, u))));
+    }
+}
+
+/* A fixed pin: a triangle on ground below it. */
+function support(panel, at) {
+    area(panel, "support", [at, add(at, [-9, 16]), add(at, [9, 16])]);
+    panel.boxes.push([at[0] - 15, at[1] + 4, at[0] + 15, at[1] + 24]);
+    ground(panel, add(at, [-15, 16]), add(at, [15, 16]), [0, 1]);
+}
+
+/* A block around a place, along u. */
+function block(panel, kind, at, u, half) {
+    const along = times(half, u), across = times(0.62 * half, [-u[1], u[0]]);
+    area(panel, kind, [add(add(at, along), across), add(minus(at, along), across),
+                       minus(minus(at, along), across), minus(add(at, along), across)]);
+}
+
+/* A centre of mass. */
+function centre(panel, at) {
+    circle(panel, "centre", at, 5);
+    panel.ink.append(svg("path", {class: "quarter", d: "M" + pairs([at]) + "h5a5,5 0 0 1 -5,5zh-5a5,5 0 0 1 5,-5z"}));
+}
+
+/* A link, its places in pixels: `place` gives that of a track. */
+function drawLink(panel, link, place, half) {
+    const kind = "link" + link.link, ends = link.pins.map(place);
+    const slide = place("S1") && place("S2") ? direction(minus(place("S2"), place("S1")), [1, 0]) : [1, 0];
+    if (link.shape === "slot") {
+        const root = place("R"), from = minus(place("S1"), times(1.6 * half, slide));
+        const to = add(place("S2"), times(1.6 * half, slide)), across = times(0.62 * half, [-slide[1], slide[0]]);
+        area(panel, kind + " slot", [add(from, across), add(to, across), minus(to, across), minus(from, across)]);
+        line(panel, kind, place("D"), root, middle(from, to));
+        return;
+    }
+    if (link.points.length)
+        area(panel, kind + " body", hull(ends.concat(link.points.map(place))));
+    if (link.shape === "block")
+        block(panel, kind + " block", ends[0], slide, half);
+    else
+        line(panel, kind, ...ends);
+}
+
+/* Pixels for a unit of force in row i: the longest arrow has at most `longest`, and the largest force is 1, 2 or 5
+** times a power of ten of it. */
+function forceScale(forces, tracks, i, longest) {
+    return longest / roundUp(Math.max(0, ...forces.map((f) => size(tracks.vector(f.of, i) || [0, 0]))));
+}
+
+/* ----------------------------------------------------------------------------------------------- the mechanism */
+
+function mechanism(data, panel) {
+    let tracks, rows, view, forces, torques, put, cached, now = 0;
+    const handle = svg("g", {class: "handle"});
+    const names = data.forces.filter((f) => f.sign > 0 && f.pen !== "inertia");
+    const turning = data.torques.filter((f) => f.sign > 0 && f.pen !== "inertia");
+    const places = ["A", "B", "C", "D"].concat(data.points.map((p) => p.of));
+    const place = (name, i) => {
+        const v = tracks.vector(name, i);
+        return v && add(view.origin, times(view.scale, v));
+    };
+    const half = () => Math.max(9, Math.min(20, 0.04 * Math.min(panel.width, panel.height)));
+    const longest = () => 0.2 * Math.min(panel.width, panel.height);
+    panel.drawing.append(panel.ink, handle);
+
+    /* Take a branch. */
+    function choose(branch) {
+        tracks = tracksOf(data, branch);
+        rows = reached(tracks);
+        forces = present(names, tracks, rows);
+        torques = present(turning, tracks, rows);
+        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
+                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+    }
+
+    /* Find the scale at which all rows fit, with their arrows. */
+    function layOut() {
+        const marks = [], edge = 2.2 * half();
+        measure(panel);
+        for (const i of rows.length ? rows : [0]) {
+            for (const name of places)
+                if (tracks.vector(name, i))
+                    marks.push([...tracks.vector(name, i), 0, 0]);
+            for (const name of ["S1", "S2"])
+                if (tracks.vector(name, i)) {
+                    marks.push([...tracks.vector(name, i), edge, edge]);
+                    marks.push([...tracks.vector(name, i), -edge, -edge]);
+                }
+            for (const f of forces) {
+                const v = tracks.vector(f.of, i), at = tracks.vector(f.at, i);
+                if (v && at)
+                    marks.push([...at, ...times(forceScale(forces, tracks, i, longest()), v)]);
+            }
+        }
+        view = fit(panel, marks, 34);
+        panel.drawing.dataset.scale = view.scale;
+        panel.drawing.dataset.x = view.origin[0];
+        panel.drawing.dataset.y = view.origin[1];
+        cached = paths();
+    }
+
+    /* The paths of C and of the tracer points. */
+    function paths() {
+        const group = svg("g", {});
+        const ways = data.points.map((p, k) => [p.of, "path path" + k % 6]);
+        for (const [name, kind] of [["C", "path construction"]].concat(ways)) {
+            let way = "", broken = true;
+            for (let i = 0; i < tracks.count; i++) {
+                const at = tracks.reason(i) ? null : place(name, i);
+                way += at ? (broken ? "M" : "L") + pairs([at]) : "";
+                broken = !at;
+            }
+            if (way && data.angles.length > 1)
+                group.append(svg("path", {class: kind, d: way}));
+        }
+        return group;
+    }
+
+    function drawFrame(i) {
+        const to = place("D", i), from = place("S1", i), h = half();
+        for (const name of data.supports)
+            if (place(name, i))
+                support(panel, place(name, i));
+        if (to) {
+            line(panel, "construction", place("A", i), to);
+        } else if (from) {
+            const end = place("S2", i), u = direction(minus(end, from)), n = [-u[1], u[0]];
+            for (const side of [1, -1]) {
+                const across = times(side * 0.68 * h, n), past = times(1.8 * h, u);
+                ground(panel, add(minus(from, past), across), add(add(end, past), across), times(side, n));
+            }
+        }
+    }
+
+    /* The crank angle, from the x axis. */
+    function drawAngle(i) {
+        const A = place("A", i), B = minus(place("B", i), A), x = tracks.x;
+        const cross = x[0] * B[1] - x[1] * B[0], dot = x[0] * B[0] + x[1] * B[1];
+        const radius = Math.min(30, 0.55 * size(B)), sign = data.angles[i] < 0 ? -1 : 1, turn = 2 * Math.PI;
+        const angle = (sign * Math.atan2(-cross, dot) + turn) % turn, points = [];
+        for (let k = 0; k <= 32; k++) {
+            const at = Math.atan2(x[1], x[0]) - sign * angle * k / 32;
+            points.push(add(A, times(radius, [Math.cos(at), Math.sin(at)])));
+        }
+        line(panel, "construction", A, add(A, times(radius + 14, x)));
+        line(panel, "construction", ...points);
+        text(panel, points[16], minus(points[16], A), ["θ", "2", ""], 1);
+    }
+
+    function drawTorques(i) {
+        for (const t of torques)
+            if (tracks.number(t.of, i)) {
+                torque(panel, t.pen, place(t.at, i), tracks.number(t.of, i), 20);
+                text(panel, add(place(t.at, i), [-14, 14]), [-1, 1], t.label, 3);
+            }
+    }
+
+    function drawForces(i) {
+        const k = forceScale(forces, tracks, i, longest());
+        let bar = scaleBar(panel, "length", 12, view.scale, data.units.length);
+        for (const f of forces) {
+            const v = tracks.vector(f.of, i), at = place(f.at, i);
+            if (!v || k * size(v) < 0.02 * longest())
+                continue;
+            arrow(panel, f.pen, at, times(k, v));
+            text(panel, add(at, times(k, v)), v, f.label, 3);
+        }
+        if (forces.length)
+            scaleBar(panel, "pin", bar, k, data.units.force);
+    }
+
+    /* At right angles to the stroke of a piston. */
+    function slideNormal(i) {
+        const u = direction(minus(place("S2", i), place("S1", i)));
+        return [u[1], -u[0]];
+    }
+
+    /* The letters at the pins, away from their links. */
+    function drawLetters(i) {
+        const A = place("A", i), B = place("B", i), C = place("C", i), D = place("D", i);
+        const away = (p, q, r) => add(direction(minus(p, q)), direction(minus(p, r)));
+        text(panel, A, C || D ? away(A, B, B) : [0, 1], ["A", "", ""], 6);
+        text(panel, B, C ? away(B, A, C) : minus(B, A), ["B", "", ""], 6);
+        if (C)
+            text(panel, C, D ? away(C, B, D) : slideNormal(i), ["C", "", ""], D ? 6 : 0.9 * half());
+        if (D)
+            text(panel, D, minus(D, C || B), ["D", "", ""], 6);
+        for (const p of data.points)
+            if (place(p.of, i))
+                text(panel, place(p.of, i), [0.8, -0.8], p.label, 4);
+    }
+
+    function drawDirections() {
+        if (data.gravity) {
+            arrow(panel, "load", [18, 14], [0, 36]);
+            text(panel, [18, 44], [1, 0], ["g", "", ""], 3);
+        }
+        if (data.turn) {
+            arrow(panel, "scale", [48, 44], times(30, tracks.x));
+            text(panel, add([48, 44], times(30, tracks.x)), [1, 0], ["x", "", ""], 3);
+        }
+    }
+
+    function drawHandle(i) {
+        const A = place("A", i), B = place("B", i);
+        handle.replaceChildren(svg("polyline", {points: pairs([A, B]), "stroke-width": 26}),
+                               svg("circle", {cx: digits(B[0]), cy: digits(B[1]), r: 22}));
+    }
+
+    function show(i, name) {
+        const reason = tracks.reason(i);
+        now = i;
+        begin(panel, name + (reason ? ": " + reason : ""));
+        drawDirections();
+        drawFrame(i);
+        panel.ink.append(cached);
+        if (reason) {
+            support(panel, place("A", i));
+            line(panel, "link2", place("A", i), place("B", i));
+            panel.ink.append(svg("text", {x: panel.width / 2, y: 24, class: "reason"}, reason));
+        } else {
+            for (const link of data.links)
+                drawLink(panel, link, (track) => place(track, i), half());
+            for (const link of data.links)
+                if (link.centre)
+                    centre(panel, place(link.centre, i));
+        }
+        drawAngle(i);
+        for (const pin of ["D", "A", "B", "C"])
+            if (place(pin, i))
+                circle(panel, "pivot", place(pin, i), 4.5, pin);
+        for (const p of data.points)
+            if (place(p.of, i))
+                circle(panel, "dot", place(p.of, i), 3.5, p.of);
+        drawTorques(i);
+        drawLetters(i);
+        drawForces(i);
+        drawHandle(i);
+        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
+        torques.forEach((f, k) => put[forces.length + k](tracks.number(f.of, i)));
+    }
+
+    /* The row whose crank points to a place of the drawing: of several, the nearest to the present row. */
+    function rowAt(at) {
+        const to = direction(minus(at, place("A", now))), count = tracks.count;
+        let best = now, least = Infinity;
+        for (let i = 0; i < count; i++) {
+            const crank = direction(minus(place("B", i), place("A", i)));
+            const steps = Math.abs(i - now), around = Math.min(steps, count - 1 - steps);
+            const cost = 1 - crank[0] * to[0] - crank[1] * to[1] + 1e-9 * around;
+            if (cost < least) {
+                least = cost;
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    /* The shape of the panel: that of the machine, within limits. */
+    function shape() {
+        const corners = [[], []];
+        for (const branch of data.branches) {
+            tracks = tracksOf(data, branch);
+            for (const i of reached(tracks))
+                for (const name of places.concat("S1", "S2"))
+                    if (tracks.vector(name, i))
+                        tracks.vector(name, i).forEach((x, j) => corners[j].push(x));
+        }
+        const [width, height] = corners.map((list) => list.reduce((a, b) => Math.max(a, b), -Infinity) -
+                                            list.reduce((a, b) => Math.min(a, b), Infinity));
+        const pad = 0.4 * Math.max(width, height), ratio = (width + pad) / (height + pad);
+        if (ratio > 0)
+            panel.drawing.style.aspectRatio = Math.max(1.25, Math.min(2.2, ratio));
+    }
+
+    return {panel, shape, choose, layOut, show, handle, rowAt};
+}
+
+/* ------------------------------------------------------------------------------------------------ the polygons */
+
+function polygon(data, panel, described) {
+    const unit = data.units[described.quantity];
+    let tracks, view, put, rows;
+
+    /* The corners of row i by their names, and the images; null if the row has none. */
+    function corners(i) {
+        const found = {[described.pole]: [0, 0]};
+        for (const side of described.sides) {
+            const v = tracks.vector(side.of, i);
+            if (!v)
+                return null;
+            if (!found[side.to])
+                found[side.to] = add(found[side.from], v);
+        }
+        described.images.forEach((x, k) => { found["image " + k] = tracks.vector(x.of, i); });
+        return found;
+    }
+
+    /* The middle of a polygon, which stays in the middle of the panel. */
+    function heartOf(found) {
+        const ends = [0, 1].map((j) => Object.values(found).map((p) => p[j]));
+        return ends.map((list) => (Math.min(...list) + Math.max(...list)) / 2);
+    }
+
+    function choose(branch) {
+        tracks = tracksOf(data, branch);
+        rows = reached(tracks);
+        put = makeValues(panel, described.sides.map((x) => ({label: x.label, unit, kind: "link" + x.pen})));
+    }
+
+    function layOut() {
+        const marks = [];
+        measure(panel);
+        const all = rows.map(corners).filter((found) => found);
+        const sizes = all.map((found) => Math.max(...Object.values(found).map(size)));
+        const limit = usual(sizes);
+        all.forEach((found, k) => {
+            const heart = heartOf(found);
+            if (sizes[k] <= limit * (1 + 1e-9))
+                Object.values(found).forEach((p) => marks.push([...minus(p, heart), 0, 0]));
+        });
+        view = fit(panel, marks.length ? marks : [[0, 0, 0, 0]], 34);
+    }
+
+    /* The scale of a row: smaller than that of the others by 2, 5, 10 ... where the polygon would not fit. */
+    function scaleOf(found) {
+        let scale = view.scale;
+        const heart = heartOf(found), fits = (p) => {
+            const at = add(view.origin, times(scale, minus(p, heart)));
+            return at[0] > 8 && at[0] < panel.width - 8 && at[1] > 8 && at[1] < panel.height - 24;
+        };
+        for (let k = 0; k < 60 && !Object.values(found).every(fits); k++)
+            scale = view.scale / ([2, 5, 10][k % 3] * Math.pow(10, Math.floor(k / 3)));
+        return scale;
+    }
+
+    function show(i, name) {
+        const found = tracks.reason(i) ? null : corners(i);
+        begin(panel, name);
+        described.sides.forEach((x, k) => put[k](found && size(tracks.vector(x.of, i))));
+        if (!found)
+            return;
+        const scale = scaleOf(found), middle = heartOf(found);
+        const place = (key) => add(view.origin, times(scale, minus(found[key], middle)));
+        const keys = Object.keys(found), heart = times(1 / keys.length, keys.map(place).reduce(add));
+        if (keys.every((key) => size(found[key]) === 0)) {
+            panel.ink.append(svg("text", {x: panel.width / 2, y: panel.height / 2, class: "reason"}, described.zero));
+            return;
+        }
+        scaleBar(panel, "vector", 12, scale, unit);
+        for (const ends of described.lines)
+            line(panel, "construction", place(ends[0]), place(ends[1]));
+        described.images.forEach((_, k) => line(panel, "construction", place(described.pole), place("image " + k)));
+        for (const side of described.sides)
+            arrow(panel, "link" + side.pen, place(side.from), times(scale, tracks.vector(side.of, i)));
+        for (const key of keys.filter((x) => !/^_|^image/.test(x))) {
+            circle(panel, "dot", place(key), 2.5, key);
+            text(panel, place(key), minus(place(key), heart), [key, "", ""], 4);
+        }
+        described.images.forEach((x, k) => {
+            circle(panel, "dot", place("image " + k), 2.5);
+            text(panel, place("image " + k), minus(place("image " + k), heart), x.label, 4);
+        });
+        for (const side of described.sides) {
+            const v = times(scale, tracks.vector(side.of, i)), at = add(place(side.from), times(0.5, v));
+            const n = [-v[1], v[0]], out = n[0] * (at[0] - heart[0]) + n[1] * (at[1] - heart[1]) < 0 ? -1 : 1;
+            if (size(v) > 14)
+                text(panel, at, times(out, n), side.label, 3);
+        }
+    }
+
+    return {panel, choose, layOut, show};
+}
+
+/* ------------------------------------------------------------------------------------------------- free bodies */
+
+function freeBody(data, panel, link) {
+    let tracks, rows, view, forces, torques, put;
+    const mine = (list) => list.filter((x) => x.on === link.link);
+    const longest = () => (link.shape === "block" ? 0.3 : 0.2) * Math.min(panel.width, panel.height);
+    const half = () => Math.max(10, 0.07 * Math.min(panel.width, panel.height));
+
+    /* Where the body is held in the drawing: the middle between its pins, or the pin of a lever. */
+    function heart(i) {
+        const pins = link.pins.map((pin) => tracks.vector(pin, i));
+        return link.shape === "slot" ? pins[1] : pins.length > 1 ? middle(pins[0], pins[1]) : pins[0];
+    }
+
+    function choose(branch) {
+        tracks = tracksOf(data, branch);
+        rows = reached(tracks);
+        forces = present(mine(data.forces), tracks, rows);
+        torques = present(mine(data.torques), tracks, rows);
+        put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
+                         .concat(torques.map((f) => ({label: f.label, unit: data.units.torque, kind: f.pen}))));
+    }
+
+    function layOut() {
+        const marks = [[0, 0, half(), half()], [0, 0, -half(), -half()]];
+        const names = link.pins.concat(link.points, link.centre || []);
+        measure(panel);
+        for (const i of rows) {
+            for (const name of names)
+                marks.push([...minus(tracks.vector(name, i), heart(i)), 0, 0]);
+            for (const name of link.shape === "slot" ? ["S1", "S2"] : [])
+                for (const edge of [1.8 * half(), -1.8 * half()])
+                    marks.push([...minus(tracks.vector(name, i), heart(i)), edge, edge]);
+            for (const f of forces) {
+                const at = minus(tracks.vector(f.at, i), heart(i));
+                marks.push([...at, ...times(f.sign * forceScale(forces, tracks, i, longest()), tracks.vector(f.of, i))]);
+            }
+        }
+        view = fit(panel, marks, 30);
+    }
+
+    function show(i, name) {
+        begin(panel, name);
+        forces.forEach((f, k) => put[k](tracks.vector(f.of, i) && size(tracks.vector(f.of, i))));
+        torques.forEach((f, k) => put[forces.length + k](
+            tracks.number(f.of, i) === null ? null : f.sign * tracks.number(f.of, i)));
+        if (tracks.reason(i))
+            return;
+        const place = (track) => {
+            const v = tracks.vector(track, i);
+            return v && add(view.origin, times(view.scale, minus(v, heart(i))));
+        };
+        const k = forceScale(forces, tracks, i, longest());
+        drawLink(panel, link, place, half());
+        for (const f of forces) /* lines to loads that act off the link's line */
+            if (!link.pins.includes(f.at) && f.pen === "load")
+                line(panel, "construction", ...link.pins.map(place), place(f.at));
+        if (link.centre)
+            centre(panel, place(link.centre));
+        torques.forEach((f, j) => {
+            const value = tracks.number(f.of, i), side = f.pen === "pin" ? -1 : 1;
+            if (!value)
+                return;
+            torque(panel, f.pen, place(f.at), f.sign * value, 17 + 5 * j);
+            text(panel, add(place(f.at), [side * 14, 14]), [side, 0.7], f.label, 5);
+        });
+        link.pins.forEach((pin, j) => {
+            const other = place(link.pins[1 - j] || pin);
+            circle(panel, "pivot", place(pin), 4.5, pin);
+            text(panel, place(pin), minus(place(pin), other), [pin, "", ""], 6);
+        });
+        for (const f of forces) {
+            const v = times(f.sign * k, tracks.vector(f.of, i));
+            if (size(v) < 0.02 * longest())
+                continue;
+            arrow(panel, f.pen, place(f.at), v);
+            text(panel, add(place(f.at), v), v, f.label, 3);
+        }
+        if (forces.length)
+            scaleBar(panel, "pin", 12, k, data.units.force);
+    }
+
+    return {panel, choose, layOut, show};
+}
+
+/* ------------------------------------------------------------------------------------------ the row of the table */
+
+/* A number as the program's table writes it. */
+function cellText(column, value) {
+    if (typeof value !== "number")
+        return value === null ? "–" : value;
+    const text = column.form === "angle" ? String(value) : column.form === "exponent"
+        ? value.toExponential(column.decimals) : value.toFixed(column.decimals);
+    return text.replace(/^-(?=[0.]+$)/, "");
+}
+
+/* A name that may go on in a new line after each underscore. */
+function breakable(name) {
+    return name.split(/(?<=_)/).flatMap((part) => [part, html("wbr")]);
+}
+
+function tableRow(data, place) {
+    const list = html("dl", {class: "cells"});
+    const cells = data.columns.map((column) => {
+        const cell = html("dd", {"data-column": column.name});
+        list.append(html("div", {title: column.meaning}, html("dt", {}, ...breakable(column.name)), cell));
+        return cell;
+    });
+    place.append(html("section", {class: "panel whole", "aria-label": "Row of the table"},
+                      html("p", {class: "caption"}, "Row of the table"), list));
+    return {
+        show(branch, i) {
+            data.columns.forEach((column, j) => {
+                const unit = unitText(column.unit);
+                cells[j].textContent = cellText(column, branch.table[i][j]) + (unit ? " " + unit : "");
+            });
+        }
+    };
+}
+
+/* ----------------------------------------------------------------------------------------------------- the page */
+
+/* What the colours mean. */
+function keyOf(data) {
+    const key = html("p", {class: "key"});
+    const entry = (kind, ...words) => key.append(html("span", {}, html("span", {class: "swatch " + kind}), ...words), " ");
+    for (const link of data.links)
+        entry("link" + link.link, link.link + " " + link.name);
+    if (data.forces.some((f) => f.pen === "pin"))
+        entry("pin", "pin force ", htmlLabel(["F", "ij", ""]), ", by link i on link j; 1 is the ground");
+    if (data.forces.some((f) => f.pen === "load"))
+        entry("load", "load or weight");
+    if (data.forces.some((f) => f.pen === "inertia"))
+        entry("inertia", "inertia force and torque, in the free bodies");
+    data.points.forEach((p, k) => entry("path" + k % 6, "path of " + p.label[0]));
+    return key;
+}
+
+/* Make the drawing in `place`, an element, from `data`; returns its functions. */
+function draw(data, place) {
+    const main = mechanism(data, makePanel("Mechanism", "whole"));
+    const views = [main].concat(data.polygons.map((x) => polygon(data, makePanel(x.title, "half"), x)));
+    if (data.forced)
+        for (const link of data.links)
+            views.push(freeBody(data, makePanel("Free body of the " + link.name, "third"), link));
+    const grid = html("div", {class: "panels"}, ...views.map((view) => view.panel.figure));
+    const row = tableRow(data, grid);
+    let branch = data.branches[0], now = data.start;
+    main.panel.figure.append(keyOf(data));
+    place.replaceChildren(grid);
+    main.shape();
+
+    const name = () => (data.branches.length > 1 ? branch.name + ", " : "") + "θ₂ = " +
+        angleText(data, data.angles[now]);
+    function show(i) {
+        now = Math.max(0, Math.min(data.angles.length - 1, i));
+        for (const view of views)
+            view.show(now, name());
+        row.show(branch, now);
+    }
+    function layOut() {
+        for (const view of views)
+            view.layOut();
+        show(now);
+    }
+    function choose(k) {
+        branch = data.branches[k];
+        for (const view of views)
+            view.choose(branch);
+        layOut();
+    }
+    choose(0);
+    return {show, choose, layOut, main, name, row: () => now, reason: (i) => branch.reasons[i] || ""};
+}
+
+return draw;
+}());

@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** interactive.c - the interactive drawing of a report: its controls, its rows as JSON, its style and its script.
+**
+** The script computes nothing: it draws rows that are computed here.  See drawing.js.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "assets.h"
+#include "report.h"
+#include "scene.h"
+#include "tables/json_text.h"
+#include "tables/style.h"
+
+#define DIGITS 5        /* of what is drawn: a tenth of a pixel in 2000 */
+#define ANGLE_DIGITS 10 /* of a crank angle */
+#define ROUNDING 1e-9   /* of the largest value: 0 */
+
+static void put_lines(page *p, const char *const *lines)
+{
+    for (; *lines; lines++)
+        page_print(p, "%m\n", *lines);
+}
+
+void report_put_style(page *p)
+{
+    page_print(p, "<style>/*<![CDATA[*/\n");
+    put_lines(p, assets_style);
+    page_print(p, "/*]]>*/</style>\n");
+}
+
+void report_put_script(page *p)
+{
+    page_print(p, "<script>//<![CDATA[\n");
+    put_lines(p, assets_script);
+    page_print(p, "//]]></script>\n");
+}
+
+/* ----------------------------------------------------------------------------------------- the deck's table */
+
+static void put_column(line *l, const fourlink_value *c, const style *x)
+{
+    line_put(l, "{\"name\":");
+    json_text_put(l, c->name, SCENE_ESCAPED);
+    line_put(l, ",\"unit\":");
+    json_text_put(l, c->unit, SCENE_ESCAPED);
+    line_put(l, ",\"meaning\":");
+    json_text_put(l, c->meaning, SCENE_ESCAPED);
+    line_put(l, ",\"decimals\":%lu,\"form\":\"%s\"}", (unsigned long)x->decimals,
+             c->flags & FOURLINK_CRANK_ANGLE ? "angle"
+             : x->exponent                   ? "exponent"
+                                             : "fixed");
+}
+
+/* Write the columns, with the style that the format table gives them. */
+static int put_columns(line *l, const rows *t, style *styles)
+{
+    unsigned long j;
+    sheet s;
+
+    memset(&s, 0, sizeof s);
+    s.results = t->results;
+    s.problem = t->problem;
+    s.columns = t->columns;
+    s.n_columns = t->n_columns;
+    fourlink_motion_range(&s.problem.motion, &s.range);
+    s.values = malloc((s.n_columns + 1) * sizeof *s.values);
+    if (!s.values)
+        return 0;
+    style_find(&s, styles);
+    free(s.values);
+    line_put(l, "\"columns\":[");
+    for (j = 0; j < t->n_columns; j++) {
+        line_put(l, j ? ",\n" : "\n");
+        put_column(l, &t->columns[j], &styles[j]);
+    }
+    line_put(l, "],\n");
+    return 1;
+}
+
+static void put_cell(line *l, double x, const fourlink_value *c, const style *how)
+{
+    char number[FORMAT_SIZE];
+
+    if (!gsl_finite(x))
+        json_text_number(l, x, DIGITS);
+    else if (c->flags & FOURLINK_CRANK_ANGLE)
+        line_number(l, x, ANGLE_DIGITS);
+    else if (how->exponent)
+        line_put(l, "%s", format_exponent(x, how->decimals, number));
+    else
+        line_put(l, "%s", format_fixed(x + 0.0, how->decimals, number));
+}
+
+static void put_table(line *l, const rows *t, const style *styles)
+{
+    unsigned long i, j;
+
+    line_put(l, "\"table\":[");
+    for (i = 0; i < t->n; i++) {
+        line_put(l, i ? ",\n[" : "\n[");
+        for (j = 0; j < t->n_columns; j++) {
+            line_put(l, j ? "," : "");
+            put_cell(l, t->table[i * t->n_columns + j], &t->columns[j], &styles[j]);
+        }
+        line_put(l, "]");
+    }
+    line_put(l, "]");
+}
+
+/* ----------------------------------------------------------------------------------------------- the tracks */
+
+/* 1 if a track has the same value in every row. */
+static int is_constant(const rows *t, const rows_track *x, int of_y)
+{
+    unsigned long i;
+
+    for (i = 1; i < t->n; i++)
+        if (!((of_y ? x->values[i].y : x->values[i].x) == (of_y ? x->values[0].y : x->values[0].x)))
+            return 0;
+    return 1;
+}
+
+static void put_value(line *l, const rows_track *x, unsigned long i, int of_y)
+{
+    double value = of_y ? x->values[i].y : x->values[i].x;
+
+    json_text_number(l, fabs(value) <= ROUNDING * x->size ? 0 : value, DIGITS);
+}
+
+/* Write the values of a track; one number if it is the same in every row. */
+static void put_values(line *l, const rows *t, const rows_track *x, int of_y)
+{
+    unsigned long i;
+
+    if (is_constant(t, x, of_y)) {
+        put_value(l, x, 0, of_y);
+        return;
+    }
+    line_put(l, "[");
+    for (i = 0; i < t->n; i++) {
+        line_put(l, i ? "," : "");
+        put_value(l, x, i, of_y);
+    }
+    line_put(l, "]");
+}
+
+static void put_tracks(line *l, const rows *t)
+{
+    int i;
+
+    line_put(l, "\"tracks\":{");
+    for (i = 0; i < t->n_tracks; i++) {
+        const rows_track *x = &t->tracks[i];
+
+        line_put(l, "%s\n\"%s\":[", i ? "," : "", x->name);
+        put_values(l, t, x, 0);
+        if (!x->is_number) {
+            line_put(l, ",");
+            put_values(l, t, x, 1);
+        }
+        line_put(l, "]");
+    }
+    line_put(l, "},\n");
+}
+
+/* Write why the linkage cannot be assembled, by row; "" where it can. */
+static void put_reasons(line *l, const rows *t)
+{
+    unsigned long i, n = 0;
+
+    line_put(l, "\"reasons\":{");
+    for (i = 0; i < t->n; i++)
+        if (t->status[i] != FOURLINK_OK) {
+            line_put(l, "%s\"%lu\":", n++ ? "," : "", i);
+            json_text_put(l, fourlink_status_text(t->status[i]), SCENE_ESCAPED);
+        }
+    line_put(l, "},\n");
+}
+
+static void put_branch(line *l, const rows *t, const style *styles)
+{
+    line_put(l, "{\"name\":\"%s\",\n", fourlink_branch_text((int)t->branch));
+    put_reasons(l, t);
+    put_tracks(l, t);
+    put_table(l, t, styles);
+    line_put(l, "}");
+}
+
+static void put_angles(line *l, const rows *t, double start)
+{
+    unsigned long i, first = 0;
+
+    line_put(l, "\"angles\":[");
+    for (i = 0; i < t->n; i++) {
+        line_put(l, i ? "," : "");
+        line_number(l, t->angles[i], ANGLE_DIGITS);
+        if (fabs(t->angles[i] - start) < fabs(t->angles[first] - start))
+            first = i;
+    }
+    line_put(l, "],\n\"start\":%lu,\n", first);
+}
+
+/* Write the rows of the deck's branches; 0 without memory. */
+static int put_rows(line *l, report *r, rows *t, double start)
+{
+    style *styles = malloc((t->n_columns + 1) * sizeof *styles);
+    int i, done = styles && put_columns(l, t, styles);
+
+    for (i = 0; done && i < r->n_branches; i++) {
+        done = rows_compute(t, r->branches[i]);
+        if (done && i == 0) {
+            put_angles(l, t, start);
+            scene_write(l, t);
+            line_put(l, "\"branches\":[\n");
+        }
+        line_put(l, i ? ",\n" : "");
+        if (done)
+            put_branch(l, t, styles);
+    }
+    free(styles);
+    return done;
+}
+
+/* ----------------------------------------------------------------------------------------------- the markup */
+
+static const char *const controls[] = {
+    "<div class=\"controls\">",
+    "<label for=\"fourlink-angle\">Crank angle <span "
+    "class=\"theta\">\316\270<sub>2</sub></span></label>",
+    "<input type=\"range\" id=\"fourlink-angle\" min=\"0\" max=\"1\" step=\"1\" value=\"0\"/>",
+    "<output for=\"fourlink-angle\" id=\"fourlink-shown\"></output>",
+    "<button type=\"button\" id=\"fourlink-play\">Play</button>",
+    "<fieldset id=\"fourlink-branches\" hidden=\"hidden\"><legend>Assembly "
+    "mode</legend></fieldset>",
+    "</div>",
+    NULL};
+
+void report_put_interactive(report *r)
+{
+    double start = r->now.status == FOURLINK_OK ? r->now.row.angle : GSL_NAN;
+    rows *t = malloc(sizeof *t);
+    page *p = &r->page;
+    line l;
+
+    if (!t) {
+        r->out_of_memory = 1;
+        return;
+    }
+    if (rows_open(t, r->source, start)) {
+        page_print(p, "<div id=\"fourlink-drawing\" class=\"drawing\" hidden=\"hidden\">\n");
+        put_lines(p, controls);
+        page_print(p, "<div id=\"fourlink-panels\"></div>\n"
+                      "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
+                      "<script type=\"application/json\" id=\"fourlink-rows\">{\n");
+        line_start(&l, p->out);
+        r->out_of_memory |= !put_rows(&l, r, t, start);
+        line_put(&l, "]}\n");
+        line_end(&l);
+        page_print(p, "</script>\n");
+    }
+    r->out_of_memory |= t->out_of_memory;
+    rows_close(t);
+    free(t);
+}

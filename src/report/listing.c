@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** listing.c - the deck of a report: its text as it is, what is wrong with it, and the digests of its files.
+*/
+#include <string.h>
+
+#include "report.h"
+#include "sha256.h"
+
+/* The first mistake, or note, at a line of the deck; null if there is none. */
+static const fourlink_mistake *find_note(const report *r, long line)
+{
+    unsigned long i;
+
+    for (i = 0; i < r->n_notes && i < REPORT_MISTAKES; i++)
+        if (r->notes[i].line == line && strcmp(r->notes[i].file, r->source->name) == 0)
+            return &r->notes[i];
+    return NULL;
+}
+
+static void put_notes(report *r)
+{
+    unsigned long i;
+
+    if (!r->n_notes)
+        return;
+    page_print(&r->page, r->results ? "<h3>Notes on the deck</h3>\n<ul>\n"
+                                    : "<h3>Mistakes in the deck</h3>\n<ul class=\"mistakes\">\n");
+    for (i = 0; i < r->n_notes && i < REPORT_MISTAKES; i++) {
+        const fourlink_mistake *note = &r->notes[i];
+
+        if (find_note(r, note->line))
+            page_print(&r->page, "<li><a href=\"#line-%lu\">line %lu</a>: %s</li>\n",
+                       (unsigned long)note->line, (unsigned long)note->line, note->message);
+        else if (note->line)
+            page_print(&r->page, "<li>%s, line %lu: %s</li>\n", note->file,
+                       (unsigned long)note->line, note->message);
+        else
+            page_print(&r->page, "<li>%s: %s</li>\n", note->file, note->message);
+    }
+    if (r->n_notes > REPORT_MISTAKES)
+        page_print(&r->page, "<li>and %lu more</li>\n", r->n_notes - REPORT_MISTAKES);
+    page_print(&r->page, "</ul>\n");
+    if (!r->results)
+        page_print(&r->page, "<p>Nothing was computed.</p>\n");
+}
+
+/* The text, each line an element that a style can number, so that the text itself stays as it is. */
+static void put_text(report *r)
+{
+    text rest, line;
+    long n = 1;
+
+    rest.start = r->source->text;
+    rest.length = (size_t)r->source->length;
+    if (rest.length && rest.start[rest.length - 1] == '\n')
+        rest.length--;
+    page_print(&r->page, "<pre class=\"deck\">");
+    for (; flk_text_split(&rest, '\n', &line); n++) {
+        const char *element = find_note(r, n) ? "mark" : "span";
+
+        page_print(&r->page, "<%m class=\"text-line\" id=\"line-%lu\">", element, (unsigned long)n);
+        page_text(&r->page, line.start,
+                  line.length && line.start[line.length - 1] == '\r' ? line.length - 1
+                                                                     : line.length);
+        page_print(&r->page, "</%m>\n", element);
+    }
+    page_print(&r->page, "</pre>\n");
+}
+
+static void put_digest(report *r, const char *name, const char *bytes, unsigned long length)
+{
+    char digest[SHA256_SIZE];
+
+    page_print(&r->page, "<tr><th scope=\"row\">%s</th><td><code>%s</code></td></tr>\n", name,
+               sha256_of(bytes, (size_t)length, digest));
+}
+
+static void put_digests(report *r)
+{
+    unsigned long length;
+    const char *bytes;
+    int i;
+
+    page_print(&r->page, "<table class=\"digests\">\n<thead><tr><th scope=\"col\">File</th>"
+                         "<th scope=\"col\">SHA-256</th></tr></thead>\n<tbody>\n");
+    put_digest(r, r->source->name, r->source->text, r->source->length);
+    for (i = 0; i < r->n_files; i++)
+        if ((bytes = r->source->load(r->source->host, r->files[i], &length)) != NULL)
+            put_digest(r, r->files[i], bytes, length);
+    if (r->source->answers)
+        put_digest(r, r->source->answers_name, r->source->answers, r->source->answers_length);
+    page_print(&r->page, "</tbody>\n</table>\n");
+}
+
+static void put_changes(report *r)
+{
+    unsigned long i;
+
+    if (!r->source->n_changes)
+        return;
+    page_print(&r->page, "<h3>Changes by options</h3>\n<ul>\n");
+    for (i = 0; i < r->source->n_changes; i++)
+        page_print(&r->page, "<li>%s: <code>%s</code></li>\n", r->source->changes[i].origin,
+                   r->source->changes[i].assignment);
+    page_print(&r->page, "</ul>\n");
+}
+
+void report_put_deck(report *r)
+{
+    page_section(&r->page, "deck", "Deck");
+    if (r->problem.n_designs)
+        page_print(&r->page,
+                   "<p>The deck has a sweep of %lu designs; this report is of design %lu.</p>\n",
+                   r->problem.n_designs, r->problem.design + 1);
+    put_notes(r);
+    put_text(r);
+    put_changes(r);
+    put_digests(r);
+    page_print(&r->page, "</section>\n");
+}

@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** mathml.c - equations in MathML.
+*/
+#include <math.h>
+#include <string.h>
+
+#include "base/format.h"
+#include "base/text.h"
+#include "mathml.h"
+
+#define FUNCTION(name)                                                 \
+    "<mspace width=\"0.17em\"/><mi>" name "</mi><mo>\342\201\241</mo>" \
+    "<mspace width=\"0.1em\"/>"
+#define LEFT "<mo stretchy=\"false\">(</mo>"
+#define RIGHT "<mo stretchy=\"false\">)</mo>"
+#define MINUS "\342\210\222"
+#define DEGREE "\302\260"
+#define LONG_EQUATION 90 /* bytes: the result has a line of its own */
+#define NAMESPACE "http://www.w3.org/1998/Math/MathML"
+
+void math_open(page *p, const char *name_of_class)
+{
+    page_print(p, "<math xmlns=\"" NAMESPACE "\" display=\"block\" class=\"%m\"><mrow>",
+               name_of_class);
+}
+
+void math_close(page *p)
+{
+    page_print(p, "</mrow></math>\n");
+}
+
+/* ------------------------------------------------------------------------------ symbols and numbers */
+
+static const struct {
+    const char *name, *letter;
+} letters[] = {{"theta", "\316\270"}, {"omega", "\317\211"},    {"alpha", "\316\261"},
+               {"beta", "\316\262"},  {"gamma", "\316\263"},    {"psi", "\317\210"},
+               {"rho", "\317\201"},   {"sdot", "\341\271\241"}, {"sddot", "s\314\210"},
+               {NULL, NULL}};
+
+void math_symbol(page *p, const char *name)
+{
+    size_t length = 1;
+    char letter[2];
+    int i;
+
+    for (i = 0; letters[i].name; i++)
+        if (strncmp(name, letters[i].name, strlen(letters[i].name)) == 0)
+            break;
+    letter[0] = name[0];
+    letter[1] = '\0';
+    if (letters[i].name)
+        length = strlen(letters[i].name);
+    page_print(p, name[length] ? "<msub><mi>%s</mi><mtext>%s</mtext></msub>" : "<mi>%s</mi>",
+               letters[i].name ? letters[i].letter : letter, name + length);
+}
+
+/* The digits of a number without its sign; a power of ten has its own element. */
+static void put_digits(page *p, double value, int is_angle)
+{
+    char number[FORMAT_SIZE], *e, *end;
+
+    if (is_angle) {
+        end = format_fixed_end(fabs(value) * (180 / 3.14159265358979323846), 4, number);
+        while (end[-1] == '0')
+            end--;
+        *(end[-1] == '.' ? end - 1 : end) = '\0';
+        page_print(p, "<mn>%s" DEGREE "</mn>", number);
+        return;
+    }
+    format_general(fabs(value), MATH_DIGITS, number);
+    e = strchr(number, 'e');
+    if (!e) {
+        page_print(p, "<mn>%s</mn>", number);
+        return;
+    }
+    *e++ = '\0';
+    page_print(p, "<mrow><mn>%s</mn><mo>\302\267</mo><msup><mn>10</mn><mn>%s", number,
+               *e == '-' ? MINUS : "");
+    while (*e == '+' || *e == '-' || *e == '0')
+        e++;
+    page_print(p, "%s</mn></msup></mrow>", e);
+}
+
+static void put_number(page *p, double value, int is_angle)
+{
+    if (value < 0)
+        page_print(p, "<mrow><mo>" MINUS "</mo>");
+    put_digits(p, value, is_angle);
+    if (value < 0)
+        page_print(p, "</mrow>");
+}
+
+void math_number(page *p, double value)
+{
+    put_number(p, value, 0);
+}
+
+static int find(const math *m, text name)
+{
+    int i;
+
+    for (i = 0; i < m->n && !flk_text_same(name, m->symbol[i].name); i++)
+        ;
+    return i;
+}
+
+static void set(math *m, const char *name, double value, int is_angle)
+{
+    int i = find(m, flk_text_of(name));
+
+    if (i == MATH_SYMBOLS)
+        return;
+    m->symbol[i].name = name;
+    m->symbol[i].value = value;
+    m->symbol[i].is_angle = is_angle;
+    m->n += i == m->n;
+}
+
+void math_set(math *m, const char *name, double value)
+{
+    set(m, name, value, 0);
+}
+
+void math_set_angle(math *m, const char *name, double value)
+{
+    set(m, name, value, 1);
+}
+
+/* ------------------------------------------------------------------------------ equations */
+
+/* An equation on its way to the page. */
+typedef struct writer {
+    math *m;
+    int has_numbers; /* 1: symbols are replaced by their values */
+    int is_first;    /* 1: nothing stands before, in this bracket or fraction */
+    text rest;
+} writer;
+
+static text next_token(writer *w)
+{
+    text token;
+
+    token.start = NULL;
+    token.length = 0;
+    while (flk_text_split(&w->rest, ' ', &token) && !token.length)
+        ;
+    return token;
+}
+
+/* Put a symbol, or its value, which is in brackets if it is negative and something stands before it. */
+static void put_named(writer *w, text token)
+{
+    page *p = w->m->p;
+    int i = find(w->m, token), in_brackets;
+    char name[24];
+
+    if (!w->has_numbers || i == w->m->n) {
+        math_symbol(p, flk_text_copy(token, name, sizeof name));
+        return;
+    }
+    in_brackets = w->m->symbol[i].value < 0 && !w->is_first;
+    page_print(p, in_brackets ? "<mrow>" LEFT : "");
+    put_number(p, w->m->symbol[i].value, w->m->symbol[i].is_angle);
+    page_print(p, in_brackets ? RIGHT "</mrow>" : "");
+}
+
+static void put_atom(writer *w, text token)
+{
+    int is_square = w->rest.start && w->rest.length >= 2 && strncmp(w->rest.start, "^2", 2) == 0;
+    page *p = w->m->p;
+
+    if (is_square) {
+        next_token(w);
+        page_print(p, "<msup>");
+        w->is_first = 0; /* a negative number has brackets in any case */
+    }
+    if (token.length > 3 && strncmp(token.start + token.length - 3, "deg", 3) == 0) {
+        page_print(p, "<mn>");
+        page_text(p, token.start, token.length - 3);
+        page_print(p, DEGREE "</mn>");
+    } else if (strchr("0123456789", token.start[0])) {
+        page_print(p, "<mn>");
+        page_text(p, token.start, token.length);
+        page_print(p, "</mn>");
+    } else {
+        put_named(w, token);
+    }
+    page_print(p, is_square ? "<mn>2</mn></msup>" : "");
+}
+
+/* Leave out the group of <NAME ... > if the symbol is 0. */
+static void begin_group(writer *w, text token)
+{
+    int i = find(w->m, flk_text_from(token, 1));
+
+    if (i == w->m->n || w->m->symbol[i].value != 0)
+        return;
+    while (token.length && !flk_text_same(token, ">"))
+        token = next_token(w);
+}
+
+/* The markup of tokens that are no symbols: in symbols, with numbers, and whether it opens a group. */
+static const struct {
+    const char *token, *markup, *with_numbers;
+    int opens;
+} signs[] = {{"{", "<mfrac><mrow>", NULL, 1},
+             {"|", "</mrow><mrow>", NULL, 1},
+             {"}", "</mrow></mfrac>", NULL, 0},
+             {"[", "<msqrt><mrow>", NULL, 1},
+             {"]", "</mrow></msqrt>", NULL, 0},
+             {"(", LEFT, NULL, 1},
+             {")", RIGHT, NULL, 0},
+             {")^2", "<msup>" RIGHT "<mn>2</mn></msup>", NULL, 0},
+             {",", "<mo>,</mo>", NULL, 1},
+             {"=", "<mo>=</mo>", NULL, 1},
+             {"+", "<mo>+</mo>", NULL, 0},
+             {"-", "<mo>" MINUS "</mo>", NULL, 0},
+             {"*", "<mo>\342\201\242</mo>", "<mo>\302\267</mo>", 0},
+             {"sin", FUNCTION("sin"), NULL, 0},
+             {"cos", FUNCTION("cos"), NULL, 0},
+             {"asin", FUNCTION("arcsin"), NULL, 0},
+             {"acos", FUNCTION("arccos"), NULL, 0},
+             {"atan2", FUNCTION("atan2"), NULL, 0}};
+
+#define SIGNS (sizeof signs / sizeof signs[0])
+
+static void put_token(writer *w, text token)
+{
+    size_t i;
+
+    if (token.start[0] == '<') {
+        begin_group(w, token);
+        return;
+    }
+    if (flk_text_same(token, ">") || (w->is_first && flk_text_same(token, "+")))
+        return;
+    for (i = 0; i < SIGNS && !flk_text_same(token, signs[i].token); i++)
+        ;
+    if (i == SIGNS)
+        put_atom(w, token);
+    else
+        page_print(w->m->p, "%m",
+                   w->has_numbers && signs[i].with_numbers ? signs[i].with_numbers
+                                                           : signs[i].markup);
+    w->is_first = i < SIGNS && signs[i].opens;
+}
+
+static void put_equation(math *m, const char *equation, int has_numbers)
+{
+    writer w;
+    text token;
+
+    w.m = m;
+    w.has_numbers = has_numbers;
+    w.is_first = 1;
+    w.rest = flk_text_of(equation);
+    while ((token = next_token(&w)).length)
+        put_token(&w, token);
+}
+
+static void put_value(math *m, double value, int is_angle, const char *unit)
+{
+    page_print(m->p, "<mo>=</mo>");
+    put_number(m->p, value, is_angle);
+    page_print(m->p, unit[0] ? "<mtext>\302\240%s</mtext>" : "%s", unit);
+}
+
+static void let(math *m, const char *name, const char *equation, double value, int is_angle,
+                const char *unit)
+{
+    page_print(m->p, "<div class=\"equation\">\n");
+    math_open(m->p, "symbols");
+    math_symbol(m->p, name);
+    page_print(m->p, "<mo>=</mo>");
+    put_equation(m, equation, 0);
+    math_close(m->p);
+    math_open(m->p, "numbers");
+    page_print(m->p, "<mo>=</mo>");
+    put_equation(m, equation, 1);
+    if (strlen(equation) > LONG_EQUATION) {
+        math_close(m->p);
+        math_open(m->p, "numbers");
+    }
+    put_value(m, value, is_angle, unit);
+    math_close(m->p);
+    page_print(m->p, "</div>\n");
+    set(m, name, value, is_angle);
+}
+
+void math_let(math *m, const char *name, const char *equation, double value, const char *unit)
+{
+    let(m, name, equation, value, 0, unit);
+}
+
+void math_let_angle(math *m, const char *name, const char *equation, double value)
+{
+    let(m, name, equation, value, 1, "");
+}
+
+void math_zero(math *m, const char *equation, double value, double size, const char *unit)
+{
+    page_print(m->p, "<div class=\"equation\">\n");
+    math_open(m->p, "symbols");
+    put_equation(m, equation, 0);
+    page_print(m->p, "<mo>=</mo><mn>0</mn>");
+    math_close(m->p);
+    math_open(m->p, "numbers");
+    put_equation(m, equation, 1);
+    put_value(m, fabs(value) < 1e-6 * size ? 0 : value, 0, unit);
+    math_close(m->p);
+    page_print(m->p, "</div>\n");
+}
+
+void math_show(math *m, const char *equation)
+{
+    page_print(m->p, "<div class=\"equation\">\n");
+    math_open(m->p, "symbols");
+    put_equation(m, equation, 0);
+    math_close(m->p);
+    page_print(m->p, "</div>\n");
+}
+
+void math_given(math *m, const char *name, const char *unit)
+{
+    int i = find(m, flk_text_of(name));
+
+    page_print(m->p, "<li><math xmlns=\"" NAMESPACE "\"><mrow>");
+    math_symbol(m->p, name);
+    put_value(m, m->symbol[i].value, m->symbol[i].is_angle, unit);
+    page_print(m->p, "</mrow></math></li>\n");
+}

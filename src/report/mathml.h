@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** mathml.h - equations in MathML: in symbols, with the numbers put in, and the result.
+**
+** An equation is text whose tokens are separated by blanks:
+**
+**    a, theta3, F12x        symbols: a letter, or the name of a Greek one, and its subscript
+**    2, 180deg              numbers, angles
+**    + - * = , ( )          a product shows its dot only between numbers
+**    ^2  )^2                the square of the symbol, or of the bracket
+**    { x | y }  [ x ]       a fraction, a square root
+**    <alpha2 x >            x, unless alpha2 is 0
+**    sin cos acos asin atan2
+*/
+#ifndef FOURLINK_MATHML_H
+#define FOURLINK_MATHML_H
+
+#include "page.h"
+
+#define MATH_SYMBOLS 64
+#define MATH_DIGITS 6 /* significant digits of a number; angles have 4 decimals of a degree */
+
+/* Set it to zero, then set `p`. */
+typedef struct math {
+    page *p;
+    int n;
+    struct {
+        const char *name;
+        double value;
+        int is_angle; /* 1: the value is in radians, and written in degrees */
+    } symbol[MATH_SYMBOLS];
+} math;
+
+/* Give a symbol its value. */
+void math_set(math *m, const char *name, double value);
+void math_set_angle(math *m, const char *name, double value);
+
+/* Write NAME = EQUATION, the same with numbers, and the value; the symbol has this value from then on. */
+void math_let(math *m, const char *name, const char *equation, double value, const char *unit);
+void math_let_angle(math *m, const char *name, const char *equation, double value);
+
+/* Write EQUATION = 0, the same with numbers, and what it comes to, 0 if that is below 1e-6 of `size`. */
+void math_zero(math *m, const char *equation, double value, double size, const char *unit);
+
+/* Write an equation in symbols alone. */
+void math_show(math *m, const char *equation);
+
+/* Write NAME = VALUE UNIT within a line. */
+void math_given(math *m, const char *name, const char *unit);
+
+/* Write a number, or a symbol, as an element within <math>. */
+void math_number(page *p, double value);
+void math_symbol(page *p, const char *name);
+
+/* The beginning of <math> as a block of its own, with a class. */
+void math_open(page *p, const char *name_of_class);
+void math_close(page *p);
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** page.h - a page of HTML, which is XML too.
+*/
+#ifndef FOURLINK_PAGE_H
+#define FOURLINK_PAGE_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+typedef struct page {
+    FILE *out;
+    int n_figures, n_tables, n_sections; /* so far: they are numbered */
+} page;
+
+/* Write markup, as printf does, with
+**
+**    %s     a text, harmless in an element and in an attribute in quotes
+**    %m     markup, as it is
+**    %d     a whole number, an int; %lu, an unsigned long
+**    %.6g   a number with so many significant digits, -0 as 0; %.4f with so many decimals
+**    %%     a per cent sign */
+void page_print(page *p, const char *format, ...);
+
+/* Write a text as %s does.  What XML does not allow, control characters and bytes that are no UTF-8, becomes
+** the replacement character; CR LF becomes LF. */
+void page_text(page *p, const char *words, size_t length);
+
+/* Write bytes in base64. */
+void page_base64(page *p, FILE *bytes);
+
+/* Begin a section with a heading h2 and its number. */
+void page_section(page *p, const char *id, const char *heading);
+
+#endif

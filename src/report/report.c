@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** report.c - the report of a deck: the order of its sections.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/format.h"
+#include "base/text.h"
+#include "report.h"
+#include "tables/sheet.h"
+
+#define BLANK_LINES 10 /* for the discussion */
+
+static void put_head(report *r, const char *title)
+{
+    page_print(&r->page,
+               "<!DOCTYPE html>\n"
+               "<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
+               "<meta charset=\"utf-8\"/>\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+               "<meta name=\"generator\" content=\"fourlink %s\"/>\n<title>%s</title>\n",
+               fourlink_version(), title);
+    report_put_style(&r->page);
+    page_print(&r->page,
+               "</head>\n<body>\n<main>\n<header>\n<h1>%s</h1>\n"
+               "<p class=\"lines\"><span class=\"line\">Name</span> "
+               "<span class=\"line\">Date</span></p>\n</header>\n",
+               title);
+}
+
+static void put_discussion(report *r)
+{
+    int i;
+
+    page_section(&r->page, "discussion", "Discussion");
+    page_print(&r->page, "<div class=\"blank-lines\">");
+    for (i = 0; i < BLANK_LINES; i++)
+        page_print(&r->page, "<div></div>");
+    page_print(&r->page, "</div>\n</section>\n");
+}
+
+static void put_page(report *r)
+{
+    const char *title = r->problem.title[0] ? r->problem.title : r->source->name;
+
+    put_head(r, title);
+    report_put_deck(r);
+    if (r->results) {
+        report_put_facts(r);
+        report_put_mechanism(r);
+        report_put_sample(r);
+        report_put_curves(r);
+        report_put_tables(r);
+        report_put_checks(r);
+        put_discussion(r);
+    }
+    page_print(&r->page, "<footer><p>Made by fourlink %s.</p></footer>\n</main>\n",
+               fourlink_version());
+    if (r->results)
+        report_put_script(&r->page);
+    page_print(&r->page, "</body>\n</html>\n");
+}
+
+/* Returns 0, for the caller to return. */
+static int refuse(fourlink_mistake *mistake, const char *place, const char *why)
+{
+    memset(mistake, 0, sizeof *mistake);
+    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
+    flk_text_join(mistake->message, sizeof mistake->message, why, (char *)NULL);
+    return 0;
+}
+
+/* Read the crank angle of the request. */
+static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
+{
+    const char *list = r->request->at;
+    char message[400];
+
+    if (expect_next_angle(r->results, &list, angle, message) != 1)
+        return refuse(mistake, "--plot-at", message);
+    return !list || refuse(mistake, "--plot-at", "a report shows one position, not several");
+}
+
+/* The crank angle that pictures take: of one instant, otherwise after a sixth of the motion. */
+static double usual_angle(const report *r)
+{
+    const fourlink_motion *motion = &r->problem.motion;
+    fourlink_range range;
+    fourlink_row last;
+
+    fourlink_motion_range(motion, &range);
+    fourlink_motion_row(motion, &range, range.n_rows - 1, &last);
+    return motion->from + ((range.stops ? range.stop_angle : last.angle) - motion->from) / 6;
+}
+
+/* Find the position of the sample calculation.  Where the linkage cannot be assembled at the usual angle, it is the
+** first row at which it can. */
+static int find_sample(report *r, fourlink_mistake *mistake)
+{
+    double angle = usual_angle(r);
+    char number[FORMAT_SIZE];
+    unsigned long i;
+
+    if (r->request->at && !read_angle(r, &angle, mistake))
+        return 0;
+    fourlink_results_at(r->results, r->branches[0], angle, NULL, &r->now, r->loads);
+    for (i = 0; r->now.status != FOURLINK_OK && !r->request->at && i < r->problem.n_rows; i++)
+        fourlink_results_row(r->results, r->branches[0], i, NULL, &r->now, r->loads);
+    flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
+                  r->units[QUANTITY_ANGLE].name, (char *)NULL);
+    return 1;
+}
+
+/* 1; 0 and the reason why not; -1 if out of memory. */
+static int open_deck(report *r, fourlink_mistake *mistake)
+{
+    int q;
+
+    r->deck = fourlink_results_deck(r->results);
+    fourlink_deck_problem(r->deck, &r->problem);
+    r->design = &r->problem.mechanism.design;
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        fourlink_deck_unit(r->deck, flk_quantities[q].name, &r->units[q]);
+    if (r->problem.open)
+        r->branches[r->n_branches++] = FOURLINK_OPEN;
+    if (r->problem.crossed)
+        r->branches[r->n_branches++] = FOURLINK_CROSSED;
+    fourlink_results_notes(r->results, REPORT_MISTAKES, r->notes, &r->n_notes);
+    r->loads = malloc((r->problem.n_loads + 1) * sizeof *r->loads);
+    r->row_loads = malloc((r->problem.n_loads + 1) * sizeof *r->row_loads);
+    return r->loads && r->row_loads ? find_sample(r, mistake) : -1;
+}
+
+/* Load a file that the deck names, and keep its name. */
+static const char *load_file(void *host, const char *name, unsigned long *length)
+{
+    report *r = host;
+    int i;
+
+    for (i = 0; i < r->n_files && strcmp(r->files[i], name) != 0; i++)
+        ;
+    if (i == r->n_files && i < REPORT_FILES && strlen(name) < sizeof r->files[i])
+        strcpy(r->files[r->n_files++], name);
+    return r->source->load(r->source->host, name, length);
+}
+
+static int open_results(report *r, fourlink_mistake *mistake)
+{
+    fourlink_source recorded = *r->source;
+    int status = FOURLINK_NO_MEMORY;
+
+    recorded.host = r;
+    recorded.load = recorded.load ? load_file : NULL;
+    r->notes = malloc(REPORT_MISTAKES * sizeof *r->notes);
+    if (r->notes)
+        status =
+            fourlink_results_open(&recorded, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
+    if (status == FOURLINK_BAD_DECK)
+        return 1;
+    return status == FOURLINK_OK ? open_deck(r, mistake) : -1;
+}
+
+int report_write(FILE *out, const fourlink_source *source, const report_request *request,
+                 report_outcome *outcome, fourlink_mistake *mistake)
+{
+    int opened;
+    report r;
+
+    memset(&r, 0, sizeof r);
+    r.page.out = out;
+    r.source = source;
+    r.request = request;
+    opened = open_results(&r, mistake);
+    if (opened > 0)
+        put_page(&r);
+    if (r.out_of_memory)
+        opened = -1;
+    outcome->gnuplot = r.gnuplot;
+    outcome->has_failed = r.failed > 0;
+    fourlink_results_free(r.results);
+    free(r.loads);
+    free(r.row_loads);
+    free(r.notes);
+    return opened;
+}

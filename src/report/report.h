@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** report.h - the report of a deck: one page of HTML that needs no other file.
+**
+** report.c has the order of its sections.  Each section is a function of its own file.
+*/
+#ifndef FOURLINK_REPORT_H
+#define FOURLINK_REPORT_H
+
+#include "base/units.h"
+#include "fourlink.h"
+#include "page.h"
+
+/* What the caller knows beside the deck. */
+typedef struct report_request {
+    const char
+        *at; /* the crank angle of the sample calculation, as in --plot-at; null: not given */
+} report_request;
+
+enum { REPORT_MISTAKES = 100, REPORT_FILES = 16 };
+
+/* A report in the making. */
+typedef struct report {
+    page page;
+    const fourlink_source *source;
+    const report_request *request;
+    fourlink_mistake *notes; /* on the deck, or its mistakes */
+    unsigned long n_notes;
+    char files[REPORT_FILES][256]; /* that the deck names */
+    int n_files;
+    fourlink_results *results; /* null: the deck has mistakes */
+    const fourlink_deck *deck;
+    fourlink_problem problem;
+    const fourlink_design *design; /* of the problem */
+    fourlink_unit units[QUANTITY_COUNT];
+    fourlink_branch branches[2];
+    int n_branches;
+    fourlink_load *row_loads; /* room for the loads of a row */
+    int out_of_memory;
+    const char *gnuplot;  /* null; or the reason why there are no pictures */
+    unsigned long failed; /* rows that could not be computed, values that differ */
+
+    /* the sample calculation */
+    fourlink_instant now; /* its status says why there is none */
+    fourlink_load *loads; /* at its crank angle */
+    char at[60];          /* its crank angle, with its unit */
+} report;
+
+/* What became of a report that was written. */
+typedef struct report_outcome {
+    const char *gnuplot; /* the reason why there are no pictures, or null */
+    int has_failed;      /* 1: rows could not be computed, or expected values differ */
+} report_outcome;
+
+/* Write the report of a deck; of one with mistakes, the deck and its mistakes.  Returns 1; 0 and the reason why there
+** is none; -1 if out of memory.  The caller checks the stream. */
+int report_write(FILE *out, const fourlink_source *source, const report_request *request,
+                 report_outcome *outcome, fourlink_mistake *mistake);
+
+/* The parts that make the drawing interactive, in interactive.c.  The style goes to the head of the page, the
+** drawing into a section, the script to the end of the body. */
+void report_put_style(page *p);
+void report_put_interactive(report *r);
+void report_put_script(page *p);
+
+/* The sections. */
+void report_put_deck(report *r);
+void report_put_facts(report *r);
+void report_put_mechanism(report *r);
+void report_put_sample(report *r);
+void report_put_curves(report *r);
+void report_put_tables(report *r);
+void report_put_checks(report *r);
+
+#endif

@@ -1,0 +1,455 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** rows.c - the numbers of the interactive drawing.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/format.h"
+#include "base/text.h"
+#include "rows.h"
+
+#define MOST_ROWS 361
+#define FEWEST_STEPS 120 /* in a revolution */
+
+static const fourlink_vector zero = {0, 0};
+
+static fourlink_vector vector(double x, double y)
+{
+    fourlink_vector v;
+
+    v.x = x;
+    v.y = y;
+    return v;
+}
+
+double rows_value(const rows *t, quantity q, double si)
+{
+    return si * t->units[q].down / t->units[q].up;
+}
+
+char *rows_name(const char *before, unsigned long i, const char *after, char name[ROWS_NAME])
+{
+    char number[FORMAT_SIZE];
+
+    return flk_text_join(name, ROWS_NAME, before, format_general((double)i, 10, number), after,
+                         (char *)NULL);
+}
+
+const rows_track *rows_find(const rows *t, const char *name)
+{
+    int i;
+
+    for (i = 0; i < t->n_tracks; i++)
+        if (strcmp(t->tracks[i].name, name) == 0)
+            return &t->tracks[i];
+    return NULL;
+}
+
+/* -------------------------------------------------------------------------------------- the crank angles */
+
+/* In how many steps an interval of the deck is divided. */
+static unsigned long steps_of(const rows *t, const fourlink_range *range)
+{
+    static const unsigned long parts[] = {1, 2, 5, 10, 20, 50, 100, 200, 360};
+    const fourlink_motion *motion = &t->problem.motion;
+    unsigned long intervals = range->n_rows - 1, i;
+    double revolutions = (double)intervals * motion->interval * motion->angle_unit / (2 * M_PI);
+    double wanted = FEWEST_STEPS * GSL_MAX_DBL(revolutions, 1);
+
+    if (intervals == 0)
+        return 1;
+    for (i = 0; i < 8; i++)
+        if ((double)(intervals * parts[i]) >= wanted || intervals * parts[i + 1] >= MOST_ROWS)
+            break;
+    return parts[i];
+}
+
+/* Insert a crank angle in its place. */
+static void insert(rows *t, double at)
+{
+    double turn = 2 * M_PI / t->problem.motion.angle_unit;
+    double sign = t->angles[t->n - 1] < t->angles[0] ? -1 : 1;
+    unsigned long i;
+
+    for (i = 0; i < t->n; i++)
+        if (fabs(t->angles[i] - at) < 1e-9 * turn)
+            return;
+    for (i = 0; i < t->n && sign * t->angles[i] < sign * at; i++)
+        ;
+    if (i == 0 || i == t->n)
+        return;
+    memmove(t->angles + i + 1, t->angles + i, (t->n - i) * sizeof *t->angles);
+    t->angles[i] = at;
+    t->n++;
+}
+
+static int choose_angles(rows *t, double at)
+{
+    const fourlink_motion *motion = &t->problem.motion;
+    unsigned long stride, steps, row, k;
+    fourlink_range range;
+    fourlink_row here, next;
+
+    fourlink_motion_range(motion, &range);
+    stride = (range.n_rows - 1 + MOST_ROWS - 2) / (MOST_ROWS - 1);
+    stride = stride ? stride : 1;
+    steps = stride > 1 ? 1 : steps_of(t, &range);
+    t->angles = malloc((MOST_ROWS * 2 + 2) * sizeof *t->angles);
+    if (!t->angles) {
+        t->out_of_memory = 1;
+        return 0;
+    }
+    for (row = 0; row + 1 < range.n_rows; row += stride) {
+        fourlink_motion_row(motion, &range, row, &here);
+        fourlink_motion_row(motion, &range, row + 1, &next);
+        for (k = 0; k < steps; k++)
+            t->angles[t->n++] = here.angle + (next.angle - here.angle) * (double)k / (double)steps;
+    }
+    fourlink_motion_row(motion, &range, range.n_rows - 1, &here);
+    t->angles[t->n++] = here.angle;
+    if (!gsl_isnan(at))
+        insert(t, at);
+    return 1;
+}
+
+/* ----------------------------------------------------------------------------------------------- tracks */
+
+/* The track of a name, made if there is none; null without memory. */
+static rows_track *track_of(rows *t, const char *name)
+{
+    rows_track *x = &t->tracks[t->n_tracks];
+    unsigned long i;
+    int j;
+
+    for (j = 0; j < t->n_tracks; j++)
+        if (strcmp(t->tracks[j].name, name) == 0)
+            return &t->tracks[j];
+    if (t->n_tracks == ROWS_TRACKS)
+        return NULL;
+    x->values = malloc(t->n * sizeof *x->values);
+    if (!x->values) {
+        t->out_of_memory = 1;
+        return NULL;
+    }
+    strcpy(x->name, name);
+    x->is_number = 0;
+    x->size = 0;
+    for (i = 0; i < t->n; i++)
+        x->values[i] = vector(GSL_NAN, GSL_NAN);
+    t->n_tracks++;
+    return x;
+}
+
+/* Put a vector in SI units into a track. */
+static void put(rows *t, unsigned long i, const char *name, quantity q, fourlink_vector v)
+{
+    rows_track *x = track_of(t, name);
+
+    if (!x)
+        return;
+    x->values[i] = vector(rows_value(t, q, v.x), rows_value(t, q, v.y));
+    x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->values[i].x), fabs(x->values[i].y)));
+}
+
+static void put_number(rows *t, unsigned long i, const char *name, quantity q, double si)
+{
+    rows_track *x = track_of(t, name);
+
+    put(t, i, name, q, vector(si, 0));
+    if (x)
+        x->is_number = 1;
+}
+
+/* Put position, velocity and acceleration of a point of a link: P0, vP0, aP0. */
+static void put_point(rows *t, unsigned long i, const char *name, const fourlink_state *state,
+                      int link, const fourlink_vector *at)
+{
+    fourlink_vector place = zero, v = zero, a = zero;
+    char words[ROWS_NAME];
+
+    fourlink_point(state, link, at, &place, &v, &a);
+    put(t, i, name, QUANTITY_LENGTH, place);
+    put(t, i, flk_text_join(words, sizeof words, "v", name, (char *)NULL), QUANTITY_SPEED, v);
+    put(t, i, flk_text_join(words, sizeof words, "a", name, (char *)NULL), QUANTITY_ACCELERATION,
+        a);
+}
+
+/* A point of the slide: so far along it from the foot of the perpendicular from D. */
+static fourlink_vector on_slide(const fourlink_state *state, double along)
+{
+    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis,
+                          *B = &state->link[FOURLINK_COUPLER].origin;
+
+    return vector(B->x + (along - state->s) * u->x, B->y + (along - state->s) * u->y);
+}
+
+/* Put the ends of the slot, which the slider needs with the crank at 0 and at 180 deg, and where the lever meets
+** the slide. */
+static void put_slot(rows *t, unsigned long i, const fourlink_state *state)
+{
+    const fourlink_mechanism *m = &t->problem.mechanism;
+    const fourlink_link *link = m->design.link;
+    double sum = link[2].length + link[1].length, sign = state->branch;
+    double near = m->folded > 0 ? sqrt(m->folded) : 0;
+    double far = sqrt(fabs((sum - m->h) * (sum + m->h)));
+
+    if (m->change_folded)
+        near = -far;
+    put(t, i, "S1", QUANTITY_LENGTH, on_slide(state, sign * near));
+    put(t, i, "S2", QUANTITY_LENGTH, on_slide(state, sign * far));
+    put(t, i, "R", QUANTITY_LENGTH, on_slide(state, link[4].length * m->lever.x));
+}
+
+/* Put the ends of a piston's stroke. */
+static void put_stroke(rows *t, unsigned long i, const fourlink_state *state)
+{
+    double far = t->problem.mechanism.dead_centre, e = t->design->offset;
+    double near = far - 2 * t->design->link[2].length, sign = state->branch;
+
+    put(t, i, "S1", QUANTITY_LENGTH, vector(sign * near, e));
+    put(t, i, "S2", QUANTITY_LENGTH, vector(sign * far, e));
+}
+
+static void put_points(rows *t, unsigned long i, const fourlink_state *state)
+{
+    fourlink_vector C = vector(t->design->link[3].length, 0), place = zero, at;
+    char name[ROWS_NAME];
+    unsigned long k;
+    int link;
+
+    put(t, i, "A", QUANTITY_LENGTH, zero);
+    put(t, i, "B", QUANTITY_LENGTH, state->link[FOURLINK_COUPLER].origin);
+    if (!t->slot) {
+        fourlink_point(state, FOURLINK_COUPLER, &C, &place, NULL, NULL);
+        put(t, i, "C", QUANTITY_LENGTH, place);
+    }
+    if (!t->slides)
+        put(t, i, "D", QUANTITY_LENGTH, state->link[FOURLINK_FOLLOWER].origin);
+    if (t->slot)
+        put_slot(t, i, state);
+    if (t->slides)
+        put_stroke(t, i, state);
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        if (t->design->link[link].mass > 0)
+            put_point(t, i, rows_name("G", (unsigned long)link, "", name), state, link,
+                      &t->design->link[link].cg);
+    for (k = 0; k < t->problem.n_points; k++) {
+        fourlink_deck_point(t->deck, k, NULL, &link, &at);
+        put_point(t, i, rows_name("P", k, "", name), state, link, &at);
+    }
+}
+
+/* -------------------------------------------------------------------- velocities, accelerations, forces */
+
+/* a^n = -omega^2 r, a^t = alpha x r, of the end of an arm r on a link */
+static void put_parts(rows *t, unsigned long i, const char *normal, const char *tangential,
+                      const fourlink_link_state *link, fourlink_vector r)
+{
+    double n = -link->omega * link->omega;
+
+    put(t, i, normal, QUANTITY_ACCELERATION, vector(n * r.x, n * r.y));
+    put(t, i, tangential, QUANTITY_ACCELERATION, vector(-link->alpha * r.y, link->alpha * r.x));
+}
+
+/* The arm of a link: its length along its axis. */
+static fourlink_vector arm(const rows *t, const fourlink_state *state, int link)
+{
+    double length = t->design->link[link].length;
+
+    return vector(length * state->link[link].axis.x, length * state->link[link].axis.y);
+}
+
+/* v_C = v_B + v_CB; a_C = a_B + a_CB^n + a_CB^t */
+static void put_rod(rows *t, unsigned long i, const fourlink_state *state)
+{
+    fourlink_vector C = vector(t->design->link[FOURLINK_COUPLER].length, 0), v = zero, a = zero;
+    const fourlink_vector *v_B = &state->link[FOURLINK_COUPLER].velocity;
+
+    fourlink_point(state, FOURLINK_COUPLER, &C, NULL, &v, &a);
+    put(t, i, "vC", QUANTITY_SPEED, v);
+    put(t, i, "vCB", QUANTITY_SPEED, vector(v.x - v_B->x, v.y - v_B->y));
+    put_parts(t, i, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER],
+              arm(t, state, FOURLINK_COUPLER));
+    if (t->slides)
+        put(t, i, "aC", QUANTITY_ACCELERATION, a);
+    else
+        put_parts(t, i, "aCn", "aCt", &state->link[FOURLINK_FOLLOWER],
+                  arm(t, state, FOURLINK_FOLLOWER));
+}
+
+/* v_B = v_B4 + slide_v u; a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u, B4 the point of the lever
+** at B */
+static void put_sliding(rows *t, unsigned long i, const fourlink_state *state)
+{
+    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
+    const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
+                          *u = &state->link[FOURLINK_COUPLER].axis;
+    fourlink_vector r = vector(B->x - lever->origin.x, B->y - lever->origin.y);
+
+    put(t, i, "vB4", QUANTITY_SPEED, vector(-lever->omega * r.y, lever->omega * r.x));
+    put(t, i, "vS", QUANTITY_SPEED, vector(state->slide_v * u->x, state->slide_v * u->y));
+    put_parts(t, i, "aB4n", "aB4t", lever, r);
+    put(t, i, "aK", QUANTITY_ACCELERATION, vector(-state->coriolis * u->y, state->coriolis * u->x));
+    put(t, i, "aS", QUANTITY_ACCELERATION, vector(state->slide_a * u->x, state->slide_a * u->y));
+}
+
+/* The force of a load in the frame of link 1. */
+static fourlink_vector force_of(const fourlink_load *load, const fourlink_state *state)
+{
+    const fourlink_vector *axis = &state->link[load->link].axis, *F = &load->force;
+
+    if (load->frame == FOURLINK_FRAME_GROUND)
+        return *F;
+    return vector(F->x * axis->x - F->y * axis->y, F->x * axis->y + F->y * axis->x);
+}
+
+static void put_loads(rows *t, unsigned long i, const fourlink_state *state)
+{
+    fourlink_vector place = zero;
+    char name[ROWS_NAME];
+    unsigned long k;
+
+    for (k = 0; k < t->problem.n_loads; k++) {
+        const fourlink_load *load = &t->loads[k];
+
+        fourlink_point(state, load->link, &load->at, &place, NULL, NULL);
+        put(t, i, rows_name("L", k, "", name), QUANTITY_LENGTH, place);
+        put(t, i, rows_name("L", k, "F", name), QUANTITY_FORCE, force_of(load, state));
+        put_number(t, i, rows_name("L", k, "T", name), QUANTITY_TORQUE, load->torque);
+    }
+}
+
+/* Put weight, -m a_G and -I alpha of each link. */
+static void put_inertia(rows *t, unsigned long i, const fourlink_state *state)
+{
+    const fourlink_vector *g = &t->design->gravity;
+    fourlink_vector a = zero;
+    char name[ROWS_NAME];
+    unsigned long link;
+
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        const fourlink_link *body = &t->design->link[link];
+
+        if (body->mass > 0) {
+            fourlink_point(state, (int)link, &body->cg, NULL, NULL, &a);
+            put(t, i, rows_name("W", link, "", name), QUANTITY_FORCE,
+                vector(body->mass * g->x, body->mass * g->y));
+            put(t, i, rows_name("I", link, "F", name), QUANTITY_FORCE,
+                vector(-body->mass * a.x, -body->mass * a.y));
+        }
+        if (body->inertia > 0)
+            put_number(t, i, rows_name("I", link, "T", name), QUANTITY_TORQUE,
+                       -body->inertia * state->link[link].alpha);
+    }
+}
+
+static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
+{
+    const fourlink_forces *f = &now->forces;
+
+    put(t, i, "F12", QUANTITY_FORCE, vector(f->F12x, f->F12y));
+    put(t, i, "F23", QUANTITY_FORCE, vector(f->F23x, f->F23y));
+    put(t, i, "F34", QUANTITY_FORCE, vector(f->F34x, f->F34y));
+    put(t, i, "F14", QUANTITY_FORCE, vector(f->F14x, f->F14y));
+    put_number(t, i, "Ts", QUANTITY_TORQUE, f->Ts);
+    if (t->slot)
+        put_number(t, i, "M34", QUANTITY_TORQUE, f->M34);
+    if (t->slides)
+        put_number(t, i, "M14", QUANTITY_TORQUE, f->M14);
+    put_inertia(t, i, &now->state);
+    put_loads(t, i, &now->state);
+}
+
+/* -------------------------------------------------------------------------------------------- all of them */
+
+static int draws_all(const rows *t)
+{
+    return t->problem.n_points <= ROWS_POINTS && t->problem.n_loads <= ROWS_LOADS;
+}
+
+int rows_open(rows *t, const fourlink_source *source, double at)
+{
+    fourlink_source whole = *source;
+    int q, status;
+
+    memset(t, 0, sizeof *t);
+    whole.whole_cycle = 1;
+    status = fourlink_results_open(&whole, 0, &t->results, NULL, NULL);
+    t->out_of_memory = status == FOURLINK_NO_MEMORY;
+    if (status != FOURLINK_OK)
+        return 0;
+    t->deck = fourlink_results_deck(t->results);
+    fourlink_deck_problem(t->deck, &t->problem);
+    t->design = &t->problem.mechanism.design;
+    t->slides = fourlink_slides((int)t->design->kind, FOURLINK_FOLLOWER);
+    t->slot = fourlink_slides((int)t->design->kind, FOURLINK_COUPLER);
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        fourlink_deck_unit(t->deck, flk_quantities[q].name, &t->units[q]);
+    fourlink_results_list(t->results, FOURLINK_COLUMNS, &t->columns, &t->n_columns);
+    if (!draws_all(t) || !choose_angles(t, at))
+        return 0;
+    t->status = malloc(t->n * sizeof *t->status);
+    t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
+    t->loads = malloc((t->problem.n_loads + 1) * sizeof *t->loads);
+    t->out_of_memory |= !t->status || !t->table || !t->loads;
+    if (t->out_of_memory)
+        return 0;
+    fourlink_deck_loads(t->deck, FOURLINK_OPEN, 0, t->loads, NULL);
+    return 1;
+}
+
+static void close_branch(rows *t)
+{
+    while (t->n_tracks > 0)
+        free(t->tracks[--t->n_tracks].values);
+}
+
+void rows_close(rows *t)
+{
+    close_branch(t);
+    fourlink_results_free(t->results);
+    free(t->angles);
+    free(t->status);
+    free(t->table);
+    free(t->loads);
+}
+
+static void compute_row(rows *t, unsigned long i)
+{
+    fourlink_instant now;
+    double r = t->design->link[FOURLINK_CRANK].length, theta;
+
+    t->status[i] = fourlink_results_at(t->results, t->branch, t->angles[i],
+                                       t->table + i * t->n_columns, &now, t->loads);
+    if (t->status[i] != FOURLINK_OK) { /* the crank can still be drawn */
+        theta = now.row.crank.theta2;
+        put(t, i, "A", QUANTITY_LENGTH, zero);
+        put(t, i, "B", QUANTITY_LENGTH, vector(r * cos(theta), r * sin(theta)));
+        return;
+    }
+    put_points(t, i, &now.state);
+    put(t, i, "vB", QUANTITY_SPEED, now.state.link[FOURLINK_COUPLER].velocity);
+    if (t->slot)
+        put_sliding(t, i, &now.state);
+    else
+        put_rod(t, i, &now.state);
+    put_parts(t, i, "aBn", "aBt", &now.state.link[FOURLINK_CRANK],
+              arm(t, &now.state, FOURLINK_CRANK));
+    if (t->problem.has_forces)
+        put_forces(t, i, &now);
+}
+
+int rows_compute(rows *t, fourlink_branch branch)
+{
+    unsigned long i;
+
+    close_branch(t);
+    t->branch = branch;
+    for (i = 0; i < t->n; i++)
+        compute_row(t, i);
+    return rows_find(t, "B") != NULL;
+}

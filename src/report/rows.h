@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** rows.h - the numbers of the interactive drawing: tracks, each a vector or a number at every crank angle of a
+** row, in the deck's units.
+*/
+#ifndef FOURLINK_ROWS_H
+#define FOURLINK_ROWS_H
+
+#include "base/units.h"
+#include "fourlink.h"
+
+enum { ROWS_TRACKS = 420, ROWS_NAME = 16, ROWS_LOADS = 42, ROWS_POINTS = 24 };
+
+typedef struct rows_track {
+    char name[ROWS_NAME];
+    int is_number;           /* 1: only x is used */
+    fourlink_vector *values; /* by row; NaN where the linkage cannot be assembled */
+    double size;             /* the largest magnitude */
+} rows_track;
+
+typedef struct rows {
+    int out_of_memory;
+    fourlink_results *results; /* of the deck; one instant has become a cycle */
+    fourlink_problem problem;
+    const fourlink_deck *deck;
+    const fourlink_design *design;
+    fourlink_unit units[QUANTITY_COUNT];
+    int slides, slot; /* not 0: link 4 slides on the ground; link 3 slides on link 4 */
+    const fourlink_value *columns;
+    unsigned long n_columns;
+    unsigned long n;
+    double *angles; /* in the deck's unit */
+
+    /* one branch */
+    fourlink_branch branch;
+    int *status;
+    double *table; /* by row and column */
+    rows_track tracks[ROWS_TRACKS];
+    int n_tracks;
+    fourlink_load *loads; /* at one crank angle */
+} rows;
+
+/* Open the deck and choose the crank angles: every row of the deck if there are not too many, with steps
+** between them if there are few, and the crank angle `at`, which may be NaN.  Returns 0 without memory, or if the
+** deck has more loads or points than a drawing shows. */
+int rows_open(rows *t, const fourlink_source *source, double at);
+void rows_close(rows *t);
+
+/* Compute a branch; 0 without memory. */
+int rows_compute(rows *t, fourlink_branch branch);
+
+/* The track of a name; null if there is none. */
+const rows_track *rows_find(const rows *t, const char *name);
+
+/* A value in the deck's unit of its quantity. */
+double rows_value(const rows *t, quantity q, double si);
+
+/* The name of a track with a number: G2, P0. */
+char *rows_name(const char *before, unsigned long i, const char *after, char name[ROWS_NAME]);
+
+#endif

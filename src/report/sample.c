@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sample.c - the sample calculation of a report, as a textbook writes it.
+*/
+#include <string.h>
+
+#include "sample.h"
+
+void report_put_sample(report *r)
+{
+    page *p = &r->page;
+    math m;
+
+    page_section(p, "sample", "Sample calculation");
+    if (r->now.status != FOURLINK_OK) {
+        page_print(p, "<p>At \316\270\342\202\202 = %s there is none: %s.</p>\n</section>\n", r->at,
+                   fourlink_status_text(r->now.status));
+        return;
+    }
+    memset(&m, 0, sizeof m);
+    m.p = p;
+    page_print(p,
+               "<p>At \316\270\342\202\202 = %s, %s branch, in SI units; angles and torques are "
+               "positive counter-clockwise.  Numbers are computed with 16 digits and printed with "
+               "%d, angles with four decimals.</p>\n",
+               r->at, fourlink_branch_text((int)r->now.branch), MATH_DIGITS);
+    sample_put_motion(r, &m);
+    if (r->problem.has_forces)
+        sample_put_forces(r, &m);
+    else
+        page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");
+    page_print(p, "</section>\n");
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sample.h - the parts of the sample calculation.
+*/
+#ifndef FOURLINK_SAMPLE_H
+#define FOURLINK_SAMPLE_H
+
+#include "mathml.h"
+#include "report.h"
+
+#define SAMPLE_M_S "m/s"
+#define SAMPLE_M_S2 "m/s\302\262"
+#define SAMPLE_RAD_S "rad/s"
+#define SAMPLE_RAD_S2 "rad/s\302\262"
+#define SAMPLE_NM "N\302\267m"
+
+/* Position, velocities and accelerations by the equations of the kind.  The symbols stay set. */
+void sample_put_motion(report *r, math *m);
+
+/* The nine equations, their solution, and virtual work. */
+void sample_put_forces(report *r, math *m);
+
+#endif

@@ -1,0 +1,348 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sample_forces.c - the nine equations of the sample calculation, with their numbers, their solution, and the
+** check by virtual work.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "sample.h"
+
+/* A moving link at this position, in the axes of the ground. */
+typedef struct body {
+    const fourlink_link *data;
+    const fourlink_link_state *now;
+    fourlink_vector rho;   /* from its origin to its centre of mass G */
+    fourlink_vector a;     /* of G */
+    fourlink_vector v;     /* of G, for a unit crank speed */
+    fourlink_vector force; /* sum of its loads, and their moment about G */
+    double moment;
+    double work; /* of its loads, for a unit crank speed */
+} body;
+
+/* For a unit crank speed. */
+static fourlink_vector velocity_of(const fourlink_link_state *link, fourlink_vector arm)
+{
+    fourlink_vector v;
+
+    v.x = link->k_origin.x - link->k * arm.y;
+    v.y = link->k_origin.y + link->k * arm.x;
+    return v;
+}
+
+static fourlink_vector from(fourlink_vector origin, fourlink_vector point)
+{
+    point.x -= origin.x;
+    point.y -= origin.y;
+    return point;
+}
+
+static double dot(fourlink_vector u, fourlink_vector v)
+{
+    return u.x * v.x + u.y * v.y;
+}
+
+static double cross(fourlink_vector u, fourlink_vector v)
+{
+    return u.x * v.y - u.y * v.x;
+}
+
+static body cut_free(const report *r, int link)
+{
+    fourlink_vector G;
+    body b;
+
+    memset(&b, 0, sizeof b);
+    b.data = &r->design->link[link];
+    b.now = &r->now.state.link[link];
+    fourlink_point(&r->now.state, link, &b.data->cg, &G, NULL, &b.a);
+    b.rho = from(b.now->origin, G);
+    b.v = velocity_of(b.now, b.rho);
+    return b;
+}
+
+/* A load at this position. */
+typedef struct applied {
+    fourlink_vector force, arm; /* in the axes of the ground; from the link's origin */
+    double work;                /* for a unit crank speed */
+} applied;
+
+static applied apply(const report *r, const fourlink_load *load)
+{
+    const fourlink_link_state *link = &r->now.state.link[load->link];
+    fourlink_vector P;
+    applied x;
+
+    fourlink_point(&r->now.state, load->link, &load->at, &P, NULL, NULL);
+    x.arm = from(link->origin, P);
+    x.force = load->force;
+    if (load->frame == FOURLINK_FRAME_LINK) {
+        x.force.x = link->axis.x * load->force.x - link->axis.y * load->force.y;
+        x.force.y = link->axis.y * load->force.x + link->axis.x * load->force.y;
+    }
+    x.work = dot(x.force, velocity_of(link, x.arm)) + load->torque * link->k;
+    return x;
+}
+
+static void add_loads(const report *r, body bodies[5])
+{
+    unsigned long i;
+
+    for (i = 0; i < r->problem.n_loads; i++) {
+        applied x = apply(r, &r->loads[i]);
+        body *b = &bodies[r->loads[i].link];
+
+        b->force.x += x.force.x;
+        b->force.y += x.force.y;
+        b->moment += r->loads[i].torque + cross(from(b->rho, x.arm), x.force);
+        b->work += x.work;
+    }
+}
+
+/* ------------------------------------------------------------------------------ accelerations */
+
+static const char *const names[5][4] = {{NULL},
+                                        {NULL},
+                                        {"rho2x", "rho2y", "aG2x", "aG2y"},
+                                        {"rho3x", "rho3y", "aG3x", "aG3y"},
+                                        {"rho4x", "rho4y", "aG4x", "aG4y"}};
+
+/* Links 2 and 4 turn about fixed pins; link 3 moves with B. */
+static const char *const of_centre[5][2] = {
+    {NULL},
+    {NULL},
+    {"<alpha2 - alpha2 * rho2y > - omega2 ^2 * rho2x",
+     "<alpha2 alpha2 * rho2x > - omega2 ^2 * rho2y"},
+    {"aBx - alpha3 * rho3y - omega3 ^2 * rho3x", "aBy + alpha3 * rho3x - omega3 ^2 * rho3y"},
+    {"- alpha4 * rho4y - omega4 ^2 * rho4x", "alpha4 * rho4x - omega4 ^2 * rho4y"}};
+
+static void put_centre(report *r, math *m, const body *b, int link)
+{
+    math_set(m, names[link][0], b->rho.x);
+    math_set(m, names[link][1], b->rho.y);
+    page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n",
+               fourlink_link_text((int)r->design->kind, link));
+    math_given(m, names[link][0], "m");
+    math_given(m, names[link][1], "m");
+    page_print(m->p, "</ul>\n");
+    math_let(m, names[link][2], of_centre[link][0], b->a.x, SAMPLE_M_S2);
+    math_let(m, names[link][3], of_centre[link][1], b->a.y, SAMPLE_M_S2);
+}
+
+/* The acceleration of B, with the crank's length under its name. */
+static void put_crank_pin(report *r, math *m)
+{
+    const fourlink_vector *a = &r->now.state.link[3].acceleration;
+    int is_r = r->design->kind == FOURLINK_SLIDER_CRANK;
+
+    page_print(m->p, "<p>Pin B:</p>\n");
+    math_let(m, "aBx",
+             is_r ? "<alpha2 - r * alpha2 * sin theta2 > - r * omega2 ^2 * cos theta2"
+                  : "<alpha2 - a * alpha2 * sin theta2 > - a * omega2 ^2 * cos theta2",
+             a->x, SAMPLE_M_S2);
+    math_let(m, "aBy",
+             is_r ? "<alpha2 r * alpha2 * cos theta2 > - r * omega2 ^2 * sin theta2"
+                  : "<alpha2 a * alpha2 * cos theta2 > - a * omega2 ^2 * sin theta2",
+             a->y, SAMPLE_M_S2);
+}
+
+static void put_centres(report *r, math *m, const body bodies[5])
+{
+    int link;
+
+    page_print(m->p, "<h3>Accelerations of the centres of mass</h3>\n<p>\317\201 is the vector "
+                     "from a link's pin (A, B, D) to its centre of mass G.</p>\n");
+    math_set(m, "omega4", r->now.state.link[4].omega);
+    math_set(m, "alpha4", r->now.state.link[4].alpha);
+    for (link = 2; link <= 4; link++) {
+        if (!(bodies[link].data->mass > 0))
+            continue;
+        if (link == 3)
+            put_crank_pin(r, m);
+        if (link == 4 && fourlink_slides((int)r->design->kind, link))
+            math_let(m, "aG4x", "aC", bodies[4].a.x, SAMPLE_M_S2);
+        else
+            put_centre(r, m, &bodies[link], link);
+    }
+}
+
+/* ------------------------------------------------------------------------------ nine equations */
+
+static void put_cell(page *p, double value)
+{
+    page_print(p, "<td>%.6g</td>", value);
+}
+
+/* Write an equation's right-hand side and its parts: inertia, weight, loads. */
+static void put_side(page *p, const char *link, const char *what, double inertia, double weight,
+                     double load, double b)
+{
+    page_print(p, "<tr><th scope=\"row\">%s, %s</th>", link, what);
+    put_cell(p, inertia);
+    put_cell(p, -weight);
+    put_cell(p, -load);
+    put_cell(p, b);
+    page_print(p, "</tr>\n");
+}
+
+static void put_sides(report *r, const body bodies[5], const double b[9])
+{
+    const fourlink_vector *g = &r->design->gravity;
+    page *p = &r->page;
+    int link;
+
+    page_print(
+        p, "<h3>The nine equations</h3>\n<p>For each moving link the forces along x and along y, "
+           "and the moments about its centre of mass; F<sub>ij</sub> is the force of link i on "
+           "link j.  What is known stands on the right: mass times acceleration, less weight, "
+           "less loads.</p>\n"
+           "<div class=\"wide\"><table class=\"facts sides\">\n<thead><tr>");
+    page_print(p, "<th scope=\"col\">Equation</th><th scope=\"col\">m a, I \316\261</th>"
+                  "<th scope=\"col\">\342\210\222 weight</th>"
+                  "<th scope=\"col\">\342\210\222 loads</th><th scope=\"col\">b (N, N\302\267m)"
+                  "</th></tr></thead>\n<tbody>\n");
+    for (link = 2; link <= 4; link++) {
+        const body *x = &bodies[link];
+        const char *name = fourlink_link_text((int)r->design->kind, link);
+        double m = x->data->mass;
+        const double *side = b + 3 * (link - 2);
+
+        put_side(p, name, "x", m * x->a.x, m * g->x, x->force.x, side[0]);
+        put_side(p, name, "y", m * x->a.y, m * g->y, x->force.y, side[1]);
+        put_side(p, name, "moments", x->data->inertia * x->now->alpha, 0, x->moment, side[2]);
+    }
+    page_print(p, "</tbody>\n</table></div>\n");
+}
+
+static void put_entry(page *p, double value)
+{
+    page_print(p, "<mtd>");
+    math_number(p, value);
+    page_print(p, "</mtd>");
+}
+
+/* A x = b as one table, so that rows stand side by side; the style puts the brackets. */
+static void put_matrix(report *r, double A[9][9], const double b[9])
+{
+    page *p = &r->page;
+    int i, j;
+
+    page_print(p, "<div class=\"equation wide\">\n");
+    math_open(p, "matrix");
+    page_print(p, "<mtable>\n");
+    for (i = 0; i < 9; i++) {
+        page_print(p, "<mtr>");
+        for (j = 0; j < 9; j++)
+            put_entry(p, A[i][j]);
+        page_print(p, "<mtd>");
+        math_symbol(p, fourlink_unknown_text((int)r->design->kind, i));
+        page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
+        put_entry(p, b[i]);
+        page_print(p, "</mtr>\n");
+    }
+    page_print(p, "</mtable>");
+    math_close(p);
+    page_print(p, "</div>\n");
+}
+
+/* Torques and couples have N m. */
+static const char *unit_of(const char *unknown)
+{
+    return unknown[0] == 'M' || unknown[0] == 'T' ? SAMPLE_NM : "N";
+}
+
+static void put_solution(report *r, math *m)
+{
+    int kind = (int)r->design->kind, i;
+    double x[9];
+
+    fourlink_unknowns(&r->problem.mechanism, &r->now.forces, x);
+    page_print(m->p, "<p>The solution:</p>\n<ul class=\"given solution\">\n");
+    for (i = 0; i < 9; i++) {
+        const char *name = fourlink_unknown_text(kind, i);
+
+        math_set(m, name, x[i]);
+        math_given(m, name, unit_of(name));
+    }
+    page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
+    math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), "N");
+    math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), "N");
+    if (!fourlink_slides(kind, FOURLINK_COUPLER))
+        math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), "N");
+    if (!fourlink_slides(kind, FOURLINK_FOLLOWER))
+        math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), "N");
+}
+
+/* ------------------------------------------------------------------------------ virtual work */
+
+/* Write the terms of a link, or their sum, and add them up. */
+static void put_works(page *p, const char *name, const double work[3], double sum[3])
+{
+    int i;
+
+    page_print(p, "<tr><th scope=\"row\">%s</th>", name);
+    for (i = 0; i < 3; i++) {
+        put_cell(p, work[i]);
+        if (sum)
+            sum[i] += work[i];
+    }
+    page_print(p, "</tr>\n");
+}
+
+/* Virtual work: with the velocities of a unit crank speed,
+**
+**    Ts = sum (m a_G.v_G + I alpha omega) - sum W.v_G - sum (F.v_P + M omega)
+*/
+static void put_virtual_work(report *r, math *m, const body bodies[5])
+{
+    double sum[3] = {0, 0, 0}, work[3];
+    page *p = m->p;
+    int link;
+
+    page_print(
+        p, "<h3>Check by virtual work</h3>\n<p>The driving torque without the pin forces: the sum "
+           "of all forces times the velocities of their points for a unit crank speed, of all "
+           "torques times the angular velocities.</p>\n"
+           "<div class=\"wide\"><table class=\"facts works\">\n<thead><tr>");
+    page_print(p, "<th scope=\"col\">Link</th><th scope=\"col\">m a\302\267v + I \316\261 \317\211"
+                  "</th><th scope=\"col\">\342\210\222 weight\302\267v</th>"
+                  "<th scope=\"col\">\342\210\222 loads\302\267v</th></tr></thead>\n<tbody>\n");
+    for (link = 2; link <= 4; link++) {
+        const body *b = &bodies[link];
+
+        work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
+        work[1] = -b->data->mass * dot(r->design->gravity, b->v);
+        work[2] = -b->work;
+        put_works(p, fourlink_link_text((int)r->design->kind, link), work, sum);
+    }
+    put_works(p, "sum", sum, NULL);
+    page_print(p, "</tbody>\n</table></div>\n");
+    math_set(m, "Tinertia", sum[0]);
+    math_set(m, "Tweight", sum[1]);
+    math_set(m, "Tloads", sum[2]);
+    math_let(m, "Ts", "Tinertia + Tweight + Tloads", r->now.forces.Ts_work, SAMPLE_NM);
+    page_print(p,
+               "<p>The nine equations give %.6g N\302\267m; relative to the largest term of the "
+               "balance, the difference is %.2g.</p>\n",
+               r->now.forces.Ts, fabs(r->now.forces.residual));
+}
+
+void sample_put_forces(report *r, math *m)
+{
+    double A[9][9], b[9];
+    body bodies[5];
+    int link;
+
+    for (link = 2; link <= 4; link++)
+        bodies[link] = cut_free(r, link);
+    add_loads(r, bodies);
+    fourlink_system(&r->problem.mechanism, &r->now.state, r->loads, r->problem.n_loads, A, b);
+    put_centres(r, m, bodies);
+    put_sides(r, bodies, b);
+    put_matrix(r, A, b);
+    put_solution(r, m);
+    put_virtual_work(r, m, bodies);
+    math_let(m, "P", "Ts * omega2", r->now.forces.Ts * r->now.row.crank.omega2, "W");
+}

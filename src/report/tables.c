@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** tables.c - the tables of a report: a format of a sheet that writes HTML, and the same rows as csv.
+*/
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/system.h"
+#include "cell.h"
+#include "report.h"
+#include "tables/style.h"
+
+/* A sheet, which is its first member, and the report that it is written into. */
+typedef struct html_sheet {
+    sheet s;
+    report *r;
+} html_sheet;
+
+static page *page_of(sheet *s)
+{
+    return &((html_sheet *)s)->r->page;
+}
+
+/* ------------------------------------------------------------------------------ rows */
+
+static void open_deck(sheet *s)
+{
+    if (s->content == SHEET_ROWS)
+        style_find(s, s->layout);
+}
+
+static void open_block(sheet *s, fourlink_branch branch)
+{
+    page *p = page_of(s);
+    unsigned long j;
+
+    page_print(p,
+               "<details>\n<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
+               "<div class=\"wide\"><table class=\"rows\">\n<caption>%s branch</caption>\n"
+               "<thead><tr>",
+               ++p->n_tables, fourlink_branch_text((int)branch), s->problem.n_rows,
+               branch == FOURLINK_OPEN ? "Open" : "Crossed");
+    for (j = 0; j < s->n_columns; j++)
+        page_print(p, "<th scope=\"col\" title=\"%s\">%s<br/>%s</th>", s->columns[j].meaning,
+                   s->columns[j].name, s->columns[j].unit);
+    page_print(p, "</tr></thead>\n<tbody>\n");
+}
+
+/* A number with the decimals of its column; one that prints as 0 has no sign. */
+static void put_styled(page *p, double value, const style *x)
+{
+    char number[FORMAT_SIZE], *digit;
+
+    if (!gsl_finite(value)) {
+        cell_put(p, value, 0);
+        return;
+    }
+    if (x->exponent)
+        format_exponent(value + 0.0, x->decimals, number);
+    else
+        format_fixed(value, x->decimals, number);
+    for (digit = number + 1; *digit == '0' || *digit == '.'; digit++)
+        ;
+    page_print(p, "<td>%m</td>", number + (number[0] == '-' && !*digit));
+}
+
+static void put_row(sheet *s, const sheet_row *row)
+{
+    const style *styles = s->layout;
+    page *p = page_of(s);
+    unsigned long j;
+
+    page_print(p, "<tr>");
+    if (row->at && row->at->status == FOURLINK_OK)
+        for (j = 0; j < s->n_columns; j++)
+            put_styled(p, row->values[j], &styles[j]);
+    if (row->is_ordinary) {
+        page_print(p, "</tr>\n");
+        return;
+    }
+    if (row->at && row->at->status == FOURLINK_OK)
+        page_print(p, "</tr>\n<tr>");
+    page_print(p, "<td colspan=\"%lu\">", s->n_columns);
+    if (row->at && row->last != row->at->row.angle)
+        page_print(p, "%.9g to %.9g %s: ", row->at->row.angle, row->last, s->angle_unit);
+    else if (row->at)
+        page_print(p, "%.9g %s: ", row->at->row.angle, s->angle_unit);
+    page_print(p, "%s</td></tr>\n", row->status);
+}
+
+static void close_block(sheet *s, fourlink_branch branch)
+{
+    (void)branch;
+    page_print(page_of(s), "</tbody>\n</table></div>\n</details>\n");
+}
+
+/* ------------------------------------------------------------------------------ comparisons */
+
+/* Begin the table of comparisons, unless it is open. */
+static void begin_checks(sheet *s, const char *columns)
+{
+    if (s->list)
+        return;
+    s->list = "checks";
+    cell_begin(page_of(s), "Expected values", columns);
+}
+
+static void end_checks(sheet *s)
+{
+    if (s->list)
+        cell_end(page_of(s));
+    s->list = NULL;
+}
+
+static void put_check(sheet *s, const fourlink_check *c)
+{
+    page *p = page_of(s);
+    int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
+
+    begin_checks(s, "<th scope=\"col\">Name</th><th scope=\"col\">at \316\270\342\202\202</th>"
+                    "<th scope=\"col\">Branch</th><th scope=\"col\">Expected</th>"
+                    "<th scope=\"col\">Computed</th><th scope=\"col\">Unit</th>"
+                    "<th scope=\"col\">Tolerance</th><th scope=\"col\">Result</th>");
+    page_print(p, "<tr class=\"%s\"><th scope=\"row\">%s</th><td>",
+               c->verdict == FOURLINK_AGREES || c->verdict == FOURLINK_MISPRINT ? "agrees"
+                                                                                : "differs",
+               c->name);
+    if (c->has_angle)
+        page_print(p, "%.9g %s", c->angle, s->angle_unit);
+    page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
+               c->printed_text);
+    if (is_number)
+        cell_put(p, c->computed, 9);
+    else
+        page_print(p, "<td>%s</td>", c->words);
+    page_print(p, "<td>%s</td>", cell_unit(c->unit));
+    if (is_number)
+        cell_put(p, c->tolerance, 0);
+    else
+        page_print(p, "<td></td>");
+    page_print(p, "<td>%s%s%s</td></tr>\n", sheet_verdicts[c->verdict],
+               c->message[0] || c->hint[0] ? ": " : "",
+               c->verdict == FOURLINK_NO_VALUE ? c->message : c->hint);
+}
+
+static const sheet_format html_format = {
+    "html",
+    1 << SHEET_ROWS | 1 << SHEET_SUMMARY | 1 << SHEET_CHECK, /* writes */
+    NULL,                                                    /* begin */
+    open_deck,                                               /* open */
+    NULL,                                                    /* column */
+    NULL,                                                    /* fact */
+    open_block,                                              /* block */
+    put_row,                                                 /* row */
+    close_block,                                             /* end_block */
+    put_check,                                               /* check */
+    NULL,                                                    /* design */
+    NULL,                                                    /* refuse */
+    end_checks,                                              /* close */
+    sizeof(style),                                           /* layout_size */
+    0,                                                       /* is_by_angle */
+    1,                                                       /* is_brief */
+    NULL,                                                    /* statistic */
+    NULL                                                     /* yield */
+};
+
+/* ------------------------------------------------------------------------------ sections */
+
+/* Write contents of the deck in a format, to the page or to another stream. */
+static void write_sheet(report *r, sheet_content content, const sheet_format *format, FILE *out)
+{
+    html_sheet h;
+
+    memset(&h, 0, sizeof h);
+    h.r = r;
+    h.s.format = format;
+    h.s.content = content;
+    h.s.n_decks = 1;
+    fourlink_results_list(r->results, FOURLINK_COLUMNS, &h.s.header, &h.s.n_header);
+    sheet_begin(&h.s, out, 1);
+    sheet_write(&h.s, r->results, r->source->name, NULL);
+    if (format == &html_format)
+        r->failed += h.s.failed + h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
+                     h.s.checks[FOURLINK_NO_VALUE];
+    r->out_of_memory |= h.s.out_of_memory;
+}
+
+/* The name of the deck's file without folder and ending. */
+static text name_of_deck(const report *r)
+{
+    const char *slash = strrchr(r->source->name, '/');
+    text name = flk_text_of(slash ? slash + 1 : r->source->name), before, after;
+
+    return flk_text_cut_last(name, ".", &before, &after) && before.length ? before : name;
+}
+
+/* The rows as csv, and a button that saves them. */
+static void put_csv(report *r)
+{
+    FILE *csv = system_scratch();
+    text name = name_of_deck(r);
+    char part[4096];
+    size_t n;
+
+    if (!csv) {
+        r->out_of_memory |= errno == ENOMEM;
+        return;
+    }
+    write_sheet(r, SHEET_ROWS, &csv_format, csv);
+    rewind(csv);
+    page_print(&r->page, "<button type=\"button\" data-save=\"");
+    page_text(&r->page, name.start, name.length);
+    page_print(&r->page, ".csv\" data-from=\"csv-rows\" hidden=\"hidden\">Save the tables as CSV"
+                         "</button>\n<pre id=\"csv-rows\" hidden=\"hidden\">");
+    while ((n = fread(part, 1, sizeof part, csv)) > 0)
+        page_text(&r->page, part, n);
+    page_print(&r->page, "</pre>\n");
+    fclose(csv);
+}
+
+void report_put_tables(report *r)
+{
+    page_section(&r->page, "tables", "Tables");
+    write_sheet(r, SHEET_ROWS, &html_format, r->page.out);
+    put_csv(r);
+    page_print(&r->page, "</section>\n");
+}
+
+/* The largest difference of the forces of two solutions, relative to the largest force. */
+static double difference(const report *r, const fourlink_forces *f, const fourlink_forces *g)
+{
+    double x[9], y[9], most = 0, size = 0;
+    int i;
+
+    fourlink_unknowns(&r->problem.mechanism, f, x);
+    fourlink_unknowns(&r->problem.mechanism, g, y);
+    for (i = 0; i < 9; i++) {
+        char letter = fourlink_unknown_text((int)r->design->kind, i)[0];
+
+        if (letter == 'M' || letter == 'T')
+            continue; /* a couple */
+        most = GSL_MAX_DBL(most, fabs(x[i] - y[i]));
+        size = GSL_MAX_DBL(size, fabs(x[i]));
+    }
+    return size > 0 ? most / size : 0;
+}
+
+/* Compare both solutions of the nine equations in all rows of a branch. */
+static void put_agreement(report *r, fourlink_branch branch)
+{
+    double residual = 0, differs = 0;
+    unsigned long n = 0, i;
+    fourlink_instant now;
+    fourlink_forces forces;
+    fourlink_state state;
+
+    for (i = 0; i < r->problem.n_rows; i++) {
+        if (fourlink_results_row(r->results, branch, i, NULL, &now, r->row_loads) != FOURLINK_OK ||
+            fourlink_analyse_dyad(&r->problem.mechanism, branch, &now.row.crank, r->row_loads,
+                                  r->problem.n_loads, &state, &forces) != FOURLINK_OK)
+            continue;
+        residual = GSL_MAX_DBL(residual, fabs(now.forces.residual));
+        differs = GSL_MAX_DBL(differs, difference(r, &now.forces, &forces));
+        n++;
+    }
+    page_print(&r->page,
+               "<tr><th scope=\"row\">%s</th><td>%lu</td><td>%.2g</td><td>%.2g</td></tr>\n",
+               fourlink_branch_text((int)branch), n, residual, differs);
+}
+
+void report_put_checks(report *r)
+{
+    page *p = &r->page;
+    int i;
+
+    page_section(p, "checks", "Checks");
+    if (r->problem.has_forces) {
+        page_print(p,
+                   "<h3>Balance of power, and two solutions of the nine equations</h3>\n"
+                   "<p>The residual is the driving torque of the nine equations less that of "
+                   "virtual work, relative to the largest term of the balance.  The nine equations "
+                   "are solved as a matrix and, eliminated by hand, in closed form; the difference "
+                   "of their pin forces is relative to the largest.</p>\n");
+        page_print(p, "<div class=\"wide\"><table class=\"facts\">\n<thead><tr>"
+                      "<th scope=\"col\">Branch</th><th scope=\"col\">Rows</th>"
+                      "<th scope=\"col\">Largest residual</th>"
+                      "<th scope=\"col\">Largest difference</th></tr></thead>\n<tbody>\n");
+        for (i = 0; i < r->n_branches; i++)
+            put_agreement(r, r->branches[i]);
+        page_print(p, "</tbody>\n</table></div>\n");
+    }
+    if (r->problem.n_expected)
+        write_sheet(r, SHEET_CHECK, &html_format, p->out);
+    else
+        page_print(p, "<p>The deck has no expected values.</p>\n");
+    page_print(p, "</section>\n");
+}

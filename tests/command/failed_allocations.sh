@@ -1,0 +1,170 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# failed_allocations.sh FOURLINK DATA SHIM [EVERY] - memory runs out: each allocation of many runs fails in turn
+# (or every EVERY-th), alone and with all after it.  The run then ends as if nothing had happened, or with exit
+# status 3, a message, and files that are old or complete.  Prints how much it tried.
+#
+# SHIM is failing_malloc.c as a shared library, or 'sanitizer': the program is then built here by $CC with
+# AddressSanitizer, UBSan and failing_malloc.c in it.
+. "$(dirname "$0")/sweeps.sh"
+cd - >/dev/null || exit 1
+shim=$3
+every=${4:-1}
+root=$(cd "$(dirname "$0")/../.." && pwd)
+case $shim in /* | sanitizer) ;; *) shim=$PWD/$shim ;; esac
+cd "$work" || exit 1
+
+if [ "$shim" = sanitizer ]; then
+    # GSL's own allocations are reached in its static library
+    ${CC:-cc} -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -DWRAPPED \
+        -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc -I"$root/include" -I"$root/src" \
+        "$root"/src/*/*.c "$root/tests/command/failing_malloc.c" -l:libgsl.a -l:libgslcblas.a -lm -o wrapped || exit 1
+    fourlink=$work/wrapped
+    shim=
+fi
+
+mkdir bin files usual
+printf '#!/bin/sh\nexec cat\n' >bin/gnuplot
+chmod +x bin/gnuplot
+PATH=$work/bin:$PATH
+most=600 # of a run; then a search repeats itself
+tries=0
+refused=0
+picture=plot.svg # what is written beside files/result
+
+# start ARGUMENT...: the program with the shim, where there are old files
+start() {
+    echo old >files/result
+    echo old >"files/$picture"
+    LD_PRELOAD=$shim "$fourlink" "$@" >out 2>err </dev/null
+    status=$?
+}
+
+# first_line FILE, last_line FILE: that line is in $line
+first_line() { IFS= read -r line <"$1" || line=; }
+
+last_line() {
+    line=
+    while IFS= read -r next; do line=$next; done <"$1"
+}
+
+is_old_or_complete() {
+    first_line "files/$1"
+    [ "$line" = old ] || cmp -s "files/$1" "usual/$1" ||
+        { [ -f usual/alone ] && cmp -s "files/$1" usual/alone; }
+}
+
+only_two_files() {
+    set -- files/* files/.[!.]*
+    [ "$*" = "files/$picture files/result files/.[!.]*" ]
+}
+
+is_refused() {
+    last_line err
+    case $line in fourlink:*) ;; *) return 1 ;; esac
+    [ $status -eq 3 ] && only_two_files && is_old_or_complete result && is_old_or_complete "$picture"
+}
+
+is_as_usual() {
+    [ $status -eq $usual ] && cmp -s err usual/err && cmp -s out usual/out && only_two_files &&
+        cmp -s files/result usual/result && cmp -s "files/$picture" "usual/$picture"
+}
+
+# all STATUS ARGUMENT...: every allocation of this run, which usually ends so
+all() {
+    usual=$1
+    shift
+    unset FAIL_AT FAIL_ON
+    COUNT_FILE=$work/count
+    export COUNT_FILE
+    start "$@"
+    unset COUNT_FILE
+    cp out err files/* usual
+    first_line count
+    n=$line
+    check "exit status $status, expected $usual, $n allocations: fourlink $*: $(head -n 1 err)" \
+        test $status -eq "$usual" -a "$n" -gt 3
+    [ "$n" -le $most ] || n=$most
+    for FAIL_ON in 0 1; do
+        export FAIL_ON
+        FAIL_AT=1
+        export FAIL_AT
+        while [ "$FAIL_AT" -le "$n" ]; do
+            start "$@"
+            tries=$((tries + 1))
+            if is_refused; then
+                refused=$((refused + 1))
+            elif ! is_as_usual; then
+                check "allocation $FAIL_AT of $n (FAIL_ON=$FAIL_ON): exit status $status, usually $usual; files: $(ls -A files); $(head -n 3 err)" \
+                    false fourlink "$@"
+                rm -f files/* files/.[!.]*
+            fi
+            FAIL_AT=$((FAIL_AT + every))
+        done
+    done
+    unset FAIL_AT FAIL_ON
+    rm -f usual/alone
+}
+
+cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" .
+sed 's/^indicator.*/indicator = file card.csv deg bar/' gas-engine.deck >card.deck
+printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
+sed 's/^cg = 0 mm//' single.deck >note.deck # point masses: notes
+few='-i 90deg'
+
+for format in table csv json; do
+    all 0 -f $format -o files/result $few single.deck
+done
+all 0 -f paper -o files/result $few alvi-5.1.deck
+all 0 $few note.deck
+all 0 -c all -o files/result $few -s 'crank.length = 21 mm' single.deck
+all 0 -o files/result $few gas-engine.deck
+all 0 -o files/result $few card.deck
+all 1 -o files/result reach.deck
+all 2 -o files/result mistakes.deck
+all 0 --summary -o files/result card.deck
+all 0 --summary -f json -o files/result steam-engine-240.deck
+all 0 --check -o files/result steam-engine-240.deck
+all 0 --check=alvi-5.1.expect -o files/result alvi-5.1.deck
+all 0 --check=. -o files/result alvi-5.1.deck
+all 0 --expect --at='0 deg, 90 deg' -o files/result single.deck
+all 0 --list -o files/result single.deck
+all 0 --matrix -o files/result $few single.deck
+ln -s files/result link
+all 0 -f csv -o link $few single.deck
+check 'a link stays a link' test -h link
+
+# the other deck is written
+"$fourlink" -f csv -o alone.csv $few single.deck absent.deck 2>err
+cp alone.csv usual/alone
+all 0 -f csv -o files/result $few single.deck single.deck
+
+sweep 'crank.length = 20 mm, 300 mm, 22 mm' 'output = mu_min, max(Ts)'
+all 1 -f csv -o files/result t.deck
+all 1 -f json -o files/result t.deck
+all 1 -o files/result t.deck
+all 1 -f csv --part=2/3 -o files/result t.deck
+all 1 --statistics -o files/result t.deck
+"$fourlink" -f csv t.deck >t.csv 2>err
+all 0 --statistics=t.csv -o files/result t.deck
+all 0 --statistics=t.csv -f csv -o files/result
+for kind in histogram columns; do
+    all 1 --plot=files/plot.svg --plot-kind=$kind -o files/result t.deck
+done
+sweep 'crank.length = 20 mm to 22 mm in 2' 'output = swing' # a range: GSL's simplex
+all 0 "--best=max swing" -o files/result t.deck
+
+for kind in mechanism motion forces turning-moment polar vectors; do
+    all 0 --plot-script=files/plot.svg --plot-kind=$kind -o files/result $few single.deck
+done
+all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-240.deck
+all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
+
+rm files/plot.svg
+picture=report.html
+all 0 --report=files/report.html -o files/result $few single.deck
+all 2 --report=files/report.html -o files/result mistakes.deck
+
+echo "$tries allocations failed: $refused runs ended with exit status 3, $((tries - refused - failed)) as usual"
+finish

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# csv_difference.awk - compares the csv of two machines: awk -f csv_difference.awk FILE OTHER.  Prints "same",
+# "within" or "differs", the number of values, and the largest difference of a value, divided by the largest
+# value of its column.  More than 2e-12 differs, and so do other words.  Angles are compared modulo 360
+# deg; the residual, which is rounding itself, has the largest value 1.
+function size(x) { return x < 0 ? -x : x }
+
+function is_number(x) { return x ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/ }
+
+BEGIN {
+    FS = ","
+    while (more1 = (getline line1 <ARGV[1]) > 0) {
+        if ((getline line2 <ARGV[2]) <= 0)
+            bad = 1
+        sub(/\r$/, "", line1)
+        sub(/\r$/, "", line2)
+        n = split(line1, x)
+        if (split(line2, y) != n)
+            bad = 1
+        if (!rows++)
+            n_names = split(line1, names)
+        for (i = 1; i <= n; i++) {
+            if (!is_number(x[i]) || !is_number(y[i])) {
+                bad += x[i] != y[i]
+                continue
+            }
+            values++
+            changed += x[i] != y[i]
+            if (size(x[i]) > largest[i])
+                largest[i] = size(x[i])
+            d = size(x[i] - y[i])
+            if (names[i] ~ /\(deg\)$/ && d > 180)
+                d = size(d - 360)
+            if (d > difference[i])
+                difference[i] = d
+        }
+    }
+    if ((getline line2 <ARGV[2]) > 0)
+        bad = 1
+    for (i in difference) {
+        d = names[i] ~ /^residual/ ? difference[i] : difference[i] / (largest[i] > 0 ? largest[i] : 1)
+        if (d > worst) {
+            worst = d
+            where = names[i]
+        }
+    }
+    print (bad || worst > 2e-12 ? "differs" : changed ? "within" : "same"), values + 0, worst + 0, where
+}

@@ -1,0 +1,151 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_columns.sh FOURLINK DATA - any columns as curves: over the crank angle, over time, over another column.
+. "$(dirname "$0")/pictures.sh"
+
+# columns ARGUMENT...: the script x.gp
+columns() { run 0 --plot-script=x.gp --plot-kind=columns "$@"; }
+# block NAME: the lines of a block of data in x.gp
+block() { sed -n "/^\$$1 << EOD\$/,/^EOD\$/p" x.gp | sed '1d;$d'; }
+# has TEXT: a line of the script
+has() { check "the script has no line: $1" grep -qxF -e "$1" x.gp; }
+panels() { check "$(grep -c '^plot ' x.gp) panels, expected $1" test "$(grep -c '^plot ' x.gp)" -eq "$1"; }
+
+# --- panels by quantity: several columns on each branch, a column alone on both
+columns -c theta2,theta3,F12,theta4,Ts,F23,omega4 "$fourbar"
+quiet
+panels 6
+check 'angles of the open branch' grep -qF 'plot $c1_open using 1:2 with lines lt 1 title "theta3", $c3_open using 1:2 with lines lt 2 title "theta4"' x.gp
+check 'forces of the crossed branch' grep -qF 'plot $c2_crossed using 1:2 with lines lt 1 title "F12", $c5_crossed using 1:2 with lines lt 2 title "F23"' x.gp
+check 'both branches of a torque' grep -qF 'plot $c4_open using 1:2 with lines lt 1 title "open", $c4_crossed using 1:2 with lines lt 2 title "crossed"' x.gp
+has 'set ylabel "angle (deg)"'
+has 'set ylabel "force (N)"'
+has 'set ylabel "Ts (N.m)"'
+has 'set ylabel "omega4 (rad/s)"'
+has 'set xlabel "theta2 (deg)"'
+# the columns of the deck, in the rows of its table; what measures rounding is left out
+run 0 -b open -f csv --interval='0.5 deg' "$fourbar"
+cp out rows
+columns -b open "$fourbar"
+check 'no panel of the residual' none residual x.gp
+number_of() { head -n 1 rows | tr ',' '\n' | tr -d '\r' | sed 's/ .*//' | grep -nxF "$1" | cut -d: -f1; }
+for name in omega4 alpha3 Ts; do
+    k=$(sed -n 's/.*\$c\([0-9]*\)_open using 1:2 with lines lt [0-9] title "'$name'".*/\1/p' x.gp)
+    [ $name = Ts ] && k=$(grep -o '^plot $c[0-9]*_open' x.gp | tail -n 1 | tr -dc 0-9)
+    block "c${k}_open" >curve
+    check "the curve of $name is that of the table" awk -F'[, ]' -v c="$(number_of $name)" '
+        NR == FNR {if (FNR > 1 && $1 == "open") {x[++n] = $2; y[n] = $c + 0}; next}
+        NF {m++; d = $2 - y[m]; if (d < 0) d = -d; if ($1 != x[m] || d > 1e-5 + 1e-5 * y[m] * y[m]) bad = 1}
+        END {exit bad || n != m || n < 700}' rows curve
+done
+columns -c residual "$fourbar"
+panels 1 # nothing else was asked for
+# plain numbers have nothing in common
+columns -b open -c mechanical_advantage,condition "$fourbar"
+panels 2
+# a key has room for so many names
+columns -b open -c F12x,F12y,F23x,F23y,F34x,F34y,F14x,F14y "$fourbar"
+panels 2
+
+# --- over time, over another column
+columns -b open -c theta4 --plot-x=time "$fourbar"
+has 'set xlabel "time (s)"'
+block c1_open >curve
+check 'time goes from 0 to a turn' awk 'NR == 1 {first = $1} {last = $1; if (NR > 1 && $1 <= before) bad = 1; before = $1} END {exit bad || first != 0 || NR != 721 || last < 0.1}' curve
+columns -b open -c P.x,P.y,F12 --plot-x=P.x "$fourbar"
+panels 2 # not over itself
+has 'set xlabel "P.x (mm)"'
+check 'a path is drawn to scale' awk -F'\\[|:|\\]' '/^set xrange/ {x = $3 - $2} /^set [lr]margin/ {split($0, m, /screen /); w = (m[3] - m[2]) * 1000}
+    /^set tmargin/ {split($0, m, /screen /); h = (m[2] - m[3]) * 412}
+    /^set yrange/ {r = x / ($3 - $2) * h / w; exit !(r > 0.98 && r < 1.02)}' x.gp
+run 0 -b open -f csv -c P.x,P.y --interval='90 deg' "$fourbar"
+tr -d '\r' <out | awk -F, 'NR > 1 {print $2, $3}' >points
+columns -b open -c P.y --plot-x=P.x "$fourbar"
+block c1_open >curve
+check 'the path passes the points of the table' awk 'NR == FNR {x[FNR] = $1; y[FNR] = $2; n = FNR; next}
+    (FNR - 1) % 180 == 0 {m++; if (($1 - x[m]) ^ 2 + ($2 - y[m]) ^ 2 > 1e-10) bad = 1} END {exit bad || m != n || n != 5}' points curve
+# an angle is followed on the x axis as well: the lever of Whitworth's quick return turns fully
+columns -b open -c slide --plot-x=theta4 "$data/whitworth-150-100.deck"
+block c1_open >curve
+check 'an angle is followed' awk 'NR == 1 {first = $1} NR > 1 && ($1 - last) ^ 2 > 100 {bad = 1} {last = $1} END {exit bad || (last - first) ^ 2 < 129000}' curve
+# an indicator diagram: the four strokes
+columns -c gas_force --plot-x=x "$decks/gas-engine.deck"
+has 'set xlabel "x (m)"'
+block c1_open >curve
+check 'four strokes' awk 'NR > 1 {s = $1 > last ? 1 : -1; if (s != way) turns++; way = s} {last = $1} END {exit turns != 4}' curve
+
+# --- breaks: no position, jumps of loads, unbounded values, no number
+columns -b open -c F14 "$data/me3491-exercise-4.deck"
+block c1_open >curve
+check 'the load jumps twice' test "$(grep -c '^$' curve)" -eq 2
+check 'a jump has its two ends' awk '!NF {if (getline > 0) {d = $2 - y; if (d < 0) d = -d; if (d < 10 || ($1 - x) ^ 2 > 1e-6) bad = 1}; n++} {x = $1; y = $2} END {exit bad || n != 2}' curve
+columns -b open -c theta4 "$data/me3491-exercise-4.deck"
+check 'an angle does not jump' test "$(block c1_open | grep -c '^$')" -eq 0
+columns -b open -c mechanical_advantage "$data/me3491-exercise-4.deck"
+check 'the frame has no pole' awk -F'\\[|:|\\]' '/^set yrange/ {exit !($2 > -100 && $3 < 100)}' x.gp
+check 'two poles' test "$(block c1_open | grep -c '^$')" -eq 2
+check 'they are explained' grep -q 'beyond the frame where a value is unbounded' x.gp
+columns -b open -c I13y --plot-x=I13x "$alvi"
+check 'an unbounded x has a frame' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($3 - $2 < 10)}' x.gp
+sed 's/^from .*/from = 0 deg/; s/^to .*/to = 360 deg/' "$data/me3491-exercise-1.deck" >turning.deck
+run 1 --plot-script=x.gp --plot-kind=columns -b open -c theta4,F12 turning.deck
+check 'no position, no curve' test "$(block c1_open | grep -c '^$')" -gt 200
+check 'near a dead position' grep -q 'beyond the frame near a dead position' x.gp
+run 2 --plot-script=x.gp --plot-kind=columns -c theta4 turning.deck --set='motion.from=150 deg' --set='motion.to=200 deg'
+says 'the linkage cannot be assembled at any angle of the motion'
+# a constant has an axis
+columns -b open -c theta4 --plot-x=omega2 "$alvi"
+check 'a constant x' awk -F'\\[|:|\\]' '/^set xrange/ {exit !($2 < 10.5 && $3 > 10.5)}' x.gp
+
+# --- one instant shows its cycle, with the instant marked
+columns -c a --plot-x=time "$data/me3491-example-1.deck"
+check 'the instant is marked' grep -q 'point pt 6 ps 1.2' x.gp
+check 'on the curve' awk '/point pt 6 ps 1.2/ {split($5, a, ","); x = a[1]; y = a[2]} /^\$c1_open/ {on = 1} on && NF == 2 {px[++n] = $1; py[n] = $2}
+    END {for (i = 1; i <= n; i++) if ((px[i] - x) ^ 2 < 1e-16 && (py[i] - y) ^ 2 < 1e-6 * y * y) found = 1; exit !found}' x.gp
+
+# --- as pictures: title and description, whatever the deck and its title are called
+needs_gnuplot
+run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x "$fourbar"
+quiet
+svg x.svg
+shows x.svg 'theta4 (deg)' 'P.x (mm)' open crossed
+# described TITLE DESCRIPTION: those of x.svg
+described() {
+    check "title of x.svg: $(grep '^<title>' x.svg)" grep -qxF -e "<title>$1</title>" x.svg
+    check "description of x.svg: $(grep '^<desc>' x.svg)" grep -qxF -e "<desc>$2</desc>" x.svg
+    check 'one description' test "$(grep -c '<desc>' x.svg)" -eq 1
+}
+cp "$fourbar" four.deck
+run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x --plot-x=time four.deck
+described 'Crank-rocker with a coupler point' 'four.deck, open and crossed branches: theta4, P.x over time'
+run 0 --plot=x.svg --plot-kind=vectors four.deck
+described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces'
+run 0 --plot=x.svg -b crossed four.deck
+described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces'
+sed '/^title/d' four.deck >'a&b<c>]]>"d.deck'
+run 0 --plot=x.svg --plot-kind=motion 'a&b<c>]]>"d.deck'
+described 'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck' \
+    'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck, open and crossed branches: positions, velocities and accelerations over the crank angle'
+svg x.svg
+check ']]> of a text' none ']]>' x.svg
+# a control character in a file name, bytes that are not UTF-8 in a title
+{
+    printf 'title = a\377b \357\277\277 ]]> c\n'
+    cat 'a&b<c>]]>"d.deck'
+} >"$(printf 'x\001y.deck')"
+run 0 --plot=x.svg --plot-kind=motion "$(printf 'x\001y.deck')"
+svg x.svg
+check 'no control character' awk '/[\001-\010\013\014\016-\037]/ {bad = 1} END {exit bad}' x.svg
+check 'UTF-8' iconv -f UTF-8 -t UTF-16 -o /dev/null x.svg
+if command -v python3 >/dev/null; then
+    check 'a parser of XML' python3 -c 'import xml.dom.minidom as m; m.parse("x.svg")'
+fi
+for ending in png pdf txt gif; do
+    run 0 --plot=x.$ending --plot-kind=columns -c theta4 "$fourbar"
+    quiet
+    check "x.$ending" test -s x.$ending
+    check "no title in x.$ending" none -a '<title>' x.$ending
+done
+
+finish

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** drive.js - drives the controls of a report for test_browser.sh, which appends it to a copy: it moves the slider,
+** drags the crank, presses keys, plays, and writes what it finds as the text of the page, a line each:
+**
+**    place BRANCH ROW POINT PX PY SCALE X0 Y0   where a pin or a point is drawn, and the scale of the drawing
+**    cell BRANCH ROW COLUMN TEXT                the row of the table
+**    ok WHAT, failed WHAT                       what was tried
+*/
+"use strict";
+
+(async function () {
+    const lines = [];
+    const find = (id) => document.getElementById("fourlink-" + id);
+    const data = JSON.parse(find("rows").textContent);
+    const slider = find("angle"), last = data.angles.length - 1;
+    const sheet = document.querySelector(".panel.whole svg");
+    const check = (what, is) => lines.push((is ? "ok " : "failed ") + what);
+    const circle = (name) => sheet.querySelector("circle[data-name='" + name + "']");
+    const wait = (time) => new Promise((done) => setTimeout(done, time));
+    const move = (row) => {
+        slider.value = row;
+        slider.dispatchEvent(new Event("input", {bubbles: true}));
+    };
+    const press = (key) => slider.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+    const row = () => Number(slider.value);
+    const drawn = () => [...document.querySelectorAll("svg.sheet")].map((x) => x.innerHTML).join("");
+
+    /* every row can be drawn; ten of them, and more, are compared with the program's table */
+    function compare(branch) {
+        const broken = [];
+        for (let i = 0; i <= last; i++) {
+            move(i);
+            if (/NaN|undefined|Infinity/.test(drawn()))
+                broken.push(i);
+            for (const name of ["A", "B", "C", "D"].concat(data.points.map((p) => p.of)))
+                if (circle(name))
+                    lines.push(["place", branch, data.angles[i], name, circle(name).getAttribute("cx"),
+                                circle(name).getAttribute("cy"), sheet.dataset.scale, sheet.dataset.x,
+                                sheet.dataset.y].join(" "));
+            for (const cell of document.querySelectorAll("[data-column]"))
+                lines.push(["cell", branch, data.angles[i], cell.dataset.column, cell.textContent].join(" "));
+        }
+        check("no number is missing in the drawing, " + branch + ": " + broken.slice(0, 5), broken.length === 0);
+    }
+
+    /* The crank is dragged to where a row has its crank pin. */
+    function dragTo(from, to) {
+        move(to);
+        const goal = [circle("B").getAttribute("cx"), circle("B").getAttribute("cy")].map(Number);
+        move(from);
+        const handle = sheet.querySelector(".handle circle"), box = sheet.getBoundingClientRect();
+        const ratio = box.width / sheet.viewBox.baseVal.width;
+        const start = handle.getBoundingClientRect();
+        const send = (kind, target, x, y) => target.dispatchEvent(new PointerEvent(kind, {
+            bubbles: true, cancelable: true, pointerId: 7, pointerType: "touch", clientX: x, clientY: y}));
+        send("pointerdown", handle, start.left + start.width / 2, start.top + start.height / 2);
+        const held = row();
+        send("pointermove", sheet, box.left + goal[0] * ratio, box.top + goal[1] * ratio);
+        const moved = row();
+        send("pointerup", sheet, box.left + goal[0] * ratio, box.top + goal[1] * ratio);
+        send("pointermove", sheet, start.left + start.width / 2, start.top + start.height / 2);
+        check("dragged from row " + from + " to " + to + ": held at " + held + ", moved to " + moved + ", left at " +
+              row(), held === from && moved === to && row() === to);
+    }
+
+    function tryKeys() {
+        const seen = [];
+        move(5);
+        for (const key of ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown", "End", "ArrowRight", "Home", "ArrowLeft",
+                           "PageUp", "PageDown", "x"]) {
+            press(key);
+            seen.push(row());
+        }
+        const page = Math.max(1, Math.round((last + 1) / 24));
+        check("keys: " + seen, String(seen) === String([6, 7, 6, 5, last, last, 0, 0, page, 0, 0]));
+    }
+
+    async function tryPlay() {
+        window.requestAnimationFrame = (step) => setTimeout(() => step(performance.now()), 16);
+        window.cancelAnimationFrame = clearTimeout; /* without a window there are no frames */
+        const before = row();
+        await wait(400);
+        check("does not play by itself", row() === before);
+        find("play").click();
+        for (let k = 0; k < 50 && row() === before; k++)
+            await wait(100);
+        const there = row();
+        check("plays: " + before + " to " + there, there !== before && find("play").textContent === "Pause");
+        find("play").click();
+        const rest = row();
+        await wait(400);
+        check("pauses: " + rest + " to " + row(), row() === rest && find("play").textContent === "Play");
+    }
+
+    function trySaving() {
+        const buttons = [...document.querySelectorAll("button[data-save]")], saved = [];
+        const real = HTMLAnchorElement.prototype.click;
+        HTMLAnchorElement.prototype.click = function () { saved.push(this.download + this.href.slice(0, 5)); };
+        buttons.forEach((button) => button.click());
+        HTMLAnchorElement.prototype.click = real;
+        check("saves " + saved, buttons.length > 0 && saved.length === buttons.length &&
+              buttons.every((button, k) => !button.hidden && saved[k] === button.dataset.save + "blob:" &&
+                            document.getElementById(button.dataset.from).textContent.length > 20));
+    }
+
+    if (window.parent !== window) { /* in a frame of a narrow page */
+        const wide = document.documentElement.scrollWidth;
+        window.parent.postMessage((wide <= window.innerWidth ? "ok" : "failed") + " width " + window.innerWidth + ": " + wide, "*");
+        return;
+    }
+    check("no error: " + window.problems, window.problems.length === 0);
+    check("the picture without script is hidden", !document.querySelector("figure.mechanism:not([hidden])"));
+    check("width " + window.innerWidth + ": " + document.documentElement.scrollWidth,
+          document.documentElement.scrollWidth <= window.innerWidth);
+    check("the drawing has its room", sheet.clientWidth > 200 && sheet.clientHeight > 150);
+    check("names are texts", !document.querySelector("script.evil, b.evil") && window.evil === undefined);
+    const radios = [...document.querySelectorAll("#fourlink-branches input")];
+    compare(data.branches[0].name);
+    if (radios.length > 1) {
+        radios[1].click();
+        compare(data.branches[1].name);
+        radios[0].click();
+    }
+    if (last > 40) {
+        dragTo(3, 30);
+        dragTo(30, 11);
+        tryKeys();
+        await tryPlay();
+    }
+    trySaving();
+    check("no error at the end: " + window.problems, window.problems.length === 0);
+    document.body.replaceChildren(Object.assign(document.createElement("pre"), {textContent: "\n" + lines.join("\n") + "\nend\n"}));
+}());

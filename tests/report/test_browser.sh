@@ -1,0 +1,200 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_browser.sh - the interactive drawing of a report, driven in headless Chromium; the page on paper.
+. "$(dirname "$0")/../harness.sh"
+tests=$(dirname "$decks")/report
+
+if ! command -v chromium >/dev/null || ! command -v pdftotext >/dev/null; then
+    echo "skipped: chromium and poppler-utils are not installed"
+    exit 0
+fi
+
+# browse OPTION... FILE: Chromium without a window, with a profile of its own, which talks to nobody.
+browse() {
+    rm -rf profile
+    timeout 300 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-dev-shm-usage \
+        --disable-background-networking --disable-component-update --disable-sync --user-data-dir="$work/profile" \
+        --virtual-time-budget=20000 --enable-logging=stderr --v=0 "$@" 2>browser.err
+}
+
+# prepare NAME: NAME.html becomes NAME-test.html, with a script that collects errors before all others and
+# drive.js after them.
+prepare() {
+    awk -v drive="$tests/drive.js" '
+        /<head>/ && !done {print; print "<script>window.problems = []; window.onerror = function (m) {" \
+            "window.problems.push(m); };</script>"; done = 1; next}
+        /<\/body>/ {print "<script>"; while ((getline l <drive) > 0) print l; print "</script>"}
+        {print}' "$1.html" >"$1-test.html"
+}
+
+# places NAME POINTS TURN: the drawn places of NAME.out are those of NAME.csv within half a pixel, at ten crank angles
+# or more on each branch.  POINTS are the names in the drawing, in the order of the columns; the drawing is turned by
+# TURN degrees.
+places() {
+    awk -F, -v points="$2" -v turn="$3" '
+        BEGIN {n = split(points, name, " "); c = cos(turn * atan2(0, -1) / 180); s = sin(turn * atan2(0, -1) / 180)}
+        FNR == NR {
+            if (FNR > 1 && $0 ~ /,ok/)
+                for (i = 1; i <= n; i++) {x[$1, $2 + 0, name[i]] = $(1 + 2 * i); y[$1, $2 + 0, name[i]] = $(2 + 2 * i)}
+            next
+        }
+        {split($0, w, " ")}
+        w[1] == "place" && ((w[2], w[3] + 0, w[4]) in x) {
+            k = w[2] SUBSEP (w[3] + 0) SUBSEP w[4]
+            dx = w[7] * (c * x[k] - s * y[k]) + w[8] - w[5]
+            dy = w[9] - w[7] * (s * x[k] + c * y[k]) - w[6]
+            seen[w[2], w[4]]++; pairs[w[2], w[4]] = 1
+            if (dx * dx + dy * dy > 0.25) {bad++; print "far: " $0, dx, dy}
+        }
+        END {
+            for (p in pairs) {count++; if (seen[p] < 10) {bad++; print p, seen[p]}}
+            exit bad > 0 || count < n
+        }' "$1.csv" "$1.out" >places.out
+    status=$?
+    check "$1: $(head -n 2 places.out)" test $status -eq 0
+}
+
+# drive NAME: the report is opened and driven; all that drive.js tried went well.
+drive() {
+    prepare "$1"
+    browse --window-size=1600,1000 --dump-dom "file://$work/$1-test.html" >"$1.out"
+    check "$1: drive.js came to its end: $(tail -n 3 browser.err)" grep -q '^end$' "$1.out"
+    check "$1: $(grep '^failed' "$1.out" | head -n 3)" none '^failed' "$1.out"
+    check "$1: console: $(grep CONSOLE browser.err)" none 'CONSOLE' browser.err
+    check "$1: too few checks" test "$(grep -c '^ok' "$1.out")" -ge 7
+}
+
+# narrow NAME: no horizontal overflow in a window of 360 pixels, which is a frame here.
+narrow() {
+    cat >narrow.html <<END
+<!DOCTYPE html><body><iframe src="$1-test.html" width="360" height="800" style="border: 0"></iframe><pre></pre>
+<script>onmessage = (event) => { document.querySelector("pre").textContent += event.data + "\n"; };</script>
+END
+    browse --window-size=1000,1000 --dump-dom "file://$work/narrow.html" >narrow.out
+    check "$1: $(grep 'width 360' narrow.out)" grep -q 'ok width 360' narrow.out
+}
+
+# paper NAME SIZE: printed on this paper, each figure begins and ends on the same page and within its width.  For that
+# each gets three words: at its beginning, at its end, and at its right edge.
+paper() {
+    awk -v size="$2" '
+        /<\/body>/ {
+            print "<style>@page {size: " size "} .mark {position: absolute; font: 4px monospace} " \
+                "figure {position: relative}</style><script>document.querySelectorAll(" \
+                "\"figure:not([hidden]), .panel:not([hidden])\").forEach((f, k) => {" \
+                "for (const [word, place] of [[\"begin\", \"top: 0; left: 0\"], [\"end\", \"bottom: 0; left: 0\"], " \
+                "[\"right\", \"top: 50%; right: 0\"]]) {const m = document.createElement(\"span\"); " \
+                "m.className = \"mark\"; m.style = place; m.textContent = \"zz\" + word + k; f.append(m); " \
+                "f.style.position = \"relative\"}});</script>"
+        }
+        {print}' "$1.html" >paper.html
+    browse --no-pdf-header-footer --print-to-pdf="$work/$1-$2.pdf" "file://$work/paper.html" >/dev/null
+    pdftotext -bbox "$1-$2.pdf" paper.out
+    awk -f figures.awk paper.out >cut.out
+    status=$?
+    check "$1 on $2: $(head -n 3 cut.out)" test $status -eq 0
+}
+
+cat >figures.awk <<'END'
+/<page / {page++; split($0, w, "\""); width = w[2]}
+/>zz(begin|end|right)[0-9]+</ {
+    match($0, />zz[a-z]+/); word = substr($0, RSTART + 3, RLENGTH - 3)
+    match($0, /[0-9]+<\/word/); k = substr($0, RSTART, RLENGTH - 6)
+    split($0, w, "\"")
+    on[word, k] = page; figures[k] = 1
+    if (w[6] > width || w[2] < 0) {bad++; print "figure " k " is wider than page " page}
+}
+END {
+    for (k in figures) {
+        n++
+        if (!on["begin", k] || on["begin", k] != on["end", k] || on["begin", k] != on["right", k])
+            {bad++; print "figure " k " begins on page " on["begin", k] ", ends on page " on["end", k]}
+    }
+    if (n < 3) {bad++; print n + 0 " figures"}
+    exit bad > 0
+}
+END
+
+# ---------------------------------------------------------------- the drawing follows the slider, the crank, the keys
+
+run 0 --report=alvi.html "$alvi"
+run 0 -f csv -c theta2,B.x,B.y,C.x,C.y -o alvi.csv --set table.branch=both --set motion.interval='20 deg' "$alvi"
+drive alvi
+places alvi 'B C' 0
+check "alvi: both branches" grep -q '^place crossed' alvi.out
+narrow alvi
+
+# The row of the table is the program's.
+run 0 -c theta2,theta3,theta4,omega4 "$alvi"
+check "the row at 80 deg: $(grep '^cell open 80 theta4' alvi.out)" \
+    test "$(awk '$1 == 80 {print $3; exit}' out)" = "$(awk '$1 == "cell" && $2 == "open" && $3 == 80 && $4 == "theta4" {print $5}' alvi.out)"
+
+run 0 --report=crusher.html "$data/me3491-exercise-4.deck"
+run 0 -f csv -c theta2,B.x,B.y,C.x,C.y,E.x,E.y -o crusher.csv "$data/me3491-exercise-4.deck"
+drive crusher
+places crusher 'B C P0' 0
+narrow crusher
+
+# A vertical engine stands upright; its one instant has become a cycle.
+run 0 --report=engine.html "$data/me3491-example-2.deck"
+sed 's/^at  *= .*/interval = 10 deg/' "$data/me3491-example-2.deck" >cycle.deck
+run 0 -f csv -c theta2,B.x,B.y,C.x,C.y -o engine.csv cycle.deck
+drive engine
+places engine 'B C' 90
+check "engine: the instant is a row" grep -q '^place open 45 B' engine.out
+
+run 0 --report=cylinder.html "$data/oscillating-cylinder.deck"
+run 0 -f csv -c theta2,B.x,B.y -o cylinder.csv "$data/oscillating-cylinder.deck"
+drive cylinder
+places cylinder 'B' 0
+
+# Where the linkage cannot be assembled the crank is drawn alone.
+cat >limited.deck <<'END'
+title     = </script><script class="evil">window.evil = 1</script> & "quotes" ]]> <b class="evil">
+mechanism = four-bar
+[ground]
+length = 100 mm
+[crank]
+length = 80 mm
+mass   = 1 kg
+cg     = 40 mm
+[coupler]
+length = 50 mm
+[rocker]
+length = 60 mm
+[point P]
+link = coupler
+at   = (20, 30) mm
+[load ]]>&<!--<script>]
+link  = rocker
+force = (0, -5) N
+at    = (60, 0) mm
+[motion]
+speed    = 10 rad/s
+interval = 10 deg
+END
+"$fourlink" --report=limited.html limited.deck 2>err
+check "limited: $(head -n 2 err)" test -s limited.html
+"$fourlink" -f csv -c theta2,B.x,B.y,C.x,C.y -o limited.csv limited.deck 2>/dev/null
+drive limited
+places limited 'B C' 0
+check "limited: the crank alone" grep -q '^place open 180 B' limited.out
+check "limited: no coupler" none '^place open 180 C' limited.out
+
+# ------------------------------------------------------------------------------------------------------- on paper
+
+for size in A4 Letter; do
+    paper crusher $size
+    paper engine $size
+done
+
+# ---------------------------------------------------------------------------------------- without a script, and size
+
+check "the drawing is hidden until the script starts" grep -q 'id="fourlink-drawing"[^>]*hidden' alvi.html
+check "the picture is not" grep -q '<figure class="mechanism" id="figure-[0-9]*">' alvi.html
+for report in alvi crusher engine cylinder; do
+    check "$report: $(wc -c <$report.html) bytes" test "$(wc -c <$report.html)" -lt 1000000
+done
+
+finish

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_page.c - what a report is written with: texts and numbers in markup, base64, SHA-256, equations, and
+** drawings in fewer bytes.
+*/
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "report/compact.h"
+#include "report/mathml.h"
+#include "report/page.h"
+#include "report/sha256.h"
+
+static char written[20000];
+
+/* What is in a stream, which is closed. */
+static const char *take(FILE *file)
+{
+    size_t n;
+
+    rewind(file);
+    n = fread(written, 1, sizeof written - 1, file);
+    written[n] = '\0';
+    fclose(file);
+    return written;
+}
+
+static page new_page(void)
+{
+    page p;
+
+    memset(&p, 0, sizeof p);
+    p.out = tmpfile();
+    assert_non_null(p.out);
+    return p;
+}
+
+/* ----------------------------------------------------------------------------------------- texts and numbers */
+
+static const char *shown(const char *words, size_t length)
+{
+    page p = new_page();
+
+    page_text(&p, words, length);
+    return take(p.out);
+}
+
+#define REPLACED "\xef\xbf\xbd"
+
+static void test_texts(void **unused)
+{
+    (void)unused;
+    assert_string_equal(shown("<a href=\"x\" id='y'>&amp;]]>", 27),
+                        "&lt;a href=&quot;x&quot; id=&#39;y&#39;&gt;&amp;amp;]]&gt;");
+    assert_string_equal(shown("caf\xc3\xa9 \xf0\x9f\x98\x80\t\n", 12),
+                        "caf\xc3\xa9 \xf0\x9f\x98\x80\t\n");
+    assert_string_equal(shown("a\r\nb\rc", 6), "a\nb\nc");
+    assert_string_equal(shown("\0\x01\x1b\x7f", 4), REPLACED REPLACED REPLACED REPLACED);
+    assert_string_equal(shown("\xc2\x85\xef\xbf\xbe\xef\xbf\xbf", 8), REPLACED REPLACED REPLACED);
+    /* not UTF-8: a lone byte, an overlong form, a surrogate, above U+10FFFF, cut off by the end */
+    assert_string_equal(shown("\xe9.", 2), REPLACED ".");
+    assert_string_equal(shown("\xc0\xaf", 2), REPLACED REPLACED);
+    assert_string_equal(shown("\xed\xa0\x80", 3), REPLACED REPLACED REPLACED);
+    assert_string_equal(shown("\xf4\x90\x80\x80", 4), REPLACED REPLACED REPLACED REPLACED);
+    assert_string_equal(shown("\xe2\x82\xac", 2), REPLACED REPLACED);
+}
+
+static void test_print(void **unused)
+{
+    page p = new_page();
+
+    (void)unused;
+    page_print(&p, "%s|%m|%d|%lu|%.4g|%.2f|%.3g|%.2f|100 %%", "<", "<br/>", -3, 7UL, 3.14159265,
+               2.0 / 3, -0.0, -0.001);
+    assert_string_equal(take(p.out), "&lt;|<br/>|-3|7|3.142|0.67|0|0.00|100 %");
+}
+
+static const char *in_base64(const char *bytes)
+{
+    FILE *file = tmpfile();
+    page p = new_page();
+
+    fputs(bytes, file);
+    rewind(file);
+    page_base64(&p, file);
+    fclose(file);
+    return take(p.out);
+}
+
+/* RFC 4648, section 10 */
+static void test_base64(void **unused)
+{
+    (void)unused;
+    assert_string_equal(in_base64(""), "");
+    assert_string_equal(in_base64("f"), "Zg==");
+    assert_string_equal(in_base64("fo"), "Zm8=");
+    assert_string_equal(in_base64("foo"), "Zm9v");
+    assert_string_equal(in_base64("foobar"), "Zm9vYmFy");
+    assert_string_equal(in_base64("\xfb\xff\xfe"), "+//+");
+}
+
+/* --------------------------------------------------------------------------------------------------- SHA-256 */
+
+static const char *digest(const char *bytes, size_t length)
+{
+    static char out[SHA256_SIZE];
+
+    return sha256_of(bytes, length, out);
+}
+
+/* The examples of FIPS 180-4, and lengths around a block. */
+static void test_sha256(void **unused)
+{
+    char *million = malloc(1000000);
+
+    (void)unused;
+    assert_non_null(million);
+    memset(million, 'a', 1000000);
+    assert_string_equal(digest("", 0),
+                        "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    assert_string_equal(digest("abc", 3),
+                        "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    assert_string_equal(digest("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq", 56),
+                        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    assert_string_equal(digest(million, 1000000),
+                        "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+    assert_string_equal(digest(million, 55),
+                        "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318");
+    assert_string_equal(digest(million, 63),
+                        "7d3e74a05d7db15bce4ad9ec0658ea98e3f06eeecf16b4c6fff2da457ddc2f34");
+    assert_string_equal(digest(million, 64),
+                        "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb");
+    free(million);
+}
+
+/* ------------------------------------------------------------------------------------------------- equations */
+
+/* The text of markup, without its elements. */
+static const char *text_of(char *markup)
+{
+    char *to = markup, *from = markup;
+    int is_tag = 0;
+
+    for (; *from; from++) {
+        if (*from == '<')
+            is_tag = 1;
+        if (!is_tag)
+            *to++ = *from;
+        if (*from == '>')
+            is_tag = 0;
+    }
+    *to = '\0';
+    return markup;
+}
+
+static const char *equation(const char *words, double beta)
+{
+    page p = new_page();
+    math m;
+
+    memset(&m, 0, sizeof m);
+    m.p = &p;
+    math_set(&m, "a", -2);
+    math_set(&m, "b", 1.5e-7);
+    math_set_angle(&m, "beta", beta);
+    math_let(&m, "omega3", words, -0.1234567, "rad/s");
+    take(p.out);
+    return text_of(written);
+}
+
+static void test_equations(void **unused)
+{
+    (void)unused;
+    /* a negative number has brackets, but not at the beginning; a power of ten; an angle in degrees */
+    assert_string_equal(equation("a * b + a", 1), "\n\xcf\x89"
+                                                  "3=a\xe2\x81\xa2"
+                                                  "b+a\n"
+                                                  "=\xe2\x88\x92"
+                                                  "2\xc2\xb7"
+                                                  "1.5\xc2\xb7"
+                                                  "10\xe2\x88\x92"
+                                                  "7+(\xe2\x88\x92"
+                                                  "2)"
+                                                  "=\xe2\x88\x92"
+                                                  "0.123457\xc2\xa0rad/s\n\n");
+    assert_non_null(strstr(equation("sin beta", 0.5), "sin\xe2\x81\xa1"
+                                                      "28.6479\xc2\xb0"));
+    assert_non_null(strstr(equation("sin beta", -0.5), "(\xe2\x88\x92"
+                                                       "28.6479\xc2\xb0)"));
+    assert_non_null(strstr(equation("a ^2", 1), "=(\xe2\x88\x92"
+                                                "2)2="));
+    /* a group is left out where its symbol is 0, with the sign that then begins */
+    assert_non_null(strstr(equation("<beta b > + a", 0), "3=a\n"));
+    assert_non_null(strstr(equation("<beta b > + a", 1), "3=b+a\n"));
+}
+
+/* -------------------------------------------------------------------------------------------------- drawings */
+
+static const char *shortened(const char *svg)
+{
+    FILE *in = tmpfile(), *out = tmpfile();
+
+    fputs(svg, in);
+    assert_int_equal(compact_svg(in, out), 1);
+    fclose(in);
+    return take(out);
+}
+
+static void test_groups(void **unused)
+{
+    (void)unused;
+    assert_string_equal(
+        shortened("<svg>\n<g id=\"gnuplot_canvas\">\n<defs> </defs>\n"
+                  "<g fill=\"none\" color=\"black\" stroke=\"currentColor\">\n</g>\n"
+                  "<g fill=\"none\" stroke=\"red\">\n\t<path stroke='rgb(  0, 114, 178)'/></g>\n"
+                  "</g></svg>\n"),
+        "<svg><g fill=\"none\" color=\"black\" font-family=\"sans\" stroke-linecap=\"butt\" "
+        "stroke-linejoin=\"miter\" id=\"gnuplot_canvas\"><defs></defs>\n"
+        "<g stroke=\"red\"><path stroke='#0072b2'/></g></g></svg>\n");
+    /* words stay as they are, but for ]]> */
+    assert_string_equal(shortened("<defs></defs><text>rgb( d='M1,2'  fill=\"none\" ]]> </text>"),
+                        "<defs></defs><text>rgb( d='M1,2'  fill=\"none\" ]]&gt; </text>");
+}
+
+static void test_paths(void **unused)
+{
+    (void)unused;
+    /* relative, in tenths; points on a line are left out, but not where it turns back */
+    assert_string_equal(
+        shortened("<defs></defs><path d='M10.00,20.00 L11.00,20.00 L12.00,20.04 L20.00,20.00 "
+                  "L20.00,35.26  '/>"),
+        "<defs></defs><path d='M10,20l10,0 0,15.3'/>");
+    assert_string_equal(shortened("<defs></defs><path d='M0,0 L10,0 L5,0 L10,10 Z M3.5,4 L5,5'/>"),
+                        "<defs></defs><path d='M0,0l10,0 -5,0 5,10zM3.5,4l1.5,1'/>");
+    /* rounding does not add up */
+    assert_string_equal(
+        shortened("<defs></defs><path d='M0,0 L0.04,1 L1,1.04 L1.04,2 L2,2.04 L2.04,3'/>"),
+        "<defs></defs><path d='M0,0l0,1 1,0 0,1 1,0 0,1'/>");
+    assert_string_equal(shortened("<defs></defs><polygon fill = 'x' points = '1,1 2,1 2,2 '/>"),
+                        "<defs></defs><path fill = 'x' d='M1,1l1,0 0,1z'/>");
+    /* in the definitions, and with curves, as it is */
+    assert_string_equal(
+        shortened("<path d='M0,-1.33 L1,1'/><defs></defs><path d='M1.11,1 C2,2 3,3 4,4'/>"),
+        "<path d='M0,-1.33 L1,1'/><defs></defs><path d='M1.11,1 C2,2 3,3 4,4'/>");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_texts),     cmocka_unit_test(test_print),
+        cmocka_unit_test(test_base64),    cmocka_unit_test(test_sha256),
+        cmocka_unit_test(test_equations), cmocka_unit_test(test_groups),
+        cmocka_unit_test(test_paths)};
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

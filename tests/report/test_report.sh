@@ -1,0 +1,175 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_report.sh FOURLINK DATA - --report: its page, what it refuses, and what a failure leaves.
+. "$(dirname "$0")/../harness.sh"
+page=$(dirname "$decks")/report/page.py
+fourbar=$decks/coupler-point.deck
+engine=$decks/engine.deck
+python=$(command -v python3 || echo /usr/bin/python3)
+
+# sound REPORT [DECK [CSV]]
+sound() {
+    "$python" "$page" "$@" >wrong 2>&1
+    check "$(tail -n 5 wrong)" test ! -s wrong
+}
+has() { check "no '$1' in r.html" grep -qF -e "$1" r.html; }
+hasnt() { check "'$1' in r.html" none -F -e "$1" r.html; }
+
+# refused MESSAGE ARGUMENT...: before anything is done
+refused() {
+    usage "$@"
+    check "a file was written: fourlink $*" test ! -e r.html
+}
+for name in r.txt html r.html.gz .html ''; do
+    refused "--report needs a file name that ends in .html, not '$name'" --report="$name" "$fourbar"
+done
+refused '--report takes one deck, not several' --report=r.html "$fourbar" "$engine"
+refused '--report needs a value' "$fourbar" --report
+refused '--best prints a deck: it takes one deck and no other output' --best='max mu_min' --report=r.html "$fourbar"
+refused '--statistics=FILE works alone, or with a deck' --statistics=s.csv --report=r.html "$fourbar"
+for name in a.htm A.HTML; do
+    run 0 --report=$name "$fourbar"
+    quiet
+    nothing
+    sound $name "$fourbar"
+done
+# outputs and inputs with one name
+cp "$fourbar" deck.html
+run 3 --report=deck.html deck.html
+says 'cannot write deck.html: it is also read'
+same deck.html "$fourbar"
+run 3 --report=r.html --output=r.html "$fourbar"
+says 'cannot write r.html: two outputs have this name'
+run 3 --report=r.html --plot-script=./r.html "$fourbar"
+says 'two outputs have this name'
+check 'nothing was written' test ! -e r.html
+
+# the table comes only if it is asked for
+run 0 --report=r.html --format=csv "$fourbar"
+mv out csv
+"$fourlink" -f csv "$fourbar" >plain
+same csv plain
+sound r.html "$fourbar" csv
+has 'data-save="coupler-point.csv" data-from="csv-rows"'
+run 0 --report=r.html --output=table "$fourbar"
+check 'the table' test -s table
+run 0 --report=r.html --summary "$fourbar"
+prints 'crank.length'
+
+# the same on every run, whatever the locale; no date and no folder of this machine
+run 0 --report=r.html "$engine"
+quiet
+nothing
+mv r.html first.html
+for locale in C de_DE.UTF-8; do
+    LC_ALL=$locale TZ=Asia/Tokyo "$fourlink" --report=r.html "$engine"
+    same r.html first.html
+done
+check 'a folder of temporary files' none -F "$work" first.html
+"$fourlink" --report=x.html "$engine" && mv x.html r.html
+same r.html first.html
+
+# one sample at one angle
+run 0 --report=r.html --plot-at='50 deg' "$fourbar"
+has 'At θ₂ = 50 deg'
+run 2 --report=none.html --plot-at='50 mm' "$fourbar"
+says '--plot-at: error:'
+run 2 --report=none.html --plot-at='50,60' "$fourbar"
+says '--plot-at: error: a report shows one position, not several'
+run 2 --report=none.html --plot-at=150 "$data/me3491-exercise-1.deck"
+says 'the motion does not reach theta2 = 150'
+check 'no report of a wrong angle' test ! -e none.html
+
+# options that change the deck are named; a change that is not UTF-8, or has a control character
+run 0 --report=r.html -b open --set='motion.speed=7 rad/s' "$fourbar"
+has '<li>--set: <code>motion.speed=7 rad/s</code></li>'
+has '<li>--branch: <code>table.branch=open</code></li>'
+sound r.html "$fourbar"
+
+# titles and names do no harm
+sed "s|^title.*|title = </title><script>alert('1')</script> \"q\" \&amp; <!-- ]]> \\\\ %s|" "$fourbar" >"a'b\"<&>]]>.deck"
+run 0 --report=r.html "a'b\"<&>]]>.deck"
+sound r.html "a'b\"<&>]]>.deck"
+check 'a script of the title' none -F -e '<script>alert' r.html
+printf 'title = caf\351 \302\205 \357\277\277 \360\237\230\200\r\n' >odd.deck
+sed '/^title/d; s/$/\r/' "$fourbar" >>odd.deck
+run 0 --report=r.html odd.deck
+sound r.html odd.deck
+
+# mistakes: the deck with its mistakes, in place of results, and not an old report
+run 2 --report=r.html "$decks/mistakes.deck"
+mv err messages
+sound r.html "$decks/mistakes.deck"
+check 'a mistake for each message' test "$(grep -c '<li>' r.html)" -eq "$(wc -l <messages)"
+has '<mark class="text-line" id="line-7">'
+has 'Nothing was computed.'
+hasnt 'id="sample"'
+# a deck that cannot be read, or that cannot serve another option, has no report
+rm r.html
+run 3 --report=r.html missing.deck
+run 2 --report=r.html --check "$fourbar"
+check 'no report' test ! -e r.html
+
+# notes, files that the deck names, expected values, rows that could not be computed
+printf 'mechanism = four-bar\n[crank]\nlength = 50 mm\n[ground]\nlength=100 mm\n[coupler]\nlength=120 mm\nmass=1 kg\n[rocker]\nlength=90 mm\n[motion]\nspeed=60 rpm\n' >note.deck
+run 0 --report=r.html note.deck
+has 'Notes on the deck'
+run 0 --report=r.html "$data/steam-engine-240.deck"
+has 'Klein'
+run 0 --report=r.html "$data/me3491-example-2.deck"
+has 'misprint confirmed'
+run 1 --report=r.html --set='expect.n=6' "$engine"
+run 1 --report=r.html "$decks/reach.deck"
+says 'rows could not be computed'
+has 'cannot be assembled'
+sound r.html "$decks/reach.deck"
+run 1 --report=r.html "$data/me3491-exercise-1.deck" --set='motion.from=150 deg' --set='motion.to=200 deg'
+has 'there is none: cannot be assembled'
+sound r.html
+run 0 --report=r.html "$data/alvi-5.1.deck"
+has 'no masses and no loads'
+
+# without gnuplot, or where it fails: everything but pictures
+mkdir empty failing
+printf '#!/bin/sh\nexit 1\n' >failing/gnuplot
+chmod +x failing/gnuplot
+for folder in empty failing; do
+    PATH=$work/$folder "$fourlink" --report=r.html "$engine" 2>err
+    check "exit status $?, expected 0 without gnuplot" test $? -eq 0
+    says 'r.html has no pictures: gnuplot'
+    has 'The pictures are missing: gnuplot'
+    hasnt '<img'
+    sound r.html "$engine"
+done
+
+# a failure leaves the old file, and none beside it
+mkdir o
+echo old >o/r.html
+cp o/r.html old
+ln -s /dev/full full.html
+if [ -c /dev/full ]; then
+    run 3 --report=full.html "$engine"
+    says 'cannot write full.html: No space left on device'
+fi
+(
+    trap '' XFSZ
+    ulimit -f 8
+    exec "$fourlink" --report=o/r.html "$engine" 2>>err
+)
+check 'a file that cannot grow' test $? -eq 3
+same o/r.html old
+run 2 --report=o/r.html --plot-at=x "$engine"
+same o/r.html old
+only_file o r.html
+run 3 --report=nowhere/r.html "$engine"
+says 'cannot write nowhere/r.html'
+if [ "$(id -u)" -ne 0 ]; then
+    chmod a-w o
+    run 3 --report=o/new.html "$engine"
+    says 'cannot write o/new.html'
+    chmod u+w o
+    only_file o r.html
+fi
+
+finish

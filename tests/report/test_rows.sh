@@ -1,0 +1,84 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_rows.sh - the rows that a report's drawing is made from.
+. "$(dirname "$0")/../harness.sh"
+
+if ! command -v jq >/dev/null; then
+    echo 'skipped: rows of a report, there is no jq'
+    exit 0
+fi
+PATH=$work:$PATH # a gnuplot that fails at once: rows need none
+printf '#!/bin/sh\nexit 1\n' >gnuplot
+chmod +x gnuplot
+
+# rows DECK [OPTION...]: the rows of its report, in the file rows.
+rows() {
+    "$fourlink" --report=lab.html "$@" >out 2>err </dev/null
+    sed -n '/id="fourlink-rows"/,/<\/script>/p' lab.html | sed '1s/.*>{/{/; $d' >rows
+    check "$*: not JSON" true_of_rows .
+}
+# that FILTER: jq finds it true.
+that() { check "$1: $(jq -c '[(.angles | length), .start]' rows)" true_of_rows "$1"; }
+true_of_rows() { jq -e "$1" rows >/dev/null; }
+
+rows "$alvi"
+that '.branches | map(.name) == ["open", "crossed"]'
+that '(.angles | length) == 181 and .angles[20] == 40 and .angles[.start] == 60 and .turn == 0'
+that '.units.length == "m" and .forces == [] and .torques == []'
+that '.branches[0].reasons == {} and .branches[0].tracks.A == [0, 0] and .branches[0].tracks.D == [0.08, 0]'
+that '[.branches[].table | length] == [181, 181]'
+
+# Numbers and the table are those of the program.
+run 0 -f csv -c theta2,C.x,C.y,theta4 "$alvi"
+awk -F, 'NR > 1 {printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' out >wanted
+jq -r '. as $all | .branches[] | . as $b | range(0; 361; 40) | . as $angle | ($all.angles | index($angle)) as $i |
+    "\($b.name) \($angle) \($b.tracks.C[0][$i]) \($b.tracks.C[1][$i])"' rows | awk '{printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' >found
+same found wanted
+check 'too few rows' test "$(wc -l <found)" -eq 20
+run 0 "$alvi"
+check 'the row of the table at 120 deg' test "$(awk '$1 == 120 {print $5; exit}' out)" = \
+    "$(jq -r '(.columns | map(.name) | index("theta4")) as $j | .branches[0].table[60][$j]' rows)"
+
+# Steps: they divide the deck's interval; there are at most 361 of them, and the angle of the sample calculation; a cycle of 720 deg has 2 deg.
+for case in '15 deg:121' '10 deg:181' '1 deg:361' '0.1 deg:361' '7 deg:262'; do
+    rows --set motion.interval="${case%:*}" "$alvi"
+    that "(.angles | length) == ${case#*:}"
+done
+rows "$decks/gas-engine.deck"
+that '.angles[-1] == 720 and (.angles | length) == 361'
+
+# One instant is a row of its cycle; a drawing is turned as the machine stands.
+rows --set motion.at='33.3 deg' "$data/me3491-example-2.deck"
+that '.angles[.start] == 33.3 and .angles[-1] == 360 and (.turn - 1.5707963 | fabs) < 1e-6'
+that '.branches[0].table[.start][0] == 33.3'
+that '(.forces | map(select(.of == "F14")) | .[0].label[0]) == "N"'
+
+# A load of the ground's frame, of the link's frame, within its crank angles.
+rows "$data/me3491-exercise-4.deck"
+that '.branches[0].tracks.L0F[0] | unique == [-5000, 0]'
+that '.branches[0].tracks.L0F[1] == 0'
+that '.links[2].points == ["P0"] and .points[0].label[0] == "E"'
+
+# Rows without a position have a reason, and the crank.
+rows --set coupler.length='20 mm' "$alvi"
+that '.angles as $a | .branches[0].reasons | keys | map($a[tonumber]) | (min > 0 and max < 360 and length > 10)'
+that '(.angles | index(180)) as $i | .branches[0].tracks.B[0][$i] == -0.02 and .branches[0].tracks.C[0][$i] == null'
+that '(.angles | index(180)) as $i | .branches[0].reasons["\($i)"] | test("too far apart")'
+that '(.angles | index(180)) as $i | .branches[0].table[$i][1] == null'
+
+# Names cannot end the element.
+rows --set title='</script><!--&]]>' "$alvi"
+cat "$alvi" >named.deck
+printf '[load </script><!--&]]>]\nlink = rocker\nforce = (1, 2) N\nat = (0, 0) m\n' >>named.deck
+rows named.deck
+check 'a name ends the element' none -e '[<>&]' rows
+that '[.forces[].label[0]] | index("</script><!--&]]>")'
+
+# More than a drawing shows: no drawing.
+cat "$alvi" >many.deck
+awk 'BEGIN {for (i = 0; i < 43; i++) printf "[load l%d]\nlink = rocker\nforce = (1, 2) N\nat = (0, 0) m\n", i}' >>many.deck
+run 0 --report=lab.html many.deck
+check 'a drawing of 43 loads' none 'id="fourlink-rows"' lab.html
+
+finish

@@ -1,0 +1,85 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_sample.sh FOURLINK DATA - the sample calculations of all decks, evaluated from their printed numbers; and
+# every report is a sound page.  Without gnuplot, whose pictures take most of the time.
+. "$(dirname "$0")/../harness.sh"
+tests=$(dirname "$decks")/report
+python=$(command -v python3 || echo /usr/bin/python3)
+PYTHONDONTWRITEBYTECODE=1
+export PYTHONDONTWRITEBYTECODE
+mkdir empty
+
+# sample DECK ARGUMENT...: the report r-NUMBER.html, of all that sample.py checks
+n=0
+sample() {
+    n=$((n + 1))
+    PATH=$work/empty "$fourlink" --report=r-$n.html "$@" 2>err
+    status=$?
+    check "exit status $status: $* $(cat err)" test $status -le 1
+}
+for deck in "$data"/*.deck "$decks"/*.deck; do
+    case $deck in */bad.deck | */mistakes.deck | */reach.deck) continue ;; esac
+    sample "$deck" --branch=crossed
+    sample "$deck" --branch=open
+    "$python" "$tests/page.py" r-$n.html "$deck" >wrong 2>&1
+    check "$deck: $(tail -n 3 wrong)" test ! -s wrong
+done
+
+# kinds, with and without offset, with an accelerated crank, at any angle
+cat >norton.deck <<'END'
+mechanism = inverted-slider-crank
+[ground]
+length = 200 mm
+[crank]
+length = 80 mm
+mass = 0.1 kg
+cg = 40 mm
+[slider]
+mass = 0.3 kg
+cg = (-0.15, 0.01) m
+inertia = 0.001 kg m2
+[lever]
+length = 130 mm
+angle = 60 deg
+mass = 0.15 kg
+cg = 65 mm
+inertia = 7e-4 kg m2
+[load a]
+link = slider
+at = (-0.35, 0) m
+force = (0, -100) N
+torque = 3 N m
+[load b]
+link = lever
+frame = link
+at = (50, 10) mm
+force = (20, -10) N
+[motion]
+speed = 10 rad/s
+interval = 30 deg
+END
+sed 's/^length = 130 mm$/offset = 25 mm/; /^angle/d' norton.deck >offset.deck
+printf 'mechanism = slider-crank\n[crank]\nlength = 30 mm\nmass = 1 kg\n[rod]\nlength = 100 mm\nmass = 2 kg\ncg = 40 mm\ngyration = 30 mm
+[ground]\noffset = -20 mm\n[piston]\nmass = 3 kg\n[motion]\nspeed = 90 rpm\ninterval = 30 deg\n' >crank.deck
+for deck in norton.deck offset.deck "$matrix" "$alvi" "$decks/engine.deck" "$decks/pump.deck" "$data/crank-rocker-75.deck" crank.deck; do
+    for branch in open crossed; do
+        for angle in 10 95 200 275 359; do
+            sample "$deck" --branch=$branch --plot-at="$angle deg" --set='motion.acceleration=7.5 rad/s2'
+        done
+    done
+done
+"$python" "$tests/sample.py" r-*.html >checked 2>&1
+check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
+
+# the results are those of the table
+PATH=$work/empty "$fourlink" --report=r.html "$data/me3491-matrix.deck" --plot-at='40 deg' -b open
+check 'results of the reference' "$python" "$tests/sample.py" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
+    alpha4=56.4558 Ts=0.0313823 theta3=0.680440 theta4=1.81201
+
+# an error is found
+fails() { ! "$@"; }
+sed 's|<mn>0.0732971</mn>|<mn>0.0733971</mn>|' r.html >wrong.html
+check "a wrong number is found" fails "$python" "$tests/sample.py" wrong.html
+
+finish
