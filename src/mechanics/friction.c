@@ -12,7 +12,8 @@
 **             (N2 - N1) l / 2 = M,   y = mu (|N1| + |N2|) = mu max(|N|, 2 |M| / l)
 **
 ** All forces x are linear in the four sizes y:  x(y) = x0 + S y, x0 without friction, column k of S for the
-** unit load of joint k alone.  So y = phi(x0 + S y) are at most four equations, solved by Newton's method:
+** unit load of joint k alone.  The moment in A changes Ts alone, so y = phi(x0 + S y) are at most three equations for
+** B, C and D, solved by Newton's method, and A follows:
 **
 **    (I - Phi S) dy = phi(x0 + S y) - y,   Phi = dphi/dx
 **
@@ -24,6 +25,7 @@
 #include "free_body.h"
 
 #define JOINTS 4
+#define COUPLED 3 /* all but A */
 #define MOST_STEPS 50
 #define CONTINUATION_STEPS 20
 #define EXACT 1e-13      /* of the largest y: Newton's method has ended */
@@ -46,13 +48,13 @@ typedef struct joint {
 
 /* The equations for y; columns of joints that there are not are 0. */
 typedef struct equations {
-    joint joint[JOINTS];
-    int n;
+    joint joint[JOINTS]; /* A is the last */
+    int n, n_coupled;
     double x0[JOINTS][2]; /* Fx, Fy of a pin; M, N of a guide: without friction */
-    double S[JOINTS][2][JOINTS];
+    double S[JOINTS][2][COUPLED];
     double y[JOINTS];
-    double phi[JOINTS];
-    double matrix[JOINTS][JOINTS]; /* Phi S */
+    double phi[COUPLED];
+    double matrix[COUPLED][COUPLED]; /* Phi S */
 } equations;
 
 static void clear(fourlink_load *load, int link)
@@ -135,10 +137,11 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
     double omega2 = state->link[FOURLINK_CRANK].omega;
     double direction = omega2 != 0 ? omega2 : (double)friction->direction;
     double length = mechanism->design.link[FOURLINK_CRANK].length;
-    int i;
+    int k;
 
-    e->n = 0;
-    for (i = 0; i < JOINTS; i++) {
+    e->n = e->n_coupled = 0;
+    for (k = 1; k <= JOINTS; k++) {
+        int i = k % JOINTS;
         const flk_joint *at = &kind->joint[i];
         joint *j = &e->joint[e->n];
 
@@ -154,6 +157,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
             load_guide(state, at, length, j);
         else
             load_pin(at, j);
+        e->n_coupled += i != 0;
         e->n++;
     }
 }
@@ -183,7 +187,7 @@ static void apply_load(const joint *j, const fourlink_load *load, const fourlink
     b->largest = flk_larger(b->largest, fabs(work));
 }
 
-/* x0 and S; a status.  The moment of pin A changes Ts alone. */
+/* x0 and S; a status. */
 static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanism,
                         const fourlink_state *state, flk_solution *solve,
                         const fourlink_forces *without, equations *e)
@@ -196,10 +200,9 @@ static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanis
     memset(e->S, 0, sizeof e->S);
     memset(e->matrix, 0, sizeof e->matrix);
     memset(e->phi, 0, sizeof e->phi);
-    for (k = 0; k < e->n && status == FOURLINK_OK; k++) {
+    for (k = 0; k < e->n; k++)
         take_unknowns(&e->joint[k], without, e->x0[k]);
-        if (e->joint[k].number == 0)
-            continue;
+    for (k = 0; k < e->n_coupled && status == FOURLINK_OK; k++) {
         memset(body, 0, sizeof body);
         for (i = 0; i < e->joint[k].n_loads; i++)
             apply_load(&e->joint[k], &e->joint[k].load[i], state, body);
@@ -213,21 +216,29 @@ static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanis
     return status;
 }
 
+/* x0 + S y of a joint. */
+static void add_columns(const equations *e, int i, double x[2])
+{
+    int k;
+
+    x[0] = e->x0[i][0];
+    x[1] = e->x0[i][1];
+    for (k = 0; k < COUPLED; k++) {
+        x[0] += e->S[i][0][k] * e->y[k];
+        x[1] += e->S[i][1][k] * e->y[k];
+    }
+}
+
 /* phi(x0 + S y) and Phi S, both times `share`. */
 static void evaluate(equations *e, double share)
 {
     int i, k;
 
-    for (i = 0; i < e->n; i++) {
+    for (i = 0; i < e->n_coupled; i++) {
         const joint *j = &e->joint[i];
         double factor = share * j->factor, x[2], d[2], size, slope;
 
-        x[0] = e->x0[i][0];
-        x[1] = e->x0[i][1];
-        for (k = 0; k < JOINTS; k++) {
-            x[0] += e->S[i][0][k] * e->y[k];
-            x[1] += e->S[i][1][k] * e->y[k];
-        }
+        add_columns(e, i, x);
         if (!j->is_guide) {
             size = sqrt(x[0] * x[0] + x[1] * x[1]);
             slope = size > 0 ? factor / size : 0;
@@ -243,14 +254,14 @@ static void evaluate(equations *e, double share)
             d[1] = 0;
         }
         e->phi[i] = factor * size;
-        for (k = 0; k < JOINTS; k++)
+        for (k = 0; k < COUPLED; k++)
             e->matrix[i][k] = d[0] * e->S[i][0][k] + d[1] * e->S[i][1][k];
     }
 }
 
-static void swap_rows(double A[JOINTS][JOINTS + 1], int i, int k)
+static void swap_rows(double A[COUPLED][COUPLED + 1], int i, int k)
 {
-    double row[JOINTS + 1];
+    double row[COUPLED + 1];
 
     memcpy(row, A[i], sizeof row);
     memcpy(A[i], A[k], sizeof row);
@@ -259,21 +270,21 @@ static void swap_rows(double A[JOINTS][JOINTS + 1], int i, int k)
 
 /* Solve (I - Phi S) d = phi - y by elimination with pivots; returns the determinant of I - Phi S, 0 if it is
 ** singular.  Joints that there are not have d = 0. */
-static double newton_step(const equations *e, double d[JOINTS])
+static double newton_step(const equations *e, double d[COUPLED])
 {
-    double A[JOINTS][JOINTS + 1], inverse[JOINTS], determinant = 1;
+    double A[COUPLED][COUPLED + 1], inverse[COUPLED], determinant = 1;
     int i, j, k;
 
-    for (i = 0; i < JOINTS; i++) {
-        for (k = 0; k < JOINTS; k++)
+    for (i = 0; i < COUPLED; i++) {
+        for (k = 0; k < COUPLED; k++)
             A[i][k] = -e->matrix[i][k];
         A[i][i] += 1;
-        A[i][JOINTS] = e->phi[i] - e->y[i];
+        A[i][COUPLED] = e->phi[i] - e->y[i];
     }
-    for (k = 0; k < JOINTS; k++) {
+    for (k = 0; k < COUPLED; k++) {
         int largest = k;
 
-        for (i = k + 1; i < JOINTS; i++)
+        for (i = k + 1; i < COUPLED; i++)
             if (fabs(A[i][k]) > fabs(A[largest][k]))
                 largest = i;
         if (A[largest][k] == 0)
@@ -284,16 +295,16 @@ static double newton_step(const equations *e, double d[JOINTS])
         }
         determinant *= A[k][k];
         inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < JOINTS; i++) {
+        for (i = k + 1; i < COUPLED; i++) {
             double share = A[i][k] * inverse[k];
 
-            for (j = 0; j <= JOINTS; j++)
+            for (j = k + 1; j <= COUPLED; j++)
                 A[i][j] -= share * A[k][j];
         }
     }
-    for (i = JOINTS - 1; i >= 0; i--) {
-        d[i] = A[i][JOINTS];
-        for (k = i + 1; k < JOINTS; k++)
+    for (i = COUPLED - 1; i >= 0; i--) {
+        d[i] = A[i][COUPLED];
+        for (k = i + 1; k < COUPLED; k++)
             d[i] -= A[i][k] * d[k];
         d[i] *= inverse[i];
     }
@@ -305,10 +316,10 @@ static int is_small(const equations *e)
 {
     int i, k;
 
-    for (i = 0; i < e->n; i++) {
+    for (i = 0; i < e->n_coupled; i++) {
         double sum = 0;
 
-        for (k = 0; k < e->n; k++)
+        for (k = 0; k < e->n_coupled; k++)
             sum += fabs(e->matrix[i][k]);
         if (!(sum < 0.5))
             return 0;
@@ -320,7 +331,7 @@ static int is_small(const equations *e)
 ** determinant.  `matrix` is then that of the solution but for the last step. */
 static int converge(equations *e, double share)
 {
-    double d[JOINTS], before = HUGE_VAL;
+    double d[COUPLED], before = HUGE_VAL;
     int step, i;
 
     for (step = 0; step < MOST_STEPS; step++) {
@@ -330,7 +341,7 @@ static int converge(equations *e, double share)
         determinant = newton_step(e, d);
         if (determinant == 0)
             return 0;
-        for (i = 0; i < e->n; i++) {
+        for (i = 0; i < e->n_coupled; i++) {
             e->y[i] += d[i];
             most = flk_larger(most, fabs(d[i]));
             largest = flk_larger(largest, fabs(e->y[i]));
@@ -348,17 +359,17 @@ static int converge(equations *e, double share)
 /* 1 if the spectral radius of Phi S is below 1, as it is if a power of it has a norm below 1. */
 static int is_contraction(const equations *e)
 {
-    double A[JOINTS][JOINTS], square[JOINTS][JOINTS];
+    double A[COUPLED][COUPLED], square[COUPLED][COUPLED];
     int i, j, k, power;
 
     memcpy(A, e->matrix, sizeof A);
     for (power = 0; power < 8; power++) {
         double norm = 0;
 
-        for (i = 0; i < e->n; i++) {
+        for (i = 0; i < e->n_coupled; i++) {
             double sum = 0;
 
-            for (j = 0; j < e->n; j++)
+            for (j = 0; j < e->n_coupled; j++)
                 sum += fabs(A[i][j]);
             norm = flk_larger(norm, sum);
         }
@@ -366,9 +377,9 @@ static int is_contraction(const equations *e)
             return 1;
         if (!FLK_WITHIN(norm, FOURLINK_NUMBER_MAX))
             return 0;
-        for (i = 0; i < e->n; i++)
-            for (j = 0; j < e->n; j++)
-                for (square[i][j] = 0, k = 0; k < e->n; k++)
+        for (i = 0; i < e->n_coupled; i++)
+            for (j = 0; j < e->n_coupled; j++)
+                for (square[i][j] = 0, k = 0; k < e->n_coupled; k++)
                     square[i][j] += A[i][k] * A[k][j];
         memcpy(A, square, sizeof A);
     }
@@ -389,6 +400,17 @@ static int find_sizes(equations *e)
         if (!converge(e, (double)i / CONTINUATION_STEPS))
             return FOURLINK_LOCKED;
     return FOURLINK_OK;
+}
+
+/* The moment in A, from those of the others. */
+static void follow_in_A(equations *e)
+{
+    double x[2];
+
+    if (e->n == e->n_coupled)
+        return;
+    add_columns(e, e->n_coupled, x);
+    e->y[e->n_coupled] = e->joint[e->n_coupled].factor * sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
 /* The part of the power that is not lost: of what the crank puts in, or of what it takes out; 0 if without friction
@@ -482,6 +504,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         status = find_sizes(&e);
     if (status != FOURLINK_OK)
         return status;
+    follow_in_A(&e);
     apply(state, &e, body);
     status = solve(kind, mechanism, state, body, &found);
     flk_virtual_work(state, body, &found);
@@ -491,8 +514,8 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     losses->Ts0 = Ts0;
     losses->efficiency = efficiency_of(
         found.Ts, Ts0, omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1);
-    if (kind->joint[3].slider && losses->guide != 0) /* the last load */
-        found.F14x = losses->load[losses->n_loads - 1].force.x;
+    if (kind->joint[3].slider && e.n_coupled && e.joint[e.n_coupled - 1].is_guide)
+        found.F14x = e.joint[e.n_coupled - 1].load[0].force.x;
     *forces = found;
     return FOURLINK_OK;
 }
