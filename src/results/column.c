@@ -12,6 +12,7 @@
 #include "column.h"
 #include "mechanics/mechanics.h"
 #include "point.h"
+#include "spring_column.h"
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
@@ -593,21 +594,6 @@ static double point_value(const flk_column *c, const flk_row *row)
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
 }
 
-/* In the order of the columns. */
-static double spring_value(const flk_column *c, const flk_row *row)
-{
-    const deck *d = c->springs_of;
-    fourlink_spring_state at;
-
-    if (fourlink_spring_at(&d->mechanism, &row->at.state, &d->springs[c->spring].spring, &at) !=
-        FOURLINK_OK)
-        return GSL_NAN;
-    return c->scale * (c->component == 0   ? at.length
-                       : c->component == 1 ? at.force
-                       : c->component == 2 ? at.energy
-                                           : at.power);
-}
-
 static int is_of_crank(const flk_column *c)
 {
     return !c->link && !c->springs_of && c->info->form == VALUE &&
@@ -638,7 +624,9 @@ double flk_column_value(const flk_column *c, const flk_row *row)
     if (c->link)
         return point_value(c, row);
     if (c->springs_of)
-        return spring_value(c, row);
+        return c->scale * flk_spring_column_value(&c->springs_of->mechanism,
+                                                  &c->springs_of->springs[c->spring].spring,
+                                                  c->component, &row->at.state);
     x = number_at(row, c->info->x);
     if (c->info->form == VALUE)
         return x * c->scale; /* nearly all columns */
