@@ -123,14 +123,16 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
     figure_note(s, p, name, torque, QUANTITY_TORQUE);
 }
 
-void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link)
+void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
+                             int with_friction)
 {
     fourlink_vector at = figure_point(p, r->now.state.link[link].origin);
+    unsigned long i, end = p->problem.n_loads - p->problem.n_gas_loads,
+                     friction = end - p->problem.n_friction_loads;
     const char *name = "";
-    unsigned long i;
 
     for (i = 0; i < p->problem.n_loads; i++)
-        if (r->loads[i].link == link) {
+        if (r->loads[i].link == link && (with_friction || i < friction || i >= end)) {
             fourlink_deck_load(p->deck, i, &name, NULL);
             arrow_draw_torque(s, p, PEN_LOAD, name, at, r->loads[i].torque);
         }

@@ -38,8 +38,9 @@ double arrow_largest(const arrow_list *arrows);
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
-/* Draw the torques of the loads on a link; draw any other torque. */
-void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link);
+/* Draw the torques of the loads on a link, those of friction too or not; draw any other torque. */
+void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
+                             int with_friction);
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque);
 

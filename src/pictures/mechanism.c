@@ -35,7 +35,7 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         arrow_draw_scale(s, p, QUANTITY_FORCE, scale, arrow_largest(&arrows));
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_draw_load_torques(s, p, r, link);
+        arrow_draw_load_torques(s, p, r, link, 0); /* links turn each other by friction */
     arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, r->now.forces.Ts);
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)

@@ -359,7 +359,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     } else {
         sketch_note(&s, all_zero(QUANTITY_FORCE));
     }
-    arrow_draw_load_torques(&s, p, r, b->link);
+    arrow_draw_load_torques(&s, p, r, b->link, 1);
     if (b->link == FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
     if (p->slot && b->link != FOURLINK_CRANK)
