@@ -212,10 +212,10 @@ on_slurm() {
     rm -f part*.csv slurm-*.out
     sed 's/samples = 20/samples = 10000000/' sweep.deck >long && mv long sweep.deck
     timeout 20 sbatch --quiet --array=1-2 this-file </dev/null
-    check 'a job runs' wait_for 20 sh -c '[ $(ls -A | grep -c part1) -gt 0 ]'
+    check 'a job runs' wait_for 20 sh -c 'ls -A | grep -q "^[.]fourlink"' # its temporary file
     timeout 20 scancel --user="$(id -un)"
     check 'the jobs end' wait_for 60 sh -c '[ -z "$(squeue -h)" ]'
-    check "cancelled jobs leave no file: $(ls -A)" test -z "$(ls -A | grep part)"
+    check "cancelled jobs leave no file: $(ls -A)" test -z "$(ls -A | grep -e part -e '^[.]fourlink')"
     echo '  two jobs cancelled: no part, no temporary file'
     cd "$work" || exit 1
     end_daemons
