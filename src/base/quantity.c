@@ -109,7 +109,7 @@ static const char *why_not_one(text t)
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
     const char *nearest = flk_unit_nearest(t, bad, flk_quantities[q].dim);
-    const char *why = t.start > whole.start ? why_not_one(t) : NULL;
+    const char *why = t.start != whole.start ? why_not_one(t) : NULL;
 
     if (nearest && flk_text_same(bad, nearest))
         nearest = NULL;
