@@ -5,11 +5,11 @@
 # size; the limits of a deck and of a card.
 . "$(dirname "$0")/../harness.sh"
 
-# fast STATUS ARGUMENT...: the program ends with this status in few seconds of processor time
+# fast STATUS ARGUMENT...: the program ends with this status in few seconds of processor time; sanitizers need more
 fast() {
     expected=$1
     shift
-    (ulimit -t 8 && exec "$fourlink" "$@") >out 2>err </dev/null
+    (ulimit -t ${TEST_SECONDS:-8} && exec "$fourlink" "$@") >out 2>err </dev/null
     status=$?
     check "exit status $status, expected $expected: fourlink $*" test $status -eq "$expected"
 }
