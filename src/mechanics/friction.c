@@ -111,8 +111,8 @@ static void load_guide(const fourlink_state *state, const flk_joint *guide, doub
 
 /* Speed of `on` against `from`, of the link that slides along the other, for a unit crank speed.  With r from the
 ** origin of the other link to that of the slider, the velocity of its point there is k r turned by 90 deg. */
-static double speed_of(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       const flk_joint *at)
+double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                          const flk_joint *at)
 {
     const fourlink_link_state *slider = &state->link[at->slider], *other;
     int number = at->from == at->slider ? at->on : at->from;
@@ -129,13 +129,19 @@ static double speed_of(const fourlink_mechanism *mechanism, const fourlink_state
     return FLK_DOT(v, slider->axis) / mechanism->design.link[FOURLINK_CRANK].length;
 }
 
+int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction)
+{
+    double omega2 = state->link[FOURLINK_CRANK].omega;
+
+    return omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1;
+}
+
 /* The joints that have friction and move. */
 static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
                         const fourlink_state *state, const fourlink_friction *friction,
                         equations *e)
 {
-    double omega2 = state->link[FOURLINK_CRANK].omega;
-    double direction = omega2 != 0 ? omega2 : (double)friction->direction;
+    int sense = flk_friction_sense(state, friction);
     double length = mechanism->design.link[FOURLINK_CRANK].length;
     int k;
 
@@ -149,7 +155,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
         j->is_guide = at->slider != 0;
         j->factor = j->is_guide ? friction->guide * length : friction->circle[i];
         j->couple = friction->guide_length > 0 ? 2 / friction->guide_length : 0;
-        j->speed = speed_of(mechanism, state, at) * (direction < 0 ? -1 : 1);
+        j->speed = flk_friction_speed(mechanism, state, at) * sense;
         j->n_loads = 0;
         if (!(j->factor > 0) || fabs(j->speed) <= STANDSTILL)
             continue;
@@ -512,8 +518,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return status != FOURLINK_OK ? status : FOURLINK_BAD_NUMBER;
     list_losses(&e, length, omega2, losses);
     losses->Ts0 = Ts0;
-    losses->efficiency = efficiency_of(
-        found.Ts, Ts0, omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1);
+    losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(state, friction));
     if (kind->joint[3].slider && e.n_coupled && e.joint[e.n_coupled - 1].is_guide)
         found.F14x = e.joint[e.n_coupled - 1].load[0].force.x;
     *forces = found;

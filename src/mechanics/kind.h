@@ -125,6 +125,12 @@ typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechani
 flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
 int flk_dyad_is_singular(const fourlink_state *state);
 
+/* The relative speed in a joint for a unit crank speed: of a pin in rad, of a slider along its slide over the length of
+** the crank.  The sense in which the crank turns, or is about to: 1 or -1 (friction.c). */
+double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                          const flk_joint *at);
+int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction);
+
 /* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 

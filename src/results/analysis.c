@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "analysis.h"
+#include "mechanics/kind.h"
 
 /* What can be computed for a deck. */
 static int possible(const deck *d)
@@ -51,7 +52,7 @@ static void add_on_ground(const flk_analysis *a, const fourlink_instant *at, flk
 {
     const deck *d = a->d;
     const fourlink_link_state *link = at->state.link;
-    double sense = link[2].omega < 0 || (link[2].omega == 0 && d->friction.direction < 0) ? -1 : 1;
+    double sense = flk_friction_sense(&at->state, &d->friction);
     fourlink_spring_state s;
     unsigned long i;
 

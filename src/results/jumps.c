@@ -36,23 +36,13 @@ typedef struct search {
     double *last, *now;
 } search;
 
-/* The relative speed in a joint. */
-static double speed_in(const flk_kind *kind, const fourlink_state *state, int joint)
-{
-    if (kind->joint[joint].slider)
-        return joint == 2 ? state->slide_v : state->v;
-    return joint == 0   ? state->link[2].omega
-           : joint == 1 ? state->link[3].omega - state->link[2].omega
-           : joint == 2 ? state->link[4].omega - state->link[3].omega
-                        : state->link[4].omega;
-}
-
 static double value_of(const search *s, const zero *z, const fourlink_state *state)
 {
     double x;
 
     if (z->joint >= 0)
-        return speed_in(flk_kind_of(s->d->design.kind), state, z->joint);
+        return flk_friction_speed(&s->d->mechanism, state,
+                                  &flk_kind_of(s->d->design.kind)->joint[z->joint]);
     x = flk_deck_argument(state, z->over) - z->at;
     return z->over == OVER_THETA4 ? x - 2 * M_PI * floor(x / (2 * M_PI) + 0.5) : x;
 }
