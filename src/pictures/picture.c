@@ -111,6 +111,16 @@ char *picture_words(const picture *p, const char *name, double si, quantity q,
                          (char *)NULL);
 }
 
+double picture_end(const fourlink_motion *motion)
+{
+    fourlink_range range;
+    fourlink_row last;
+
+    fourlink_motion_range(motion, &range);
+    fourlink_motion_row(motion, &range, range.n_rows - 1, &last);
+    return range.stops ? range.stop_angle : last.angle;
+}
+
 double picture_angle(const picture *p, int k, int steps)
 {
     double from = p->problem.motion.from;
@@ -369,7 +379,6 @@ static void close_deck(picture *p)
 static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
 {
     int status = fourlink_results_open(source, 1, &p->results, mistake, NULL), q;
-    fourlink_row last;
 
     if (status == FOURLINK_BAD_DECK)
         return 0;
@@ -390,8 +399,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     if (p->problem.crossed)
         p->branches[p->n_branches++] = FOURLINK_CROSSED;
     fourlink_motion_range(&p->problem.motion, &p->range);
-    fourlink_motion_row(&p->problem.motion, &p->range, p->range.n_rows - 1, &last);
-    p->end = p->range.stops ? p->range.stop_angle : last.angle;
+    p->end = picture_end(&p->problem.motion);
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
     return p->loads || run_out_of_memory(p);

@@ -173,6 +173,9 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
+/* The last crank angle of a motion, in its unit. */
+double picture_end(const fourlink_motion *motion);
+
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit. */
 double picture_angle(const picture *p, int k, int steps);
 

@@ -7,6 +7,7 @@
 
 #include "base/format.h"
 #include "base/text.h"
+#include "pictures/picture.h"
 #include "report.h"
 #include "tables/sheet.h"
 
@@ -86,12 +87,8 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
 static double usual_angle(const report *r)
 {
     const fourlink_motion *motion = &r->problem.motion;
-    fourlink_range range;
-    fourlink_row last;
 
-    fourlink_motion_range(motion, &range);
-    fourlink_motion_row(motion, &range, range.n_rows - 1, &last);
-    return motion->from + ((range.stops ? range.stop_angle : last.angle) - motion->from) / 6;
+    return motion->from + (picture_end(motion) - motion->from) / 6;
 }
 
 /* Find the position of the sample calculation.  Where the linkage cannot be assembled at the usual angle, it is the
