@@ -65,11 +65,15 @@ static void put_drawing(report *r, FILE *drawing, plot_kind kind, const char *al
 static void put_figure(report *r, plot_kind kind, const char *at, const char *alt,
                        const char *caption)
 {
-    FILE *drawing = system_scratch(), *shorter = system_scratch();
+    FILE *drawing, *shorter;
 
+    if (r->gnuplot)
+        return;
+    drawing = system_scratch();
+    shorter = system_scratch();
     if (!drawing || !shorter)
         miss(r, strerror(errno));
-    else if (!r->gnuplot && draw(r, drawing, kind, at)) {
+    else if (draw(r, drawing, kind, at)) {
         if (compact_svg(drawing, shorter))
             put_drawing(r, shorter, kind, alt, caption);
         else

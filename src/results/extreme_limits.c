@@ -493,9 +493,11 @@ static int is_rough(const flk_search *x, size_t c, const approach *e)
     t->doubt = GSL_MAX_DBL(10 * l.error, TINY * l.size);
     t->most_near_end = l.error <= KNOWN * l.size ? e->x[l.scale][NODES - 1] : 0;
     t->near_end.n = 0;
+    if (l.scale == 0 && l.error <= 1e-10 * l.size)
+        return 0;
     for (k = 0; k < NODES; k++)
         flk_polynomial_add(&t->near_end, e->x[l.scale][k], y[l.scale][k]);
-    return !(l.scale == 0 && l.error <= 1e-10 * l.size);
+    return 1;
 }
 
 static void offer_pole(const flk_search *x, flk_tracked *t, const approach *e, int which)
