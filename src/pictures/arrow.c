@@ -48,12 +48,31 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
         arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_4, pins.C, f->F34x, f->F34y);
     else if (by == FOURLINK_FOLLOWER)
         arrow_add(arrows, PEN_FORCE, "F" SUB_4 SUB_3, pins.C, -f->F34x, -f->F34y);
+    else if (p->slides) /* F14x is the friction, a load */
+        arrow_add(arrows, PEN_FORCE, "N", pins.C, 0, f->F14y);
     else
-        arrow_add(arrows, PEN_FORCE, p->slides ? "N" : "F" SUB_1 SUB_4, p->slides ? pins.C : pins.D,
-                  f->F14x, f->F14y);
+        arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_4, pins.D, f->F14x, f->F14y);
 }
 
-void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link)
+/* The order of the loads: those of the deck, springs, friction, gas. */
+static int is_friction(const picture *p, unsigned long i)
+{
+    unsigned long end = p->problem.n_loads - p->problem.n_gas_loads;
+
+    return i < end && i >= end - p->problem.n_friction_loads;
+}
+
+static int is_drawn(const picture *p, unsigned long i, int is_free)
+{
+    unsigned long end = p->problem.n_loads - p->problem.n_gas_loads - p->problem.n_friction_loads;
+
+    if (is_friction(p, i))
+        return is_free || p->slides;
+    return is_free || i >= end || i < end - p->problem.n_spring_loads;
+}
+
+void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link,
+                     int is_free)
 {
     static const char *const weights[5] = {"", "", "W" SUB_2, "W" SUB_3, "W" SUB_4};
     const fourlink_link *body = &p->design->link[link];
@@ -68,7 +87,7 @@ void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r,
         const fourlink_load *load = &r->loads[i];
         fourlink_vector F = load->force;
 
-        if (load->link != link)
+        if (load->link != link || !is_drawn(p, i, is_free))
             continue;
         if (load->frame == FOURLINK_FRAME_LINK) {
             F.x = load->force.x * axis->x - load->force.y * axis->y;
@@ -124,15 +143,14 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
 }
 
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
-                             int with_friction)
+                             int is_free)
 {
     fourlink_vector at = figure_point(p, r->now.state.link[link].origin);
-    unsigned long i, end = p->problem.n_loads - p->problem.n_gas_loads,
-                     friction = end - p->problem.n_friction_loads;
     const char *name = "";
+    unsigned long i;
 
     for (i = 0; i < p->problem.n_loads; i++)
-        if (r->loads[i].link == link && (with_friction || i < friction || i >= end)) {
+        if (r->loads[i].link == link && is_drawn(p, i, is_free) && !is_friction(p, i)) {
             fourlink_deck_load(p->deck, i, &name, NULL);
             arrow_draw_torque(s, p, PEN_LOAD, name, at, r->loads[i].torque);
         }

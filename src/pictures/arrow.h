@@ -28,9 +28,13 @@ void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
                double y);
 
-/* Add the force of a link on another, at their pin or at the guide; add a link's weight and loads. */
+/* Add the force of a link on another, at their pin or at the guide, which is without its friction. */
 void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on);
-void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link);
+
+/* Add a link's weight and loads.  Those of a link cut free (`is_free`) have springs among them, and the friction of
+** a slider on its link; in a whole mechanism springs are drawn as such. */
+void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link,
+                     int is_free);
 
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);
@@ -38,9 +42,9 @@ double arrow_largest(const arrow_list *arrows);
 /* Draw the forces, with so many units of length for a newton, and put their values beside the drawing. */
 void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double scale);
 
-/* Draw the torques of the loads on a link, those of friction too or not; draw any other torque. */
+/* Draw the torques of these loads, but those of friction in pins; draw any other torque. */
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
-                             int with_friction);
+                             int is_free);
 void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, fourlink_vector at,
                        double torque);
 

@@ -29,10 +29,23 @@ fourlink_vector figure_point(const picture *p, fourlink_vector si)
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at)
 {
-    fourlink_vector place = {0, 0};
+    fourlink_vector place = *at;
 
-    fourlink_point(state, link, at, &place, NULL, NULL);
+    if (link != FOURLINK_GROUND)
+        fourlink_point(state, link, at, &place, NULL, NULL);
     return figure_point(p, place);
+}
+
+void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
+{
+    double along = gsl_hypot(second.x - first.x, second.y - first.y);
+    double ways =
+        gsl_hypot(at.x - first.x, at.y - first.y) + gsl_hypot(at.x - second.x, at.y - second.y);
+
+    if (ways > along * (1 + 1e-9)) {
+        sketch_line(s, PEN_CONSTRUCTION, first, at);
+        sketch_line(s, PEN_CONSTRUCTION, second, at);
+    }
 }
 
 /* A link's second pin. */
@@ -104,6 +117,21 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
     return figure_of_link(p, state, *link, &at);
 }
 
+/* Make room for the ends of the springs. */
+static void include_springs(sketch *s, const picture *p, const fourlink_state *state)
+{
+    fourlink_spring spring;
+    unsigned long i;
+
+    for (i = 0; i < p->problem.n_springs; i++) {
+        fourlink_deck_spring(p->deck, i, NULL, &spring);
+        if (spring.is_torsional)
+            continue;
+        sketch_include(s, figure_of_link(p, state, spring.link, &spring.at));
+        sketch_include(s, figure_of_link(p, state, spring.to, &spring.to_at));
+    }
+}
+
 /* Make room for one position, and for the guide of a piston. */
 static void include_position(sketch *s, const picture *p, const fourlink_state *state,
                              double margin)
@@ -127,6 +155,7 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     }
     for (i = 0; i < p->problem.n_points; i++)
         sketch_include(s, tracer(p, state, i, &name, &link));
+    include_springs(s, p, state);
 }
 
 /* Make room for all positions of a branch. */

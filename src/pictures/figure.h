@@ -20,9 +20,12 @@ figure_pins figure_place(const picture *p, const fourlink_state *state);
 double figure_length(const picture *p, double si);
 fourlink_vector figure_point(const picture *p, fourlink_vector si);
 
-/* The place of a point of a link, given in m in the link's own axes. */
+/* The place of a point of a link or of the ground, given in m in the link's own axes. */
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at);
+
+/* Draw thin lines from the pins of a link to a point that is off their line. */
+void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at);
 
 /* Begin a drawing of the mechanism on a branch, scaled to its whole motion.  With `all_of_it` it keeps room
 ** for the whole motion, and all positions have the same scale. */

@@ -4,6 +4,7 @@
 ** motion from first to last.
 */
 #include "arrow.h"
+#include "spring.h"
 
 #define GHOSTS 12
 #define FRAMES 60
@@ -28,14 +29,14 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         arrow_add_joint(&arrows, p, r, link, link + 1);
     arrow_add_joint(&arrows, p, r, FOURLINK_GROUND, FOURLINK_FOLLOWER);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_add_loads(&arrows, p, r, link);
+        arrow_add_loads(&arrows, p, r, link, 0);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
         arrow_draw_scale(s, p, QUANTITY_FORCE, scale, arrow_largest(&arrows));
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_draw_load_torques(s, p, r, link, 0); /* links turn each other by friction */
+        arrow_draw_load_torques(s, p, r, link, 0);
     arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, r->now.forces.Ts);
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
@@ -95,6 +96,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_frame(&s, p, &r.now.state);
     draw_others(&s, p, branch);
     figure_draw(&s, p, &r.now.state, 1);
+    spring_draw(&s, p, &r.now.state, 1);
     if (p->problem.has_forces)
         draw_forces(&s, p, &r);
     figure_gravity(&s, p);
@@ -117,6 +119,7 @@ const char *picture_animation(picture *p, fourlink_branch branch)
         figure_paths(&s, p, branch, &now.row.angle);
         figure_frame(&s, p, &now.state);
         figure_draw(&s, p, &now.state, 0);
+        spring_draw(&s, p, &now.state, 0);
         figure_close(&s, p, &now, "");
         drawn++;
     }

@@ -35,6 +35,9 @@ static const struct plot_info {
 #define HIGHEST 600 /* two of them are a page */
 #define OUTLINE_STEPS 72
 
+/* Free bodies with friction circles or springs are so many times larger. */
+#define CROWDED 1.3
+
 /* By plot_file, with width and height. */
 static const struct {
     const char *ending, *terminal;
@@ -152,14 +155,25 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
 static int lines_beside(const picture *p, int each_link)
 {
     int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n_own = p->problem.n_loads - p->problem.n_gas_loads;
+    unsigned long i, n_gas = p->problem.n_loads - p->problem.n_gas_loads,
+                     n_own = n_gas - p->problem.n_friction_loads - p->problem.n_spring_loads;
+    fourlink_spring spring;
     const char *name;
 
     fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
-    for (i = 0; i < p->problem.n_loads; i++) {
+    for (i = 0; i < n_own; i++) {
         fourlink_deck_load(p->deck, i, &name, &has_torque);
-        lines[i < n_own ? p->loads[i].link : FOURLINK_FOLLOWER] += has_torque ? 2 : 1;
+        lines[p->loads[i].link] += has_torque ? 2 : 1;
     }
+    for (i = 0; i < p->problem.n_springs; i++) {
+        fourlink_deck_spring(p->deck, i, NULL, &spring);
+        lines[each_link ? spring.link : FOURLINK_FOLLOWER]++;
+        lines[each_link ? spring.to : FOURLINK_GROUND]++;
+    }
+    if (p->problem.n_friction_loads) /* of the guide, and the circles of the pins */
+        lines[FOURLINK_FOLLOWER] += 2;
+    lines[FOURLINK_FOLLOWER] += (int)p->problem.n_gas_loads;
+    lines[FOURLINK_GROUND] = 0;
     for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
         sum += lines[link] + (p->design->link[link].mass > 0);
         most = lines[link] > most ? lines[link] : most;
@@ -181,9 +195,10 @@ static double turn_of(const picture *p)
 static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at,
                  const fourlink_state *state)
 {
-    fourlink_vector place = {0, 0};
+    fourlink_vector place = *at;
 
-    fourlink_point(state, link, at, &place, NULL, NULL);
+    if (link != FOURLINK_GROUND)
+        fourlink_point(state, link, at, &place, NULL, NULL);
     sketch_grow(b, cos(turn) * place.x - sin(turn) * place.y,
                 sin(turn) * place.x + cos(turn) * place.y);
 }
@@ -194,6 +209,7 @@ static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
     fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
     sketch_box b = sketch_nothing;
     fourlink_instant now;
+    fourlink_spring spring;
     double turn = turn_of(p);
     const char *name;
     unsigned long i;
@@ -208,6 +224,11 @@ static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
         for (i = 0; i < p->problem.n_points; i++) {
             fourlink_deck_point(p->deck, i, &name, &link, &at);
             grow(&b, turn, link, &at, &now.state);
+        }
+        for (i = 0; i < p->problem.n_springs; i++) {
+            fourlink_deck_spring(p->deck, i, NULL, &spring);
+            grow(&b, turn, spring.link, spring.is_torsional ? &origin : &spring.at, &now.state);
+            grow(&b, turn, spring.to, spring.is_torsional ? &origin : &spring.to_at, &now.state);
         }
     }
     return b;
@@ -246,9 +267,14 @@ static void lay_out(picture *p, FILE *out)
     const fourlink_value *outputs;
     unsigned long n = 0;
     double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
+    double width = info->width;
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
+    if (is_vectors && !is_text && p->problem.n_friction_loads + p->problem.n_springs) {
+        width *= CROWDED;
+        height *= CROWDED;
+    }
     if (p->request->kind == PLOT_COLUMNS)
         n = (unsigned long)picture_column_panels(p);
     if (picture_has_outputs(p))
@@ -267,7 +293,7 @@ static void lay_out(picture *p, FILE *out)
             floor(GSL_MAX_DBL(height_of_drawing(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
-    canvas_open(&p->on, out, is_text, columns, rows, info->width, height, beside > 0 ? beside : 0);
+    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0);
     p->on.turn = turn_of(p);
 }
 

@@ -12,7 +12,8 @@
 
 #include <gsl/gsl_math.h>
 
-#include "arrow.h"
+#include "friction_circle.h"
+#include "spring.h"
 
 /* The height of a letter in these small drawings. */
 #define LETTER 0.045
@@ -273,14 +274,37 @@ static void put_accelerations(picture *p, const fourlink_state *state)
 typedef struct free_body {
     int link, slides;
     fourlink_vector first, second, G; /* its pins, and its centre of mass */
+    double length;
+    friction_circle circle[2]; /* of the pins */
+    double circle_scale;
     arrow_list forces;
 } free_body;
+
+/* Add the force at a pin, 0 or 1, by a neighbour; returns its place in the list, -1 if it is 0. */
+static int add_pin(free_body *b, const picture *p, const picture_row *r, int pin, int by)
+{
+    int n = b->forces.n;
+
+    arrow_add_joint(&b->forces, p, r, by, b->link);
+    b->circle[pin] = friction_circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
+                                        n < b->forces.n ? b->forces.list[n].F : zero);
+    return n < b->forces.n ? n : -1;
+}
+
+/* Move the force of a pin to where it touches the friction circle. */
+static void touch(free_body *b, int pin, int i)
+{
+    if (i >= 0)
+        b->forces.list[i].at = friction_circle_touch(&b->circle[pin], b->circle_scale,
+                                                     b->forces.list[i].at, b->forces.list[i].F);
+}
 
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
     const fourlink_link *body = &p->design->link[link];
     const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
+    int first, second;
     fourlink_vector a_G;
 
     b->link = link;
@@ -290,32 +314,38 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
                 : link == FOURLINK_COUPLER || b->slides ? pins.C
                                                         : pins.D;
     b->G = figure_of_link(p, state, link, &body->cg);
+    b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
+    if (b->length == 0)
+        b->length = figure_length(p, p->design->link[FOURLINK_CRANK].length);
     b->forces.n = 0;
-    arrow_add_joint(&b->forces, p, r, link - 1, link);
-    arrow_add_joint(&b->forces, p, r, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1, link);
-    arrow_add_loads(&b->forces, p, r, link);
+    first = add_pin(b, p, r, 0, link - 1);
+    second = add_pin(b, p, r, 1, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1);
+    b->circle_scale = friction_circle_scale(b->length, &b->circle[0], &b->circle[1]);
+    touch(b, 0, first);
+    touch(b, 1, second);
+    arrow_add_loads(&b->forces, p, r, link, 1);
     fourlink_point(state, link, &body->cg, NULL, NULL, &a_G);
     arrow_add(&b->forces, PEN_RESULT, "-m aG", b->G, -body->mass * a_G.x, -body->mass * a_G.y);
 }
 
-/* Draw thin lines from the pins to a point that is off the link's line. */
-static void draw_off(sketch *s, const free_body *b, fourlink_vector at)
+/* Draw a pin, in the middle of its friction circle if it has one. */
+static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
 {
-    double along = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
-    double ways = gsl_hypot(at.x - b->first.x, at.y - b->first.y) +
-                  gsl_hypot(at.x - b->second.x, at.y - b->second.y);
+    static const char *const letters[2][4] = {{"A", "B", "C", "D"}, {"A", "B", "B", "D"}};
+    fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
 
-    if (ways > along * (1 + 1e-9)) {
-        sketch_line(s, PEN_CONSTRUCTION, b->first, at);
-        sketch_line(s, PEN_CONSTRUCTION, b->second, at);
+    if (b->circle[pin].radius > 0) {
+        friction_circle_draw(s, &b->circle[pin], b->circle_scale, at);
+        sketch_dot(s, at);
+    } else {
+        sketch_pin(s, at);
     }
+    figure_letter(s, at, other, other, letters[p->slot != 0][b->link - FOURLINK_CRANK + pin]);
 }
 
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
 static void draw_body(sketch *s, const picture *p, const picture_row *r, const free_body *b)
 {
-    static const char *const all[2][4] = {{"A", "B", "C", "D"}, {"A", "B", "B", "D"}};
-    const char *const *letters = all[p->slot != 0];
     unsigned long i;
 
     if (b->slides)
@@ -326,36 +356,31 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         sketch_line(s, (pen)b->link, b->first, b->second);
     for (i = 0; i < p->problem.n_loads; i++)
         if (r->loads[i].link == b->link)
-            draw_off(s, b, figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
+            figure_off(s, b->first, b->second,
+                       figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
     if (p->design->link[b->link].mass > 0) {
-        draw_off(s, b, b->G);
+        figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G);
     }
-    sketch_pin(s, b->first);
-    figure_letter(s, b->first, b->second, b->second, letters[b->link - 2]);
-    if (!b->slides) {
-        sketch_pin(s, b->second);
-        figure_letter(s, b->second, b->first, b->first, letters[b->link - 1]);
-    }
+    draw_pin(s, p, b, 0);
+    if (!b->slides)
+        draw_pin(s, p, b, 1);
 }
 
 /* Draw the body with forces and torques. */
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
     double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
-    double size = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
     double largest = arrow_largest(&b->forces);
     char words[80];
     sketch s;
 
-    if (size == 0)
-        size = figure_length(p, p->design->link[FOURLINK_CRANK].length);
-    sketch_open(&s, &p->on, 1.4 * size);
+    sketch_open(&s, &p->on, 1.4 * b->length);
     s.letter = LETTER;
     draw_body(&s, p, r, b);
     if (largest > 0) {
-        arrow_draw(&b->forces, &s, p, 0.8 * size / largest);
-        arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * size / largest, largest);
+        arrow_draw(&b->forces, &s, p, 0.8 * b->length / largest);
+        arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * b->length / largest, largest);
     } else {
         sketch_note(&s, all_zero(QUANTITY_FORCE));
     }
@@ -365,8 +390,12 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     if (p->slot && b->link != FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
                           b->slides ? -r->now.forces.M34 : r->now.forces.M34);
+    if (p->slides && b->slides && b->circle[0].arm != 0)
+        arrow_draw_torque(&s, p, PEN_FORCE, "M" SUB_1 SUB_4, b->first, r->now.forces.M14);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);
+    if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
+        friction_circle_note(&s, b->circle_scale);
     flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, b->link),
                   (char *)NULL);
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
@@ -397,6 +426,7 @@ static void put_mechanism(picture *p, const fourlink_instant *now)
     s.letter = LETTER;
     figure_frame(&s, p, &now->state);
     figure_draw(&s, p, &now->state, 1);
+    spring_draw(&s, p, &now->state, 0);
     figure_close(&s, p, now, "");
 }
 

@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** spring.c - springs as a zigzag, dampers as a cylinder with its piston, torsional springs as a spiral.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "spring.h"
+
+#define FEWEST_TEETH 5
+#define MOST_TEETH 15
+#define USUAL_TEETH 8 /* without a free length, from which their number follows */
+#define TURNS 2       /* of a spiral */
+#define SPIRAL_STEPS 60
+
+/* As fractions of the drawing: half the width of a zigzag and of a cylinder, the distance of a spring's teeth when it
+** is free, and the radius of a spiral. */
+#define HALF_WIDTH 0.018
+#define PITCH 0.035
+#define RADIUS 0.05
+
+/* As fractions of the length of a spring: its straight ends, and a damper's cylinder and piston. */
+#define LEAD 0.2
+#define CYLINDER 0.3
+#define PISTON 0.55
+#define OPEN_END 0.7
+
+/* A spring from one end to the other, and a parallel to it where spring and damper are side by side. */
+typedef struct strand {
+    sketch *s;
+    fourlink_vector from, along,
+        across;  /* the whole length; half the width of a zigzag, to the left */
+    double side; /* of the parallel, in these halves */
+} strand;
+
+/* A place, by fractions of the length and halves of the width. */
+static fourlink_vector place(const strand *x, double along, double across)
+{
+    across += x->side;
+    return sketch_beside(x->from, along * x->along.x + across * x->across.x,
+                         along * x->along.y + across * x->across.y);
+}
+
+static void put_line(const strand *x, double along, double across, double to_along,
+                     double to_across)
+{
+    sketch_line(x->s, PEN_GROUND, place(x, along, across), place(x, to_along, to_across));
+}
+
+/* The number stays while the spring is compressed or drawn out. */
+static int teeth_of(const sketch *s, double free_length)
+{
+    double n = free_length > 0 ? floor((1 - 2 * LEAD) * free_length / (PITCH * s->size) + 0.5)
+                               : USUAL_TEETH;
+
+    return (int)GSL_MIN_DBL(GSL_MAX_DBL(n, FEWEST_TEETH), MOST_TEETH);
+}
+
+static void put_zigzag(const strand *x, int teeth)
+{
+    double step = (1 - 2 * LEAD) / (2 * teeth), last = 0;
+    int i;
+
+    for (i = 0; i < 2 * teeth; i++) {
+        double next = i == 2 * teeth - 1 ? 0 : i % 2 ? -1 : 1;
+
+        put_line(x, LEAD + i * step, last, LEAD + (i + 1) * step, next);
+        last = next;
+    }
+}
+
+static void put_damper(const strand *x)
+{
+    put_line(x, LEAD, 0, CYLINDER, 0);
+    put_line(x, CYLINDER, -1, CYLINDER, 1);
+    put_line(x, CYLINDER, -1, OPEN_END, -1);
+    put_line(x, CYLINDER, 1, OPEN_END, 1);
+    put_line(x, PISTON, -0.7, PISTON, 0.7);
+    put_line(x, PISTON, 0, 1 - LEAD, 0);
+}
+
+/* Ground at an end, across the spring. */
+static void put_wall(const strand *x, double at, double outward)
+{
+    int i;
+
+    put_line(x, at, -1.2, at, 1.2);
+    for (i = -1; i <= 2; i++) {
+        fourlink_vector p = place(x, at, 0.8 * i - 0.4);
+        double h = 0.8 * gsl_hypot(x->across.x, x->across.y);
+        double length = gsl_hypot(x->along.x, x->along.y);
+
+        sketch_line(x->s, PEN_CONSTRUCTION, p,
+                    sketch_beside(p, outward * h * x->along.x / length - 0.8 * x->across.x,
+                                  outward * h * x->along.y / length - 0.8 * x->across.y));
+    }
+}
+
+/* Draw the place of an end on its link: a point, with thin lines if it is off the link's line; or ground. */
+static void put_end(const strand *x, const picture *p, const fourlink_state *state, int link,
+                    double at)
+{
+    figure_pins pins = figure_place(p, state);
+    fourlink_vector end = place(x, at, -x->side);
+
+    if (link == FOURLINK_GROUND) {
+        put_wall(x, at, at > 0 ? 1 : -1);
+        return;
+    }
+    if (link == FOURLINK_CRANK)
+        figure_off(x->s, pins.A, pins.B, end);
+    else if (!fourlink_slides(p->kind, link))
+        figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
+    sketch_dot(x->s, end);
+}
+
+static void draw_linear(sketch *s, const picture *p, const fourlink_state *state,
+                        const fourlink_spring *spring, const char *name)
+{
+    fourlink_vector to = figure_of_link(p, state, spring->to, &spring->to_at);
+    int is_damper = spring->damping > 0, is_both = is_damper && spring->stiffness != 0;
+    double length, half = HALF_WIDTH * s->size, end;
+    strand x;
+
+    x.s = s;
+    x.side = 0;
+    x.from = figure_of_link(p, state, spring->link, &spring->at);
+    x.along = sketch_at(to.x - x.from.x, to.y - x.from.y);
+    length = gsl_hypot(x.along.x, x.along.y);
+    if (length == 0)
+        return;
+    x.across = sketch_at(-half * x.along.y / length, half * x.along.x / length);
+    put_end(&x, p, state, spring->link, 0);
+    put_end(&x, p, state, spring->to, 1);
+    put_line(&x, 0, 0, LEAD, 0);
+    put_line(&x, 1 - LEAD, 0, 1, 0);
+    end = is_both ? 1.4 : 0;
+    put_line(&x, LEAD, -end, LEAD, end);
+    put_line(&x, 1 - LEAD, -end, 1 - LEAD, end);
+    x.side = end;
+    if (is_both || !is_damper)
+        put_zigzag(&x, teeth_of(s, figure_length(p, spring->free_length)));
+    x.side = -end;
+    if (is_damper)
+        put_damper(&x);
+    x.side = 0;
+    sketch_text(s, place(&x, 0.5, end + 1), x.across.x, x.across.y, name);
+}
+
+/* The pin of two links, in any order; A of a pair that has none. */
+static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
+                              const fourlink_spring *spring)
+{
+    figure_pins pins = figure_place(p, state);
+    int low = GSL_MIN_INT(spring->link, spring->to), high = GSL_MAX_INT(spring->link, spring->to);
+
+    if (high == FOURLINK_FOLLOWER)
+        return low == FOURLINK_COUPLER || p->slides ? pins.C : pins.D;
+    return low == FOURLINK_CRANK ? pins.B : high == FOURLINK_CRANK ? pins.A : pins.B;
+}
+
+/* The direction of a link from a pin; of the ground downwards. */
+static double direction_from(const picture *p, const fourlink_state *state, int link,
+                             fourlink_vector pin)
+{
+    fourlink_vector origin;
+    double theta;
+
+    if (link == FOURLINK_GROUND)
+        return -M_PI_2;
+    origin = figure_point(p, state->link[link].origin);
+    theta = state->link[link].theta;
+    return gsl_hypot(origin.x - pin.x, origin.y - pin.y) <
+                   0.5 * figure_length(p, p->design->link[link].length)
+               ? theta
+               : theta + M_PI;
+}
+
+static void draw_torsional(sketch *s, const picture *p, const fourlink_state *state,
+                           const fourlink_spring *spring, const char *name)
+{
+    fourlink_vector pin = pin_of(p, state, spring), last = pin;
+    double from = direction_from(p, state, spring->to, pin);
+    double span = direction_from(p, state, spring->link, pin) - from, angle = from;
+    int i;
+
+    span += 2 * M_PI * (TURNS - floor(span / (2 * M_PI)));
+    for (i = 1; i <= SPIRAL_STEPS; i++) {
+        double part = (double)i / SPIRAL_STEPS, radius = (0.3 + 0.7 * part) * RADIUS * s->size;
+        fourlink_vector next;
+
+        angle = from + span * part;
+        next = sketch_beside(pin, radius * cos(angle), radius * sin(angle));
+        if (i > 1)
+            sketch_line(s, PEN_GROUND, last, next);
+        last = next;
+    }
+    sketch_text(
+        s, sketch_beside(pin, RADIUS * s->size * cos(angle + 2), RADIUS * s->size * sin(angle + 2)),
+        cos(angle + 2), sin(angle + 2), name);
+}
+
+void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int has_values)
+{
+    fourlink_spring spring;
+    fourlink_spring_state at;
+    const char *name = "";
+    unsigned long i;
+
+    for (i = 0; i < p->problem.n_springs; i++) {
+        fourlink_deck_spring(p->deck, i, &name, &spring);
+        (spring.is_torsional ? draw_torsional : draw_linear)(s, p, state, &spring, name);
+        if (has_values && fourlink_spring_at(p->mechanism, state, &spring, &at) == FOURLINK_OK)
+            figure_note(s, p, name, at.force,
+                        spring.is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE);
+    }
+}
