@@ -27,14 +27,6 @@ static const struct plot_info {
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
 #define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
 
-/* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
-** its limits; and the steps in which the motion is measured. */
-#define BESIDE 330
-#define ABOVE_AND_BELOW 110
-#define LOWEST 330
-#define HIGHEST 600 /* two of them are a page */
-#define OUTLINE_STEPS 72
-
 /* Free bodies with friction circles or springs are so many times larger. */
 #define CROWDED 1.3
 
@@ -150,109 +142,6 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
     return status == FOURLINK_OK ? FOURLINK_OK : first;
 }
 
-/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of each
-** link. */
-static int lines_beside(const picture *p, int each_link)
-{
-    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n_gas = p->problem.n_loads - p->problem.n_gas_loads,
-                     n_own = n_gas - p->problem.n_friction_loads - p->problem.n_spring_loads;
-    fourlink_spring spring;
-    const char *name;
-
-    fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
-    for (i = 0; i < n_own; i++) {
-        fourlink_deck_load(p->deck, i, &name, &has_torque);
-        lines[p->loads[i].link] += has_torque ? 2 : 1;
-    }
-    for (i = 0; i < p->problem.n_springs; i++) {
-        fourlink_deck_spring(p->deck, i, NULL, &spring);
-        lines[each_link ? spring.link : FOURLINK_FOLLOWER]++;
-        lines[each_link ? spring.to : FOURLINK_GROUND]++;
-    }
-    if (p->problem.n_friction_loads) /* of the guide, and the circles of the pins */
-        lines[FOURLINK_FOLLOWER] += 2;
-    lines[FOURLINK_FOLLOWER] += (int)p->problem.n_gas_loads;
-    lines[FOURLINK_GROUND] = 0;
-    for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
-        sum += lines[link] + (p->design->link[link].mass > 0);
-        most = lines[link] > most ? lines[link] : most;
-    }
-    if (p->problem.has_forces)
-        sum += 9; /* pin forces, torque, and what the arrows mean */
-    return each_link ? 7 + most : 8 + sum + (int)p->problem.n_points;
-}
-
-/* The angle by which the x axis rises, rad: drawings are turned by it. */
-static double turn_of(const picture *p)
-{
-    fourlink_vector g = p->design->gravity;
-    double slope = g.x != 0 || g.y != 0 ? atan2(-g.x, -g.y) : 0;
-
-    return fabs(slope) < 1e-9 ? 0 : slope;
-}
-
-static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at,
-                 const fourlink_state *state)
-{
-    fourlink_vector place = *at;
-
-    if (link != FOURLINK_GROUND)
-        fourlink_point(state, link, at, &place, NULL, NULL);
-    sketch_grow(b, cos(turn) * place.x - sin(turn) * place.y,
-                sin(turn) * place.x + cos(turn) * place.y);
-}
-
-/* The room that the mechanism needs on a branch. */
-static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
-{
-    fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
-    sketch_box b = sketch_nothing;
-    fourlink_instant now;
-    fourlink_spring spring;
-    double turn = turn_of(p);
-    const char *name;
-    unsigned long i;
-    int k, link;
-
-    for (k = 0; k <= OUTLINE_STEPS; k++) {
-        if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
-            continue;
-        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-            grow(&b, turn, link, &origin, &now.state);
-        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
-        for (i = 0; i < p->problem.n_points; i++) {
-            fourlink_deck_point(p->deck, i, &name, &link, &at);
-            grow(&b, turn, link, &at, &now.state);
-        }
-        for (i = 0; i < p->problem.n_springs; i++) {
-            fourlink_deck_spring(p->deck, i, NULL, &spring);
-            grow(&b, turn, spring.link, spring.is_torsional ? &origin : &spring.at, &now.state);
-            grow(&b, turn, spring.to, spring.is_torsional ? &origin : &spring.to_at, &now.state);
-        }
-    }
-    return b;
-}
-
-/* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
-static double height_of_drawing(const picture *p, double width)
-{
-    double highest = LOWEST, x, y, border;
-    int i;
-
-    for (i = 0; i < p->n_branches; i++) {
-        sketch_box b = box_of_motion(p, p->branches[i]);
-
-        x = b.x_max - b.x_min;
-        y = b.y_max - b.y_min;
-        border = 0.35 * GSL_MAX_DBL(x, y);
-        if (x > 0 && y >= 0)
-            highest = GSL_MAX_DBL(highest,
-                                  (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
-    }
-    return GSL_MIN_DBL(highest, HIGHEST);
-}
-
 int picture_has_outputs(const picture *p)
 {
     return p->problem.has_outputs && p->problem.n_designs &&
@@ -287,14 +176,15 @@ static void lay_out(picture *p, FILE *out)
                                     SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
     if (p->request->kind == PLOT_KLEIN && p->has_inset)
         rows = 2;
-    lines = info->needs & PLOT_DRAWING ? lines_beside(p, is_vectors) : 0;
+    if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
+        rows = ((p->slot ? 4 : p->slides ? 5 : 6) + (p->wants_both ? p->n_branches : 1) + 2) / 3;
+    lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
-        height =
-            floor(GSL_MAX_DBL(height_of_drawing(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
+        height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
     canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0);
-    p->on.turn = turn_of(p);
+    p->on.turn = size_turn(p);
 }
 
 static void put_terminal(const canvas *c, const plot_request *request)
@@ -394,7 +284,7 @@ int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why
     return 0;
 }
 
-static void close_deck(picture *p)
+void picture_close(picture *p)
 {
     fourlink_results_free(p->results);
     free(p->loads);
@@ -489,30 +379,61 @@ static void choose_columns(const picture *p, const char *columns, char out[PICTU
     }
 }
 
-/* Open the deck again with the columns of the picture, unless these are null; one instant becomes a whole
-** cycle. */
+/* Open the deck again with the columns of the picture, and with a further assignment, unless these are null; one
+** instant becomes a whole cycle. */
 static int reopen(picture *p, const fourlink_source *source, const char *columns,
-                  fourlink_mistake *mistake)
+                  const char *further, fourlink_mistake *mistake)
 {
-    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
+    fourlink_change *changes = malloc((source->n_changes + 2) * sizeof *changes);
     fourlink_source other = *source;
     char assignment[PICTURE_NAMES + 20];
-    int opened;
+    const char *assignments[2];
+    int opened, i;
 
     if (!changes)
         return run_out_of_memory(p);
     flk_text_join(assignment, sizeof assignment, "table.columns=", columns ? columns : "",
                   (char *)NULL);
+    assignments[0] = columns ? assignment : NULL;
+    assignments[1] = further;
     if (source->n_changes)
         memcpy(changes, source->changes, source->n_changes * sizeof *changes);
-    changes[source->n_changes].origin = p->request->x ? "--plot-x" : "--plot-kind";
-    changes[source->n_changes].assignment = assignment;
+    for (i = 0; i < 2; i++) {
+        if (!assignments[i])
+            continue;
+        changes[other.n_changes].origin = p->request->x ? "--plot-x" : "--plot-kind";
+        changes[other.n_changes++].assignment = assignments[i];
+    }
     other.changes = changes;
-    other.n_changes += columns ? 1 : 0;
     other.whole_cycle = 1;
-    close_deck(p);
+    picture_close(p);
     opened = open_deck(p, &other, mistake);
     free(changes);
+    return opened;
+}
+
+int picture_has_balance(const picture *p)
+{
+    fourlink_value value;
+
+    return fourlink_results_value(p->results, "balance_crank", p->branches[0], 0, &value) ==
+               FOURLINK_OK ||
+           fourlink_results_value(p->results, "balance_rocker", p->branches[0], 0, &value) ==
+               FOURLINK_OK;
+}
+
+int picture_open_balance(picture *p, const char *apply, picture *other)
+{
+    fourlink_mistake mistake;
+    char names[PICTURE_NAMES];
+    int opened;
+
+    *other = *p;
+    other->results = NULL;
+    other->loads = NULL;
+    choose_columns(p, plot_table[p->request->kind].values, names);
+    opened = reopen(other, p->source, names, apply, &mistake);
+    p->out_of_memory |= other->out_of_memory;
     return opened;
 }
 
@@ -690,7 +611,7 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
     if (p->has_instant)
         held =
             p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-    if ((chosen || held[0]) && !reopen(p, source, chosen, mistake))
+    if ((chosen || held[0]) && !reopen(p, source, chosen, NULL, mistake))
         return 0;
     lay_out(p, out);
     put_head(p, source->name, held);
@@ -713,6 +634,6 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
     if (written)
         write_caption(&p, source->name, caption);
-    close_deck(&p);
+    picture_close(&p);
     return p.out_of_memory ? -1 : written;
 }

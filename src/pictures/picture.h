@@ -26,7 +26,7 @@
       picture_turning, NULL, "turning moment over a cycle, with its mean")                         \
     X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
       "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
-      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across",                            \
+      "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                    \
       "polar diagrams of the pin forces")                                                          \
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
       "polygons of velocity, acceleration and forces")                                             \
@@ -153,6 +153,24 @@ int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_m
 
 /* The number of panels of `columns`. */
 int picture_column_panels(const picture *p);
+
+/* The room that a drawing needs: size.c. */
+
+/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of each
+** link. */
+int size_lines_beside(const picture *p, int each_link);
+
+/* The angle by which the x axis rises, rad: drawings are turned by it. */
+double size_turn(const picture *p);
+
+/* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
+double size_height(const picture *p, double width);
+
+/* 1 if the deck has counterweights; open it again with them or without, by an assignment; free that.  Returns 0 if
+** it cannot be opened, as without memory. */
+int picture_has_balance(const picture *p);
+int picture_open_balance(picture *p, const char *apply, picture *other);
+void picture_close(picture *p);
 
 /* A value in the deck's unit of its quantity, and in SI units. */
 double picture_value(const picture *p, quantity q, double si);

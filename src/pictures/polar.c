@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** polar.c - pin forces as curves in the axes of their links, as in bearing-load diagrams, which show where a
-** bearing wears.  Dots show the crank angle, an arrow the direction, dashes the jumps of loads.
+** bearing wears; and the shaking force of a deck with [balance], without the counterweights and with them.  Dots show
+** the crank angle, an arrow the direction, dashes the jumps of loads.
 */
 #include <math.h>
 #include <string.h>
@@ -18,11 +19,20 @@
 
 #define MOST_JUMPS 40
 
-/* A pin force: the columns of its components. */
+/* A curve of a panel: of which deck, on which branch, and its title. */
+typedef struct source {
+    const picture *p;
+    fourlink_branch branch;
+    const char *title;
+} source;
+
+/* A force: the columns of its components, and its curves. */
 typedef struct bearing {
     const picture *p;
     char name[8];
     int x, y;
+    source of[2];
+    int n;
     sketch_box box; /* of the curves */
     double scale;   /* of a pixel */
     room r;
@@ -35,7 +45,7 @@ typedef struct jump {
 
 /* A curve on its way. */
 typedef struct course {
-    int i; /* of the branch */
+    int i; /* of the source */
     jump jumps[MOST_JUMPS];
     int n_jumps, n_points;
     fourlink_vector tail, head; /* its longest step, which shows the direction */
@@ -48,7 +58,7 @@ static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
     double values[PICTURE_COLUMNS];
     fourlink_instant now;
 
-    if (fourlink_results_at(b->p->results, b->p->branches[i], angle, values, &now, NULL) !=
+    if (fourlink_results_at(b->of[i].p->results, b->of[i].branch, angle, values, &now, NULL) !=
             FOURLINK_OK ||
         now.state.mu < 1e-3)
         return 0;
@@ -64,9 +74,9 @@ static void find_box(bearing *b)
     fourlink_instant now;
     int i, k, cut;
 
-    for (i = 0; i < b->p->n_branches; i++)
+    for (i = 0; i < b->n; i++)
         for (k = 0; k <= GRAPH_STEPS; k++)
-            if (graph_sample(b->p, b->p->branches[i], k, values, &now)) {
+            if (graph_sample(b->of[i].p, b->of[i].branch, k, values, &now)) {
                 graph_extend(&ex, values[b->x], now.state.mu);
                 graph_extend(&ey, values[b->y], now.state.mu);
             }
@@ -115,8 +125,8 @@ static int find_jump(const bearing *b, int i, double low, double high, jump *fou
 {
     double size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
 
-    return graph_find_jump(b->p, b->p->branches[i], b->x, b->y, sketch_at(size, size), low, high,
-                           &found->from, &found->to);
+    return graph_find_jump(b->of[i].p, b->of[i].branch, b->x, b->y, sketch_at(size, size), low,
+                           high, &found->from, &found->to);
 }
 
 static void put_point(bearing *b, fourlink_vector F)
@@ -151,7 +161,7 @@ static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlin
     }
 }
 
-/* Write the curve of branch i as $NAME_BRANCH, with breaks at its jumps. */
+/* Write curve i as $NAME_TITLE, with breaks at its jumps. */
 static void put_curve(bearing *b, int i, course *c)
 {
     fourlink_vector F, last = {0, 0};
@@ -160,7 +170,7 @@ static void put_curve(bearing *b, int i, course *c)
     c->i = i;
     c->n_jumps = c->n_points = 0;
     c->longest = 0;
-    fprintf(b->p->on.out, "$%s_%s << EOD\n", b->name, fourlink_branch_text(b->p->branches[i]));
+    fprintf(b->p->on.out, "$%s_%s << EOD\n", b->name, b->of[i].title);
     for (k = 0; k <= GRAPH_STEPS; k++) {
         if (!force_at(b, i, picture_angle(b->p, k, GRAPH_STEPS), &F)) {
             put_gap(b);
@@ -184,8 +194,7 @@ static void put_jumps(bearing *b, const course *c)
 
     if (c->n_jumps == 0)
         return;
-    fprintf(b->p->on.out, "$%s_%s_jumps << EOD\n", b->name,
-            fourlink_branch_text(b->p->branches[c->i]));
+    fprintf(b->p->on.out, "$%s_%s_jumps << EOD\n", b->name, b->of[c->i].title);
     for (k = 0; k < c->n_jumps; k++) {
         put_point(b, c->jumps[k].from);
         put_point(b, c->jumps[k].to);
@@ -216,7 +225,7 @@ static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
                      middle.y, line);
 }
 
-/* Write the places of the dots as $NAME_BRANCH_dots. */
+/* Write the places of the dots as $NAME_TITLE_dots. */
 static void put_dots(bearing *b, int i)
 {
     const picture *p = b->p;
@@ -226,7 +235,7 @@ static void put_dots(bearing *b, int i)
     fourlink_vector F[MOST_DOTS];
     int k, n = 0, n_dots = 0;
 
-    fprintf(p->on.out, "$%s_%s_dots << EOD\n", b->name, fourlink_branch_text(p->branches[i]));
+    fprintf(p->on.out, "$%s_%s_dots << EOD\n", b->name, b->of[i].title);
     for (k = 0; k < MOST_DOTS && (first + k * step - p->end) * sense < 1e-9 * fabs(step); k++)
         if (force_at(b, i, first + k * step, &F[n_dots])) {
             canvas_print(&p->on, "%.8g %.8g\n", F[n_dots].x, F[n_dots].y);
@@ -249,16 +258,16 @@ static void put_arrow(const bearing *b, const course *c)
 
 static void plot(picture *p, const bearing *b, const course *c, int is_last)
 {
-    const char *branch = fourlink_branch_text(p->branches[c->i]);
+    const char *name = b->of[c->i].title;
     FILE *out = p->on.out;
 
-    graph_plot(p, p->branches[c->i], b->name, c->i + 1);
-    fprintf(out, "'%s'", branch);
+    fprintf(out, "%s $%s_%s using 1:2 with lines lt %d title '%s'", p->on.curves++ ? "," : "plot",
+            b->name, name, c->i + 1, name);
     if (c->n_jumps)
         fprintf(out, ", $%s_%s_jumps using 1:2 with lines lt %d lw 1 dt (3,3) title '%s'", b->name,
-                branch, c->i + 1, is_last ? "jump" : "");
+                name, c->i + 1, is_last ? "jump" : "");
     fprintf(out, ", $%s_%s_dots using 1:2 with points pt 7 ps 0.5 lc rgb 'black' title '", b->name,
-            branch);
+            name);
     if (is_last)
         fprintf(out, "%d\302\260 apart", step_of_dots(p));
     fputs("'", out);
@@ -278,17 +287,17 @@ static int put_polar(picture *p, bearing *b, const char *title)
     b->p = p;
     find_box(b);
     put_axes(b);
-    for (i = 0; i < p->n_branches; i++) {
+    for (i = 0; i < b->n; i++) {
         put_curve(b, i, &c[i]);
         put_jumps(b, &c[i]);
         put_arrow(b, &c[i]);
     }
-    for (i = 0; i < p->n_branches; i++)
+    for (i = 0; i < b->n; i++)
         if (c[i].n_points)
             put_dots(b, i);
-    for (i = 0; i < p->n_branches; i++)
+    for (i = 0; i < b->n; i++)
         if (c[i].n_points)
-            plot(p, b, &c[i], i == p->n_branches - 1 || !c[1].n_points);
+            plot(p, b, &c[i], i == b->n - 1 || !c[1].n_points);
     putc('\n', p->on.out);
     return p->on.curves;
 }
@@ -301,6 +310,13 @@ static int component(const picture *p, const bearing *b, const char *end)
     return graph_column(p, flk_text_join(name, sizeof name, b->name, end, (char *)NULL));
 }
 
+static void set_source(source *x, const picture *p, fourlink_branch branch, const char *title)
+{
+    x->p = p;
+    x->branch = branch;
+    x->title = title;
+}
+
 /* Draw the force of a link on another, in the axes of the latter, which are x and y for a link that
 ** slides. */
 static int put_bearing(picture *p, int by, int on)
@@ -309,6 +325,7 @@ static int put_bearing(picture *p, int by, int on)
     const char *link = fourlink_link_text(p->kind, on);
     char title[120];
     bearing b;
+    int i;
 
     if (fourlink_slides(p->kind, on) == by || fourlink_slides(p->kind, by) == on)
         return 0; /* always across the slide */
@@ -319,7 +336,41 @@ static int put_bearing(picture *p, int by, int on)
         return 0;
     flk_text_join(title, sizeof title, b.name, ", ", fourlink_link_text(p->kind, by), " on ", link,
                   ", in the ", link, "'s axes", (char *)NULL);
+    b.n = p->n_branches;
+    for (i = 0; i < b.n; i++)
+        set_source(&b.of[i], p, p->branches[i], fourlink_branch_text(p->branches[i]));
     return put_polar(p, &b, title);
+}
+
+/* Draw the shaking force of a branch, without counterweights and with them. */
+static int put_shaking(picture *p, const picture *before, const picture *after,
+                       fourlink_branch branch)
+{
+    char title[120];
+    bearing b;
+
+    strcpy(b.name, "Fs");
+    b.x = component(p, &b, "x");
+    b.y = component(p, &b, "y");
+    flk_text_join(title, sizeof title, "shaking force, ", fourlink_branch_text(branch),
+                  (char *)NULL);
+    b.n = 2;
+    set_source(&b.of[0], before, branch, "before");
+    set_source(&b.of[1], after, branch, "after");
+    return put_polar(p, &b, title);
+}
+
+static int put_balance(picture *p)
+{
+    picture before, after;
+    int drawn = 0, i, is_open = picture_open_balance(p, "balance.apply=no", &before);
+
+    is_open = picture_open_balance(p, "balance.apply=yes", &after) && is_open;
+    for (i = 0; i < p->n_branches && is_open; i++)
+        drawn += put_shaking(p, &before, &after, p->branches[i]);
+    picture_close(&before);
+    picture_close(&after);
+    return drawn;
 }
 
 const char *picture_polar(picture *p, fourlink_branch branch)
@@ -338,5 +389,7 @@ const char *picture_polar(picture *p, fourlink_branch branch)
             p->on.is_text ? -1 : 1);
     for (i = 0; i < sizeof joints / sizeof joints[0]; i++)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
+    if (picture_has_balance(p))
+        drawn += put_balance(p);
     return drawn ? NULL : "the linkage cannot be assembled at any angle of the motion";
 }

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** size.c - the room that a drawing needs.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "picture.h"
+#include "sketch.h"
+
+/* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
+** its limits; and the steps in which the motion is measured. */
+#define BESIDE 330
+#define ABOVE_AND_BELOW 110
+#define LOWEST 330
+#define HIGHEST 600 /* two of them are a page */
+#define OUTLINE_STEPS 72
+
+int size_lines_beside(const picture *p, int each_link)
+{
+    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
+    unsigned long i, n_gas = p->problem.n_loads - p->problem.n_gas_loads,
+                     n_own = n_gas - p->problem.n_friction_loads - p->problem.n_spring_loads;
+    fourlink_spring spring;
+    const char *name;
+
+    fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
+    for (i = 0; i < n_own; i++) {
+        fourlink_deck_load(p->deck, i, &name, &has_torque);
+        lines[p->loads[i].link] += has_torque ? 2 : 1;
+    }
+    for (i = 0; i < p->problem.n_springs; i++) {
+        fourlink_deck_spring(p->deck, i, NULL, &spring);
+        lines[each_link ? spring.link : FOURLINK_FOLLOWER]++;
+        lines[each_link ? spring.to : FOURLINK_GROUND]++;
+    }
+    if (p->problem.n_friction_loads) /* of the guide, and the circles of the pins */
+        lines[FOURLINK_FOLLOWER] += 2;
+    lines[FOURLINK_FOLLOWER] += (int)p->problem.n_gas_loads;
+    lines[FOURLINK_GROUND] = 0;
+    for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
+        sum += lines[link] + (p->design->link[link].mass > 0);
+        most = lines[link] > most ? lines[link] : most;
+    }
+    if (p->problem.has_forces)
+        sum += 9; /* pin forces, torque, and what the arrows mean */
+    return each_link ? 7 + most : 8 + sum + (int)p->problem.n_points;
+}
+
+double size_turn(const picture *p)
+{
+    fourlink_vector g = p->design->gravity;
+    double slope = g.x != 0 || g.y != 0 ? atan2(-g.x, -g.y) : 0;
+
+    return fabs(slope) < 1e-9 ? 0 : slope;
+}
+
+static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at,
+                 const fourlink_state *state)
+{
+    fourlink_vector place = *at;
+
+    if (link != FOURLINK_GROUND)
+        fourlink_point(state, link, at, &place, NULL, NULL);
+    sketch_grow(b, cos(turn) * place.x - sin(turn) * place.y,
+                sin(turn) * place.x + cos(turn) * place.y);
+}
+
+/* The room that the mechanism needs on a branch. */
+static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
+{
+    fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
+    sketch_box b = sketch_nothing;
+    fourlink_instant now;
+    fourlink_spring spring;
+    double turn = size_turn(p);
+    const char *name;
+    unsigned long i;
+    int k, link;
+
+    for (k = 0; k <= OUTLINE_STEPS; k++) {
+        if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
+            continue;
+        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+            grow(&b, turn, link, &origin, &now.state);
+        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
+        for (i = 0; i < p->problem.n_points; i++) {
+            fourlink_deck_point(p->deck, i, &name, &link, &at);
+            grow(&b, turn, link, &at, &now.state);
+        }
+        for (i = 0; i < p->problem.n_springs; i++) {
+            fourlink_deck_spring(p->deck, i, NULL, &spring);
+            grow(&b, turn, spring.link, spring.is_torsional ? &origin : &spring.at, &now.state);
+            grow(&b, turn, spring.to, spring.is_torsional ? &origin : &spring.to_at, &now.state);
+        }
+    }
+    return b;
+}
+
+double size_height(const picture *p, double width)
+{
+    double highest = LOWEST, x, y, border;
+    int i;
+
+    for (i = 0; i < p->n_branches; i++) {
+        sketch_box b = box_of_motion(p, p->branches[i]);
+
+        x = b.x_max - b.x_min;
+        y = b.y_max - b.y_min;
+        border = 0.35 * GSL_MAX_DBL(x, y);
+        if (x > 0 && y >= 0)
+            highest = GSL_MAX_DBL(highest,
+                                  (width - BESIDE) * (y + border) / (x + border) + ABOVE_AND_BELOW);
+    }
+    return GSL_MIN_DBL(highest, HIGHEST);
+}
