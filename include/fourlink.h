@@ -284,8 +284,10 @@ typedef struct fourlink_losses {
     double power;      /* W, >= 0, lost */
     double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
                           friction keeps the load from driving */
-    unsigned long n_loads;
-    fourlink_load load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the links */
+    unsigned long n_loads; /* FOURLINK_FRICTION_LOADS */
+    fourlink_load
+        load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the two links of B and of C, on
+                                          the follower at D, on the crank at A; 0 without friction */
 } fourlink_losses;
 
 /* A spring, a damper or both, between two links or a link and the ground.  Set it to zero first. */

@@ -449,15 +449,33 @@ static void apply(const fourlink_state *state, equations *e, flk_body body[3])
     }
 }
 
+/* The loads of each joint have their places: on the two links of B and of C, on the follower at D, on the crank at A. */
+static const int places[JOINTS] = {5, 0, 2, 4};
+
+static void clear_losses(const flk_kind *kind, fourlink_losses *losses)
+{
+    int i;
+
+    losses->guide = losses->power = 0;
+    losses->n_loads = FOURLINK_FRICTION_LOADS;
+    for (i = 0; i < JOINTS; i++) {
+        const flk_joint *at = &kind->joint[i];
+        int first = at->slider ? at->slider : at->on;
+
+        losses->pin[i] = 0;
+        clear(&losses->load[places[i]], first);
+        if (at->from != FOURLINK_GROUND)
+            clear(&losses->load[places[i] + 1], at->from == first ? at->on : at->from);
+    }
+}
+
 /* The friction that was found. */
-static void list_losses(const equations *e, double length, double omega2, fourlink_losses *losses)
+static void list_losses(const flk_kind *kind, const equations *e, double length, double omega2,
+                        fourlink_losses *losses)
 {
     int i, k;
 
-    losses->guide = losses->power = 0;
-    losses->n_loads = 0;
-    for (i = 0; i < JOINTS; i++)
-        losses->pin[i] = 0;
+    clear_losses(kind, losses);
     for (k = 0; k < e->n; k++) {
         const joint *j = &e->joint[k];
 
@@ -467,7 +485,7 @@ static void list_losses(const equations *e, double length, double omega2, fourli
             losses->pin[j->number] = e->y[k];
         losses->power += e->y[k] * fabs(j->speed * omega2);
         for (i = 0; i < j->n_loads; i++)
-            losses->load[losses->n_loads++] = j->load[i];
+            losses->load[places[j->number] + i] = j->load[i];
     }
 }
 
@@ -516,7 +534,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_virtual_work(state, body, &found);
     if (status != FOURLINK_OK || !flk_is_finite(&found))
         return status != FOURLINK_OK ? status : FOURLINK_BAD_NUMBER;
-    list_losses(&e, length, omega2, losses);
+    list_losses(kind, &e, length, omega2, losses);
     losses->Ts0 = Ts0;
     losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(state, friction));
     if (kind->joint[3].slider && e.n_coupled && e.joint[e.n_coupled - 1].is_guide)

@@ -19,17 +19,11 @@
 /* The moment of a joint's friction on a link: against its turning relative to the other link. */
 static double moment_on(const picture *p, const picture_row *r, int joint, int link)
 {
-    static const int pairs[4][2] = {{1, 2}, {2, 3}, {3, 4}, {1, 4}};
-    const fourlink_link_state *at = r->now.state.link;
-    int from = pairs[joint][0], on = pairs[joint][1];
-    double speed = at[on].k - (from == FOURLINK_GROUND ? 0 : at[from].k);
-    double omega2 = at[FOURLINK_CRANK].omega;
-    fourlink_friction friction;
+    static const unsigned long places[4] = {5, 0, 2, 4}; /* fourlink_losses */
+    const fourlink_load *load = &r->loads[p->problem.n_loads - p->problem.n_gas_loads -
+                                          p->problem.n_friction_loads + places[joint]];
 
-    fourlink_deck_friction(p->deck, &friction);
-    if (omega2 < 0 || (omega2 == 0 && friction.direction < 0))
-        speed = -speed;
-    return (speed > 0) == (link == on) ? -r->now.losses.pin[joint] : r->now.losses.pin[joint];
+    return p->problem.n_friction_loads ? load[load->link != link].torque : 0;
 }
 
 friction_circle friction_circle_of(const picture *p, const picture_row *r, int joint, int link,

@@ -64,6 +64,44 @@ function drawLink(panel, link, place, half) {
         line(panel, kind, ...ends);
 }
 
+/* A spring, a damper, or both side by side; a torsional spring is a spiral around its pin. */
+function drawSpring(panel, spring, links, place) {
+    if (spring.pin) {
+        const points = [], pin = place(spring.pin);
+        for (let k = 0; k <= 60; k++)
+            points.push(add(pin, times(7 + 10 * k / 60, [Math.cos(k / 5), Math.sin(k / 5)])));
+        line(panel, "spring", ...points);
+        text(panel, add(pin, [0, 17]), [0, 1], spring.label, 3);
+        return;
+    }
+    const [from, to] = spring.ends.map(place), along = minus(to, from);
+    if (size(along) === 0)
+        return;
+    const across = times(7, direction([-along[1], along[0]])), side = spring.coil && spring.damper ? 1.4 : 0;
+    const at = (x, y) => add(from, add(times(x, along), times(y, across)));
+    const put = (y, ...points) => line(panel, "spring", ...points.map((p) => at(p[0], p[1] + y)));
+    spring.on.forEach((link, k) => {
+        const end = k ? to : from, body = links.find((x) => x.link === link);
+        if (body && body.shape === "bar")
+            line(panel, "construction", place(body.pins[0]), end, place(body.pins[1]));
+        if (body)
+            circle(panel, "dot", end, 3);
+        else
+            ground(panel, at(k, -1.2), at(k, 1.2), times(k ? 1 : -1, direction(along)));
+    });
+    put(0, [0, 0], [0.2, 0], [0.2, side], [0.2, -side]);
+    put(0, [1, 0], [0.8, 0], [0.8, side], [0.8, -side]);
+    if (spring.coil)
+        put(side, [0.2, 0], ...Array.from({length: 23}, (_, k) => [0.2 + 0.6 * (k + 0.5) / 23, k % 2 ? 1 : -1]), [0.8, 0]);
+    if (spring.damper) {
+        put(-side, [0.2, 0], [0.3, 0]);
+        put(-side, [0.7, 1], [0.3, 1], [0.3, -1], [0.7, -1]);
+        put(-side, [0.55, -0.7], [0.55, 0.7]);
+        put(-side, [0.55, 0], [0.8, 0]);
+    }
+    text(panel, at(0.5, side + 1), across, spring.label, 3);
+}
+
 /* Pixels for a unit of force in row i: the longest arrow has at most `longest`, and the largest force is 1, 2 or 5
 ** times a power of ten of it. */
 function forceScale(forces, tracks, i, longest) {
@@ -75,9 +113,9 @@ function forceScale(forces, tracks, i, longest) {
 function mechanism(data, panel) {
     let tracks, rows, view, forces, torques, put, cached, now = 0;
     const handle = svg("g", {class: "handle"});
-    const names = data.forces.filter((f) => f.sign > 0 && f.pen !== "inertia");
-    const turning = data.torques.filter((f) => f.sign > 0 && f.pen !== "inertia");
-    const places = ["A", "B", "C", "D"].concat(data.points.map((p) => p.of));
+    const names = data.forces.filter((f) => f.sign > 0 && f.pen !== "inertia" && !f.inner);
+    const turning = data.torques.filter((f) => f.sign > 0 && f.pen !== "inertia" && !f.inner);
+    const places = ["A", "B", "C", "D"].concat(data.points.map((p) => p.of), ...data.springs.map((x) => x.ends || []));
     const place = (name, i) => {
         const v = tracks.vector(name, i);
         return v && add(view.origin, times(view.scale, v));
@@ -244,6 +282,8 @@ function mechanism(data, panel) {
         } else {
             for (const link of data.links)
                 drawLink(panel, link, (track) => place(track, i), half());
+            for (const spring of data.springs)
+                drawSpring(panel, spring, data.links, (track) => place(track, i));
             for (const link of data.links)
                 if (link.centre)
                     centre(panel, place(link.centre, i));
@@ -428,6 +468,9 @@ function freeBody(data, panel, link) {
             for (const name of link.shape === "slot" ? ["S1", "S2"] : [])
                 for (const edge of [1.8 * half(), -1.8 * half()])
                     marks.push([...minus(tracks.vector(name, i), heart(i)), edge, edge]);
+            for (const f of torques.filter((x) => x.inner))
+                for (const edge of [-34, 34])
+                    marks.push([...minus(tracks.vector(f.at, i), heart(i)), edge, edge]);
             for (const f of forces) {
                 const at = minus(tracks.vector(f.at, i), heart(i));
                 marks.push([...at, ...times(f.sign * forceScale(forces, tracks, i, longest()), tracks.vector(f.of, i))]);
@@ -458,7 +501,8 @@ function freeBody(data, panel, link) {
             const value = tracks.number(f.of, i), side = f.pen === "pin" ? -1 : 1;
             if (!value)
                 return;
-            torque(panel, f.pen, place(f.at), f.sign * value, 17 + 5 * j);
+            torque(panel, f.pen, place(f.at), f.sign * value,
+                   17 + 5 * torques.slice(0, j).filter((x) => x.at === f.at).length);
             text(panel, add(place(f.at), [side * 14, 14]), [side, 0.7], f.label, 5);
         });
         link.pins.forEach((pin, j) => {

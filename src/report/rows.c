@@ -214,6 +214,29 @@ static void put_stroke(rows *t, unsigned long i, const fourlink_state *state)
     put(t, i, "S2", QUANTITY_LENGTH, vector(sign * far, e));
 }
 
+/* Put the ends of springs. */
+static void put_springs(rows *t, unsigned long i, const fourlink_state *state)
+{
+    fourlink_spring spring;
+    fourlink_vector from, to;
+    char name[ROWS_NAME];
+    unsigned long k;
+
+    for (k = 0; k < t->problem.n_springs; k++) {
+        fourlink_deck_spring(t->deck, k, NULL, &spring);
+        if (spring.is_torsional)
+            continue;
+        from = spring.at;
+        to = spring.to_at;
+        if (spring.link != FOURLINK_GROUND)
+            fourlink_point(state, spring.link, &spring.at, &from, NULL, NULL);
+        if (spring.to != FOURLINK_GROUND)
+            fourlink_point(state, spring.to, &spring.to_at, &to, NULL, NULL);
+        put(t, i, rows_name("K", k, "P", name), QUANTITY_LENGTH, from);
+        put(t, i, rows_name("K", k, "Q", name), QUANTITY_LENGTH, to);
+    }
+}
+
 static void put_points(rows *t, unsigned long i, const fourlink_state *state)
 {
     fourlink_vector C = vector(t->design->link[3].length, 0), place = zero, at;
@@ -241,6 +264,7 @@ static void put_points(rows *t, unsigned long i, const fourlink_state *state)
         fourlink_deck_point(t->deck, k, NULL, &link, &at);
         put_point(t, i, rows_name("P", k, "", name), state, link, &at);
     }
+    put_springs(t, i, state);
 }
 
 /* -------------------------------------------------------------------- velocities, accelerations, forces */
@@ -354,7 +378,8 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
     put(t, i, "F12", QUANTITY_FORCE, vector(f->F12x, f->F12y));
     put(t, i, "F23", QUANTITY_FORCE, vector(f->F23x, f->F23y));
     put(t, i, "F34", QUANTITY_FORCE, vector(f->F34x, f->F34y));
-    put(t, i, "F14", QUANTITY_FORCE, vector(f->F14x, f->F14y));
+    put(t, i, "F14", QUANTITY_FORCE,
+        vector(t->slides ? 0 : f->F14x, f->F14y)); /* N without friction */
     put_number(t, i, "Ts", QUANTITY_TORQUE, f->Ts);
     if (t->slot)
         put_number(t, i, "M34", QUANTITY_TORQUE, f->M34);
@@ -368,7 +393,8 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
 
 static int draws_all(const rows *t)
 {
-    return t->problem.n_points <= ROWS_POINTS && t->problem.n_loads <= ROWS_LOADS;
+    return t->problem.n_points <= ROWS_POINTS && t->problem.n_loads <= ROWS_LOADS &&
+           t->problem.n_springs <= ROWS_LOADS;
 }
 
 int rows_open(rows *t, const fourlink_source *source, double at)

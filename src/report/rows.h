@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "fourlink.h"
 
-enum { ROWS_TRACKS = 420, ROWS_NAME = 16, ROWS_LOADS = 42, ROWS_POINTS = 24 };
+enum { ROWS_TRACKS = 504, ROWS_NAME = 16, ROWS_LOADS = 42, ROWS_POINTS = 24 };
 
 typedef struct rows_track {
     char name[ROWS_NAME];

@@ -106,6 +106,49 @@ static void put_tracers(line *l, const rows *t)
     line_put(l, "],\n");
 }
 
+/* The pin at which a torsional spring is: that of its links, or the first link's origin. */
+static const char *pin_of(const rows *t, const fourlink_spring *spring)
+{
+    static const char *const pins[5][5] = {{"", "", "", "", ""},
+                                           {"", "", "A", "B", "D"},
+                                           {"", "A", "", "B", "A"},
+                                           {"", "B", "B", "", "C"},
+                                           {"", "D", "D", "C", ""}};
+    const char *pin = pins[spring->link][spring->to];
+
+    if (*pin == 'C' && t->slot)
+        return "B";
+    return *pin == 'D' && t->slides ? "C" : pin;
+}
+
+/* A spring: its name and what it is, its pin, or its ends on two links. */
+static void put_springs(line *l, const rows *t)
+{
+    fourlink_spring spring;
+    char name[ROWS_NAME];
+    const char *words;
+    unsigned long i;
+    int n = 0;
+
+    line_put(l, "\"springs\":[");
+    for (i = 0; i < t->problem.n_springs; i++) {
+        fourlink_deck_spring(t->deck, i, &words, &spring);
+        put_comma(l, &n);
+        put_label(l, words, "", "");
+        line_put(l, ",\"coil\":%s,\"damper\":%s",
+                 spring.stiffness != 0 || !(spring.damping > 0) ? "true" : "false",
+                 spring.damping > 0 ? "true" : "false");
+        if (spring.is_torsional) {
+            line_put(l, ",\"pin\":\"%s\"}", pin_of(t, &spring));
+            continue;
+        }
+        line_put(l, ",\"ends\":[\"%s\",", rows_name("K", i, "P", name));
+        line_put(l, "\"%s\"],\"on\":[%lu,%lu]}", rows_name("K", i, "Q", name),
+                 (unsigned long)spring.link, (unsigned long)spring.to);
+    }
+    line_put(l, "],\n");
+}
+
 /* ---------------------------------------------------------------------------------------------- polygons */
 
 /* A side from one corner to another; corners whose names begin with _ have no letter. */
@@ -199,15 +242,38 @@ static void put_polygons(line *l, const rows *t)
 
 /* ------------------------------------------------------------------------------------------------ forces */
 
-/* The force of a track on a link at a point; `pen` is pin, load or inertia.  A reaction has the sign -1 and is
-** not in the drawing of the mechanism. */
+/* The force of a track on a link at a point; `pen` is pin, load or inertia.  A reaction has the sign -1; with INNER,
+** a load has "inner".  These are not in the drawing of the mechanism. */
+enum { INNER = 2 };
+
 static void put_force(line *l, int *n, const char *name, const char *sub, const char *of, int sign,
                       const char *at, int on, const char *pen)
 {
     put_comma(l, n);
     put_label(l, name, sub, "");
-    line_put(l, ",\"of\":\"%s\",\"sign\":%s1,\"at\":\"%s\",\"on\":%lu,\"pen\":\"%s\"}", of,
-             sign < 0 ? "-" : "", at, (unsigned long)on, pen);
+    line_put(l, ",\"of\":\"%s\",\"sign\":%s1,\"at\":\"%s\",\"on\":%lu,\"pen\":\"%s\"%s}", of,
+             sign < 0 ? "-" : "", at, (unsigned long)on, pen,
+             sign == INNER ? ",\"inner\":true" : "");
+}
+
+/* The place of a load among those of friction, from 0; -1 if it is none. */
+static int place_in_friction(const rows *t, unsigned long i)
+{
+    unsigned long end = t->problem.n_loads - t->problem.n_gas_loads;
+    unsigned long first = end - t->problem.n_friction_loads;
+
+    return i >= first && i < end ? (int)(i - first) : -1;
+}
+
+/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
+static int sense_of_load(const rows *t, unsigned long i)
+{
+    unsigned long first = t->problem.n_loads - t->problem.n_gas_loads - t->problem.n_friction_loads;
+    int place = place_in_friction(t, i);
+
+    if (place >= 0)
+        return place == 4 && t->slides ? 1 : INNER;
+    return i < first && i >= first - t->problem.n_spring_loads ? INNER : 1;
 }
 
 static void put_pin_forces(line *l, const rows *t, int *n)
@@ -252,15 +318,16 @@ static void put_forces(line *l, const rows *t)
     }
     for (i = 0; i < t->problem.n_loads; i++) {
         fourlink_deck_load(t->deck, i, &name, NULL);
-        put_force(l, &n, name, "", rows_name("L", i, "F", of), 1, rows_name("L", i, "", at),
-                  t->loads[i].link, "load");
+        put_force(l, &n, name, "", rows_name("L", i, "F", of), sense_of_load(t, i),
+                  rows_name("L", i, "", at), t->loads[i].link, "load");
     }
     line_put(l, "],\n");
 }
 
 static void put_torques(line *l, const rows *t)
 {
-    static const char *const names[] = {"", "", "A", "B", "D"}; /* the links' own origins */
+    static const char *const names[] = {"", "", "A", "B", "D"};       /* the links' own origins */
+    static const char *const pins[] = {"B", "B", "C", "C", "D", "A"}; /* of friction */
     char at[ROWS_NAME], of[ROWS_NAME];
     const char *name;
     unsigned long i;
@@ -280,11 +347,15 @@ static void put_torques(line *l, const rows *t)
             put_force(l, &n, MINUS "I" ALPHA, numbers[i], rows_name("I", i, "T", of), 1,
                       rows_name("G", i, "", at), (int)i, "inertia");
     for (i = 0; i < t->problem.n_loads; i++) {
-        int link = t->loads[i].link;
+        int link = t->loads[i].link, place = place_in_friction(t, i);
 
         fourlink_deck_load(t->deck, i, &name, NULL);
-        put_force(l, &n, name, "", rows_name("L", i, "T", of), 1,
-                  t->slides && link == 4 ? "C" : names[link], link, "load");
+        if (place >= 0)
+            put_force(l, &n, "M", pins[place], rows_name("L", i, "T", of), INNER, pins[place], link,
+                      "load");
+        else
+            put_force(l, &n, name, "", rows_name("L", i, "T", of), sense_of_load(t, i),
+                      t->slides && link == 4 ? "C" : names[link], link, "load");
     }
     line_put(l, "],\n");
 }
@@ -326,6 +397,7 @@ void scene_write(line *l, const rows *t)
     put_frame(l, t);
     put_links(l, t);
     put_tracers(l, t);
+    put_springs(l, t);
     put_polygons(l, t);
     put_forces(l, t);
     put_torques(l, t);
