@@ -201,4 +201,20 @@ sed 's/^mean = .*/mean = 1e9/' t.gp >wrong.gp
 check 'energies on the wrong side are seen' not above wrong.gp
 check 'the energies of another branch are others' not energies coupler-point-turning-moment.svg open "$engine"
 
+# --- polar: the shaking force without counterweights and with them, if the deck has any
+for apply in yes no; do
+    run 0 --plot-script=v.gp --plot-kind=polar --set='motion.speed=20 rad/s' --set=gravity.acceleration=0 --set=balance.crank=yes \
+        --set=balance.rocker=yes --set='balance.radius=40 mm' --set=balance.apply=$apply --branch=open "$matrix"
+    quiet
+    awk '/^\$Fs_before << /, /^EOD/' v.gp | grep '^-*[0-9]' >before
+    awk '/^\$Fs_after << /, /^EOD/' v.gp | grep '^-*[0-9]' >after
+    check "shaking force before, apply = $apply" awk '{s = $1 * $1 + $2 * $2; if (s > big) big = s} END {exit !(NR == 721 && big > 0.01)}' before
+    check "shaking force after, apply = $apply" awk '{s = $1 * $1 + $2 * $2; if (s > big) big = s} END {exit !(NR == 721 && big < 1e-24)}' after
+    check 'the key' grep -q "title 'before'.*title 'after'" v.gp
+done
+run 0 --plot-script=v.gp --plot-kind=polar --branch=open "$matrix"
+check 'no counterweights, no shaking force' none Fs v.gp
+run 0 --plot-script=v.gp --plot-kind=polar "$data/khurmi-22.1.deck"
+check 'the shaking force of an engine' grep -q 'shaking force, open' v.gp
+
 finish

@@ -148,4 +148,120 @@ run 0 --plot-script=v.gp --plot-kind=vectors --set='rod.cg=(100, 40) mm' "$engin
 arrows v.gp nohead >arrows
 check 'a rod with its centre of mass off its line' test "$(grep -c '^free body of the rod	9	' arrows)" -eq 2
 
+# --- friction: the polygons close, and the force of a pin is a tangent to its circle, drawn larger
+cat >friction.deck <<'END'
+mechanism = four-bar
+[motion]
+speed = 10 rad/s
+[ground]
+length = 80 mm
+[crank]
+length = 20 mm
+mass = 0.1 kg
+cg = 8 mm
+[coupler]
+length = 66 mm
+mass = 0.3 kg
+cg = (30, 4) mm
+[rocker]
+length = 56 mm
+[load push]
+link = rocker
+torque = -0.5 N m
+[spring S]
+link = rocker
+at = (30, 5) mm
+to = coupler
+to_at = 20 mm
+stiffness = 300 N/m
+[spring T]
+link = rocker
+to = ground
+stiffness = 0.4 N m/rad
+[friction]
+A = 0.1
+radius_A = 6 mm
+B = 0.2
+radius_B = 5 mm
+C = 0.1
+radius_C = 4 mm
+[table]
+branch = open
+END
+cat >guide.deck <<'END'
+mechanism = slider-crank
+[motion]
+speed = 10 rad/s
+[crank]
+length = 50 mm
+[rod]
+length = 200 mm
+mass = 1 kg
+cg = 70 mm
+[piston]
+mass = 2 kg
+[load water]
+link = piston
+force = -400 N
+[spring damper]
+link = ground
+at = 350 mm
+to = piston
+damping = 200 N s/m
+[friction]
+A = 0.1
+radius_A = 15 mm
+C = 0.1
+radius_C = 8 mm
+guide = 0.2
+[table]
+branch = open
+END
+# circle PANEL NUMBER X Y: the distance of its arrow number so many from a place, in the drawing's unit
+circle() {
+    awk -F '\t' -v panel="$1" -v k="$2" -v x="$3" -v y="$4" '$1 == panel && $2 != "note" && ++n == k {split($3, p, " ")
+        u = p[3] - p[1]; v = p[4] - p[2]; d = ((p[1] - x) * v - (p[2] - y) * u) / sqrt(u * u + v * v)
+        printf "%.9g", d < 0 ? -d : d}' arrows
+}
+enlarged() { sed -n "s/^set label .friction circles \([0-9]*\):1. at.*/\1/p" v.gp | sed -n "$1p"; }
+for angle in 20 140 300; do
+    run 0 --plot-script=v.gp --plot-kind=vectors --plot-at="$angle deg" friction.deck
+    quiet
+    arrows v.gp >arrows
+    for link in crank coupler rocker; do
+        check "forces with friction on the $link: $angle deg: $(closing "forces on the $link")" closes "forces on the $link"
+    done
+    "$fourlink" --format=csv --set="motion.at=$angle deg" --columns=B.x,B.y,C.x,C.y,F12,S.force,T.torque friction.deck >csv
+    near "F12 at its circle, $angle deg" "$(circle 'free body of the crank' 1 0 0)" "$(enlarged 1 | awk '{print 0.0006 * $1}')" 1e-5
+    near "F32 at its circle, $angle deg" "$(circle 'free body of the crank' 2 "$(number B.x)" "$(number B.y)")" \
+        "$(enlarged 1 | awk '{print 0.001 * $1}')" 1e-5
+    near "F43 at its circle, $angle deg" "$(circle 'free body of the coupler' 2 "$(number C.x)" "$(number C.y)")" \
+        "$(enlarged 2 | awk '{print 0.0004 * $1}')" 1e-5
+    near "F14 without friction, $angle deg" "$(circle 'free body of the rocker' 2 0.08 0)" 0 1e-9
+    check "friction turns against the crank, $angle deg" awk -F '\t' '$1 == "free body of the crank" && $2 != "note" {
+        split($3, p, " "); exit !(p[1] * (p[4] - p[2]) - p[2] * (p[3] - p[1]) < 0)}' arrows
+    near "S, $angle deg" "$(note 'free body of the rocker' S)" "$(number S.force)" 1e-4
+    near "T, $angle deg" "$(note 'free body of the rocker' T | awk '{print -$1}')" "$(number T.torque)" 1e-4
+    run 0 --plot-script=v.gp --plot-kind=vectors --plot-at="$angle deg" guide.deck
+    arrows v.gp >arrows
+    for link in crank rod piston; do
+        check "forces with friction on the $link: $angle deg: $(closing "forces on the $link")" closes "forces on the $link"
+    done
+    "$fourlink" --format=csv --set="motion.at=$angle deg" --columns=N,friction_guide guide.deck >csv
+    near "N, $angle deg" "$(note 'forces on the piston' N)" "$(number N | awk '{print $1 < 0 ? -$1 : $1}')" 1e-4
+    near "friction of the guide, $angle deg" "$(note 'forces on the piston' friction)" "$(number friction_guide)" 1e-4
+done
+# --- springs in the mechanism: a zigzag and a spiral in black, their names and forces; a damper has no zigzag
+run 0 --plot-script=v.gp --plot-at='20 deg' friction.deck
+check 'the name of a spring' grep -q '^set label "S" at' v.gp
+check 'the name of a torsional spring' grep -q '^set label "T" at' v.gp
+check 'the force of a spring' grep -q '^set label "S = [-0-9.]* N" at' v.gp
+check 'friction of pins is no arrow' none 'label "friction' v.gp
+check "the lines of springs: $(grep -c 'nohead ls 1$' v.gp)" test "$(grep -c 'nohead ls 1$' v.gp)" -gt 75
+run 0 --plot-script=w.gp --plot-at='20 deg' guide.deck
+check 'the name of a damper' grep -q '^set label "damper" at' w.gp
+check "the lines of a damper: $(grep -c 'nohead ls 1$' w.gp)" test "$(grep -c 'nohead ls 1$' w.gp)" -lt 25
+run 0 --plot-script=v.gp --plot-kind=animation friction.deck
+check 'springs move' test "$(grep -c '^set label "S" at' v.gp)" -eq 60
+
 finish
