@@ -25,7 +25,7 @@ int flk_build_kind(parser *p)
 
         place.line = 1;
         return flk_mistake(p->mistakes, place, "expected %s before the first section",
-                           flk_list_words(KEY_TOP_MECHANISM, "'mechanism = ", "'", list));
+                           flk_list_words(KEY_TOP_MECHANISM, NULL, "'mechanism = ", "'", list));
     }
     if (!s->word)
         return 0;

@@ -246,10 +246,11 @@ enum {
 /* The link, by number, that a section has in some mechanism; 0: the section is no link. */
 int flk_link_of_section(section_code section);
 
-/* The words that a key takes, in a list such as "a, b or c", each between two strings. */
+/* The words that a key takes, in a list such as "a, b or c", each between two strings; of links only those with these
+** names, by number, unless it is null. */
 #define WORDS_SIZE 200
-const char *flk_list_words(key_code key, const char *before, const char *after,
-                           char list[WORDS_SIZE]);
+const char *flk_list_words(key_code key, const char *const *links, const char *before,
+                           const char *after, char list[WORDS_SIZE]);
 
 /* The section with this name; SECTION_COUNT if there is none. */
 section_code flk_find_section(text name);

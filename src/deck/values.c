@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "mechanics/kind.h"
 #include "reader.h"
 
 static int refuse(parser *p, text_place place)
@@ -52,6 +53,7 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si)
 
 static void read_word(parser *p, key_code key, setting *s)
 {
+    const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
     const char *known[16];
     char list[WORDS_SIZE];
     size_t i, n = 0;
@@ -65,8 +67,9 @@ static void read_word(parser *p, key_code key, setting *s)
             known[n++] = flk_word_table[i].word;
         }
     known[n] = NULL;
-    flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h", flk_list_words(key, "", "", list),
-                s->value, flk_text_nearest(s->value, known));
+    flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
+                flk_list_words(key, kind ? kind->link : NULL, "", "", list), s->value,
+                flk_text_nearest(s->value, known));
 }
 
 static void check_sign(parser *p, const key_info *key, const setting *s)

@@ -158,9 +158,33 @@ static void tell_reach(teller *t)
     }
 }
 
+/* 1 if a branch, 0 for both, is among those of a call of flk_fact_list. */
+static int is_asked(const deck *d, int branch, int called)
+{
+    if (branch == 0)
+        return 1;
+    return called ? branch == called : branch == FOURLINK_OPEN ? d->open : d->crossed;
+}
+
+/* The branch of one of two ranges of link 4, if the crank turns fully: each range belongs to one of them. */
+static int branch_of_rocker(const fourlink_mechanism *mechanism, double from, double to)
+{
+    fourlink_reach reach;
+    fourlink_state state;
+    double passed;
+
+    fourlink_reach_of(mechanism, &reach);
+    if (reach.n_ranges != 1 || reach.to[0] - reach.from[0] < 2 * M_PI * (1 - 1e-15) ||
+        fourlink_position(mechanism, FOURLINK_OPEN, M_PI_2, &state) != FOURLINK_OK)
+        return 0;
+    passed = state.link[FOURLINK_FOLLOWER].theta - from;
+    passed -= 2 * M_PI * floor(passed / (2 * M_PI));
+    return passed < to - from ? FOURLINK_OPEN : FOURLINK_CROSSED;
+}
+
 /* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
 ** linkage read from D to A. */
-static void tell_reach_of_rocker(teller *t)
+static void tell_reach_of_rocker(teller *t, int branch)
 {
     fourlink_design mirrored = t->d->design;
     fourlink_mechanism mechanism;
@@ -173,10 +197,16 @@ static void tell_reach_of_rocker(teller *t)
         return;
     fourlink_reach_of(&mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
+        if (reach.n_ranges == 2)
+            t->branch =
+                branch_of_rocker(&t->d->mechanism, M_PI - reach.to[i], M_PI - reach.from[i]);
+        if (!is_asked(t->d, t->branch, branch))
+            continue;
         tell(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
         tell(t, FACT_THETA4_TO, M_PI - reach.from[i]);
         tell(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
     }
+    t->branch = 0;
 }
 
 static void tell_rod(teller *t)
@@ -330,13 +360,13 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
             tell(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
         tell_reach(&t);
         if (!has_slide)
-            tell_reach_of_rocker(&t);
+            tell_reach_of_rocker(&t, branch);
         tell_rod(&t);
         tell_balance(&t);
     }
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
-        if (branch ? t.branch != branch : t.branch == FOURLINK_OPEN ? !t.d->open : !t.d->crossed)
+        if (!is_asked(t.d, t.branch, branch))
             continue;
         if (groups & FOURLINK_FACTS_LIMITS)
             tell_limits(&t);

@@ -64,6 +64,20 @@ static void test_reach_of_link_4(void **unused)
     assert_near(to[above], high, 1e-11);
     assert_near(from[1 - above], -high, 1e-11);
     assert_near(to[1 - above], -low, 1e-11);
+    /* each range belongs to a branch */
+    assert_near(find_fact(&list, "theta4_from", FOURLINK_OPEN)->value,
+                find_fact(&list, "theta4_min", FOURLINK_OPEN)->value, 1e-11);
+    assert_near(find_fact(&list, "theta4_to", FOURLINK_CROSSED)->value,
+                find_fact(&list, "theta4_max", FOURLINK_CROSSED)->value, 1e-11);
+    /* of a double rocker none does */
+    facts_of(four_bar(0.066, 0.020, 0.056, 0.080, ""), &list);
+    n_from = 0;
+    for (i = 0; i < list.n; i++)
+        if (strcmp(list.list[i].name, "theta4_from") == 0) {
+            assert_int_equal(list.list[i].branch, 0);
+            n_from++;
+        }
+    assert_int_equal(n_from, 2);
 }
 
 static void test_facts_of_engines(void **unused)

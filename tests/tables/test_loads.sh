@@ -88,8 +88,10 @@ mistake() { # DECK-TEXT MESSAGE
 mistake '[load]\nlink = rocker\ntorque = 1 N m\nfrom = 200 deg\nto = 100 deg\n' \
     "<stdin>:16: error: the load's 'from' must be less than its 'to', not  200 deg and 100 deg"
 mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar linkage has no piston'
-mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank"
+mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank, coupler or rocker, not 'wheel'"
 mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
+mistake '[units]\nvelocity = m/s\n' "<stdin>:14: error: unknown key 'velocity' in [units]; did you mean 'speed'?"
+mistake '[spring]\nlink = wheel\nto = ground\n' "<stdin>:14: error: expected ground, crank, coupler or rocker, not 'wheel'"
 mistake '[point]\nlink = coupler\n' '<stdin>:13: error: a point needs a name'
 mistake '[point a b]\nlink = coupler\n' '<stdin>:13: error: the name of a point must be one word'
 mistake '[point P]\nat = 3 mm\n' '<stdin>:13: error: [point] has no link'
