@@ -452,30 +452,26 @@ static void apply(const fourlink_state *state, equations *e, flk_body body[3])
 /* The loads of each joint have their places: on the two links of B and of C, on the follower at D, on the crank at A. */
 static const int places[JOINTS] = {5, 0, 2, 4};
 
-static void clear_losses(const flk_kind *kind, fourlink_losses *losses)
+/* The loads of a joint without friction. */
+static void clear_loads(const flk_joint *at, fourlink_load *load)
 {
-    int i;
+    int first = at->slider ? at->slider : at->on;
 
-    losses->guide = losses->power = 0;
-    losses->n_loads = FOURLINK_FRICTION_LOADS;
-    for (i = 0; i < JOINTS; i++) {
-        const flk_joint *at = &kind->joint[i];
-        int first = at->slider ? at->slider : at->on;
-
-        losses->pin[i] = 0;
-        clear(&losses->load[places[i]], first);
-        if (at->from != FOURLINK_GROUND)
-            clear(&losses->load[places[i] + 1], at->from == first ? at->on : at->from);
-    }
+    clear(load, first);
+    if (at->from != FOURLINK_GROUND)
+        clear(load + 1, at->from == first ? at->on : at->from);
 }
 
 /* The friction that was found. */
 static void list_losses(const flk_kind *kind, const equations *e, double length, double omega2,
                         fourlink_losses *losses)
 {
-    int i, k;
+    int i, k, has_friction[JOINTS] = {0};
 
-    clear_losses(kind, losses);
+    losses->guide = losses->power = 0;
+    losses->n_loads = FOURLINK_FRICTION_LOADS;
+    for (i = 0; i < JOINTS; i++)
+        losses->pin[i] = 0;
     for (k = 0; k < e->n; k++) {
         const joint *j = &e->joint[k];
 
@@ -483,10 +479,14 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
             losses->guide = e->y[k] / length;
         else
             losses->pin[j->number] = e->y[k];
+        has_friction[j->number] = 1;
         losses->power += e->y[k] * fabs(j->speed * omega2);
         for (i = 0; i < j->n_loads; i++)
             losses->load[places[j->number] + i] = j->load[i];
     }
+    for (i = 0; i < JOINTS; i++)
+        if (!has_friction[i])
+            clear_loads(&kind->joint[i], &losses->load[places[i]]);
 }
 
 static int check_friction(const fourlink_friction *friction)

@@ -416,9 +416,9 @@ int picture_has_balance(const picture *p)
 {
     fourlink_value value;
 
-    return fourlink_results_value(p->results, "balance_crank", p->branches[0], 0, &value) ==
+    return fourlink_results_value(p->results, "balance_mass", p->branches[0], 0, &value) ==
                FOURLINK_OK ||
-           fourlink_results_value(p->results, "balance_rocker", p->branches[0], 0, &value) ==
+           fourlink_results_value(p->results, "balance_rocker_mass", p->branches[0], 0, &value) ==
                FOURLINK_OK;
 }
 

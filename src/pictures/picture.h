@@ -166,7 +166,7 @@ double size_turn(const picture *p);
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
-/* 1 if the deck has counterweights; open it again with them or without, by an assignment; free that.  Returns 0 if
+/* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free that.  Returns 0 if
 ** it cannot be opened, as without memory. */
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);

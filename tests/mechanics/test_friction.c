@@ -440,6 +440,42 @@ static void test_dead_centre(void **unused)
     assert_close(f.F14x, l.guide, 1e-12); /* the piston moves towards the crank */
 }
 
+/* The loads of friction have their places, whether joints have friction, and move, or not. */
+static void test_places(void **unused)
+{
+    static const int links[][FOURLINK_FRICTION_LOADS] = {{3, 2, 4, 3, 4, 2}, {3, 2, 3, 4, 4, 2}};
+    uint64_t seed = 11;
+    int n = 0, tried = 0, i;
+
+    (void)unused;
+    while (n < 60) {
+        fourlink_friction friction = draw_friction(&seed);
+        fourlink_forces f;
+        fourlink_losses l;
+        sample s;
+        int row;
+
+        draw_any(&seed, tried++, &s);
+        friction.circle[n % 4] = 0;
+        if (n % 3 == 0)
+            friction.guide = 0;
+        if (move(&s) != FOURLINK_OK || solve(&s, &friction, &f, &l) != FOURLINK_OK)
+            continue;
+        row = s.design.kind == FOURLINK_INVERTED_SLIDER_CRANK ? 1 : 0;
+        assert_true(l.n_loads == FOURLINK_FRICTION_LOADS);
+        for (i = 0; i < FOURLINK_FRICTION_LOADS; i++)
+            assert_int_equal(l.load[i].link, links[row][i]);
+        assert_true(fabs(l.load[5].torque) == l.pin[0] && fabs(l.load[0].torque) == l.pin[1] &&
+                    l.load[0].torque == -l.load[1].torque);
+        if (row == 0)
+            assert_true(fabs(l.load[2].torque) == l.pin[2] &&
+                        l.load[2].torque == -l.load[3].torque);
+        else
+            assert_close(hypot(l.load[2].force.x, l.load[2].force.y), l.guide, 1e-14);
+        n++;
+    }
+}
+
 /* ---------------------------------------------------------------------------------------------
 ** Locking
 ** ------------------------------------------------------------------------------------------- */
@@ -549,8 +585,8 @@ int main(void)
         cmocka_unit_test(test_four_bar),    cmocka_unit_test(test_lever),
         cmocka_unit_test(test_fixed_point), cmocka_unit_test(test_small),
         cmocka_unit_test(test_mirrored),    cmocka_unit_test(test_reversed),
-        cmocka_unit_test(test_dead_centre), cmocka_unit_test(test_locking),
-        cmocka_unit_test(test_bad),
+        cmocka_unit_test(test_dead_centre), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_locking),     cmocka_unit_test(test_bad),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -214,6 +214,8 @@ for apply in yes no; do
 done
 run 0 --plot-script=v.gp --plot-kind=polar --branch=open "$matrix"
 check 'no counterweights, no shaking force' none Fs v.gp
+run 0 --plot-script=v.gp --plot-kind=polar --set=balance.crank=yes --branch=open "$matrix"
+check 'without a radius there are no counterweights' none Fs v.gp
 run 0 --plot-script=v.gp --plot-kind=polar "$data/khurmi-22.1.deck"
 check 'the shaking force of an engine' grep -q 'shaking force, open' v.gp
 
