@@ -75,6 +75,32 @@ rows named.deck
 check 'a name ends the element' none -e '[<>&]' rows
 that '[.forces[].label[0]] | index("</script><!--&]]>")'
 
+# Springs have ends or a pin; friction turns a link at its pins, in each row at the same place of the list.
+cat "$alvi" >springs.deck
+cat >>springs.deck <<'END'
+[spring S]
+link = rocker
+at = 0.04 m
+to = ground
+to_at = (0.1, 0.09) m
+stiffness = 800 N/m
+[spring T]
+link = coupler
+to = rocker
+damping = 0.02 N m s/rad
+[friction]
+B = 0.1
+radius_B = 5 mm
+D = 0.1
+radius_D = 6 mm
+END
+rows --branch=open springs.deck
+that '[.springs[] | [.label[0], .coil, .damper, .pin, .ends, .on]] ==
+    [["S", true, false, null, ["K0P", "K0Q"], [4, 1]], ["T", false, true, "C", null, null]]'
+that '.branches[0].tracks.K0Q == [0.1, 0.09]'
+that '[.torques[] | select(.label[0] == "M") | [.at, .on]] == [["B", 3], ["B", 2], ["C", 4], ["C", 3], ["D", 4], ["A", 2]]'
+that '[.torques[], .forces[] | select(.label[0] == "M" or .label[0] == "S" or .label[0] == "T") | select(.label[1] != "s") | .inner] | all'
+
 # More than a drawing shows: no drawing.
 cat "$alvi" >many.deck
 awk 'BEGIN {for (i = 0; i < 43; i++) printf "[load l%d]\nlink = rocker\nforce = (1, 2) N\nat = (0, 0) m\n", i}' >>many.deck
