@@ -170,6 +170,8 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
             settle(x, t, which);
             if (fabs(t->best[which].value) >= t->bound)
                 t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
+            if (fabs(t->best[which].value) < flk_column_least(t->c, &x->a->d->mechanism))
+                t->best[which].value = 0;
         }
         settle_constant(x, t);
         give(&t->best[0], &pairs[c].max);
