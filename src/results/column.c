@@ -666,13 +666,6 @@ double flk_column_bound(const flk_column *c)
     return GSL_POSINF;
 }
 
-double flk_column_least(const flk_column *c, const fourlink_mechanism *mechanism)
-{
-    return !c->link && !c->springs_of && c->info->x == STATE(x)
-               ? 4 * GSL_DBL_EPSILON * mechanism->dead_centre * c->scale
-               : 0;
-}
-
 double flk_column_denominator(const flk_column *c, const flk_row *row)
 {
     const fourlink_state *state = &row->at.state;

@@ -69,9 +69,6 @@ int flk_column_need(const flk_column *c);
 ** position. */
 double flk_column_bound(const flk_column *c);
 
-/* The magnitude, in its unit, below which a column is rounding: that of a difference of two lengths. */
-double flk_column_least(const flk_column *c, const fourlink_mechanism *mechanism);
-
 /* The denominator of such a column, which is 0 at its poles. */
 double flk_column_denominator(const flk_column *c, const flk_row *row);
 
