@@ -114,7 +114,7 @@ build() {
 emulate() {
     name=$1
     shift
-    find "$name/build" -maxdepth 2 -type f -perm -u+x ! -name '*.so*' ! -name '*.dll' >"$name/programs"
+    find "$name/build" -maxdepth 2 -type f -perm -u+x ! -path '*/real/*' ! -name '*.so*' ! -name '*.dll' >"$name/programs"
     while read -r program; do
         if [ "$(head -c 2 "$program")" != '#!' ]; then
             mkdir -p "${program%/*}/real"

@@ -60,7 +60,13 @@ musl() {
 compile() {
     build "$1" "$2"
     case $1 in
-    i386) emulate i386 "qemu-i386 -L $work/i386/root" ;;
+    i386)
+        # an amd64 processor runs them itself, if the kernel lets it
+        root=$work/i386/root
+        loader="$root/lib/ld-linux.so.2 --library-path $root/lib/i386-linux-gnu:$root/usr/lib/i386-linux-gnu"
+        $loader --version >/dev/null 2>&1 || loader="qemu-i386 -L $root"
+        emulate i386 "$loader"
+        ;;
     arm64) emulate arm64 "qemu-aarch64 -L $work/arm64/root" ;;
     s390x) emulate s390x "qemu-s390x -L $work/s390x/root" ;;
     esac

@@ -10,7 +10,7 @@
 # control characters, or gnuplot itself.
 others='install|readme|includes|fast_math|brute|interruption|missing_designs|failures|output|files|terminal|readers'
 others="$others|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
-others="$others|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
+others="$others|assets|browser|characters|test_columns|test_report|sample|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
 
 install cmake make gcc libgsl-dev dpkg-dev mingw-w64 wine wine64
 export WINEPREFIX="$work/wine" WINEDEBUG=-all
@@ -170,6 +170,23 @@ int main(int argc, char **argv)
     return 0;
 }
 C
+
+# reports, without pictures, and without what may differ: the last digits of csv, the residual
+mkdir path
+ln -s "$(command -v wine)" "$(command -v sh)" path
+touch report
+for deck in "$source"/data/*.deck; do
+    cp "$deck" mine.deck
+    for program in "$fourlink" "$work/native/build/fourlink"; do
+        got=0
+        PATH=$PWD/path "$program" --report=page.html mine.deck 2>messages || got=$?
+        mv report other
+        sed -E '/^(open|crossed),/d; s/,-?[0-9]\.[0-9]e[-+][0-9]+\]/]/' page.html | cat messages - >report
+        echo "exit status $got" >>report
+    done
+    expect "the report of ${deck##*/}" cmp other report
+done
+
 run 3 --plot=x.svg decks/x.deck
 expect 'no gnuplot' says 'gnuplot is not installed'
 expect 'no picture' test ! -e x.svg

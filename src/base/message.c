@@ -10,7 +10,6 @@
 #include "message.h"
 
 #define WORD_SIZE 64
-#define MOST_MISTAKES 100
 
 /* A message in the making. */
 typedef struct writer {

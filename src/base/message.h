@@ -27,6 +27,9 @@ typedef struct text_place {
     long line;
 } text_place;
 
+/* Of more mistakes than this only the number is kept, and printed. */
+#define MOST_MISTAKES 100
+
 /* The mistakes found in a deck, in the order of its lines. */
 typedef struct mistakes {
     struct mistake *list;

@@ -91,7 +91,12 @@ int flk_text_equal(text t, const char *word)
 
 int flk_text_same(text t, const char *word)
 {
-    return strlen(word) == t.length && memcmp(t.start, word, t.length) == 0;
+    size_t i;
+
+    for (i = 0; i < t.length; i++)
+        if (word[i] == '\0' || t.start[i] != word[i])
+            return 0;
+    return word[i] == '\0';
 }
 
 int flk_text_split(text *rest, int stop, text *piece)
@@ -261,9 +266,13 @@ const char *flk_text_nearest(text t, const char *const *words)
     size_t best = t.length <= 3 ? 2 : t.length / 3 + 2;
 
     for (; *words; words++) {
-        size_t d = distance(t, *words);
+        size_t n = strlen(*words), d;
 
-        if (d < best && d < strlen(*words)) {
+        /* so many letters are inserted or left out at least */
+        if ((n > t.length ? n - t.length : t.length - n) >= best)
+            continue;
+        d = distance(t, *words);
+        if (d < best && d < n) {
             best = d;
             nearest = *words;
         }

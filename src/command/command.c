@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/text.h"
+#include "base/message.h"
 #include "command.h"
 
 int command_worse(int status, int other)
@@ -15,16 +15,19 @@ int command_worse(int status, int other)
 
 void command_print(const char *words)
 {
-    text rest = flk_text_of(words);
+    text rest = flk_text_of(words), run = rest;
 
     while (rest.length) {
         size_t n = flk_text_printable(rest);
 
-        if (n)
-            fwrite(rest.start, 1, n, stderr);
-        else
-            putc('?', stderr);
         rest = flk_text_from(rest, n ? n : 1);
+        if (n && rest.length)
+            continue;
+        /* one call for what is printable: standard error has no buffer */
+        fwrite(run.start, 1, run.length - rest.length - !n, stderr);
+        if (!n)
+            putc('?', stderr);
+        run = rest;
     }
 }
 
@@ -61,6 +64,13 @@ static void tell(const char *what, const char *file, long line, const char *mess
 void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name)
 {
     tell("error", file, line, message, deck_name);
+}
+
+void command_tell_more(unsigned long n, const char *what)
+{
+    if (n > MOST_MISTAKES)
+        fprintf(stderr, "fourlink: and %lu more %s%s\n", n - MOST_MISTAKES, what,
+                n - MOST_MISTAKES > 1 ? "s" : "");
 }
 
 void command_tell_note(const char *file, long line, const char *message, const char *deck_name)

@@ -22,4 +22,7 @@ int command_complain(const char *what, const char *name, const char *why);
 void command_tell_mistake(const char *file, long line, const char *message, const char *deck_name);
 void command_tell_note(const char *file, long line, const char *message, const char *deck_name);
 
+/* After the first MOST_MISTAKES of `n` mistakes or notes, print how many more there are. */
+void command_tell_more(unsigned long n, const char *what);
+
 #endif

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/message.h"
 #include "base/system.h"
-#include "base/text.h"
 #include "command.h"
 #include "files.h"
 #include "input.h"
@@ -127,8 +127,6 @@ static int serves_options(input *in)
     return 0;
 }
 
-#define MOST_MISTAKES 100
-
 /* Print the mistakes of a deck, or the notes on it. */
 static void tell_all(const input *in, const fourlink_mistake *list, unsigned long n,
                      void tell(const char *, long, const char *, const char *), const char *what)
@@ -137,9 +135,7 @@ static void tell_all(const input *in, const fourlink_mistake *list, unsigned lon
 
     for (i = 0; i < n && i < MOST_MISTAKES; i++)
         tell(list[i].file, list[i].line, list[i].message, in->o->n_decks > 1 ? in->name : NULL);
-    if (n > MOST_MISTAKES)
-        fprintf(stderr, "fourlink: and %lu more %s%s\n", n - MOST_MISTAKES, what,
-                n - MOST_MISTAKES > 1 ? "s" : "");
+    command_tell_more(n, what);
 }
 
 /* Make a deck unusable. */

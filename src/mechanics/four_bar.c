@@ -257,9 +257,10 @@ static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *l
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length, d = link[1].length;
     double least = mechanism->folded < 0 ? 0 : angle_in_triangle(b, c, fabs(d - a));
-    double most = mechanism->stretched < 0 ? M_PI : angle_in_triangle(b, c, d + a);
+    double half_turn = M_PI,
+           most = mechanism->stretched < 0 ? half_turn : angle_in_triangle(b, c, d + a);
 
-    limits->mu_min = least < M_PI - most ? least : M_PI - most;
+    limits->mu_min = least < half_turn - most ? least : half_turn - most;
     limits->mu_max = least <= M_PI_2 && most >= M_PI_2 ? M_PI_2
                      : most < M_PI_2                   ? most
                                                        : M_PI - least;

@@ -201,11 +201,11 @@ static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branc
     double r = mechanism->design.link[2].length, l = mechanism->design.link[3].length;
     double e = mechanism->design.offset, inner = asin(flk_kind_clamp(e / (l + r))),
            outer = M_PI + asin(flk_kind_clamp(e / (l - r))),
-           slow = M_PI + fabs(outer - M_PI - inner);
+           slow = M_PI + fabs(outer - M_PI - inner), half_turn = M_PI;
 
     if (branch == FOURLINK_CROSSED) {
-        inner = M_PI - inner;
-        outer = M_PI - outer;
+        inner = half_turn - inner;
+        outer = half_turn - outer;
     }
     limits->has_stroke = 1;
     if (e != 0)

@@ -53,17 +53,24 @@ static const char *put_group(const char *s, FILE *out)
 /* A colour such as rgb(  0, 114, 178); returns what comes after it. */
 static const char *put_colour(const char *s, FILE *out)
 {
-    long part[3];
+    const char *at = s + 3;
+    long part[3] = {0, 0, 0};
     char *end;
     int i;
 
     for (i = 0; i < 3; i++) {
-        part[i] = strtol(strpbrk(s, "(,") + 1, &end, 10);
-        s = end;
+        if (*at != (i ? ',' : '(')) {
+            putc(*s, out);
+            return s + 1;
+        }
+        part[i] = strtol(at + 1, &end, 10);
+        at = end;
     }
     fprintf(out, "#%02lx%02lx%02lx", part[0], part[1], part[2]);
-    return *s == ')' ? s + 1 : s;
+    return *at == ')' ? at + 1 : at;
 }
+
+#define FARTHEST 1e6
 
 /* Read a coordinate, in pixels; returns what comes after it, or null if there is none. */
 static const char *read_coordinate(const char *s, const char *end, double *value)
@@ -74,7 +81,8 @@ static const char *read_coordinate(const char *s, const char *end, double *value
     for (rest.length = 0; s + rest.length < end && strchr("-.0123456789", s[rest.length]);
          rest.length++)
         ;
-    return flk_number_read(&rest, value) == NUMBER_OK ? rest.start : NULL;
+    return flk_number_read(&rest, value) == NUMBER_OK && fabs(*value) < FARTHEST ? rest.start
+                                                                                 : NULL;
 }
 
 typedef struct place {
@@ -161,6 +169,7 @@ static void put_points(const char *s, const char *end, FILE *out)
         if (letter == 'Z') {
             put_held(&p);
             p.last = 'z';
+            letter = 'M';
             putc('z', out);
             continue;
         }

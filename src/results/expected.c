@@ -22,6 +22,10 @@ typedef struct found {
     unsigned long n_facts; /* with this name, such as the ends of two ranges; 0: a column */
 } found;
 
+/* Of more values than people write, an unknown name is reported without a similar one, so that a large file does
+** not take long. */
+#define HINTED 1000
+
 /* Report a name that is neither a column nor a fact, with the most similar one. */
 static int unknown(fourlink_check *c, text name, const char *nearest)
 {
@@ -50,29 +54,31 @@ static const char *nearest_fact(text name, const fourlink_value *facts, unsigned
 static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
                      fourlink_check *c, found *f)
 {
-    int group = flk_fact_group(e->name);
-    unsigned long n, i;
+    int group = flk_fact_group(e->name), is_hinted = e - a->d->expectations < HINTED;
+    unsigned long n = 0, i;
     text of;
 
     memset(f, 0, sizeof *f);
     f->statistic = flk_column_statistic_of(e->name, &of);
     if (f->statistic && !flk_column_find(a, of, &f->c))
-        return unknown(c, of, flk_column_nearest(a, of));
+        return unknown(c, of, is_hinted ? flk_column_nearest(a, of) : NULL);
     if (f->statistic || flk_column_find(a, e->name, &f->c)) {
         f->is_column = !f->statistic;
         f->q = flk_column_quantity(&f->c);
         return 1;
     }
-    n = flk_fact_list(a, NULL, (int)e->branch,
-                      group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, NULL, 0,
-                      facts, NULL);
+    if (group || is_hinted)
+        n = flk_fact_list(a, NULL, (int)e->branch,
+                          group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, NULL, 0,
+                          facts, NULL);
     for (i = 0; i < n; i++)
         if (flk_text_same(e->name, facts[i].name))
             facts[f->n_facts++] = facts[i];
     if (!f->n_facts) {
-        const char *nearest = nearest_fact(e->name, facts, n);
+        const char *nearest = is_hinted ? nearest_fact(e->name, facts, n) : NULL;
 
-        return unknown(c, e->name, nearest ? nearest : flk_column_nearest(a, e->name));
+        return unknown(c, e->name,
+                       nearest || !is_hinted ? nearest : flk_column_nearest(a, e->name));
     }
     f->facts = facts;
     f->q = flk_quantity_find(facts[0].quantity);

@@ -145,6 +145,15 @@ static void settle_constant(const flk_search *x, flk_tracked *t)
         max->angle = min->angle = first;
 }
 
+/* The displacement of a piston is the difference of two lengths: its least value is 0 but for rounding. */
+static void settle_zero(const flk_search *x, flk_tracked *t, int which)
+{
+    double length = x->a->d->mechanism.dead_centre * t->c->scale;
+
+    if (strcmp(t->c->name, "x") == 0 && fabs(t->best[which].value) < 4 * GSL_DBL_EPSILON * length)
+        t->best[which].value = 0;
+}
+
 static void give(const flk_found *f, flk_extreme *extreme)
 {
     extreme->is_there = f->is_there;
@@ -170,6 +179,7 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
             settle(x, t, which);
             if (fabs(t->best[which].value) >= t->bound)
                 t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
+            settle_zero(x, t, which);
         }
         settle_constant(x, t);
         give(&t->best[0], &pairs[c].max);

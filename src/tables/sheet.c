@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/text.h"
+#include "base/message.h"
 #include "sheet.h"
 
 #define SHEET_ENTRY(name) &name##_format,
@@ -260,7 +260,8 @@ static void write_checks(sheet *s)
         fourlink_results_check(s->results, i, &check);
         s->checks[check.verdict]++;
         s->format->check(s, &check);
-        if (check.verdict == FOURLINK_NO_VALUE && s->no_value)
+        if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
+            s->checks[FOURLINK_NO_VALUE] <= MOST_MISTAKES)
             s->no_value(&check, s->deck_name);
     }
 }

@@ -60,7 +60,8 @@ typedef struct sheet {
 
     unsigned long failed;    /* rows, or designs, that could not be computed */
     unsigned long checks[5]; /* of this deck, by fourlink_verdict */
-    void (*no_value)(const fourlink_check *check, const char *deck_name); /* called for these */
+    /* called for these, at most MOST_MISTAKES times for a deck */
+    void (*no_value)(const fourlink_check *check, const char *deck_name);
     int out_of_memory;
 } sheet;
 

@@ -21,6 +21,14 @@ for what in '[expect]' '[sweep]' '[crank]'; do
     [ "$what" = '[expect]' ] && sed -i.old '/motion2/d' x.deck
     fast "$([ "$what" = '[expect]' ] && echo 0 || echo 2)" x.deck
 done
+# names that are neither columns nor facts: all are in the results, a similar name only with the first
+{ cat "$alvi"; echo '[expect]'; numbered 400000 'theta4_%d = 5\n'; } >x.deck
+fast 2 --check --format=csv x.deck
+says "x.deck:22: error: 'theta4_1' is neither a column nor a fact of this deck; did you mean 'theta2_to'?"
+says 'fourlink: and 399900 more mistakes'
+lines err 101
+lines out 400002 # the head, the score
+check 'similar names in the results' test "$(grep -c 'did you mean' out)" -eq 1000
 { cat "$alvi"; numbered 5000 'x%d\n'; } >x.deck
 fast 2 x.deck
 says 'fourlink: and 4900 more mistakes'

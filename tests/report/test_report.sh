@@ -143,6 +143,16 @@ for folder in empty failing; do
     sound r.html "$engine"
 done
 
+# what another program prints in the place of a drawing ends, and breaks nothing
+mkdir false
+for drawing in 'rgb(' 'rgb(1' 'rgb(1,2' 'rgb(1,2,3' "</defs><p d='M1,1Z5'" "</defs><p d='M1,1L" "</defs><p d='M1,1L9999999999999999999999,1'" \
+    "</defs><p d='M1,1LZ-.'" "<polygon points = '1,1 2'" '<g ' '<g >' '</defs>>' ']]>'; do
+    printf '#!/bin/sh\ncat >/dev/null\ncat <<"E"\n<svg %s\nE\n' "$drawing" >false/gnuplot
+    chmod +x false/gnuplot
+    (ulimit -t 20 && ulimit -f 20000 && PATH=$work/false:$PATH && exec "$fourlink" --report=r.html "$engine") 2>err
+    check "exit status $?, expected 0: a drawing of '$drawing'" test $? -eq 0
+done
+
 # a failure leaves the old file, and none beside it
 mkdir o
 echo old >o/r.html

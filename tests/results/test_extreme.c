@@ -278,6 +278,21 @@ static void test_extremes_of_an_engine_in_closed_form(void **unused)
     }
 }
 
+/* At its dead centre the displacement of the piston is 0, not what rounding leaves of two lengths. */
+static void test_least_displacement(void **unused)
+{
+    int i, k;
+
+    (void)unused;
+    for (i = -10; i <= 10; i++) {
+        fourlink_results *r = opened(slider_crank(0.05, 0.0934, 7e-4 * i, revolution(-24)));
+
+        for (k = 0; k < 2; k++)
+            assert_true(extreme_of(r, "x", branches[k], -1).value == 0);
+        fourlink_results_free(r);
+    }
+}
+
 /* The limits of a crank-rocker are the extremes of theta4 and mu. */
 static void test_extremes_and_limits_agree(void **unused)
 {
@@ -622,6 +637,7 @@ int main(void)
         cmocka_unit_test(test_extremes_of_an_angle_over_a_gap),
         cmocka_unit_test(test_extremes_of_angles_beside_gaps),
         cmocka_unit_test(test_extremes_of_an_engine_in_closed_form),
+        cmocka_unit_test(test_least_displacement),
         cmocka_unit_test(test_extremes_and_limits_agree),
         cmocka_unit_test(test_extremes_at_the_ends_of_a_range),
         cmocka_unit_test(test_extremes_just_inside_an_end),
