@@ -16,11 +16,13 @@
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {
-    VALUE,     /* one of them */
-    SIZE,      /* resultant of two components */
-    DIRECTION, /* their direction */
-    PRODUCT,   /* of two */
-    DIFFERENCE /* of two */
+    VALUE,           /* one of them */
+    POLAR_SIZE,      /* the first, size of a vector; the other is its direction */
+    POLAR_DIRECTION, /* the first, direction of a vector; the other is its size */
+    SIZE,            /* resultant of two components */
+    DIRECTION,       /* their direction */
+    PRODUCT,         /* of two */
+    DIFFERENCE       /* of two */
 } column_form;
 
 struct flk_column_info {
@@ -56,6 +58,8 @@ struct flk_column_info {
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
 #define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
+#define OF_INERTIA(i, form, x, y) \
+    NEED_DERIVED | NEED_FORCES, form, DERIVED(inertia[i].x), DERIVED(inertia[i].y)
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
 #define DIFFERENCE_OF(member, exact) NEED_SERIES, DIFFERENCE, SERIES(member), STATE(exact)
@@ -82,13 +86,14 @@ struct flk_column_info {
       #F " normal to the line of the " link ", to its left", "")
 
 /* Fi2, Fi2_dir, h2, Ci2 */
-#define INERTIA_FORCE(X, i)                                                                \
-    X(Fi##i, FORCE, ALL, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
-      "F_g" #i " (ME3491)")                                                                \
-    X(Fi##i##_dir, ANGLE, ALL, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
-    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")   \
-    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                   \
+#define INERTIA_FORCE(X, i)                                                                       \
+    X(Fi##i, FORCE, ALL, OF_INERTIA(i, POLAR_SIZE, size, direction), "inertia force of link " #i, \
+      "F_g" #i " (ME3491)")                                                                       \
+    X(Fi##i##_dir, ANGLE, ALL, OF_INERTIA(i, POLAR_DIRECTION, direction, size),                   \
+      "direction of Fi" #i, "")                                                                   \
+    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                                \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")          \
+    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                          \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* friction_A */
@@ -582,14 +587,16 @@ static double number_at(const flk_row *row, size_t place)
     return *(const double *)(const void *)((const char *)row + place);
 }
 
-/* x and y of position, velocity and acceleration; the sizes of the last two. */
+/* Columns of a point: x and y of position, velocity and acceleration; the sizes of the last two. */
+#define IS_SIZE_OF_POINT(c) ((c)->link && (c)->component >= 6)
+
 static double point_value(const flk_column *c, const flk_row *row)
 {
     fourlink_vector u[3];
     int i = c->component;
 
     fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
-    if (i >= 6)
+    if (IS_SIZE_OF_POINT(c))
         return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
 }
@@ -600,13 +607,34 @@ static int is_of_crank(const flk_column *c)
            c->info->x < offsetof(flk_row, at.branch);
 }
 
-int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
+int flk_column_has_vector(const flk_column *c)
 {
-    if (c->link || c->springs_of || (c->info->form != DIRECTION && c->info->form != SIZE))
-        return 0;
-    *x = row->at.status == FOURLINK_OK ? number_at(row, c->info->x) : GSL_NAN;
-    *y = row->at.status == FOURLINK_OK ? number_at(row, c->info->y) : GSL_NAN;
-    return 1;
+    return c->link ? IS_SIZE_OF_POINT(c)
+                   : !c->springs_of && c->info->form >= POLAR_SIZE && c->info->form <= DIRECTION;
+}
+
+void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    fourlink_vector u[3];
+    double size, direction;
+
+    *x = *y = GSL_NAN;
+    if (row->at.status != FOURLINK_OK)
+        return;
+    if (c->link) {
+        fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
+        *x = u[c->component - 5].x;
+        *y = u[c->component - 5].y;
+        return;
+    }
+    *x = number_at(row, c->info->x);
+    *y = number_at(row, c->info->y);
+    if (c->info->form > POLAR_DIRECTION)
+        return;
+    size = c->info->form == POLAR_SIZE ? *x : *y;
+    direction = c->info->form == POLAR_SIZE ? *y : *x;
+    *x = size == 0 ? 0 : size * cos(direction);
+    *y = size == 0 ? 0 : size * sin(direction);
 }
 
 /* A zero vector has none. */
@@ -628,7 +656,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
                                                   &c->springs_of->springs[c->spring].spring,
                                                   c->component, &row->at.state);
     x = number_at(row, c->info->x);
-    if (c->info->form == VALUE)
+    if (c->info->form <= POLAR_DIRECTION)
         return x * c->scale; /* nearly all columns */
     y = number_at(row, c->info->y);
     x = c->info->form == SIZE        ? gsl_hypot(x, y)

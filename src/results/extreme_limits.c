@@ -8,6 +8,18 @@
 
 #include "extreme_search.h"
 
+/* A column's size in a stretch, whatever it does at the ends. */
+static double size_inside(const flk_search *x, const double *values)
+{
+    double size = 0;
+    size_t k;
+
+    for (k = 1; k < 4; k++)
+        if (fabs(values[k * (x->n - 1) / 4]) > size)
+            size = fabs(values[k * (x->n - 1) / 4]);
+    return size;
+}
+
 /* The denominator of a column that has poles, at a parameter. */
 static double denominator_at(const flk_search *x, const flk_tracked *t, double s)
 {
@@ -17,7 +29,8 @@ static double denominator_at(const flk_search *x, const flk_tracked *t, double s
     return row.at.status == FOURLINK_OK ? flk_column_denominator(t->c, &row) : GSL_NAN;
 }
 
-#define BESIDE_POLE 1e-8 /* s */
+#define BESIDE_POLE 1e-8          /* s */
+#define ROUNDING_BESIDE_POLE 1e-6 /* there, in parts of the column's size */
 
 /* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
 ** vanishes with it. */
@@ -42,34 +55,38 @@ static void find_pole(const flk_search *x, flk_tracked *t, double low, double hi
 }
 
 /* A pole at a corner, an end of the stretch, has the sign of the rows beside it. */
-static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double inwards)
+static void find_pole_at_corner(flk_search *x, flk_tracked *t, const double *values, double s,
+                                double inwards)
 {
-    double corner = flk_search_corner(x, s), beside, nearer, value;
+    double corner = flk_search_corner(x, s), step = inwards * BESIDE_POLE, beside, nearer, value;
     flk_row row;
     int which;
 
+    if (flk_search_is_root(inwards > 0 ? x->piece.begin : x->piece.end))
+        step = inwards * sqrt(BESIDE_POLE);
     flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
     if (row.at.status != FOURLINK_OK)
         return;
     value = flk_column_value(t->c, &row);
-    beside = flk_search_value(x, t, s + 1e-4 * inwards, 0);
-    nearer = flk_search_value(x, t, s + 0.5e-4 * inwards, 0);
-    which = beside > 0 ? 0 : 1;
-    if (gsl_isnan(value) ? fabs(nearer) > 1.5 * fabs(beside) && fabs(nearer) > 1e-9 * t->size
+    beside = flk_search_value(x, t, s + 2 * step, 0);
+    nearer = flk_search_value(x, t, s + step, 0);
+    which = nearer > 0 ? 0 : 1;
+    if (gsl_isnan(value) ? fabs(nearer) > 1.5 * fabs(beside) &&
+                               fabs(nearer) > ROUNDING_BESIDE_POLE * size_inside(x, values)
                          : fabs(value) >= t->bound)
         flk_search_offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, corner,
                          corner);
 }
 
-void flk_search_find_poles(flk_search *x, flk_tracked *t)
+void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
 {
     double at, before = GSL_NAN;
     size_t i, last = 0;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
-    find_pole_at_corner(x, t, x->s[0], x->high - x->low);
-    find_pole_at_corner(x, t, x->s[x->n - 1], x->low - x->high);
+    find_pole_at_corner(x, t, values, x->s[0], 1);
+    find_pole_at_corner(x, t, values, x->s[x->n - 1], -1);
     for (i = 0;
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
@@ -197,11 +214,25 @@ static double size_at(const flk_tracked *t, const flk_row *row)
     return GSL_MAX_DBL(t->size_here, fabs(flk_column_value(t->c, row)));
 }
 
+static int is_size(const flk_tracked *t)
+{
+    return !(t->turn > 0) && flk_column_has_vector(t->c);
+}
+
+/* The value of a column by the polynomial through rows near the end.  A size whose vector passes through zero
+** between them and the end goes on as that of the vector does, with the other sign. */
+static double value_near(const flk_tracked *t, const flk_polynomial *p, double at)
+{
+    double slope, value = flk_polynomial_value(p, at, &slope);
+
+    return is_size(t) ? fabs(value) : value;
+}
+
 /* How far a row is from the polynomial that gives the limit: terms that cancel can leave the same rounding in
 ** all rows. */
 static double distance_from_limit(const flk_tracked *t, double at, const flk_row *row)
 {
-    double slope, value = flk_polynomial_value(&t->near_end, at, &slope);
+    double value = value_near(t, &t->near_end, at);
     double there = flk_column_value(t->c, row);
 
     return fabs((t->turn > 0 ? flk_search_nearest(t, there, value) : there) - value);
@@ -283,7 +314,7 @@ static void offer_flats(const flk_search *x, flk_tracked *t, const double *value
                         const approach *e, const limit *l, const double *y)
 {
     const double *away = e->x[l->scale];
-    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), slope, at, value;
+    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), at, value;
     flk_polynomial p;
     int k;
 
@@ -294,7 +325,7 @@ static void offer_flats(const flk_search *x, flk_tracked *t, const double *value
         if (!flk_polynomial_find_flat(&p, most * (double)k / PARTS, most * (double)(k + 1) / PARTS,
                                       &at))
             continue;
-        value = flk_polynomial_value(&p, at, &slope);
+        value = value_near(t, &p, at);
         if (fabs(value - l->value) > l->error)
             offer_near(x, t, e, at, value);
     }
@@ -337,10 +368,11 @@ static int find_vector_pole(const flk_search *x, const flk_tracked *t, const app
     int scale, k, i, order[2];
     limit l;
 
+    if (!flk_column_has_vector(t->c))
+        return 0;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++)
-            if (!flk_column_vector(t->c, &e->rows[scale][k], &u[0][scale][k], &u[1][scale][k]))
-                return 0;
+            flk_column_vector(t->c, &e->rows[scale][k], &u[0][scale][k], &u[1][scale][k]);
     for (i = 0; i < 2; i++)
         order[i] = pole_order(e, u[i], x->pole_order, &v->strength[i]);
     v->order = GSL_MAX_INT(order[0], order[1]);
@@ -438,18 +470,6 @@ static void offer_near_pole(const flk_search *x, flk_tracked *t, const approach 
             }
 }
 
-/* A column's size in a stretch, whatever it does at the ends. */
-static double size_inside(const flk_search *x, const double *values)
-{
-    double size = 0;
-    size_t k;
-
-    for (k = 1; k < 4; k++)
-        if (fabs(values[k * (x->n - 1) / 4]) > size)
-            size = fabs(values[k * (x->n - 1) / 4]);
-    return size;
-}
-
 /* The error of a limit, in parts of the column's size, up to which it is used, and up to which its polynomial stands
 ** for the column. */
 #define KNOWN 1e-6
@@ -533,6 +553,8 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         return;
     }
     l = limit_of(e, y, 0);
+    if (is_size(t))
+        l.value = fabs(l.value);
     size = GSL_MAX_DBL(l.size, size_inside(x, values));
     if (fabs(l.value) <= GSL_MAX_DBL(4 * l.error, EXACT * size))
         l.value = 0; /* such as the transmission angle at a dead position */

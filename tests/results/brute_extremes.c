@@ -1103,14 +1103,26 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
     return d;
 }
 
-/* 1 for a pole that is narrower than the rows: they grow towards it without end. */
+/* 1 if a column grows without end on one side of an angle, to that sign: tenfold with each tenth of the distance. */
+static int grows(unsigned long c, double p, int side, double sign)
+{
+    double v[COLUMNS], before = INFINITY, away;
+
+    for (away = 1e-6; away > 0.5e-8; away /= 10) {
+        if (compute(p + side * away, v) || !(fabs(v[c]) > 5 * before || isinf(before)))
+            return 0;
+        before = fabs(v[c]);
+    }
+    return v[c] * sign > 0;
+}
+
+/* 1 for a pole that is narrower than the rows. */
 static int is_narrow_pole(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * unit, far[COLUMNS], near[COLUMNS], nearer[COLUMNS];
+    double p = sense * (f->angle - from) * unit;
 
-    return isinf(f->value) && has_bound(c) && !compute(p + 1e-3, far) && !compute(p + 1e-7, near) &&
-           !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
-           fabs(near[c]) > 1e3 * fabs(far[c]);
+    return isinf(f->value) && has_bound(c) &&
+           (grows(c, p, 1, f->value) || grows(c, p, -1, f->value));
 }
 
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
