@@ -104,10 +104,11 @@ void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
 ** large ones where poles cancel.  At a dead position x is the root of the angle. */
 #define NODES FLK_POLYNOMIAL_MOST
 #define SCALES 8
+#define LONG_ENOUGH 0.4 /* rad, a length that holds all scales */
 
 typedef struct approach {
     int at_end, is_dead;
-    double edge, length; /* rad passed at the end of the piece, and length of the piece */
+    double edge, length; /* rad passed at the end of the piece, and over which columns are smooth */
     double x[SCALES][NODES];
     flk_row rows[SCALES][NODES];
 } approach;
@@ -118,7 +119,8 @@ static double passed_near(const approach *e, double x)
     return e->edge + (e->at_end ? -1 : 1) * (e->is_dead ? x * x : x);
 }
 
-static void compute_approach(const flk_search *x, int at_end, approach *e)
+/* The largest scale is at most half of the length; no two are the same, or rounding would look like a pole. */
+static void compute_approach(const flk_search *x, int at_end, double length, approach *e)
 {
     static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
                                              {0.001, 0.004, 0.016, 0.04, 0.08, 0.12, 0.2, 0.3}};
@@ -127,10 +129,10 @@ static void compute_approach(const flk_search *x, int at_end, approach *e)
     e->at_end = at_end;
     e->is_dead = flk_search_is_root(at_end ? x->piece.end : x->piece.begin);
     e->edge = at_end ? x->piece.to : x->piece.from;
-    e->length = x->piece.to - x->piece.from;
+    e->length = length;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
-            double most = e->is_dead ? sqrt(e->length / 2) : e->length / 2;
+            double most = (e->is_dead ? sqrt(length / 2) : length / 2) * (scale + 1) / SCALES;
 
             most = GSL_MIN_DBL(most, scales[e->is_dead][scale]);
             e->x[scale][k] = most * (k + 1) / NODES;
@@ -309,6 +311,7 @@ typedef struct limit {
 /* Offer the extremes of a column between the end of the piece and the first of its samples, by the polynomial
 ** that gives its limit, if they are better than that. */
 #define PARTS 8
+#define AS_GOOD 1e-10 /* of the column's size: less is rounding, which has flat places of its own */
 
 static void offer_flats(const flk_search *x, flk_tracked *t, const double *values,
                         const approach *e, const limit *l, const double *y)
@@ -326,7 +329,7 @@ static void offer_flats(const flk_search *x, flk_tracked *t, const double *value
                                       &at))
             continue;
         value = value_near(t, &p, at);
-        if (fabs(value - l->value) > l->error)
+        if (fabs(value - l->value) > GSL_MAX_DBL(l->error, AS_GOOD * l->size))
             offer_near(x, t, e, at, value);
     }
 }
@@ -566,20 +569,25 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_flats(x, t, values, e, &l, y[l.scale]);
 }
 
-void flk_search_find_limits(flk_search *x, int at_end)
+/* Columns that loads have no corners in are smooth over more than the piece. */
+enum { OF_MOTION = 1, OF_LOADS = 2 };
+
+static int group_of(const flk_tracked *t)
 {
-    flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
+    return flk_column_is_of_motion(t->c) ? OF_MOTION : OF_LOADS;
+}
+
+/* Offer the limits of the groups of columns that are smooth over such a length. */
+static void find_limits(flk_search *x, int at_end, int groups, double length)
+{
     int rough = 0;
     flk_row at_edge;
     approach e;
     size_t c;
 
-    if (!flk_search_has_limit(kind) || !x->n)
-        return;
-    compute_approach(x, at_end, &e);
-    x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
+    compute_approach(x, at_end, length, &e);
     for (c = 0; c < x->n_columns; c++) {
-        x->columns[c].is_rough = is_rough(x, c, &e);
+        x->columns[c].is_rough = (group_of(&x->columns[c]) & groups) && is_rough(x, c, &e);
         rough |= x->columns[c].is_rough;
     }
     if (rough)
@@ -588,9 +596,29 @@ void flk_search_find_limits(flk_search *x, int at_end)
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
 
+        if (!(group_of(t) & groups))
+            continue;
         if (flk_column_flags(t->c) & FOURLINK_OF_CRANK)
             offer_near(x, t, &e, 0, flk_column_value(t->c, &at_edge));
         else if (!t->is_noise)
             find_limit(x, c, &e);
+    }
+}
+
+void flk_search_find_limits(flk_search *x, int at_end)
+{
+    flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
+    double length = x->piece.to - x->piece.from,
+           of_motion =
+               at_end ? x->piece.to - x->piece.motion_from : x->piece.motion_to - x->piece.from;
+
+    if (!flk_search_has_limit(kind) || !x->n)
+        return;
+    x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
+    if (length >= LONG_ENOUGH || of_motion <= length) {
+        find_limits(x, at_end, OF_MOTION | OF_LOADS, length);
+    } else {
+        find_limits(x, at_end, OF_MOTION, of_motion);
+        find_limits(x, at_end, OF_LOADS, length);
     }
 }
