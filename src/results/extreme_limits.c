@@ -171,7 +171,7 @@ static double coefficient(const double *x, const double *y, int order)
 /* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
 #define POLE_SCALE 1
 
-static int pole_order(const approach *e, double y[][NODES], int order, double *strength)
+static int strong_pole(const approach *e, double y[][NODES], int order, double *strength)
 {
     double other;
 
@@ -181,8 +181,38 @@ static int pole_order(const approach *e, double y[][NODES], int order, double *s
         if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
             return order;
     }
-    *strength = 0;
     return 0;
+}
+
+/* The same for a pole that rounding hides on the small scales: on two larger ones it is far above the error. */
+#define ABOVE_ERROR 1e3
+
+static int hidden_pole(const approach *e, double y[][NODES], int most, double *strength)
+{
+    double other, error, error_of_other;
+    int scale, order;
+
+    for (scale = POLE_SCALE; scale + 1 < SCALES; scale++)
+        for (order = most; order > 0; order--) {
+            *strength = extrapolate(e->x[scale], y[scale], order, &error);
+            other = extrapolate(e->x[scale + 1], y[scale + 1], order, &error_of_other);
+            if (fabs(*strength) > ABOVE_ERROR * error &&
+                fabs(other) > ABOVE_ERROR * error_of_other &&
+                fabs(*strength - other) < 0.01 * fabs(*strength))
+                return order;
+        }
+    return 0;
+}
+
+static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
+{
+    int order = strong_pole(e, y, most, strength);
+
+    if (!order)
+        order = hidden_pole(e, y, most, strength);
+    if (!order)
+        *strength = 0;
+    return order;
 }
 
 /* Leave the samples of a column out that are so close to an end of the piece. */
