@@ -9,6 +9,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "column.h"
 #include "column_info.h"
 #include "mechanics/mechanics.h"
 #include "point.h"

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-#include "column.h"
+#include "analysis.h"
 
 /* How a column's value is computed from the numbers of a row. */
 typedef enum column_form {

@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "column.h"
 #include "column_info.h"
 #include "mechanics/mechanics.h"
 #include "spring_column.h"
