@@ -215,6 +215,17 @@ static int pole_order(const approach *e, double y[][NODES], int most, double *st
     return order;
 }
 
+/* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow and are not rounding, know
+** the sign best. */
+static double pole_sign(const approach *e, double y[][NODES], int most)
+{
+    double strength;
+
+    if (strong_pole(e, y, most, &strength))
+        return fabs(y[0][0]) > fabs(y[0][NODES - 1]) ? y[0][0] : strength;
+    return hidden_pole(e, y, most, &strength) ? strength : 0;
+}
+
 /* Leave the samples of a column out that are so close to an end of the piece. */
 static void lose(flk_search *x, size_t c, int at_end, double away)
 {
@@ -566,7 +577,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
 {
     flk_tracked *t = &x->columns[c];
     const double *values = flk_search_row(x, c);
-    double near = values[first_number(x, values, e)], strength, size;
+    double near = values[first_number(x, values, e)], sign, size;
     double y[SCALES][NODES];
     int has_vector_pole;
     vector_pole v;
@@ -579,10 +590,9 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
         return;
     }
-    if (!(t->turn > 0) && pole_order(e, y, x->pole_order, &strength)) {
-        if (fabs(y[0][0]) > fabs(y[0][NODES - 1]))
-            strength = y[0][0]; /* the closest rows, if they grow, know the sign best */
-        offer_pole(x, t, e, strength > 0 ? 0 : 1);
+    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order);
+    if (sign != 0) {
+        offer_pole(x, t, e, sign > 0 ? 0 : 1);
         return;
     }
     l = limit_of(e, y, 0);
