@@ -657,33 +657,50 @@ static double neville(const double *y, double *error)
     return t[6];
 }
 
-/* The sign of a pole of any order, however weak; 0 if there is none. */
-static int weak_pole(const double *y)
+/* The sign of a pole of any order, however weak, that is more than rounding; 0 if there is none. */
+static int weak_pole(const edge *e, unsigned long c, const double *y)
 {
-    double scaled[HALVINGS], error, most;
+    double scaled[HALVINGS], noise[HALVINGS], most, strength, error, rounding;
     int order, i, k;
 
-    for (order = 4; order > 0; order--)
-        for (k = 0; k + 7 <= HALVINGS; k++) {
-            double strength;
+    for (order = 4; order > 0; order--) {
+        most = 0;
+        for (i = 0; i < HALVINGS; i++) {
+            double power = pow(0.16 * pow(0.5, i), order);
 
-            most = 0;
-            for (i = 0; i < HALVINGS; i++) {
-                scaled[i] = y[i] * pow(0.16 * pow(0.5, i), order);
-                most = fmax(most, fabs(scaled[i]));
-            }
+            scaled[i] = y[i] * power;
+            noise[i] = e->noise[i][c] * power;
+            most = fmax(most, fabs(scaled[i]));
+        }
+        for (k = 0; k + 7 <= HALVINGS; k++) {
             strength = neville(scaled + k, &error);
-            if (fabs(strength) > 1e4 * error && fabs(strength) > 1e-8 * most)
+            rounding = 0;
+            for (i = k; i < k + 7; i++)
+                rounding = fmax(rounding, 10 * noise[i]);
+            if (fabs(strength) > fmax(1e4 * error, rounding) && fabs(strength) > 1e-8 * most)
                 return strength > 0 ? 1 : -1;
         }
+    }
     return 0;
 }
 
 /* Neville's scheme at s = 0, for s halved again and again, on the window of distances where it is surest. */
-static verdict limit_of(const edge *e, unsigned long c, double near, double *limit, double *error)
+/* 1 if the nearest rows of a column are larger than what rounding makes of them. */
+static int is_above_noise(const edge *e, unsigned long c)
+{
+    int i;
+
+    for (i = HALVINGS - 3; i < HALVINGS; i++)
+        if (!(fabs(e->v[i][c]) > e->noise[i][c]))
+            return 0;
+    return 1;
+}
+
+static verdict limit_of_one(const edge *e, unsigned long c, double near, double *limit,
+                            double *error)
 {
     double y[HALVINGS], growth[3], turn = turn_of(c);
-    int i, k;
+    int i, k, grows, sign;
 
     *limit = *error = NAN;
     if (e->is_noise)
@@ -704,13 +721,14 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
         if (y[HALVINGS - 3 + i] * y[HALVINGS - 4 + i] < 0)
             growth[i] = 0.5;
     }
-    if (!is_angle(c) && growth[0] > 0.8 && growth[1] > 0.8 && growth[2] > 0.8) {
+    grows = !is_angle(c) && growth[0] > 0.8 && growth[1] > 0.8 && growth[2] > 0.8;
+    sign = is_angle(c) ? 0 : weak_pole(e, c, y);
+    if (grows && (is_above_noise(e, c) || sign * y[HALVINGS - 1] > 0)) {
         *limit = y[HALVINGS - 1] > 0 ? INFINITY : -INFINITY;
         return UNBOUNDED;
     }
-    i = is_angle(c) ? 0 : weak_pole(y);
-    if (i) {
-        *limit = i > 0 ? INFINITY : -INFINITY;
+    if (sign) {
+        *limit = sign > 0 ? INFINITY : -INFINITY;
         return UNDECIDED;
     }
     *error = INFINITY;
@@ -727,9 +745,32 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
     }
     if (is_angle(c) && fabs(y[HALVINGS - 1] - *limit) > 1e-3 * turn)
         return UNDECIDED;
+    if (grows) /* but the nearest rows are rounding */
+        return isfinite(*error) ? BOUNDED : UNDECIDED;
     return isfinite(*error) && !(growth[2] > 0.15 && fabs(y[HALVINGS - 1]) > 2 * fabs(*limit))
                ? BOUNDED
                : UNDECIDED;
+}
+
+/* The same; what has components is no surer than they are: near a weak pole it is smooth only where that prevails. */
+static verdict limit_of(const edge *e, unsigned long c, double near, double *limit, double *error)
+{
+    size_t size = strlen(columns[c].name);
+    verdict of_component;
+    unsigned long i;
+
+    for (i = 0; i < n_columns; i++) {
+        const char *name = columns[i].name;
+
+        if (strlen(name) != size + 1 || memcmp(name, columns[c].name, size) != 0 ||
+            (name[size] != 'x' && name[size] != 'y'))
+            continue;
+        of_component = limit_of_one(e, i, near, limit, error);
+        *limit = INFINITY;
+        if (of_component != BOUNDED)
+            return of_component;
+    }
+    return limit_of_one(e, c, near, limit, error);
 }
 
 /* Close to a change point rows are rounding; the limit stands for them. */
