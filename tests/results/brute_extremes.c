@@ -406,14 +406,15 @@ static int is_near_edge(double p)
     return edge_distance(p) < 0.05;
 }
 
-/* By how much the columns of a row change with its angle's last digits, and the rounding of the largest of
-** their kind, of which they may be a sum: what rows cannot tell. */
+/* By how much the columns of a row change with its angle's last digits, how far they are from a smooth curve beside
+** it, and the rounding of the largest of their kind, of which they may be a sum: what rows cannot tell.  Within 1e-5 rad
+** of an edge rounding is in steps that are wider than that. */
 static void measure_noise(double p, const double *v, double *noise)
 {
     double beside[COLUMNS], ulp = DBL_EPSILON * (fabs(from) * unit + total);
     double largest[COLUMNS];
     unsigned long c;
-    double before[COLUMNS], h = 1e-6 * edge_distance(p);
+    double before[COLUMNS], away = edge_distance(p), h = (away < 1e-5 ? 1.0 / 64 : 1e-6) * away;
     int k;
 
     memset(largest, 0, sizeof largest);
