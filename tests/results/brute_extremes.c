@@ -855,6 +855,8 @@ static int is_gap(const row *r)
     return r->status && r->status != FOURLINK_CHANGE_POINT && r->status != FOURLINK_DEAD_POSITION;
 }
 
+#define NEAR_HALF 1e-5 /* of a turn */
+
 /* 1 if the rows say how the angle goes on. */
 static int follow(unsigned long c)
 {
@@ -873,6 +875,8 @@ static int follow(unsigned long c)
         }
         if (isnan(v))
             continue;
+        if (isnan(last) && i > 0 && 0.5 - leap(0, v, turn) < NEAR_HALF)
+            return 0; /* it begins at an edge, with 180 or -180 deg: that is rounding */
         by = leap(last, v, turn);
         if (by > 0.5 - 1e-3 && by <= 0.5 - 1e-10)
             return 0;
