@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** column.c - the columns of the tables: their names, units and meanings, and their values.
+** column.c - the columns of the tables: their names, units and meanings.
 */
 #include <math.h>
 #include <stddef.h>
@@ -10,28 +10,9 @@
 #include <gsl/gsl_math.h>
 
 #include "column.h"
+#include "column_info.h"
 #include "mechanics/mechanics.h"
 #include "point.h"
-#include "spring_column.h"
-
-/* How a column's value is computed from the numbers of a row. */
-typedef enum column_form {
-    VALUE,     /* one of them */
-    SIZE,      /* resultant of two components */
-    DIRECTION, /* their direction */
-    PRODUCT,   /* of two */
-    DIFFERENCE /* of two */
-} column_form;
-
-struct flk_column_info {
-    const char *name;
-    quantity q;
-    int kinds; /* mechanisms that have it, and USUAL: printed when the deck names no columns */
-    int need;  /* what it is computed with: the deck has the column if it can give that */
-    column_form form;
-    size_t x, y; /* places of the numbers in a row */
-    const char *meaning, *source_name;
-};
 
 #define FOUR_BAR FOURLINK_FOUR_BAR
 #define SLIDER_CRANK FOURLINK_SLIDER_CRANK
@@ -40,11 +21,8 @@ struct flk_column_info {
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
 
-#define ROW(member) offsetof(flk_row, at.row.member)
 #define STATE(member) offsetof(flk_row, at.state.member)
-#define FORCE(member) offsetof(flk_row, at.forces.member)
 #define SERIES(member) offsetof(flk_row, series.member)
-#define DERIVED(member) offsetof(flk_row, derived.member)
 
 /* need, form, x, y */
 #define OF_ROW(member) 0, VALUE, ROW(member), 0
@@ -56,6 +34,8 @@ struct flk_column_info {
 #define OF_MOTION(member) NEED_DERIVED, VALUE, DERIVED(member), 0
 #define OF_SHAKING(form) NEED_DERIVED | NEED_FORCES, form, DERIVED(Fsx), DERIVED(Fsy)
 #define OF_DERIVED(member) NEED_DERIVED | NEED_FORCES, VALUE, DERIVED(member), 0
+#define OF_INERTIA(i, form, x, y) \
+    NEED_DERIVED | NEED_FORCES, form, DERIVED(inertia[i].x), DERIVED(inertia[i].y)
 #define OF_SPLIT(member) NEED_FORCES | NEED_SUPERPOSITION, VALUE, DERIVED(member), 0
 #define OF_SERIES(member) NEED_SERIES, VALUE, SERIES(member), 0
 #define DIFFERENCE_OF(member, exact) NEED_SERIES, DIFFERENCE, SERIES(member), STATE(exact)
@@ -82,13 +62,14 @@ struct flk_column_info {
       #F " normal to the line of the " link ", to its left", "")
 
 /* Fi2, Fi2_dir, h2, Ci2 */
-#define INERTIA_FORCE(X, i)                                                                \
-    X(Fi##i, FORCE, ALL, OF_DERIVED(inertia[i].size), "inertia force of link " #i,         \
-      "F_g" #i " (ME3491)")                                                                \
-    X(Fi##i##_dir, ANGLE, ALL, OF_DERIVED(inertia[i].direction), "direction of Fi" #i, "") \
-    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                         \
-      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")   \
-    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                   \
+#define INERTIA_FORCE(X, i)                                                                       \
+    X(Fi##i, FORCE, ALL, OF_INERTIA(i, POLAR_SIZE, size, direction), "inertia force of link " #i, \
+      "F_g" #i " (ME3491)")                                                                       \
+    X(Fi##i##_dir, ANGLE, ALL, OF_INERTIA(i, POLAR_DIRECTION, direction, size),                   \
+      "direction of Fi" #i, "")                                                                   \
+    X(h##i, LENGTH, ALL, OF_DERIVED(inertia[i].h),                                                \
+      "offset of Fi" #i " from G, to the left looking along Fi" #i, "h (ME3491 fig. 2)")          \
+    X(Ci##i, TORQUE, ALL, OF_DERIVED(inertia[i].couple),                                          \
       "inertia couple of link " #i ", -I alpha" #i, "T_g" #i " (ME3491)")
 
 /* friction_A */
@@ -575,109 +556,6 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
     if (!n && !m->count)
         flk_mistake(m, a->d->columns.place, "no columns");
     return n;
-}
-
-static double number_at(const flk_row *row, size_t place)
-{
-    return *(const double *)(const void *)((const char *)row + place);
-}
-
-/* x and y of position, velocity and acceleration; the sizes of the last two. */
-static double point_value(const flk_column *c, const flk_row *row)
-{
-    fourlink_vector u[3];
-    int i = c->component;
-
-    fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
-    if (i >= 6)
-        return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
-    return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
-}
-
-static int is_of_crank(const flk_column *c)
-{
-    return !c->link && !c->springs_of && c->info->form == VALUE &&
-           c->info->x < offsetof(flk_row, at.branch);
-}
-
-int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
-{
-    if (c->link || c->springs_of || (c->info->form != DIRECTION && c->info->form != SIZE))
-        return 0;
-    *x = row->at.status == FOURLINK_OK ? number_at(row, c->info->x) : GSL_NAN;
-    *y = row->at.status == FOURLINK_OK ? number_at(row, c->info->y) : GSL_NAN;
-    return 1;
-}
-
-/* A zero vector has none. */
-static double direction_of(double x, double y)
-{
-    return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);
-}
-
-double flk_column_value(const flk_column *c, const flk_row *row)
-{
-    double x, y;
-
-    if (row->at.status != FOURLINK_OK && !is_of_crank(c))
-        return GSL_NAN;
-    if (c->link)
-        return point_value(c, row);
-    if (c->springs_of)
-        return c->scale * flk_spring_column_value(&c->springs_of->mechanism,
-                                                  &c->springs_of->springs[c->spring].spring,
-                                                  c->component, &row->at.state);
-    x = number_at(row, c->info->x);
-    if (c->info->form == VALUE)
-        return x * c->scale; /* nearly all columns */
-    y = number_at(row, c->info->y);
-    x = c->info->form == SIZE        ? gsl_hypot(x, y)
-        : c->info->form == DIRECTION ? direction_of(x, y)
-        : c->info->form == PRODUCT   ? x * y
-                                     : x - y;
-    return x * c->scale;
-}
-
-int flk_column_flags(const flk_column *c)
-{
-    size_t x = c->info->x;
-
-    if (c->link || c->springs_of)
-        return 0;
-    return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
-           (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
-           (x == FORCE(residual) || x == DERIVED(superposition) ? FOURLINK_OF_ROUNDING : 0) |
-           (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
-}
-
-int flk_column_need(const flk_column *c)
-{
-    return c->info->need;
-}
-
-double flk_column_bound(const flk_column *c)
-{
-    size_t x = c->info->x;
-
-    if (!c->link && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
-                     x == DERIVED(I13.y) || x == DERIVED(I24.x) ||
-                     x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY)))
-        return 1e9 * c->scale;
-    return GSL_POSINF;
-}
-
-double flk_column_denominator(const flk_column *c, const flk_row *row)
-{
-    const fourlink_state *state = &row->at.state;
-    size_t x = c->info->x;
-
-    if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
-        return state->link[3].k;
-    if (x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY))
-        return state->link[2].axis.x;
-    if (x == DERIVED(I24.x))
-        return 1 - state->link[4].k;
-    return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
 }
 
 quantity flk_column_quantity(const flk_column *c)

@@ -56,8 +56,12 @@ const char *flk_column_nearest(const flk_analysis *a, text name);
 /* The value of a column in its unit; NaN if it has none. */
 double flk_column_value(const flk_column *c, const flk_row *row);
 
-/* The vector whose size or direction a column is, in SI; 0 if it is of none. */
-int flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);
+/* 1 if a column depends on positions, velocities and accelerations alone: loads have no corners in it. */
+int flk_column_is_of_motion(const flk_column *c);
+
+/* 1 if a column is the size or the direction of a vector; the vector, in SI. */
+int flk_column_has_vector(const flk_column *c);
+void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y);
 
 /* FOURLINK_OF_CRANK ... */
 int flk_column_flags(const flk_column *c);

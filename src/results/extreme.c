@@ -37,7 +37,7 @@ static void search_stretch(flk_search *x, size_t steps)
         flk_search_find_limits(x, 1);
     for (c = 0; c < x->n_columns; c++) {
         flk_search_offer_samples(x, &x->columns[c], flk_search_row(x, c));
-        flk_search_find_poles(x, &x->columns[c]);
+        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
     }
     flk_search_resolve_narrow(x);
     for (c = 0; c < x->n_columns; c++)

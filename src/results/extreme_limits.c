@@ -8,6 +8,18 @@
 
 #include "extreme_search.h"
 
+/* A column's size in a stretch, whatever it does at the ends. */
+static double size_inside(const flk_search *x, const double *values)
+{
+    double size = 0;
+    size_t k;
+
+    for (k = 1; k < 4; k++)
+        if (fabs(values[k * (x->n - 1) / 4]) > size)
+            size = fabs(values[k * (x->n - 1) / 4]);
+    return size;
+}
+
 /* The denominator of a column that has poles, at a parameter. */
 static double denominator_at(const flk_search *x, const flk_tracked *t, double s)
 {
@@ -17,7 +29,8 @@ static double denominator_at(const flk_search *x, const flk_tracked *t, double s
     return row.at.status == FOURLINK_OK ? flk_column_denominator(t->c, &row) : GSL_NAN;
 }
 
-#define BESIDE_POLE 1e-8 /* s */
+#define BESIDE_POLE 1e-8          /* s */
+#define ROUNDING_BESIDE_POLE 1e-6 /* there, in parts of the column's size */
 
 /* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
 ** vanishes with it. */
@@ -42,34 +55,38 @@ static void find_pole(const flk_search *x, flk_tracked *t, double low, double hi
 }
 
 /* A pole at a corner, an end of the stretch, has the sign of the rows beside it. */
-static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double inwards)
+static void find_pole_at_corner(flk_search *x, flk_tracked *t, const double *values, double s,
+                                double inwards)
 {
-    double corner = flk_search_corner(x, s), beside, nearer, value;
+    double corner = flk_search_corner(x, s), step = inwards * BESIDE_POLE, beside, nearer, value;
     flk_row row;
     int which;
 
+    if (flk_search_is_root(inwards > 0 ? x->piece.begin : x->piece.end))
+        step = inwards * sqrt(BESIDE_POLE);
     flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
     if (row.at.status != FOURLINK_OK)
         return;
     value = flk_column_value(t->c, &row);
-    beside = flk_search_value(x, t, s + 1e-4 * inwards, 0);
-    nearer = flk_search_value(x, t, s + 0.5e-4 * inwards, 0);
-    which = beside > 0 ? 0 : 1;
-    if (gsl_isnan(value) ? fabs(nearer) > 1.5 * fabs(beside) && fabs(nearer) > 1e-9 * t->size
+    beside = flk_search_value(x, t, s + 2 * step, 0);
+    nearer = flk_search_value(x, t, s + step, 0);
+    which = nearer > 0 ? 0 : 1;
+    if (gsl_isnan(value) ? fabs(nearer) > 1.5 * fabs(beside) &&
+                               fabs(nearer) > ROUNDING_BESIDE_POLE * size_inside(x, values)
                          : fabs(value) >= t->bound)
         flk_search_offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, corner,
                          corner);
 }
 
-void flk_search_find_poles(flk_search *x, flk_tracked *t)
+void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
 {
     double at, before = GSL_NAN;
     size_t i, last = 0;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
-    find_pole_at_corner(x, t, x->s[0], x->high - x->low);
-    find_pole_at_corner(x, t, x->s[x->n - 1], x->low - x->high);
+    find_pole_at_corner(x, t, values, x->s[0], 1);
+    find_pole_at_corner(x, t, values, x->s[x->n - 1], -1);
     for (i = 0;
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
@@ -87,10 +104,11 @@ void flk_search_find_poles(flk_search *x, flk_tracked *t)
 ** large ones where poles cancel.  At a dead position x is the root of the angle. */
 #define NODES FLK_POLYNOMIAL_MOST
 #define SCALES 8
+#define LONG_ENOUGH 0.4 /* rad, a length that holds all scales */
 
 typedef struct approach {
     int at_end, is_dead;
-    double edge, length; /* rad passed at the end of the piece, and length of the piece */
+    double edge, length; /* rad passed at the end of the piece, and over which columns are smooth */
     double x[SCALES][NODES];
     flk_row rows[SCALES][NODES];
 } approach;
@@ -101,7 +119,8 @@ static double passed_near(const approach *e, double x)
     return e->edge + (e->at_end ? -1 : 1) * (e->is_dead ? x * x : x);
 }
 
-static void compute_approach(const flk_search *x, int at_end, approach *e)
+/* The largest scale is at most half of the length; no two are the same, or rounding would look like a pole. */
+static void compute_approach(const flk_search *x, int at_end, double length, approach *e)
 {
     static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
                                              {0.001, 0.004, 0.016, 0.04, 0.08, 0.12, 0.2, 0.3}};
@@ -110,10 +129,10 @@ static void compute_approach(const flk_search *x, int at_end, approach *e)
     e->at_end = at_end;
     e->is_dead = flk_search_is_root(at_end ? x->piece.end : x->piece.begin);
     e->edge = at_end ? x->piece.to : x->piece.from;
-    e->length = x->piece.to - x->piece.from;
+    e->length = length;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++) {
-            double most = e->is_dead ? sqrt(e->length / 2) : e->length / 2;
+            double most = (e->is_dead ? sqrt(length / 2) : length / 2) * (scale + 1) / SCALES;
 
             most = GSL_MIN_DBL(most, scales[e->is_dead][scale]);
             e->x[scale][k] = most * (k + 1) / NODES;
@@ -152,7 +171,7 @@ static double coefficient(const double *x, const double *y, int order)
 /* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
 #define POLE_SCALE 1
 
-static int pole_order(const approach *e, double y[][NODES], int order, double *strength)
+static int strong_pole(const approach *e, double y[][NODES], int order, double *strength)
 {
     double other;
 
@@ -162,8 +181,49 @@ static int pole_order(const approach *e, double y[][NODES], int order, double *s
         if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
             return order;
     }
-    *strength = 0;
     return 0;
+}
+
+/* The same for a pole that rounding hides on the small scales: on two larger ones it is far above the error. */
+#define ABOVE_ERROR 1e3
+
+static int hidden_pole(const approach *e, double y[][NODES], int most, double *strength)
+{
+    double other, error, error_of_other;
+    int scale, order;
+
+    for (scale = POLE_SCALE; scale + 1 < SCALES; scale++)
+        for (order = most; order > 0; order--) {
+            *strength = extrapolate(e->x[scale], y[scale], order, &error);
+            other = extrapolate(e->x[scale + 1], y[scale + 1], order, &error_of_other);
+            if (fabs(*strength) > ABOVE_ERROR * error &&
+                fabs(other) > ABOVE_ERROR * error_of_other &&
+                fabs(*strength - other) < 0.01 * fabs(*strength))
+                return order;
+        }
+    return 0;
+}
+
+static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
+{
+    int order = strong_pole(e, y, most, strength);
+
+    if (!order)
+        order = hidden_pole(e, y, most, strength);
+    if (!order)
+        *strength = 0;
+    return order;
+}
+
+/* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow and are not rounding, know
+** the sign best. */
+static double pole_sign(const approach *e, double y[][NODES], int most)
+{
+    double strength;
+
+    if (strong_pole(e, y, most, &strength))
+        return fabs(y[0][0]) > fabs(y[0][NODES - 1]) ? y[0][0] : strength;
+    return hidden_pole(e, y, most, &strength) ? strength : 0;
 }
 
 /* Leave the samples of a column out that are so close to an end of the piece. */
@@ -197,11 +257,25 @@ static double size_at(const flk_tracked *t, const flk_row *row)
     return GSL_MAX_DBL(t->size_here, fabs(flk_column_value(t->c, row)));
 }
 
+static int is_size(const flk_tracked *t)
+{
+    return !(t->turn > 0) && flk_column_has_vector(t->c);
+}
+
+/* The value of a column by the polynomial through rows near the end.  A size whose vector passes through zero
+** between them and the end goes on as that of the vector does, with the other sign. */
+static double value_near(const flk_tracked *t, const flk_polynomial *p, double at)
+{
+    double slope, value = flk_polynomial_value(p, at, &slope);
+
+    return is_size(t) ? fabs(value) : value;
+}
+
 /* How far a row is from the polynomial that gives the limit: terms that cancel can leave the same rounding in
 ** all rows. */
 static double distance_from_limit(const flk_tracked *t, double at, const flk_row *row)
 {
-    double slope, value = flk_polynomial_value(&t->near_end, at, &slope);
+    double value = value_near(t, &t->near_end, at);
     double there = flk_column_value(t->c, row);
 
     return fabs((t->turn > 0 ? flk_search_nearest(t, there, value) : there) - value);
@@ -278,12 +352,13 @@ typedef struct limit {
 /* Offer the extremes of a column between the end of the piece and the first of its samples, by the polynomial
 ** that gives its limit, if they are better than that. */
 #define PARTS 8
+#define AS_GOOD 1e-10 /* of the column's size: less is rounding, which has flat places of its own */
 
 static void offer_flats(const flk_search *x, flk_tracked *t, const double *values,
                         const approach *e, const limit *l, const double *y)
 {
     const double *away = e->x[l->scale];
-    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), slope, at, value;
+    double most = GSL_MIN_DBL(first_sample(x, values, e), away[NODES - 1]), at, value;
     flk_polynomial p;
     int k;
 
@@ -294,8 +369,8 @@ static void offer_flats(const flk_search *x, flk_tracked *t, const double *value
         if (!flk_polynomial_find_flat(&p, most * (double)k / PARTS, most * (double)(k + 1) / PARTS,
                                       &at))
             continue;
-        value = flk_polynomial_value(&p, at, &slope);
-        if (fabs(value - l->value) > l->error)
+        value = value_near(t, &p, at);
+        if (fabs(value - l->value) > GSL_MAX_DBL(l->error, AS_GOOD * l->size))
             offer_near(x, t, e, at, value);
     }
 }
@@ -337,10 +412,11 @@ static int find_vector_pole(const flk_search *x, const flk_tracked *t, const app
     int scale, k, i, order[2];
     limit l;
 
+    if (!flk_column_has_vector(t->c))
+        return 0;
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++)
-            if (!flk_column_vector(t->c, &e->rows[scale][k], &u[0][scale][k], &u[1][scale][k]))
-                return 0;
+            flk_column_vector(t->c, &e->rows[scale][k], &u[0][scale][k], &u[1][scale][k]);
     for (i = 0; i < 2; i++)
         order[i] = pole_order(e, u[i], x->pole_order, &v->strength[i]);
     v->order = GSL_MAX_INT(order[0], order[1]);
@@ -438,18 +514,6 @@ static void offer_near_pole(const flk_search *x, flk_tracked *t, const approach 
             }
 }
 
-/* A column's size in a stretch, whatever it does at the ends. */
-static double size_inside(const flk_search *x, const double *values)
-{
-    double size = 0;
-    size_t k;
-
-    for (k = 1; k < 4; k++)
-        if (fabs(values[k * (x->n - 1) / 4]) > size)
-            size = fabs(values[k * (x->n - 1) / 4]);
-    return size;
-}
-
 /* The error of a limit, in parts of the column's size, up to which it is used, and up to which its polynomial stands
 ** for the column. */
 #define KNOWN 1e-6
@@ -513,7 +577,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
 {
     flk_tracked *t = &x->columns[c];
     const double *values = flk_search_row(x, c);
-    double near = values[first_number(x, values, e)], strength, size;
+    double near = values[first_number(x, values, e)], sign, size;
     double y[SCALES][NODES];
     int has_vector_pole;
     vector_pole v;
@@ -526,13 +590,14 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
         return;
     }
-    if (!(t->turn > 0) && pole_order(e, y, x->pole_order, &strength)) {
-        if (fabs(y[0][0]) > fabs(y[0][NODES - 1]))
-            strength = y[0][0]; /* the closest rows, if they grow, know the sign best */
-        offer_pole(x, t, e, strength > 0 ? 0 : 1);
+    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order);
+    if (sign != 0) {
+        offer_pole(x, t, e, sign > 0 ? 0 : 1);
         return;
     }
     l = limit_of(e, y, 0);
+    if (is_size(t))
+        l.value = fabs(l.value);
     size = GSL_MAX_DBL(l.size, size_inside(x, values));
     if (fabs(l.value) <= GSL_MAX_DBL(4 * l.error, EXACT * size))
         l.value = 0; /* such as the transmission angle at a dead position */
@@ -544,20 +609,25 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_flats(x, t, values, e, &l, y[l.scale]);
 }
 
-void flk_search_find_limits(flk_search *x, int at_end)
+/* Columns that loads have no corners in are smooth over more than the piece. */
+enum { OF_MOTION = 1, OF_LOADS = 2 };
+
+static int group_of(const flk_tracked *t)
 {
-    flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
+    return flk_column_is_of_motion(t->c) ? OF_MOTION : OF_LOADS;
+}
+
+/* Offer the limits of the groups of columns that are smooth over such a length. */
+static void find_limits(flk_search *x, int at_end, int groups, double length)
+{
     int rough = 0;
     flk_row at_edge;
     approach e;
     size_t c;
 
-    if (!flk_search_has_limit(kind) || !x->n)
-        return;
-    compute_approach(x, at_end, &e);
-    x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
+    compute_approach(x, at_end, length, &e);
     for (c = 0; c < x->n_columns; c++) {
-        x->columns[c].is_rough = is_rough(x, c, &e);
+        x->columns[c].is_rough = (group_of(&x->columns[c]) & groups) && is_rough(x, c, &e);
         rough |= x->columns[c].is_rough;
     }
     if (rough)
@@ -566,9 +636,29 @@ void flk_search_find_limits(flk_search *x, int at_end)
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
 
+        if (!(group_of(t) & groups))
+            continue;
         if (flk_column_flags(t->c) & FOURLINK_OF_CRANK)
             offer_near(x, t, &e, 0, flk_column_value(t->c, &at_edge));
         else if (!t->is_noise)
             find_limit(x, c, &e);
+    }
+}
+
+void flk_search_find_limits(flk_search *x, int at_end)
+{
+    flk_piece_end kind = at_end ? x->piece.end : x->piece.begin;
+    double length = x->piece.to - x->piece.from,
+           of_motion =
+               at_end ? x->piece.to - x->piece.motion_from : x->piece.motion_to - x->piece.from;
+
+    if (!flk_search_has_limit(kind) || !x->n)
+        return;
+    x->pole_order = kind == FLK_END_CHANGE_REST ? 6 : 4;
+    if (length >= LONG_ENOUGH || of_motion <= length) {
+        find_limits(x, at_end, OF_MOTION | OF_LOADS, length);
+    } else {
+        find_limits(x, at_end, OF_MOTION, of_motion);
+        find_limits(x, at_end, OF_LOADS, length);
     }
 }

@@ -84,17 +84,18 @@ static void climb(flk_search *x, const flk_tracked *t, int which, double low, do
     }
 }
 
-/* The same from an end, if the column rises from there. */
+/* The same from an end, if the column rises from there: a smooth one that does not rise at 1e-5 of the step gains less
+** than 1e-10 of its size within it.  Near one line peaks are narrower. */
 static void climb_from_end(flk_search *x, const flk_tracked *t, int which, double low, double high,
                            flk_place *best)
 {
-    double part = 1e-3 * (best->s == low ? high - low : low - high);
-    double nearest = x->closest_line < 0.05 ? 1e-6 : 1e-3;
+    static const double near_line[] = {1e-3, 1e-4, 1e-5, 1e-6};
+    double length = best->s == low ? high - low : low - high;
+    int is_near_line = x->closest_line < 0.05, k;
     flk_place beside;
-    int k;
 
-    for (k = 0; k < 4 && fabs(part) >= 0.5 * nearest * (high - low); k++, part /= 10) {
-        beside.s = best->s + part;
+    for (k = 0; k < (is_near_line ? 4 : 1); k++) {
+        beside.s = best->s + length * (is_near_line ? near_line[k] : 1e-5);
         beside.value = flk_search_value(x, t, beside.s, best->value);
         if (flk_search_signed(which, beside.value) > flk_search_signed(which, best->value)) {
             *best = beside;

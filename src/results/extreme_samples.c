@@ -182,11 +182,27 @@ static int has_row_at(const flk_search *x, double s)
            has_row(x->piece.end, s >= 1 ? 0 : x->piece.to - passed);
 }
 
+/* The value of a column at the begin or the end of the motion, where it is not defined, such as the direction of a
+** force that is zero there: that just inside. */
+static double value_inside(const flk_search *x, const flk_tracked *t, double s)
+{
+    double inside = GSL_MIN_DBL(INSIDE, (x->piece.to - x->piece.from) / 4);
+    flk_row row;
+
+    if ((s > 0 || x->piece.from > 0) && (s < 1 || x->piece.to < x->length))
+        return GSL_NAN;
+    flk_search_compute(x, flk_column_need(t->c),
+                       s > 0 ? x->piece.to - inside : x->piece.from + inside, &row);
+    return flk_column_value(t->c, &row);
+}
+
 /* The value of a column in a sample, NaN where it is infinite or rounding. */
 static double sample_of(const flk_search *x, const flk_tracked *t, double s, const flk_row *row)
 {
     double value = flk_column_value(t->c, row);
 
+    if (gsl_isnan(value) && row->at.status == FOURLINK_OK && t->turn > 0)
+        value = value_inside(x, t, s);
     if ((t->is_noise && x->a->is_fast) || flk_search_is_lost(x, t, s) || gsl_isinf(value))
         return GSL_NAN;
     return value;

@@ -172,6 +172,6 @@ void flk_search_refine_peaks(flk_search *x, flk_tracked *t, const double *values
 void flk_search_find_limits(flk_search *x, int at_end);
 
 /* Offer the poles of a column between samples and at corners. */
-void flk_search_find_poles(flk_search *x, flk_tracked *t);
+void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values);
 
 #endif

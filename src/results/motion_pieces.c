@@ -120,9 +120,9 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 
-/* The next end behind `after`. */
+/* The next end behind `after`; without those of loads that of columns of the motion alone. */
 static double next_end(const flk_analysis *a, double length, double period, double after,
-                       flk_piece_end *end)
+                       int has_loads, flk_piece_end *end)
 {
     search s;
     size_t i;
@@ -131,9 +131,10 @@ static double next_end(const flk_analysis *a, double length, double period, doub
     s.after = after;
     s.at = GSL_POSINF;
     s.end = FLK_END_NOWHERE;
-    offer_loads(&s);
+    if (has_loads)
+        offer_loads(&s);
     offer_positions(&s);
-    for (i = 0; i < a->jumps.n; i++)
+    for (i = 0; has_loads && i < a->jumps.n; i++)
         offer_angle(&s, a->jumps.theta2[i], a->jumps.period, FLK_END_PLAIN);
     if (a->d->motion.run_up > 0)
         offer(&s, a->d->motion.run_up * a->d->motion.angle_unit, FLK_END_PLAIN);
@@ -162,10 +163,16 @@ static flk_piece_end first_end(const flk_analysis *a)
 
 int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece)
 {
+    flk_piece_end end;
+
     if (piece->to >= length)
         return 0;
     piece->begin = piece->to > 0 ? piece->end : first_end(a);
     piece->from = piece->to;
-    piece->to = next_end(a, length, period, piece->from, &piece->end);
+    piece->to = next_end(a, length, period, piece->from, 1, &piece->end);
+    if (piece->from >= piece->motion_to - CLOSEST) {
+        piece->motion_from = piece->from;
+        piece->motion_to = next_end(a, length, period, piece->from, 0, &end);
+    }
     return 1;
 }

@@ -21,6 +21,7 @@ typedef enum flk_piece_end {
 typedef struct flk_piece {
     double from, to;
     flk_piece_end begin, end;
+    double motion_from, motion_to; /* in which columns of the motion alone are smooth */
 } flk_piece;
 
 /* The length of a deck's motion, rad. */

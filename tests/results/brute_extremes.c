@@ -406,14 +406,15 @@ static int is_near_edge(double p)
     return edge_distance(p) < 0.05;
 }
 
-/* By how much the columns of a row change with its angle's last digits, and the rounding of the largest of
-** their kind, of which they may be a sum: what rows cannot tell. */
+/* By how much the columns of a row change with its angle's last digits, how far they are from a smooth curve beside
+** it, and the rounding of the largest of their kind, of which they may be a sum: what rows cannot tell.  Within 1e-5 rad
+** of an edge rounding is in steps that are wider than that. */
 static void measure_noise(double p, const double *v, double *noise)
 {
     double beside[COLUMNS], ulp = DBL_EPSILON * (fabs(from) * unit + total);
     double largest[COLUMNS];
     unsigned long c;
-    double before[COLUMNS], h = 1e-6 * edge_distance(p);
+    double before[COLUMNS], away = edge_distance(p), h = (away < 1e-5 ? 1.0 / 64 : 1e-6) * away;
     int k;
 
     memset(largest, 0, sizeof largest);
@@ -657,33 +658,50 @@ static double neville(const double *y, double *error)
     return t[6];
 }
 
-/* The sign of a pole of any order, however weak; 0 if there is none. */
-static int weak_pole(const double *y)
+/* The sign of a pole of any order, however weak, that is more than rounding; 0 if there is none. */
+static int weak_pole(const edge *e, unsigned long c, const double *y)
 {
-    double scaled[HALVINGS], error, most;
+    double scaled[HALVINGS], noise[HALVINGS], most, strength, error, rounding;
     int order, i, k;
 
-    for (order = 4; order > 0; order--)
-        for (k = 0; k + 7 <= HALVINGS; k++) {
-            double strength;
+    for (order = 4; order > 0; order--) {
+        most = 0;
+        for (i = 0; i < HALVINGS; i++) {
+            double power = pow(0.16 * pow(0.5, i), order);
 
-            most = 0;
-            for (i = 0; i < HALVINGS; i++) {
-                scaled[i] = y[i] * pow(0.16 * pow(0.5, i), order);
-                most = fmax(most, fabs(scaled[i]));
-            }
+            scaled[i] = y[i] * power;
+            noise[i] = e->noise[i][c] * power;
+            most = fmax(most, fabs(scaled[i]));
+        }
+        for (k = 0; k + 7 <= HALVINGS; k++) {
             strength = neville(scaled + k, &error);
-            if (fabs(strength) > 1e4 * error && fabs(strength) > 1e-8 * most)
+            rounding = 0;
+            for (i = k; i < k + 7; i++)
+                rounding = fmax(rounding, 10 * noise[i]);
+            if (fabs(strength) > fmax(1e4 * error, rounding) && fabs(strength) > 1e-8 * most)
                 return strength > 0 ? 1 : -1;
         }
+    }
     return 0;
 }
 
 /* Neville's scheme at s = 0, for s halved again and again, on the window of distances where it is surest. */
-static verdict limit_of(const edge *e, unsigned long c, double near, double *limit, double *error)
+/* 1 if the nearest rows of a column are larger than what rounding makes of them. */
+static int is_above_noise(const edge *e, unsigned long c)
+{
+    int i;
+
+    for (i = HALVINGS - 3; i < HALVINGS; i++)
+        if (!(fabs(e->v[i][c]) > e->noise[i][c]))
+            return 0;
+    return 1;
+}
+
+static verdict limit_of_one(const edge *e, unsigned long c, double near, double *limit,
+                            double *error)
 {
     double y[HALVINGS], growth[3], turn = turn_of(c);
-    int i, k;
+    int i, k, grows, sign;
 
     *limit = *error = NAN;
     if (e->is_noise)
@@ -704,13 +722,14 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
         if (y[HALVINGS - 3 + i] * y[HALVINGS - 4 + i] < 0)
             growth[i] = 0.5;
     }
-    if (!is_angle(c) && growth[0] > 0.8 && growth[1] > 0.8 && growth[2] > 0.8) {
+    grows = !is_angle(c) && growth[0] > 0.8 && growth[1] > 0.8 && growth[2] > 0.8;
+    sign = is_angle(c) ? 0 : weak_pole(e, c, y);
+    if (grows && (is_above_noise(e, c) || sign * y[HALVINGS - 1] > 0)) {
         *limit = y[HALVINGS - 1] > 0 ? INFINITY : -INFINITY;
         return UNBOUNDED;
     }
-    i = is_angle(c) ? 0 : weak_pole(y);
-    if (i) {
-        *limit = i > 0 ? INFINITY : -INFINITY;
+    if (sign) {
+        *limit = sign > 0 ? INFINITY : -INFINITY;
         return UNDECIDED;
     }
     *error = INFINITY;
@@ -727,9 +746,32 @@ static verdict limit_of(const edge *e, unsigned long c, double near, double *lim
     }
     if (is_angle(c) && fabs(y[HALVINGS - 1] - *limit) > 1e-3 * turn)
         return UNDECIDED;
+    if (grows) /* but the nearest rows are rounding */
+        return isfinite(*error) ? BOUNDED : UNDECIDED;
     return isfinite(*error) && !(growth[2] > 0.15 && fabs(y[HALVINGS - 1]) > 2 * fabs(*limit))
                ? BOUNDED
                : UNDECIDED;
+}
+
+/* The same; what has components is no surer than they are: near a weak pole it is smooth only where that prevails. */
+static verdict limit_of(const edge *e, unsigned long c, double near, double *limit, double *error)
+{
+    size_t size = strlen(columns[c].name);
+    verdict of_component;
+    unsigned long i;
+
+    for (i = 0; i < n_columns; i++) {
+        const char *name = columns[i].name;
+
+        if (strlen(name) != size + 1 || memcmp(name, columns[c].name, size) != 0 ||
+            (name[size] != 'x' && name[size] != 'y'))
+            continue;
+        of_component = limit_of_one(e, i, near, limit, error);
+        *limit = INFINITY;
+        if (of_component != BOUNDED)
+            return of_component;
+    }
+    return limit_of_one(e, c, near, limit, error);
 }
 
 /* Close to a change point rows are rounding; the limit stands for them. */
@@ -813,6 +855,8 @@ static int is_gap(const row *r)
     return r->status && r->status != FOURLINK_CHANGE_POINT && r->status != FOURLINK_DEAD_POSITION;
 }
 
+#define NEAR_HALF 1e-5 /* of a turn */
+
 /* 1 if the rows say how the angle goes on. */
 static int follow(unsigned long c)
 {
@@ -831,6 +875,8 @@ static int follow(unsigned long c)
         }
         if (isnan(v))
             continue;
+        if (isnan(last) && i > 0 && 0.5 - leap(0, v, turn) < NEAR_HALF)
+            return 0; /* it begins at an edge, with 180 or -180 deg: that is rounding */
         by = leap(last, v, turn);
         if (by > 0.5 - 1e-3 && by <= 0.5 - 1e-10)
             return 0;
@@ -1103,14 +1149,26 @@ static double distance(unsigned long c, const fourlink_value *f, double size)
     return d;
 }
 
-/* 1 for a pole that is narrower than the rows: they grow towards it without end. */
+/* 1 if a column grows without end on one side of an angle, to that sign: tenfold with each tenth of the distance. */
+static int grows(unsigned long c, double p, int side, double sign)
+{
+    double v[COLUMNS], before = INFINITY, away;
+
+    for (away = 1e-6; away > 0.5e-8; away /= 10) {
+        if (compute(p + side * away, v) || !(fabs(v[c]) > 5 * before || isinf(before)))
+            return 0;
+        before = fabs(v[c]);
+    }
+    return v[c] * sign > 0;
+}
+
+/* 1 for a pole that is narrower than the rows. */
 static int is_narrow_pole(unsigned long c, const fourlink_value *f)
 {
-    double p = sense * (f->angle - from) * unit, far[COLUMNS], near[COLUMNS], nearer[COLUMNS];
+    double p = sense * (f->angle - from) * unit;
 
-    return isinf(f->value) && has_bound(c) && !compute(p + 1e-3, far) && !compute(p + 1e-7, near) &&
-           !compute(p + 1e-8, nearer) && fabs(nearer[c]) > 5 * fabs(near[c]) &&
-           fabs(near[c]) > 1e3 * fabs(far[c]);
+    return isinf(f->value) && has_bound(c) &&
+           (grows(c, p, 1, f->value) || grows(c, p, -1, f->value));
 }
 
 static void compare(unsigned long c, const fourlink_value *f, const best *b, double size)
@@ -1155,21 +1213,22 @@ static void compare(unsigned long c, const fourlink_value *f, const best *b, dou
         better++;
 }
 
-/* 1 for a column that is 0 but for rounding. */
+/* 1 for a column that is 0, or at infinity, but for rounding: by ten of the rows, or by the few that have a value. */
 static int is_rounding(unsigned long c)
 {
     double v[COLUMNS], noise[COLUMNS];
-    size_t i;
+    size_t i, step;
     int rounding = 0, used = 0;
 
-    for (i = n / 20; i < n; i += n / 10 + 1) {
-        memcpy(v, rows[i]->v, sizeof v);
-        if (rows[i]->status || !(fabs(v[c]) > 0))
-            continue;
-        measure_noise(rows[i]->passed, v, noise);
-        rounding += fabs(v[c]) <= 100 * noise[c];
-        used++;
-    }
+    for (step = n / 10 + 1; step > 0 && !used; step = step > 1 ? 1 : 0)
+        for (i = step / 2; i < n; i += step) {
+            memcpy(v, rows[i]->v, sizeof v);
+            if (rows[i]->status || !(fabs(v[c]) > 0))
+                continue;
+            measure_noise(rows[i]->passed, v, noise);
+            rounding += fabs(v[c]) <= 100 * noise[c];
+            used++;
+        }
     return used > 0 && 2 * rounding > used;
 }
 
@@ -1229,13 +1288,15 @@ static void compare_columns(const fourlink_value *facts, unsigned long n_facts)
             for (r = 0; r < n; r++)
                 curve[r] = isinf(rows[r]->v[c]) ? NAN : rows[r]->v[c]; /* has_pole sees it */
         if (size[c] < 1e-11 * scale[c])
-            ok = size[c] == 0;
+            ok = ok && size[c] == 0;
         if (is_rounding(c) || turns_at_change_point(c))
             ok = 0;
         for (which = 0; which < 2; which++)
             found[which] = find(c, which == 0 ? 1 : -1);
         if (is_infinite(c))
             continue;
+        if (!ok && !told[0])
+            continue; /* a direction that only rounding has */
         if (isnan(found[0].value) != !told[0] || isnan(found[1].value) != !told[1]) {
             printf("%s %s: found %g and %g, told %d and %d\n", deck_name, columns[c].name,
                    found[0].value, found[1].value, told[0] != NULL, told[1] != NULL);

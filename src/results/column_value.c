@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** column_value.c - the value of a column in a row, and what the search for extremes must know of it.
+*/
+#include <math.h>
+#include <stddef.h>
+
+#include <gsl/gsl_math.h>
+
+#include "column.h"
+#include "column_info.h"
+#include "mechanics/mechanics.h"
+#include "spring_column.h"
+
+static double number_at(const flk_row *row, size_t place)
+{
+    return *(const double *)(const void *)((const char *)row + place);
+}
+
+/* Columns of a point: x and y of position, velocity and acceleration; the sizes of the last two. */
+#define IS_SIZE_OF_POINT(c) ((c)->link && (c)->component >= 6)
+
+static double point_value(const flk_column *c, const flk_row *row)
+{
+    fourlink_vector u[3];
+    int i = c->component;
+
+    fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
+    if (IS_SIZE_OF_POINT(c))
+        return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
+    return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
+}
+
+static int is_of_crank(const flk_column *c)
+{
+    return !c->link && !c->springs_of && c->info->form == VALUE &&
+           c->info->x < offsetof(flk_row, at.branch);
+}
+
+int flk_column_is_of_motion(const flk_column *c)
+{
+    size_t x = c->info->x;
+
+    return !c->springs_of &&
+           (!(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN)) ||
+            (x >= DERIVED(inertia) && x < DERIVED(inertia) + sizeof(((flk_derived *)0)->inertia)));
+}
+
+int flk_column_has_vector(const flk_column *c)
+{
+    return c->link ? IS_SIZE_OF_POINT(c)
+                   : !c->springs_of && c->info->form >= POLAR_SIZE && c->info->form <= DIRECTION;
+}
+
+void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
+{
+    fourlink_vector u[3];
+    double size, direction;
+
+    *x = *y = GSL_NAN;
+    if (row->at.status != FOURLINK_OK)
+        return;
+    if (c->link) {
+        fourlink_point(&row->at.state, c->link, &c->at, &u[0], &u[1], &u[2]);
+        *x = u[c->component - 5].x;
+        *y = u[c->component - 5].y;
+        return;
+    }
+    *x = number_at(row, c->info->x);
+    *y = number_at(row, c->info->y);
+    if (c->info->form > POLAR_DIRECTION)
+        return;
+    size = c->info->form == POLAR_SIZE ? *x : *y;
+    direction = c->info->form == POLAR_SIZE ? *y : *x;
+    *x = size == 0 ? 0 : size * cos(direction);
+    *y = size == 0 ? 0 : size * sin(direction);
+}
+
+/* A zero vector has none. */
+static double direction_of(double x, double y)
+{
+    return x == 0 && y == 0 ? FLK_UNDEFINED : atan2(y, x);
+}
+
+double flk_column_value(const flk_column *c, const flk_row *row)
+{
+    double x, y;
+
+    if (row->at.status != FOURLINK_OK && !is_of_crank(c))
+        return GSL_NAN;
+    if (c->link)
+        return point_value(c, row);
+    if (c->springs_of)
+        return c->scale * flk_spring_column_value(&c->springs_of->mechanism,
+                                                  &c->springs_of->springs[c->spring].spring,
+                                                  c->component, &row->at.state);
+    x = number_at(row, c->info->x);
+    if (c->info->form <= POLAR_DIRECTION)
+        return x * c->scale; /* nearly all columns */
+    y = number_at(row, c->info->y);
+    x = c->info->form == SIZE        ? gsl_hypot(x, y)
+        : c->info->form == DIRECTION ? direction_of(x, y)
+        : c->info->form == PRODUCT   ? x * y
+                                     : x - y;
+    return x * c->scale;
+}
+
+int flk_column_flags(const flk_column *c)
+{
+    size_t x = c->info->x;
+
+    if (c->link || c->springs_of)
+        return 0;
+    return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
+           (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
+           (x == FORCE(residual) || x == DERIVED(superposition) ? FOURLINK_OF_ROUNDING : 0) |
+           (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
+}
+
+int flk_column_need(const flk_column *c)
+{
+    return c->info->need;
+}
+
+double flk_column_bound(const flk_column *c)
+{
+    size_t x = c->info->x;
+
+    if (!c->link && (x == DERIVED(mechanical_advantage) || x == DERIVED(I13.x) ||
+                     x == DERIVED(I13.y) || x == DERIVED(I24.x) ||
+                     x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY)))
+        return 1e9 * c->scale;
+    return GSL_POSINF;
+}
+
+double flk_column_denominator(const flk_column *c, const flk_row *row)
+{
+    const fourlink_state *state = &row->at.state;
+    size_t x = c->info->x;
+
+    if (x == DERIVED(I13.x) || x == DERIVED(I13.y))
+        return state->link[3].k;
+    if (x == offsetof(flk_row, klein.IX) || x == offsetof(flk_row, klein.IY))
+        return state->link[2].axis.x;
+    if (x == DERIVED(I24.x))
+        return 1 - state->link[4].k;
+    return state->link[4].k != 0 ? state->link[4].k : state->link[4].k_origin.x;
+}
