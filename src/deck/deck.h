@@ -115,6 +115,27 @@ typedef struct deck_sweep {
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
+/* How the speed of the crank comes about. */
+enum {
+    DRIVE_GIVEN = 0,  /* as d->motion says */
+    DRIVE_FREE = 1,   /* from motion.speed, with or without a motor */
+    DRIVE_RUN_UP = 2, /* from rest */
+    DRIVE_STEADY = 3  /* the motion that repeats after d->cycle */
+};
+
+/* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval are the
+** rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up and hold are 0. */
+typedef struct deck_drive {
+    int mode;
+    fourlink_motor motor; /* FOURLINK_NO_MOTOR: none */
+    double flywheel;      /* kg m2, on the shaft outside the crank; 0: none, or wanted (below) */
+    double mean_speed;    /* rad/s, steady, with a torque that balances; 0: not given */
+    double turns;         /* 1; 0: not given.  motion.to is set from it */
+    int by_time;          /* 1: rows by time */
+    double time_step, duration; /* s, of rows by time */
+    double fluctuation;         /* 1, exact: the flywheel that has it is wanted; 0: not */
+} deck_drive;
+
 /* A deck; to hosts of the library it is fourlink_deck, without members. */
 typedef struct fourlink_deck deck;
 
@@ -142,6 +163,7 @@ struct fourlink_deck {
     deck_expectation *expectations;
     size_t n_expectations;
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
+    deck_drive drive;
     deck_sweep sweep;
     int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
