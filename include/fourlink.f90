@@ -272,6 +272,7 @@ module fourlink
     integer(c_int) :: one_instant, one_revolution, digits
     integer(c_long) :: n_expected, n_designs, design
     integer(c_int) :: has_outputs, has_statistics
+    integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
   end type fourlink_problem
 
   type, bind(c) :: fourlink_unit
@@ -773,6 +774,13 @@ module fourlink
       type(c_ptr), intent(inout) :: facts
       integer(c_long), intent(inout) :: n
     end function fourlink_results_facts
+
+    integer(c_int) function fourlink_results_end(results, branch, angle) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      real(c_double), intent(inout) :: angle
+    end function fourlink_results_end
 
     integer(c_int) function fourlink_results_turning(results, branch, turning) bind(c)
       import

@@ -577,6 +577,13 @@ typedef struct fourlink_unit {
 } fourlink_unit;
 
 /* The problem that a deck poses. */
+enum {
+    FOURLINK_MODE_GIVEN = 0,  /* the motion of the crank is given */
+    FOURLINK_MODE_FREE = 1,   /* it follows from torques and inertia: from a given speed, */
+    FOURLINK_MODE_RUN_UP = 2, /* from rest, */
+    FOURLINK_MODE_STEADY = 3  /* the motion that repeats after a cycle */
+};
+
 typedef struct fourlink_problem {
     char title[256]; /* null-terminated; cut off if longer */
     fourlink_mechanism mechanism;
@@ -602,6 +609,9 @@ typedef struct fourlink_problem {
     unsigned long design;        /* number of this one, from 0 */
     int has_outputs;    /* 1: the [sweep] names outputs, which give a line for each design */
     int has_statistics; /* 1: it asks for statistics of them */
+    int mode;           /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
+                           speed, acceleration and time are those of fourlink_results_row */
+    int by_time;        /* 1: rows by time, whose angles are those of fourlink_results_row */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
@@ -654,7 +664,8 @@ enum {
 enum {
     FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always there */
     FOURLINK_FACTS_EXTREMES = 2, /* max() and min() of the columns */
-    FOURLINK_FACTS_TURNING = 4   /* turning moment and flywheel */
+    FOURLINK_FACTS_TURNING = 4,  /* turning moment and flywheel */
+    FOURLINK_FACTS_MOTION = 8    /* actual motion: mean speed, fluctuation, run-up */
 };
 
 /* All results at one crank angle. */
@@ -1595,6 +1606,24 @@ FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *n
 */
 FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, int groups,
                                         const fourlink_value **facts, unsigned long *n);
+
+/* Where the actual motion of the machine ends.
+**
+** Given:
+**    results    from fourlink_results_open
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+** Returned:
+**    angle      crank angle at which it ends, in the deck's unit; that of the last row if it does not
+**               end before
+** Returned (function value):
+**    FOURLINK_OK: the machine moves through all rows, or its motion is given;
+**    1 to 19, why it does not: FOURLINK_DOES_NOT_START, FOURLINK_STALLS, FOURLINK_NO_STEADY ...;
+**    FOURLINK_NULL, FOURLINK_BAD_BRANCH
+** Note:
+**    With the codes 1 to 19 too, `angle` is returned.  The rows from there on have the same status.
+*/
+FOURLINK_API int fourlink_results_end(fourlink_results *results, fourlink_branch branch,
+                                      double *angle);
 
 /* The turning moment over a cycle, with its areas.
 **

@@ -117,10 +117,10 @@ enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
 /* How the speed of the crank comes about. */
 enum {
-    DRIVE_GIVEN = 0,  /* as d->motion says */
-    DRIVE_FREE = 1,   /* from motion.speed, with or without a motor */
-    DRIVE_RUN_UP = 2, /* from rest */
-    DRIVE_STEADY = 3  /* the motion that repeats after d->cycle */
+    DRIVE_GIVEN = FOURLINK_MODE_GIVEN,   /* as d->motion says */
+    DRIVE_FREE = FOURLINK_MODE_FREE,     /* from motion.speed, with or without a motor */
+    DRIVE_RUN_UP = FOURLINK_MODE_RUN_UP, /* from rest */
+    DRIVE_STEADY = FOURLINK_MODE_STEADY  /* the motion that repeats after d->cycle */
 };
 
 /* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval are the

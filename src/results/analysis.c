@@ -15,7 +15,8 @@
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
-                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0);
+                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0) |
+                (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->mechanism, &rod);
 

@@ -525,6 +525,19 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
     return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
 }
 
+int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
+{
+    const flk_actual_facts *actual;
+
+    if (!r || !angle)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    actual = flk_actual_facts_of(&r->a, branch);
+    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : flk_analysis_end(&r->a);
+    return actual ? actual->status : FOURLINK_OK;
+}
+
 int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourlink_turning *turning)
 {
     const fourlink_turning *found;

@@ -60,7 +60,8 @@ static void put_names(const char *deck)
         put_word(list[i].name);
         put("max(", list[i].name, (int)strlen(list[i].name), ")");
     }
-    fourlink_results_facts(r, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, &list, &n);
+    fourlink_results_facts(
+        r, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION, &list, &n);
     for (i = 0; i < n; i++)
         put_word(list[i].name);
     fourlink_results_free(r);
