@@ -37,6 +37,11 @@ module fourlink
     fourlink_no_mean = 9, &
     fourlink_locked = 10, &
     fourlink_no_direction = 11, &
+    fourlink_does_not_start = 12, &
+    fourlink_stalls = 13, &
+    fourlink_no_steady = 14, &
+    fourlink_no_inertia = 15, &
+    fourlink_too_long = 16, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -65,7 +70,8 @@ module fourlink
     fourlink_no_such_list = 45, &
     fourlink_bad_friction = 46, &
     fourlink_bad_spring = 47, &
-    fourlink_bad_balance = 48
+    fourlink_bad_balance = 48, &
+    fourlink_bad_motor = 49
 
   ! Types of linkages.
   integer(c_int), parameter :: &

@@ -1044,8 +1044,7 @@ FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
 **    The torque on the crank that moves the links is J alpha2 + slope omega2^2 / 2, without loads
 **    and weights.
 ** Reference:
-**    The equation of motion of a machine with one degree of freedom, such as F. Freudenstein,
-**    "Kinematics and Dynamics of Machinery"; see inertia.c.
+**    Lagrange's equation for one coordinate; see inertia.c.
 */
 FOURLINK_API int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                   double *J, double *slope);

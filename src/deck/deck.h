@@ -214,6 +214,11 @@ unsigned long flk_deck_all_loads(const deck *d);
 void flk_deck_set_loads(const deck *d, fourlink_branch branch, double theta2, fourlink_load *loads,
                         double *gas_force);
 
+/* The same with those that depend on speeds, and springs; places for friction are 0 (forces.c): FOURLINK_OK,
+** FOURLINK_NO_DIRECTION. */
+int flk_deck_set_moving_loads(const deck *d, const fourlink_state *state, fourlink_load *loads,
+                              double *gas_force);
+
 /* How many of its loads are the gas: one on the piston; two on the rod and on the cylinder. */
 unsigned long flk_deck_gas_loads(const deck *d);
 
