@@ -20,8 +20,7 @@ static double angle_or(parser *p, key_code key, double otherwise)
     return IS_SET(s) ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
-/* 1 if a key of the section has a mistake, from which no other should follow. */
-static int is_mistaken(parser *p, section_code section)
+int flk_build_is_mistaken(parser *p, section_code section)
 {
     const section_use *use = flk_section_find(p, section, NULL);
     key_code k;
@@ -138,11 +137,12 @@ static void check_mode(parser *p, int mode)
         flk_mistake(p->mistakes, speed->place,
                     "the speed of the steady motion is computed: give a mean_speed with [motor] "
                     "torque = constant, or a motor that has a speed");
-    if (IS_SET(mean) && p->d->drive.motor.kind != FOURLINK_MOTOR_BALANCE)
+    if (IS_SET(mean) && p->d->drive.motor.kind != FOURLINK_MOTOR_BALANCE &&
+        !flk_build_is_mistaken(p, SECTION_MOTOR))
         flk_mistake(p->mistakes, mean->place,
                     "a mean_speed needs [motor] torque = constant, which balances the loads at any "
                     "speed");
-    else if (IS_SET(mean) && mean->value.length && mean->si[0] == 0)
+    else if (IS_SET(mean) && mean->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, mean->place, "the mean_speed must not be 0");
 }
 
@@ -153,7 +153,6 @@ static void build_rows_by_time(parser *p, int mode)
     const setting *rows = flk_setting_find(p, KEY_MOTION_ROWS),
                   *step = flk_setting_find(p, KEY_MOTION_TIME_STEP),
                   *duration = flk_setting_find(p, KEY_MOTION_DURATION);
-    const section_use *use = flk_section_find(p, SECTION_MOTION, NULL);
     deck_drive *drive = &p->d->drive;
     size_t i;
 
@@ -169,7 +168,8 @@ static void build_rows_by_time(parser *p, int mode)
     }
     if (mode != DRIVE_FREE && mode != DRIVE_RUN_UP)
         flk_mistake(p->mistakes, rows->place, "rows by time need mode = free or run-up");
-    if ((!IS_SET(step) || !IS_SET(duration)) && !use->has_unknown)
+    if ((!IS_SET(step) || !IS_SET(duration)) &&
+        !flk_section_find(p, SECTION_MOTION, NULL)->has_unknown)
         flk_mistake(p->mistakes, rows->place, "rows by time need '%s'",
                     IS_SET(step) ? "duration" : "time_step");
     for (i = 0; i < sizeof of_angle / sizeof of_angle[0]; i++) {
@@ -209,7 +209,7 @@ static double last_angle(parser *p, double cycle)
     p->d->drive.turns = turns->si[0];
     if (IS_SET(turns) && IS_SET(to))
         flk_mistake(p->mistakes, turns->place, "give either 'to' or 'turns', not both");
-    else if (IS_SET(turns) && turns->value.length && turns->si[0] == 0)
+    else if (IS_SET(turns) && turns->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, turns->place, "the turns must not be 0");
     if (IS_SET(to))
         return angle_or(p, KEY_MOTION_TO, 0);
@@ -281,7 +281,7 @@ void flk_build_motion(parser *p)
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (IS_SET(run_up))
         build_run_up(p, run_up);
-    if (!is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
+    if (!flk_build_is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
         check_range(p);
 }
 

@@ -13,7 +13,7 @@ static void check_not_zero(parser *p, key_code key)
 {
     const setting *s = flk_setting_find(p, key);
 
-    if (IS_SET(s) && s->value.length && s->si[0] == 0)
+    if (IS_SET(s) && s->si[0] == 0)
         flk_mistake(p->mistakes, s->place, "the %s must not be 0", flk_key_table[key].name);
 }
 
@@ -22,7 +22,7 @@ static int has_pair(parser *p, key_code first, key_code second, const char *why)
 {
     const setting *a = flk_setting_find(p, first), *b = flk_setting_find(p, second);
 
-    if (IS_SET(a) != IS_SET(b) && !flk_section_find(p, SECTION_MOTOR, NULL)->has_unknown)
+    if (IS_SET(a) != IS_SET(b))
         flk_mistake(p->mistakes, (IS_SET(a) ? a : b)->place, "'%s' needs '%s', %s",
                     flk_key_table[IS_SET(a) ? first : second].name,
                     flk_key_table[IS_SET(a) ? second : first].name, why);
@@ -56,14 +56,11 @@ static size_t check_curve(parser *p, const setting *s)
 {
     size_t i;
 
-    if (!s->curve || s->n_points < 2) {
-        if (s->value.length && !p->lacks_values)
-            flk_mistake(p->mistakes, s->place,
-                        "expected two or more points of speed and torque, such as "
-                        "0 rpm 5 N m, 1500 rpm 0 N m, not '%t'",
-                        s->value);
-        return 0;
-    }
+    if (!s->curve || s->n_points < 2)
+        return (size_t)flk_mistake(p->mistakes, s->place,
+                                   "expected two or more points of speed and torque, such as "
+                                   "0 rpm 5 N m, 1500 rpm 0 N m, not '%t'",
+                                   s->value);
     if (s->n_points > MOST_POINTS)
         return (size_t)flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
     for (i = 1; i < s->n_points; i++)
@@ -120,12 +117,12 @@ void flk_build_motor(parser *p)
     fourlink_motor *motor = &p->d->drive.motor;
     int line, power, n;
 
-    if (!use)
+    if (!use || p->lacks_values || flk_build_is_mistaken(p, SECTION_MOTOR))
         return;
     line = has_line(p);
     power = has_power(p);
     n = line + power + IS_SET(torque) + IS_SET(points);
-    if (n == 0 && !use->has_unknown)
+    if (n == 0)
         flk_mistake(p->mistakes, use->place,
                     "[motor] needs a torque, a stall_torque with no_load_speed, a curve, or a "
                     "power with max_torque");
@@ -147,7 +144,8 @@ void flk_build_motor(parser *p)
     motor->ratio = flk_setting_or(p, KEY_MOTOR_RATIO, 1);
     if (IS_SET(points))
         build_curve(p, points, motor);
-    check_mode(p, use, motor);
+    if (n == 1)
+        check_mode(p, use, motor);
 }
 
 /* The torque of a motor that says in which sense it turns. */

@@ -223,6 +223,9 @@ void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
 
+/* 1 if a key of the section has a mistake, from which no other should follow. */
+int flk_build_is_mistaken(parser *p, section_code section);
+
 /* How the crank's speed comes about: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);
 
