@@ -1,38 +1,160 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual.c - the actual motion of the machine.
+** actual.c - the actual motion of the machine: speed, acceleration and time of the crank from torques and inertia.
 */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual_path.h"
+#include "actual_steady.h"
 #include "analysis.h"
+#include "mechanics/inertia.h"
+#include "mechanics/mechanics.h"
+
+#define TOLERANCE 1e-11
+
+struct flk_actual {
+    flk_path path[2]; /* open, crossed */
+    flk_actual_facts facts[2];
+    double cycle;  /* rad */
+    double length; /* rad, of the rows */
+};
+
+static int index_of(fourlink_branch branch)
+{
+    return branch == FOURLINK_OPEN ? 0 : 1;
+}
+
+static void forget(flk_actual_facts *f)
+{
+    f->status = FOURLINK_OK;
+    f->end_angle = f->mean_speed = f->mean_speed_textbook = f->period = f->fluctuation_exact =
+        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = FLK_UNDEFINED;
+}
+
+/* Free motion and run-up. */
+static int run(flk_path *p, const deck *d, double cycle, double length)
+{
+    double speed = d->drive.mode == DRIVE_FREE ? p->sense * d->motion.speed : 0;
+
+    if (p->machine.motor.kind == FOURLINK_MOTOR_BALANCE && !flk_steady_find(p, cycle, 0, speed))
+        return 0;
+    if (speed < 0) {
+        p->n = 0;
+        p->status = FOURLINK_DOES_NOT_START;
+        return 0;
+    }
+    return flk_path_run(p, speed, length);
+}
+
+static int find(flk_actual *m, flk_path *p)
+{
+    const deck *d = p->a->d;
+
+    if (d->drive.mode == DRIVE_STEADY)
+        return flk_steady_find(p, m->cycle, p->sense * d->drive.mean_speed,
+                               p->sense * d->motion.speed);
+    return run(p, d, m->cycle, m->length);
+}
+
+/* Angles in the deck's unit. */
+static double angle_of(const flk_path *p, double s)
+{
+    const fourlink_motion *motion = &p->a->d->motion;
+
+    return motion->from + p->sense * s / motion->angle_unit;
+}
+
+static void find_branch(flk_analysis *a, fourlink_branch branch)
+{
+    flk_actual *m = a->actual;
+    flk_path *p = &m->path[index_of(branch)];
+    flk_actual_facts *f = &m->facts[index_of(branch)];
+    const deck_drive *drive = &a->d->drive;
+
+    p->a = a;
+    p->machine.d = a->d;
+    p->machine.branch = branch;
+    p->machine.loads = a->loads;
+    p->machine.n_loads = a->n_loads;
+    p->machine.motor = drive->motor;
+    p->machine.inertia =
+        drive->flywheel + drive->motor.ratio * drive->motor.ratio * drive->motor.inertia;
+    p->tolerance = TOLERANCE;
+    p->sense = flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
+    forget(f);
+    if (!find(m, p)) {
+        f->status = p->status;
+        f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
+        if (f->status == FOURLINK_STALLS)
+            f->stall_angle = f->end_angle;
+    }
+    f->inertia = p->machine.inertia;
+}
 
 int flk_actual_open(flk_analysis *a)
 {
-    (void)a;
-    return 1;
+    flk_actual *m;
+
+    if (a->d->drive.mode == DRIVE_GIVEN)
+        return 1;
+    m = a->actual = calloc(1, sizeof *m);
+    if (!m)
+        return 0;
+    m->cycle = flk_analysis_period(a->d);
+    m->length = fabs(flk_analysis_end(a) - a->d->motion.from) * a->d->motion.angle_unit;
+    find_branch(a, FOURLINK_OPEN);
+    find_branch(a, FOURLINK_CROSSED);
+    return !m->path[0].no_memory && !m->path[1].no_memory;
 }
 
 void flk_actual_close(flk_analysis *a)
 {
-    (void)a;
+    if (a->actual) {
+        free(a->actual->path[0].node);
+        free(a->actual->path[1].node);
+    }
+    free(a->actual);
 }
 
 int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, flk_actual_row *row)
 {
-    (void)a;
-    (void)branch;
+    const flk_actual *m = a->actual;
+    const flk_path *p = &m->path[index_of(branch)];
+    const fourlink_motion *motion = &a->d->motion;
+    double s = p->sense * (angle - motion->from) * motion->angle_unit, turns = 0;
+    const flk_actual_facts *f = &m->facts[index_of(branch)];
+    int status = f->status;
+
+    memset(row, 0, sizeof *row);
     row->angle = angle;
-    return FOURLINK_NO_STEADY;
+    row->crank.theta2 = angle * motion->angle_unit;
+    if (a->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
+        turns = floor(s / m->cycle + 1e-12);
+        s -= turns * m->cycle;
+    } else if (status != FOURLINK_OK && (a->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
+                                         s > flk_path_end(p)->s * (1 + 1e-14))) {
+        return status;
+    }
+    status = flk_path_at(p, s, row);
+    row->time += turns > 0 || turns < 0 ? turns * flk_path_end(p)->t : 0;
+    row->crank.theta2 = angle * motion->angle_unit;
+    return status;
 }
 
 int flk_actual_at_row(const flk_analysis *a, fourlink_branch branch, unsigned long i,
                       flk_actual_row *row)
 {
-    (void)i;
-    return flk_actual_at(a, branch, 0, row);
+    fourlink_row at;
+
+    fourlink_motion_row(&a->d->motion, &a->range, i, &at);
+    return flk_actual_at(a, branch, at.angle, row);
 }
 
 const flk_actual_facts *flk_actual_facts_of(const flk_analysis *a, fourlink_branch branch)
 {
-    (void)a;
-    (void)branch;
-    return 0;
+    return &a->actual->facts[index_of(branch)];
 }

@@ -36,11 +36,12 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL && flk_jumps_find(d, &a->jumps);
+    return a->loads != NULL && flk_jumps_find(d, &a->jumps) && flk_actual_open(a);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
+    flk_actual_close(a);
     free(a->loads);
     free(a->jumps.theta2);
     free(a->turning_memory);
@@ -111,9 +112,26 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                                               &at->forces, &row->derived);
 }
 
+/* A row of the actual motion, or the reason why there is none. */
+static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int status,
+                        flk_row *row)
+{
+    row->at.row.crank = row->actual.crank;
+    row->at.row.angle = row->actual.angle;
+    row->at.row.time = row->actual.time;
+    if (status == FOURLINK_OK)
+        flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    row->at.branch = branch;
+    row->at.status = status != FOURLINK_OK ? status : row->at.status;
+}
+
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
+    if (a->actual) {
+        take_actual(a, needs, branch, flk_actual_at_row(a, branch, i, &row->actual), row);
+        return;
+    }
     fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }
@@ -121,6 +139,10 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row)
 {
+    if (a->actual) {
+        take_actual(a, needs, branch, flk_actual_at(a, branch, angle, &row->actual), row);
+        return;
+    }
     fourlink_motion_at(&a->d->motion, angle, &row->at.row);
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }

@@ -1,0 +1,466 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_path.c - the motion of one branch from a given energy: steps of the integration, and any angle between them.
+**
+** Over the angle s that the crank has passed, in the sense of the motion,
+**
+**    dE/ds = T_m + Q,   dt/ds = 1 / omega2,   du/ds = alpha2,   omega2^2 = 2 E / (J + I_f)
+**
+** E is smooth where the crank does not come near to rest.  The angle at which E would vanish is about E / |dE/ds| away;
+** where that is close, and from rest, the time is the variable:
+**
+**    ds/dt = omega2,   domega2/dt = alpha2,   dE/dt = (T_m + Q) omega2
+**
+** u = omega2^2 / 2 follows from the accelerations, which need J', and E from the work, which does not: that
+** (J + I_f) u = E checks both.  Where torques depend on the angle alone, E is a mere quadrature.
+**
+** Steps end where torques have corners.  A row lies within a step, and is reached by a step of its own from the
+** beginning of that: rows do not depend on each other, nor on the interval between them.
+*/
+#include <math.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual_path.h"
+#include "analysis.h"
+#include "mechanics/dormand_prince.h"
+#include "motion_pieces.h"
+
+#define NEAR_REST 0.05 /* rad, to where the energy would vanish */
+#define LONGEST 0.5    /* rad, of a step */
+#define SHORTEST 1e-13 /* of the angle passed */
+#define MOST_NODES 200000UL
+#define INSIDE 1e-11 /* of a cycle: corners are not touched, for torques may jump there */
+#define BESIDE 1e-5  /* rad: a change point has no position, but means of those beside it */
+#define ITERATIONS 60
+#define TO_REST (-1) /* a status: the energy vanishes within a step */
+
+/* Equations of a step. */
+typedef struct equations {
+    const flk_path *p;
+    double low, high;
+} equations;
+
+static double inside(const equations *e, double s)
+{
+    double nothing = INSIDE * e->p->a->d->cycle, middle = 0.5 * (e->low + e->high);
+
+    nothing = GSL_MIN(nothing, 0.25 * (e->high - e->low));
+    return s < middle ? GSL_MAX(s, e->low + nothing) : GSL_MIN(s, e->high - nothing);
+}
+
+static double theta2_of(const flk_path *p, double s)
+{
+    const fourlink_motion *motion = &p->a->d->motion;
+
+    return motion->from * motion->angle_unit + p->sense * s;
+}
+
+/* The machine at a speed in the sense of the motion; alpha2 and push in that sense. */
+static int push_at(const flk_path *p, const flk_machine_place *place, double speed,
+                   flk_machine_push *push)
+{
+    int status = flk_machine_push_at(&p->machine, place, p->sense * speed, push);
+
+    push->push *= p->sense;
+    push->alpha2 *= p->sense;
+    return status;
+}
+
+/* y = E, t, u over s */
+static int over_angle(const equations *e, double s, const double *y, double *dy)
+{
+    flk_machine_place place;
+    flk_machine_push push;
+    double speed;
+    int status;
+
+    if (!(y[0] > 0))
+        return TO_REST;
+    status = flk_machine_at(&e->p->machine, theta2_of(e->p, s), &place);
+    if (status != FOURLINK_OK)
+        return status;
+    speed = sqrt(2 * y[0] / place.whole);
+    status = push_at(e->p, &place, speed, &push);
+    dy[0] = push.push;
+    dy[1] = 1 / speed;
+    dy[2] = push.alpha2;
+    return status;
+}
+
+/* y = s, speed, E over t */
+static int over_time(const equations *e, double s, const double *y, double *dy)
+{
+    flk_machine_place place;
+    flk_machine_push push;
+    int status = flk_machine_at(&e->p->machine, theta2_of(e->p, s), &place);
+
+    if (status == FOURLINK_OK)
+        status = push_at(e->p, &place, y[1], &push);
+    if (status != FOURLINK_OK)
+        return status;
+    dy[0] = y[1];
+    dy[1] = push.alpha2;
+    dy[2] = push.push * y[1];
+    return status;
+}
+
+/* Either of them at a change point. */
+static int between(int (*f)(const equations *, double, const double *, double *),
+                   const equations *e, double s, const double *y, double *dy)
+{
+    double before[3], after[3];
+    int status, i;
+
+    status = f(e, s, y, dy);
+    if (status != FOURLINK_CHANGE_POINT)
+        return status;
+    status = f(e, s - BESIDE, y, before);
+    if (status == FOURLINK_OK)
+        status = f(e, s + BESIDE, y, after);
+    for (i = 0; i < 3 && status == FOURLINK_OK; i++)
+        dy[i] = 0.5 * (before[i] + after[i]);
+    return status;
+}
+
+static int derive_over_angle(void *context, double x, const double *y, double *dy)
+{
+    const equations *e = context;
+
+    return between(over_angle, e, inside(e, x), y, dy);
+}
+
+static int derive_over_time(void *context, double x, const double *y, double *dy)
+{
+    const equations *e = context;
+
+    (void)x;
+    return between(over_time, e, inside(e, y[0]), y, dy);
+}
+
+/* A step: its equations, and its beginning. */
+typedef struct step {
+    equations e;
+    flk_derivative *f;
+    double x, y[3], dy[3];
+} step;
+
+/* J + I_f at an angle, of a change point beside it. */
+static int whole_at(const flk_path *p, double s, double *whole)
+{
+    flk_machine_place place;
+    int status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
+
+    if (status == FOURLINK_CHANGE_POINT)
+        status = flk_machine_at(&p->machine, theta2_of(p, s + BESIDE), &place);
+    *whole = place.whole;
+    return status;
+}
+
+static int begin(const flk_path *p, const flk_node *node, step *b)
+{
+    double whole;
+    int status;
+
+    b->e.p = p;
+    b->e.low = node->low;
+    b->e.high = node->high;
+    if (node->by_time) {
+        status = whole_at(p, node->s, &whole);
+        if (status != FOURLINK_OK)
+            return status;
+        b->f = derive_over_time;
+        b->x = node->t;
+        b->y[0] = node->s;
+        b->y[1] = sqrt(2 * node->E / whole);
+        b->y[2] = node->E;
+    } else {
+        b->f = derive_over_angle;
+        b->x = node->s;
+        b->y[0] = node->E;
+        b->y[1] = node->t;
+        b->y[2] = node->u;
+    }
+    return b->f(&b->e, b->x, b->y, b->dy);
+}
+
+static int advance(step *b, double h, double *next, double *error)
+{
+    return flk_dormand_prince(b->f, &b->e, 3, b->x, b->y, b->dy, h, next, error);
+}
+
+/* The time in which the crank of a step over time turns through an angle, if its acceleration were constant. */
+static double time_of(const step *b, double angle)
+{
+    double speed = b->y[1], square = speed * speed + 2 * b->dy[1] * angle;
+    double sum = speed + sqrt(GSL_MAX(square, 0));
+
+    return sum > 0 ? 2 * angle / sum : 0;
+}
+
+/* The time after which a step over time reaches y[i] = value, by Newton's method from a guess, within 0 ... h: there it
+** has passed that. */
+static int reach(step *b, int i, double value, double guess, double h, double *found, double *next)
+{
+    double low = 0, high = h, slope[3], at = guess > 0 && guess < h ? guess : 0.5 * h;
+    double rising = b->y[i] < value ? 1 : -1;
+    int k, status;
+
+    for (k = 0; k < ITERATIONS; k++) {
+        status = advance(b, at, next, NULL);
+        if (status == FOURLINK_OK)
+            status = b->f(&b->e, b->x + at, next, slope);
+        if (status != FOURLINK_OK)
+            return status;
+        if (rising * (next[i] - value) < 0)
+            low = at;
+        else
+            high = at;
+        *found = at;
+        if (fabs(next[i] - value) <= 4e-16 * fabs(slope[i] * at) || high - low <= 2e-16 * high)
+            break;
+        at -= (next[i] - value) / slope[i];
+        if (!(at > low && at < high))
+            at = 0.5 * (low + high);
+    }
+    next[i] = value;
+    return FOURLINK_OK;
+}
+
+static int keep(flk_path *p, const flk_node *node)
+{
+    if (p->n == p->room) {
+        size_t room = p->room ? 2 * p->room : 128;
+        flk_node *more = realloc(p->node, room * sizeof *more);
+
+        if (!more) {
+            p->no_memory = 1;
+            return 0;
+        }
+        p->node = more;
+        p->room = room;
+    }
+    p->node[p->n++] = *node;
+    p->largest = GSL_MAX(p->largest, node->E);
+    return 1;
+}
+
+/* The error of a step in parts of the tolerance. */
+static double error_of(const flk_path *p, const flk_node *node, const step *b, const double *next,
+                       const double *error)
+{
+    double scale[3], sum = 0;
+    int i;
+
+    if (node->by_time) {
+        scale[0] = fabs(next[0] - node->s);
+        scale[1] = GSL_MAX(fabs(next[1]), b->y[1]);
+        scale[2] = GSL_MAX(p->largest, fabs(next[2]));
+    } else {
+        scale[0] = GSL_MAX(0.01 * p->largest, next[0]);
+        scale[1] = GSL_MAX(next[1], (next[1] - node->t));
+        scale[2] = GSL_MAX(node->u, next[2]);
+    }
+    for (i = 0; i < 3; i++)
+        sum += gsl_pow_2(error[i] / scale[i]);
+    return sqrt(sum / 3) / p->tolerance;
+}
+
+/* The next step: of time, if the crank is near to rest. */
+static int choose(flk_path *p, flk_node *node, step *b)
+{
+    int status;
+
+    node->by_time = !(node->E > 0);
+    status = begin(p, node, b);
+    if (node->by_time || (status == FOURLINK_OK && node->E > NEAR_REST * fabs(b->dy[0])))
+        return status;
+    node->by_time = 1;
+    return begin(p, node, b);
+}
+
+/* The end of a step over time that passes the end of the piece, or comes to rest. */
+static int shorten(const flk_node *node, step *b, double *h, double *next)
+{
+    int status = FOURLINK_OK;
+
+    if (next[1] <= 0)
+        status = reach(b, 1, 0, -b->y[1] / b->dy[1], *h, h, next);
+    if (status == FOURLINK_OK && next[0] > node->high)
+        status = reach(b, 0, node->high, time_of(b, node->high - node->s), *h, h, next);
+    return status;
+}
+
+/* Where a step ends. */
+static void end_step(const flk_node *node, double h, const double *next, flk_node *after)
+{
+    *after = *node;
+    if (node->by_time) {
+        after->s = next[0];
+        after->t = node->t + h;
+        after->u = 0.5 * next[1] * next[1];
+        after->E = next[1] > 0 ? next[2] : 0;
+    } else {
+        after->s = node->s + h;
+        after->E = next[0];
+        after->t = next[1];
+        after->u = next[2];
+    }
+}
+
+/* One step from the last node, of at most *h in angle; *h is the length for the next. */
+static int go_on(flk_path *p, double *h, flk_node *after)
+{
+    flk_node *node = &p->node[p->n - 1];
+    double next[3], error[3], left = node->high - node->s, length, size;
+    step b;
+    int status = choose(p, node, &b);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (node->by_time && node->E <= 0 && !(b.dy[1] > 0))
+        return FOURLINK_DOES_NOT_START;
+    length = GSL_MIN(*h, LONGEST);
+    if (node->by_time && b.dy[1] < 0)
+        length = GSL_MIN(length, 1.5 * gsl_pow_2(b.y[1]) / (-2 * b.dy[1]));
+    length = length >= left ? left : length > 0.5 * left ? 0.5 * left : length;
+    for (;;) {
+        double x = node->by_time ? time_of(&b, length) : length;
+
+        status = advance(&b, x, next, error);
+        size = status == FOURLINK_OK ? error_of(p, node, &b, next, error) : 1e8;
+        if (size <= 1) {
+            if (node->by_time)
+                status = shorten(node, &b, &x, next);
+            if (status != FOURLINK_OK)
+                return status;
+            end_step(node, x, next, after);
+            if (!node->by_time && length == left)
+                after->s = node->high;
+            break;
+        }
+        if (status != FOURLINK_OK && status != TO_REST && length < 1e-9)
+            return status;
+        length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+        if (length < SHORTEST * (1 + node->s))
+            return status == FOURLINK_OK || status == TO_REST ? FOURLINK_TOO_LONG : status;
+    }
+    *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+    return FOURLINK_OK;
+}
+
+static int run_piece(flk_path *p, double *h)
+{
+    flk_node after;
+
+    while (p->node[p->n - 1].s < p->node[p->n - 1].high) {
+        p->status = p->n < MOST_NODES ? go_on(p, h, &after) : FOURLINK_TOO_LONG;
+        if (p->status != FOURLINK_OK || !keep(p, &after))
+            return 0;
+        if (after.E <= 0 && after.s < after.high) {
+            p->status = FOURLINK_STALLS;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+int flk_path_run(flk_path *p, double speed, double length)
+{
+    flk_node first = {0, 0, 0, 0, 0, 0, 0};
+    flk_piece piece = {0, 0, FLK_END_PLAIN, FLK_END_PLAIN};
+    double whole, h = 0.1;
+
+    p->n = 0;
+    p->largest = 0;
+    p->status = whole_at(p, 0, &whole);
+    first.u = 0.5 * speed * speed;
+    first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
+    if (!keep(p, &first) || p->status != FOURLINK_OK)
+        return 0;
+    while (flk_pieces_next(p->a, length, 1e30, &piece)) {
+        p->node[p->n - 1].low = piece.from;
+        p->node[p->n - 1].high = piece.to;
+        if (!run_piece(p, &h))
+            return 0;
+        if (piece.end == FLK_END_DEAD && piece.to < length) {
+            p->status = FOURLINK_DEAD_POSITION;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+const flk_node *flk_path_end(const flk_path *p)
+{
+    return &p->node[p->n - 1];
+}
+
+/* The last node at or before s. */
+static const flk_node *node_before(const flk_path *p, double s)
+{
+    size_t low = 0, high = p->n;
+
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+
+        if (p->node[middle].s <= s)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &p->node[low];
+}
+
+/* The state at s of the step that begins at a node. */
+static int state_at(const flk_path *p, const flk_node *node, double s, flk_node *at)
+{
+    double next[3], h = s - node->s;
+    step b;
+    int status;
+
+    *at = *node;
+    if (h <= 0)
+        return FOURLINK_OK;
+    status = begin(p, node, &b);
+    if (status != FOURLINK_OK)
+        return status;
+    if (node->by_time) {
+        h = (node + 1)->t - node->t;
+        status = reach(&b, 0, s, time_of(&b, s - node->s), h, &h, next);
+    } else {
+        status = advance(&b, h, next, NULL);
+    }
+    if (status == FOURLINK_OK)
+        end_step(node, h, next, at);
+    return status;
+}
+
+int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
+{
+    const flk_node *node = node_before(p, GSL_MAX(s, 0));
+    flk_machine_place place;
+    flk_machine_push push;
+    flk_node at;
+    double speed;
+    int status = state_at(p, node, s, &at);
+
+    if (status == FOURLINK_OK)
+        status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
+    if (status != FOURLINK_OK)
+        return status;
+    speed = at.by_time ? sqrt(2 * at.u) : sqrt(2 * at.E / place.whole);
+    status = push_at(p, &place, speed, &push);
+    if (status != FOURLINK_OK)
+        return status;
+    row->crank.theta2 = theta2_of(p, s);
+    row->crank.omega2 = p->sense * speed;
+    row->crank.alpha2 = p->sense * push.alpha2;
+    row->time = at.t;
+    row->T_motor = push.T_motor;
+    row->J = place.J;
+    row->energy = 0.5 * place.whole * speed * speed;
+    row->energy_residual = p->largest > 0 ? (place.whole * at.u - at.E) / p->largest : 0;
+    return FOURLINK_OK;
+}
