@@ -156,5 +156,5 @@ int flk_actual_at_row(const flk_analysis *a, fourlink_branch branch, unsigned lo
 
 const flk_actual_facts *flk_actual_facts_of(const flk_analysis *a, fourlink_branch branch)
 {
-    return &a->actual->facts[index_of(branch)];
+    return a->actual ? &a->actual->facts[index_of(branch)] : NULL;
 }

@@ -52,6 +52,7 @@ int flk_actual_at(const struct flk_analysis *a, fourlink_branch branch, double a
 int flk_actual_at_row(const struct flk_analysis *a, fourlink_branch branch, unsigned long i,
                       flk_actual_row *row);
 
+/* Null if the motion is given. */
 const flk_actual_facts *flk_actual_facts_of(const struct flk_analysis *a, fourlink_branch branch);
 
 #endif

@@ -119,6 +119,8 @@ static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int 
     row->at.row.crank = row->actual.crank;
     row->at.row.angle = row->actual.angle;
     row->at.row.time = row->actual.time;
+    if (status != FOURLINK_OK)
+        row->at.row.time = row->at.row.crank.omega2 = row->at.row.crank.alpha2 = FLK_UNDEFINED;
     if (status == FOURLINK_OK)
         flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
     row->at.branch = branch;
