@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "actual_facts.h"
 #include "actual_path.h"
 #include "actual_steady.h"
 #include "analysis.h"
@@ -28,14 +29,7 @@ static int index_of(fourlink_branch branch)
     return branch == FOURLINK_OPEN ? 0 : 1;
 }
 
-static void forget(flk_actual_facts *f)
-{
-    f->status = FOURLINK_OK;
-    f->end_angle = f->mean_speed = f->mean_speed_textbook = f->period = f->fluctuation_exact =
-        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = FLK_UNDEFINED;
-}
-
-/* Free motion and run-up. */
+/* A run-up, or a free motion. */
 static int run(flk_path *p, const deck *d, double cycle, double length)
 {
     double speed = d->drive.mode == DRIVE_FREE ? p->sense * d->motion.speed : 0;
@@ -50,10 +44,12 @@ static int run(flk_path *p, const deck *d, double cycle, double length)
     return flk_path_run(p, speed, length);
 }
 
-static int find(flk_actual *m, flk_path *p)
+static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->a->d;
 
+    if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
+        flk_facts_of_cycle(p, m->cycle, f);
     if (d->drive.mode == DRIVE_STEADY)
         return flk_steady_find(p, m->cycle, p->sense * d->drive.mean_speed,
                                p->sense * d->motion.speed);
@@ -74,6 +70,7 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
     flk_path *p = &m->path[index_of(branch)];
     flk_actual_facts *f = &m->facts[index_of(branch)];
     const deck_drive *drive = &a->d->drive;
+    int found;
 
     p->a = a;
     p->machine.d = a->d;
@@ -85,14 +82,19 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
         drive->flywheel + drive->motor.ratio * drive->motor.ratio * drive->motor.inertia;
     p->tolerance = TOLERANCE;
     p->sense = flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
-    forget(f);
-    if (!find(m, p)) {
+    flk_facts_forget(f);
+    found = find(m, p, f);
+    f->inertia = p->machine.inertia;
+    f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
+    if (!found) {
         f->status = p->status;
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
-        if (f->status == FOURLINK_STALLS)
-            f->stall_angle = f->end_angle;
+        f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
+    } else if (drive->mode == DRIVE_RUN_UP) {
+        flk_facts_of_run_up(p, f);
+    } else {
+        flk_facts_of_cycle(p, m->cycle, f);
     }
-    f->inertia = p->machine.inertia;
 }
 
 int flk_actual_open(flk_analysis *a)

@@ -34,7 +34,8 @@
 #define INSIDE 1e-11 /* of a cycle: corners are not touched, for torques may jump there */
 #define BESIDE 1e-5  /* rad: a change point has no position, but means of those beside it */
 #define ITERATIONS 60
-#define TO_REST (-1) /* a status: the energy vanishes within a step */
+#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
+#define TO_REST (-1)    /* a status: the energy vanishes within a step */
 
 /* Equations of a step. */
 typedef struct equations {
@@ -373,6 +374,7 @@ int flk_path_run(flk_path *p, double speed, double length)
     double whole, h = 0.1;
 
     p->n = 0;
+    p->is_steady = 0;
     p->largest = 0;
     p->status = whole_at(p, 0, &whole);
     first.u = 0.5 * speed * speed;
@@ -437,21 +439,28 @@ static int state_at(const flk_path *p, const flk_node *node, double s, flk_node 
     return status;
 }
 
+/* The machine at s: its speed and what turns it. */
+static int machine_at(const flk_path *p, double s, flk_node *at, double *speed,
+                      flk_machine_place *place, flk_machine_push *push)
+{
+    int status = state_at(p, node_before(p, GSL_MAX(s, 0)), s, at);
+
+    if (status == FOURLINK_OK)
+        status = flk_machine_at(&p->machine, theta2_of(p, s), place);
+    if (status != FOURLINK_OK)
+        return status;
+    *speed = at->by_time ? sqrt(2 * at->u) : sqrt(2 * at->E / place->whole);
+    return push_at(p, place, *speed, push);
+}
+
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
 {
-    const flk_node *node = node_before(p, GSL_MAX(s, 0));
     flk_machine_place place;
     flk_machine_push push;
     flk_node at;
     double speed;
-    int status = state_at(p, node, s, &at);
+    int status = machine_at(p, s, &at, &speed, &place, &push);
 
-    if (status == FOURLINK_OK)
-        status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
-    if (status != FOURLINK_OK)
-        return status;
-    speed = at.by_time ? sqrt(2 * at.u) : sqrt(2 * at.E / place.whole);
-    status = push_at(p, &place, speed, &push);
     if (status != FOURLINK_OK)
         return status;
     row->crank.theta2 = theta2_of(p, s);
@@ -462,5 +471,51 @@ int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
     row->J = place.J;
     row->energy = 0.5 * place.whole * speed * speed;
     row->energy_residual = p->largest > 0 ? (place.whole * at.u - at.E) / p->largest : 0;
+    return FOURLINK_OK;
+}
+
+/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2) */
+static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
+{
+    flk_machine_place place;
+    flk_machine_push slower, faster;
+    flk_node at;
+    double speed;
+    int status = state_at(p, node, s, &at);
+
+    if (status == FOURLINK_OK)
+        status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
+    if (status != FOURLINK_OK)
+        return status;
+    speed = at.by_time ? sqrt(2 * at.u) : sqrt(2 * at.E / place.whole);
+    status = push_at(p, &place, speed * (1 - DIFFERENCE), &slower);
+    if (status == FOURLINK_OK)
+        status = push_at(p, &place, speed * (1 + DIFFERENCE), &faster);
+    *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
+    return status;
+}
+
+/* By Gauss's rule of four points within each step. */
+int flk_path_growth(const flk_path *p, double *growth)
+{
+    static const double x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                0.93056815579702629};
+    static const double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                0.17392742256872693};
+    double sum = 0, value;
+    size_t k;
+    int i, status;
+
+    for (k = 0; k + 1 < p->n; k++) {
+        double from = p->node[k].s, length = p->node[k + 1].s - from;
+
+        for (i = 0; i < 4; i++) {
+            status = growth_at(p, &p->node[k], from + x[i] * length, &value);
+            if (status != FOURLINK_OK)
+                return status;
+            sum += w[i] * length * value;
+        }
+    }
+    *growth = sum;
     return FOURLINK_OK;
 }

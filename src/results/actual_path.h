@@ -26,6 +26,7 @@ typedef struct flk_path {
     flk_node *node;   /* to be freed */
     size_t n, room;
     int status;     /* why it ends before its length, or FOURLINK_OK */
+    int is_steady;  /* 1: it is a cycle that repeats */
     int no_memory;  /* 1: nodes are missing */
     double largest; /* J, energy */
 } flk_path;
@@ -39,11 +40,8 @@ const flk_node *flk_path_end(const flk_path *p);
 /* The crank after it has passed s, within the path: FOURLINK_OK, or why there is no position. */
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
 
-/* The same without motor torque, inertia and residual: omega2, alpha2, time, all in the sense of the motion. */
-int flk_path_crank_at(const flk_path *p, double s, fourlink_crank *crank, double *time);
-
-/* ln of the rate by which a small difference of the energy grows from the first row to s:
-** integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2). */
-int flk_path_rate(const flk_path *p, double s, double *ln_rate);
+/* By which the logarithm of a small difference of energy grows over the path:
+** integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2. */
+int flk_path_growth(const flk_path *p, double *growth);
 
 #endif

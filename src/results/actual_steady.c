@@ -234,7 +234,8 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     x[0] = log(speed);
     x[q.has_speed] = -mean / q.torque_unit;
-    if (broyden(&q, x))
+    p->is_steady = broyden(&q, x);
+    if (p->is_steady)
         return 1;
     if (p->status == FOURLINK_OK)
         p->status = FOURLINK_NO_STEADY;
