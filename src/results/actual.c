@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_facts.h"
+#include "actual_flywheel.h"
 #include "actual_path.h"
 #include "actual_steady.h"
 #include "analysis.h"
@@ -50,6 +51,8 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 
     if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
+    if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
+        return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
         return flk_steady_find(p, m->cycle, p->sense * d->drive.mean_speed,
                                p->sense * d->motion.speed);

@@ -324,7 +324,7 @@ static void find(moment *m, double scale, fourlink_turning *t)
     t->has_coefficient = m->mean != 0;
     t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
     t->inertia = actual ? actual->inertia : d->flywheel_inertia;
-    t->fluctuation = d->flywheel_fluctuation;
+    t->fluctuation = actual ? 0 : d->flywheel_fluctuation;
     if (t->inertia > 0)
         t->fluctuation = t->energy_fluctuation / (t->inertia * omega * omega);
     else if (t->fluctuation > 0)
