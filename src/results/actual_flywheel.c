@@ -70,7 +70,7 @@ int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluct
         if (gsl_finite(high) && high - low <= 1e-15 * high)
             break;
         next = secant(x, y, &last, &y_last, fluctuation);
-        if (!gsl_finite(high) && k >= 4)
+        if (!gsl_finite(high) && k >= 10)
             next = NO_FLYWHEEL; /* is one needed at all? */
         else if (!(next > low && next < high))
             next = !gsl_finite(high) ? 16 * x : low > 0 ? sqrt(low * high) : high / 16;
