@@ -174,9 +174,9 @@ static void write_rows(sheet *s, fourlink_branch branch)
 
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->results, branch, k, s->values, &now, NULL);
+        put_section(s, branch, now.row.angle, status);
         if (sheet_is_over(s, &now))
             break;
-        put_section(s, branch, now.row.angle, status);
     }
 }
 
