@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/quantity.h"
 #include "condition.h"
 #include "expected.h"
@@ -484,7 +486,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
     v.has_angle = 1;
     v.angle = row.at.row.angle;
     v.branch = (int)branch;
-    if (row.at.status != FOURLINK_OK && !(v.flags & FOURLINK_OF_CRANK))
+    if (row.at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
         return row.at.status;
     *value = v;
     return FOURLINK_OK;

@@ -130,7 +130,8 @@ static void test_ends(void **unused)
     assert_int_equal(fourlink_results_end(r, (fourlink_branch)0, &angle), FOURLINK_BAD_BRANCH);
     fourlink_results_free(r);
 
-    r = opened(PUMP "[motor]\ntorque = -20 N m\n" FLYWHEEL "[motion]\nmode = run-up\nto = 90 deg\n");
+    r = opened(PUMP "[motor]\ntorque = -20 N m\n" FLYWHEEL
+                    "[motion]\nmode = run-up\nto = 90 deg\n");
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_DOES_NOT_START);
     assert_int_equal(status_of(r, "omega2", 45), FOURLINK_DOES_NOT_START);
     fourlink_results_free(r);
