@@ -73,13 +73,7 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
     int found;
 
     p->a = a;
-    p->machine.d = a->d;
-    p->machine.branch = branch;
-    p->machine.loads = a->loads;
-    p->machine.n_loads = a->n_loads;
-    p->machine.motor = drive->motor;
-    p->machine.inertia =
-        drive->flywheel + drive->motor.ratio * drive->motor.ratio * drive->motor.inertia;
+    flk_machine_of(a->d, branch, a->loads, a->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
     p->sense = flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
