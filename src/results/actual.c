@@ -16,13 +16,14 @@
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
-#define TOLERANCE 1e-11
+#define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
 
 struct flk_actual {
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
-    double cycle;  /* rad */
-    double length; /* rad, of the rows */
+    int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
+    double cycle;    /* rad */
+    double length;   /* rad, of the rows */
 };
 
 static int index_of(fourlink_branch branch)
@@ -72,17 +73,10 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
     flk_actual *m = a->actual;
     flk_path *p = &m->path[index_of(branch)];
     flk_actual_facts *f = &m->facts[index_of(branch)];
-    const deck_drive *drive = &a->d->drive;
     int found;
 
     p->a = a;
-    p->machine.d = a->d;
-    p->machine.branch = branch;
-    p->machine.loads = a->loads;
-    p->machine.n_loads = a->n_loads;
-    p->machine.motor = drive->motor;
-    p->machine.inertia =
-        drive->flywheel + drive->motor.ratio * drive->motor.ratio * drive->motor.inertia;
+    flk_machine_of(a->d, branch, a->loads, a->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
     p->sense = flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
@@ -93,10 +87,6 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
         f->status = p->status;
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
-    } else if (drive->mode == DRIVE_RUN_UP) {
-        flk_facts_of_run_up(p, f);
-    } else {
-        flk_facts_of_cycle(p, m->cycle, f);
     }
 }
 
@@ -161,5 +151,17 @@ int flk_actual_at_row(const flk_analysis *a, fourlink_branch branch, unsigned lo
 
 const flk_actual_facts *flk_actual_facts_of(const flk_analysis *a, fourlink_branch branch)
 {
-    return a->actual ? &a->actual->facts[index_of(branch)] : NULL;
+    flk_actual *m = a->actual;
+    int i = index_of(branch);
+
+    if (!m)
+        return NULL;
+    if (!m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+        if (a->d->drive.mode == DRIVE_RUN_UP)
+            flk_facts_of_run_up(&m->path[i], &m->facts[i]);
+        else
+            flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);
+    }
+    m->is_known[i] = 1;
+    return &m->facts[i];
 }

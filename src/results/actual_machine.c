@@ -10,9 +10,30 @@
 #include <math.h>
 
 #include "actual_machine.h"
+#include "deck/schema.h"
 #include "mechanics/inertia.h"
+#include "mechanics/kind.h"
 
 #define STEPS 20 /* of the secant */
+
+void flk_machine_of(const deck *d, fourlink_branch branch, fourlink_load *loads,
+                    unsigned long n_loads, flk_machine *m)
+{
+    unsigned long i;
+
+    m->d = d;
+    m->branch = branch;
+    m->loads = loads;
+    m->n_loads = n_loads;
+    m->motor = d->drive.motor;
+    m->inertia = d->drive.flywheel + m->motor.ratio * m->motor.ratio * m->motor.inertia;
+    m->has_angles = 0;
+    m->has_speeds = flk_deck_needs_motion(d);
+    for (i = 0; i < d->n_springs; i++)
+        m->has_angles |= d->springs[i].spring.is_torsional;
+    for (i = 0; i < d->n_loads; i++)
+        m->has_angles |= d->variations[i].law.over == OVER_THETA4;
+}
 
 int flk_machine_at(const flk_machine *m, double theta2, flk_machine_place *place)
 {
@@ -20,8 +41,7 @@ int flk_machine_at(const flk_machine *m, double theta2, flk_machine_place *place
     int status;
 
     crank.theta2 = theta2;
-    status =
-        fourlink_analyse_dyad(&m->d->mechanism, m->branch, &crank, NULL, 0, &place->state, NULL);
+    status = flk_mechanism_move(&m->d->mechanism, m->branch, &crank, m->has_angles, &place->state);
     if (status != FOURLINK_OK)
         return status;
     flk_inertia_of_motion(&m->d->mechanism, &place->state, &place->J, &place->half_slope);
@@ -73,24 +93,38 @@ static int find_alpha(const flk_machine *m, const flk_machine_place *place, four
                                                                                  : status;
 }
 
+/* All loads at the actual speeds. */
+static int set_loads(const flk_machine *m, const flk_machine_place *place, double omega2,
+                     fourlink_state *moving)
+{
+    double gas;
+
+    if (!m->has_speeds) {
+        flk_deck_set_loads(m->d, m->branch, place->state.link[FOURLINK_CRANK].theta, m->loads,
+                           NULL);
+        return FOURLINK_OK;
+    }
+    *moving = place->state;
+    fourlink_velocity(&m->d->mechanism, omega2, moving);
+    return flk_deck_set_moving_loads(m->d, moving, m->loads, &gas);
+}
+
 int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, double omega2,
                         flk_machine_push *push)
 {
-    const fourlink_mechanism *mechanism = &m->d->mechanism;
-    double turning = place->half_slope * omega2 * omega2, gas;
-    fourlink_state state = place->state;
-    int status;
+    double turning = place->half_slope * omega2 * omega2;
+    fourlink_state moving;
+    int status = set_loads(m, place, omega2, &moving);
 
-    fourlink_velocity(mechanism, omega2, &state);
-    status = flk_deck_set_moving_loads(m->d, &state, m->loads, &gas);
     if (status != FOURLINK_OK)
         return status;
     push->T_motor = flk_motor_torque(&m->motor, omega2);
-    push->push = push->T_motor + flk_inertia_push(mechanism, &state, m->loads, m->n_loads);
+    push->push =
+        push->T_motor + flk_inertia_push(&m->d->mechanism, &place->state, m->loads, m->n_loads);
     push->alpha2 = (push->push - turning) / place->whole;
     if (!m->d->has_friction)
         return FOURLINK_OK;
-    status = find_alpha(m, place, &state, push);
+    status = find_alpha(m, place, &moving, push);
     push->push = place->whole * push->alpha2 + turning;
     return status;
 }

@@ -14,6 +14,8 @@ typedef struct flk_machine {
     unsigned long n_loads;
     fourlink_motor motor;
     double inertia; /* kg m2, at the crank: flywheel and rotor */
+    int has_angles; /* 1: loads depend on angles of links 3 and 4 */
+    int has_speeds; /* 1: loads depend on speeds */
 } flk_machine;
 
 /* The machine at a crank angle. */
@@ -30,6 +32,10 @@ typedef struct flk_machine_push {
     double push;    /* N m, T_motor + Q: dE/dtheta2 */
     double alpha2;  /* rad/s2 */
 } flk_machine_push;
+
+/* The machine of a deck, with memory for its loads. */
+void flk_machine_of(const deck *d, fourlink_branch branch, fourlink_load *loads,
+                    unsigned long n_loads, flk_machine *m);
 
 /* FOURLINK_OK, FOURLINK_NO_INERTIA, or why there is no position. */
 int flk_machine_at(const flk_machine *m, double theta2, flk_machine_place *place);

@@ -14,22 +14,23 @@
 ** u = omega2^2 / 2 follows from the accelerations, which need J', and E from the work, which does not: that
 ** (J + I_f) u = E checks both.  Where torques depend on the angle alone, E is a mere quadrature.
 **
-** Steps end where torques have corners.  A row lies within a step, and is reached by a step of its own from the
-** beginning of that: rows do not depend on each other, nor on the interval between them.
+** Steps end where torques have corners.  Rows lie within steps: they do not depend on each other, nor on the interval
+** between them.
 */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "actual_path.h"
 #include "analysis.h"
-#include "mechanics/dormand_prince.h"
 #include "motion_pieces.h"
 
 #define NEAR_REST 0.05 /* rad, to where the energy would vanish */
 #define LONGEST 0.5    /* rad, of a step */
 #define SHORTEST 1e-13 /* of the angle passed */
+#define CLOSEST 1e-9   /* rad, to where there is no position */
 #define MOST_NODES 200000UL
 #define INSIDE 1e-11 /* of a cycle: corners are not touched, for torques may jump there */
 #define BESIDE 1e-5  /* rad: a change point has no position, but means of those beside it */
@@ -140,13 +141,6 @@ static int derive_over_time(void *context, double x, const double *y, double *dy
     return between(over_time, e, inside(e, y[0]), y, dy);
 }
 
-/* A step: its equations, and its beginning. */
-typedef struct step {
-    equations e;
-    flk_derivative *f;
-    double x, y[3], dy[3];
-} step;
-
 /* J + I_f at an angle, of a change point beside it. */
 static int whole_at(const flk_path *p, double s, double *whole)
 {
@@ -159,74 +153,72 @@ static int whole_at(const flk_path *p, double s, double *whole)
     return status;
 }
 
-static int begin(const flk_path *p, const flk_node *node, step *b)
+/* Set the equations and the beginning of a step at a node. */
+static int begin(const flk_path *p, flk_node *node, equations *e, flk_step *step)
 {
     double whole;
     int status;
 
-    b->e.p = p;
-    b->e.low = node->low;
-    b->e.high = node->high;
+    e->p = p;
+    e->low = node->low;
+    e->high = node->high;
+    step->context = e;
     if (node->by_time) {
         status = whole_at(p, node->s, &whole);
         if (status != FOURLINK_OK)
             return status;
-        b->f = derive_over_time;
-        b->x = node->t;
-        b->y[0] = node->s;
-        b->y[1] = sqrt(2 * node->E / whole);
-        b->y[2] = node->E;
+        step->f = derive_over_time;
+        step->x = node->t;
+        step->y[0] = node->s;
+        step->y[1] = node->speed = sqrt(2 * node->E / whole);
+        step->y[2] = node->E;
     } else {
-        b->f = derive_over_angle;
-        b->x = node->s;
-        b->y[0] = node->E;
-        b->y[1] = node->t;
-        b->y[2] = node->u;
+        step->f = derive_over_angle;
+        step->x = node->s;
+        step->y[0] = node->E;
+        step->y[1] = node->t;
+        step->y[2] = node->u;
     }
-    return b->f(&b->e, b->x, b->y, b->dy);
+    return step->f(e, step->x, step->y, step->k[0]);
 }
 
-static int advance(step *b, double h, double *next, double *error)
+/* The time in which the crank turns through an angle from a speed, if its acceleration is constant. */
+static double time_of(double speed, double alpha, double angle)
 {
-    return flk_dormand_prince(b->f, &b->e, 3, b->x, b->y, b->dy, h, next, error);
-}
-
-/* The time in which the crank of a step over time turns through an angle, if its acceleration were constant. */
-static double time_of(const step *b, double angle)
-{
-    double speed = b->y[1], square = speed * speed + 2 * b->dy[1] * angle;
+    double square = speed * speed + 2 * alpha * angle;
     double sum = speed + sqrt(GSL_MAX(square, 0));
 
     return sum > 0 ? 2 * angle / sum : 0;
 }
 
-/* The time after which a step over time reaches y[i] = value, by Newton's method from a guess, within 0 ... h: there it
-** has passed that. */
-static int reach(step *b, int i, double value, double guess, double h, double *found, double *next)
+/* The part of a step at which y[i], which it passes, has a value, by false position that halves the residual of an end
+** that stays (the Illinois method). */
+static double part_at(const flk_curve_of_step *within, int i, double change)
 {
-    double low = 0, high = h, slope[3], at = guess > 0 && guess < h ? guess : 0.5 * h;
-    double rising = b->y[i] < value ? 1 : -1;
-    int k, status;
+    double low = 0, high = 1, f_low = -change, f_high = flk_step_change(within, i, 1) - change;
+    double part = 1, f;
+    int k, side = 0;
 
-    for (k = 0; k < ITERATIONS; k++) {
-        status = advance(b, at, next, NULL);
-        if (status == FOURLINK_OK)
-            status = b->f(&b->e, b->x + at, next, slope);
-        if (status != FOURLINK_OK)
-            return status;
-        if (rising * (next[i] - value) < 0)
-            low = at;
-        else
-            high = at;
-        *found = at;
-        if (fabs(next[i] - value) <= 4e-16 * fabs(slope[i] * at) || high - low <= 2e-16 * high)
+    for (k = 0; k < ITERATIONS && high - low > 2e-16 * high && f_high != f_low; k++) {
+        part = low - f_low * (high - low) / (f_high - f_low);
+        if (!(part > low && part < high))
             break;
-        at -= (next[i] - value) / slope[i];
-        if (!(at > low && at < high))
-            at = 0.5 * (low + high);
+        f = flk_step_change(within, i, part) - change;
+        if (f == 0)
+            break;
+        if ((f < 0) == (f_low < 0)) {
+            low = part;
+            f_low = f;
+            f_high *= side == -1 ? 0.5 : 1;
+            side = -1;
+        } else {
+            high = part;
+            f_high = f;
+            f_low *= side == 1 ? 0.5 : 1;
+            side = 1;
+        }
     }
-    next[i] = value;
-    return FOURLINK_OK;
+    return part;
 }
 
 static int keep(flk_path *p, const flk_node *node)
@@ -248,55 +240,89 @@ static int keep(flk_path *p, const flk_node *node)
 }
 
 /* The error of a step in parts of the tolerance. */
-static double error_of(const flk_path *p, const flk_node *node, const step *b, const double *next,
+static double error_of(const flk_path *p, const flk_node *node, const flk_step *step,
                        const double *error)
 {
-    double scale[3], sum = 0;
+    const double *y = step->y, *next = step->next;
+    double scale[FLK_UNKNOWNS], sum = 0;
     int i;
 
     if (node->by_time) {
-        scale[0] = fabs(next[0] - node->s);
-        scale[1] = GSL_MAX(fabs(next[1]), b->y[1]);
+        scale[0] = fabs(next[0] - y[0]);
+        scale[1] = GSL_MAX(fabs(next[1]), y[1]);
         scale[2] = GSL_MAX(p->largest, fabs(next[2]));
     } else {
         scale[0] = GSL_MAX(0.01 * p->largest, next[0]);
-        scale[1] = GSL_MAX(next[1], (next[1] - node->t));
-        scale[2] = GSL_MAX(node->u, next[2]);
+        scale[1] = next[1];
+        scale[2] = GSL_MAX(y[2], next[2]);
     }
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < FLK_UNKNOWNS; i++)
         sum += gsl_pow_2(error[i] / scale[i]);
-    return sqrt(sum / 3) / p->tolerance;
+    return sqrt(sum / FLK_UNKNOWNS) / p->tolerance;
 }
 
-/* The next step: of time, if the crank is near to rest. */
-static int choose(flk_path *p, flk_node *node, step *b)
+/* Begin the next step: over time, if the crank is near to rest. */
+static int choose(flk_path *p, flk_node *node, equations *e, flk_step *step)
 {
     int status;
 
     node->by_time = !(node->E > 0);
-    status = begin(p, node, b);
-    if (node->by_time || (status == FOURLINK_OK && node->E > NEAR_REST * fabs(b->dy[0])))
+    status = begin(p, node, e, step);
+    if (node->by_time || (status == FOURLINK_OK && node->E > NEAR_REST * fabs(step->k[0][0])))
         return status;
     node->by_time = 1;
-    return begin(p, node, b);
+    return begin(p, node, e, step);
 }
 
-/* The end of a step over time that passes the end of the piece, or comes to rest. */
-static int shorten(const flk_node *node, step *b, double *h, double *next)
+/* Take a step of this length: its error, or a status. */
+static int try(const flk_path *p, const flk_node *node, flk_step *step, double h, double *size)
 {
-    int status = FOURLINK_OK;
+    double error[FLK_UNKNOWNS];
+    int status;
 
-    if (next[1] <= 0)
-        status = reach(b, 1, 0, -b->y[1] / b->dy[1], *h, h, next);
-    if (status == FOURLINK_OK && next[0] > node->high)
-        status = reach(b, 0, node->high, time_of(b, node->high - node->s), *h, h, next);
+    step->h = h;
+    status = flk_step_take(step, error);
+    if (status == FOURLINK_OK)
+        *size = error_of(p, node, step, error);
     return status;
 }
 
-/* Where a step ends. */
+/* Values within a step that has been taken. */
+static int fill(flk_step *step, flk_curve_of_step *within)
+{
+    int status = flk_step_end(step);
+
+    return status == FOURLINK_OK ? flk_step_within(step, within) : status;
+}
+
+/* End a step over time where the crank comes to rest, or at the end of the piece, if it passes them. */
+static int shorten(const flk_path *p, flk_node *node, flk_step *step)
+{
+    double size;
+    int status = FOURLINK_OK;
+
+    if (step->next[1] <= 0) {
+        status = try(p, node, step, step->h * part_at(&node->within, 1, -step->y[1]), &size);
+        step->next[1] = 0;
+        if (status == FOURLINK_OK)
+            status = fill(step, &node->within);
+    }
+    if (status == FOURLINK_OK && step->next[0] > node->high) {
+        status =
+            try(p, node, step, step->h * part_at(&node->within, 0, node->high - node->s), &size);
+        step->next[0] = node->high;
+        if (status == FOURLINK_OK)
+            status = fill(step, &node->within);
+    }
+    return status;
+}
+
 static void end_step(const flk_node *node, double h, const double *next, flk_node *after)
 {
-    *after = *node;
+    after->low = node->low;
+    after->high = node->high;
+    after->by_time = node->by_time;
+    after->h = 0;
     if (node->by_time) {
         after->s = next[0];
         after->t = node->t + h;
@@ -310,45 +336,51 @@ static void end_step(const flk_node *node, double h, const double *next, flk_nod
     }
 }
 
+/* The length of the next step, in angle, of at most h. */
+static double first_length(const flk_node *node, const flk_step *step, double h)
+{
+    double left = node->high - node->s, length = GSL_MIN(h, LONGEST);
+
+    if (node->by_time && step->k[0][1] < 0) /* a little farther than to rest */
+        length = GSL_MIN(length, 1.5 * gsl_pow_2(step->y[1]) / (-2 * step->k[0][1]));
+    return length >= left ? left : length > 0.5 * left ? 0.5 * left : length;
+}
+
 /* One step from the last node, of at most *h in angle; *h is the length for the next. */
 static int go_on(flk_path *p, double *h, flk_node *after)
 {
     flk_node *node = &p->node[p->n - 1];
-    double next[3], error[3], left = node->high - node->s, length, size;
-    step b;
-    int status = choose(p, node, &b);
+    double length, size;
+    equations e;
+    flk_step step;
+    int status = choose(p, node, &e, &step);
 
     if (status != FOURLINK_OK)
         return status;
-    if (node->by_time && node->E <= 0 && !(b.dy[1] > 0))
+    if (node->by_time && node->E <= 0 && !(step.k[0][1] > 0))
         return FOURLINK_DOES_NOT_START;
-    length = GSL_MIN(*h, LONGEST);
-    if (node->by_time && b.dy[1] < 0)
-        length = GSL_MIN(length, 1.5 * gsl_pow_2(b.y[1]) / (-2 * b.dy[1]));
-    length = length >= left ? left : length > 0.5 * left ? 0.5 * left : length;
+    length = first_length(node, &step, *h);
     for (;;) {
-        double x = node->by_time ? time_of(&b, length) : length;
-
-        status = advance(&b, x, next, error);
-        size = status == FOURLINK_OK ? error_of(p, node, &b, next, error) : 1e8;
-        if (size <= 1) {
-            if (node->by_time)
-                status = shorten(node, &b, &x, next);
-            if (status != FOURLINK_OK)
-                return status;
-            end_step(node, x, next, after);
-            if (!node->by_time && length == left)
-                after->s = node->high;
+        status = try(p, node, &step,
+                     node->by_time ? time_of(step.y[1], step.k[0][1], length) : length, &size);
+        if (status == FOURLINK_OK && size <= 1)
+            status = fill(&step, &node->within);
+        if (status == FOURLINK_OK && size <= 1)
             break;
-        }
-        if (status != FOURLINK_OK && status != TO_REST && length < 1e-9)
-            return status;
+        if (status != FOURLINK_OK)
+            size = 1e8;
         length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
-        if (length < SHORTEST * (1 + node->s))
-            return status == FOURLINK_OK || status == TO_REST ? FOURLINK_TOO_LONG : status;
+        if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
+            return status > 0 ? status : FOURLINK_TOO_LONG;
     }
+    if (node->by_time)
+        status = shorten(p, node, &step);
+    node->h = step.h;
+    end_step(node, step.h, step.next, after);
+    if (!node->by_time && length == node->high - node->s)
+        after->s = node->high;
     *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
-    return FOURLINK_OK;
+    return status;
 }
 
 static int run_piece(flk_path *p, double *h)
@@ -369,7 +401,7 @@ static int run_piece(flk_path *p, double *h)
 
 int flk_path_run(flk_path *p, double speed, double length)
 {
-    flk_node first = {0, 0, 0, 0, 0, 0, 0};
+    flk_node first;
     flk_piece piece = {0, 0, FLK_END_PLAIN, FLK_END_PLAIN};
     double whole, h = 0.1;
 
@@ -377,6 +409,7 @@ int flk_path_run(flk_path *p, double speed, double length)
     p->is_steady = 0;
     p->largest = 0;
     p->status = whole_at(p, 0, &whole);
+    memset(&first, 0, sizeof first);
     first.u = 0.5 * speed * speed;
     first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
     if (!keep(p, &first) || p->status != FOURLINK_OK)
@@ -416,37 +449,38 @@ static const flk_node *node_before(const flk_path *p, double s)
 }
 
 /* The state at s of the step that begins at a node. */
-static int state_at(const flk_path *p, const flk_node *node, double s, flk_node *at)
+static void state_at(const flk_node *node, double s, flk_node *at)
 {
-    double next[3], h = s - node->s;
-    step b;
-    int status;
+    double y[FLK_UNKNOWNS], part;
+    int i;
 
-    *at = *node;
-    if (h <= 0)
-        return FOURLINK_OK;
-    status = begin(p, node, &b);
-    if (status != FOURLINK_OK)
-        return status;
-    if (node->by_time) {
-        h = (node + 1)->t - node->t;
-        status = reach(&b, 0, s, time_of(&b, s - node->s), h, &h, next);
-    } else {
-        status = advance(&b, h, next, NULL);
+    if (node->h == 0 || s <= node->s) {
+        *at = *node;
+        return;
     }
-    if (status == FOURLINK_OK)
-        end_step(node, h, next, at);
-    return status;
+    part = node->by_time ? part_at(&node->within, 0, s - node->s) : (s - node->s) / node->h;
+    part = GSL_MIN(part, 1);
+    for (i = 0; i < FLK_UNKNOWNS; i++)
+        y[i] = flk_step_change(&node->within, i, part);
+    if (node->by_time) {
+        y[0] += node->s;
+        y[1] += node->speed;
+        y[2] += node->E;
+    } else {
+        y[0] += node->E;
+        y[1] += node->t;
+        y[2] += node->u;
+    }
+    end_step(node, part * node->h, y, at);
 }
 
 /* The machine at s: its speed and what turns it. */
 static int machine_at(const flk_path *p, double s, flk_node *at, double *speed,
                       flk_machine_place *place, flk_machine_push *push)
 {
-    int status = state_at(p, node_before(p, GSL_MAX(s, 0)), s, at);
+    int status = flk_machine_at(&p->machine, theta2_of(p, s), place);
 
-    if (status == FOURLINK_OK)
-        status = flk_machine_at(&p->machine, theta2_of(p, s), place);
+    state_at(node_before(p, s), s, at);
     if (status != FOURLINK_OK)
         return status;
     *speed = at->by_time ? sqrt(2 * at->u) : sqrt(2 * at->E / place->whole);
@@ -481,10 +515,9 @@ static int growth_at(const flk_path *p, const flk_node *node, double s, double *
     flk_machine_push slower, faster;
     flk_node at;
     double speed;
-    int status = state_at(p, node, s, &at);
+    int status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
 
-    if (status == FOURLINK_OK)
-        status = flk_machine_at(&p->machine, theta2_of(p, s), &place);
+    state_at(node, s, &at);
     if (status != FOURLINK_OK)
         return status;
     speed = at.by_time ? sqrt(2 * at.u) : sqrt(2 * at.E / place.whole);

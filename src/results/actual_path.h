@@ -7,15 +7,19 @@
 
 #include "actual.h"
 #include "actual_machine.h"
+#include "mechanics/dormand_prince.h"
 
 /* Where a step begins. */
 typedef struct flk_node {
-    double s;         /* rad passed since the first row */
-    double t;         /* s */
-    double E;         /* J, kinetic energy at the beginning and the work since then */
-    double u;         /* rad2/s2, omega2^2 / 2, from the equation of motion */
-    double low, high; /* rad passed: between them the torques are smooth */
-    int by_time;      /* 1: time is the variable of this step, 0: the angle */
+    double s;                 /* rad passed since the first row */
+    double t;                 /* s */
+    double E;                 /* J, kinetic energy at the beginning and the work since then */
+    double u;                 /* rad2/s2, omega2^2 / 2, from the equation of motion */
+    double low, high;         /* rad passed: between them the torques are smooth */
+    int by_time;              /* 1: time is the variable of this step, 0: the angle */
+    double speed;             /* rad/s, of a step over time */
+    double h;                 /* rad or s: the length of the step; 0 at the end */
+    flk_curve_of_step within; /* E, t, u; by time s, speed, E */
 } flk_node;
 
 typedef struct flk_path {

@@ -20,11 +20,12 @@
 #include "actual_steady.h"
 #include "analysis.h"
 
-#define PLACES 36
-#define SPEEDS 90 /* that are tried */
-#define FACTOR 1.25
+#define PLACES 18
+#define SPEEDS 60 /* that are tried */
+#define FACTOR 1.4
 #define STEPS 60
 #define HALVINGS 30
+#define COARSE 1e-6   /* tolerance of the steps of first solutions, and their error */
 #define CLOSE 1e-13   /* of the energy, the cycle: solved */
 #define ROUNDED 1e-11 /* ... if it does not come closer */
 
@@ -113,7 +114,7 @@ static int miss(const problem *q, const double *x, double *r)
     if (!flk_path_run(q->p, speed, q->cycle))
         return 0;
     end = flk_path_end(q->p);
-    r[n++] = (end->E - q->p->node[0].E) / q->p->largest;
+    r[n++] = log(end->E / q->p->node[0].E);
     if (q->mean_speed > 0)
         r[n++] = q->mean_speed * end->t / q->cycle - 1;
     return 1;
@@ -178,33 +179,43 @@ static int step(const problem *q, int n, double *x, double *r, const double *dx,
     return 0;
 }
 
-static int broyden(const problem *q, double *x)
+/* Go on from x until the residuals are close to 0, or as close as rounding lets them come. */
+static int broyden(const problem *q, double *x, double B[2][2], double close, double rounded)
 {
-    int n = q->has_speed + q->has_torque, i, is_there;
-    double r[2], dx[2], B[2][2], last;
+    int n = q->has_speed + q->has_torque, i, is_there = 0;
+    double r[2], dx[2], last;
 
-    B[0][0] = q->has_torque ? 0 : -2;
-    B[0][1] = 1;
-    B[1][0] = -1;
-    B[1][1] = -0.25;
-    if (n == 1 && q->has_torque)
-        B[0][0] = 1;
     for (i = 0; i < HALVINGS && !(is_there = miss(q, x, r)) && q->has_speed; i++)
         x[0] += 0.3;
-    if (!is_there)
-        return 0;
-    for (i = 0; i < STEPS && size(n, r) > CLOSE; i++) {
+    for (i = 0; is_there && i < STEPS && size(n, r) > close; i++) {
         last = size(n, r);
         if (!solve(n, B, r, dx) || !step(q, n, x, r, dx, B))
             break;
-        if (last <= ROUNDED && size(n, r) > 0.5 * last)
+        if (last <= rounded && size(n, r) > 0.5 * last)
             break;
     }
-    if (size(n, r) > ROUNDED) {
+    if (is_there && size(n, r) <= rounded)
+        return 1;
+    if (is_there)
         miss(q, x, r);
-        return 0;
-    }
-    return n == 2 || q->has_torque || B[0][0] < 0;
+    return 0;
+}
+
+/* Coarsely, then finely.  B begins as if all energy of a cycle came from the torques of this cycle, g' = 0; with a
+** motor that balances, as if torques did not depend on the speed, g' = 1. */
+static int solve_problem(const problem *q, double *x)
+{
+    double tolerance = q->p->tolerance, B[2][2];
+    int is_there;
+
+    B[0][0] = q->has_torque ? q->has_speed ? 0 : 1 : -2;
+    B[0][1] = 1;
+    B[1][0] = -1;
+    B[1][1] = -0.25;
+    q->p->tolerance = COARSE;
+    is_there = broyden(q, x, B, COARSE, 10 * COARSE);
+    q->p->tolerance = tolerance;
+    return is_there && broyden(q, x, B, CLOSE, ROUNDED) && (q->has_torque || B[0][0] < 0);
 }
 
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
@@ -234,7 +245,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     x[0] = log(speed);
     x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = broyden(&q, x);
+    p->is_steady = solve_problem(&q, x);
     if (p->is_steady)
         return 1;
     if (p->status == FOURLINK_OK)
