@@ -281,6 +281,8 @@ void flk_build_motion(parser *p)
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (IS_SET(run_up))
         build_run_up(p, run_up);
+    if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
+        p->d->friction.direction = motion->to < motion->from ? -1 : 1;
     if (!flk_build_is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
         check_range(p);
 }

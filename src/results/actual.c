@@ -115,6 +115,21 @@ void flk_actual_close(flk_analysis *a)
     free(a->actual);
 }
 
+double flk_actual_length(const flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual *m = a->actual;
+    const flk_path *p = &m->path[index_of(branch)];
+
+    return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 && !flk_analysis_repeats(a)
+               ? flk_path_end(p)->s
+               : m->length;
+}
+
+int flk_actual_from_rest(const deck *d)
+{
+    return d->drive.mode == DRIVE_RUN_UP || (d->drive.mode == DRIVE_FREE && d->motion.speed == 0);
+}
+
 int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, flk_actual_row *row)
 {
     const flk_actual *m = a->actual;

@@ -52,6 +52,12 @@ int flk_actual_at(const struct flk_analysis *a, fourlink_branch branch, double a
 int flk_actual_at_row(const struct flk_analysis *a, fourlink_branch branch, unsigned long i,
                       flk_actual_row *row);
 
+/* The length of the motion, rad: of the rows, unless it ends before. */
+double flk_actual_length(const struct flk_analysis *a, fourlink_branch branch);
+
+/* 1 if it begins at rest. */
+int flk_actual_from_rest(const deck *d);
+
 /* Null if the motion is given. */
 const flk_actual_facts *flk_actual_facts_of(const struct flk_analysis *a, fourlink_branch branch);
 

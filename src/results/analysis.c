@@ -168,6 +168,8 @@ int flk_analysis_repeats(const flk_analysis *a)
 {
     const fourlink_motion *motion = &a->d->motion;
 
+    if (a->actual)
+        return a->d->drive.mode == DRIVE_STEADY;
     return motion->run_up <= 0 && !a->range.stops && (motion->acceleration == 0 || motion->hold);
 }
 

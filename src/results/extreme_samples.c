@@ -29,10 +29,10 @@ static void skip_periods(flk_search *x)
 
 void flk_search_begin(flk_search *x)
 {
-    x->length = flk_pieces_length(x->a);
+    x->length = flk_pieces_length(x->a, x->branch);
     skip_periods(x);
     x->from = x->a->d->motion.from;
-    x->end = flk_analysis_end(x->a);
+    x->end = flk_pieces_end(x->a, x->branch);
     x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
     memset(&x->piece, 0, sizeof x->piece);
 }

@@ -26,9 +26,21 @@ static double direction(const flk_analysis *a)
     return flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
 }
 
-double flk_pieces_length(const flk_analysis *a)
+static double whole_length(const flk_analysis *a)
 {
     return fabs(flk_analysis_end(a) - a->d->motion.from) * a->d->motion.angle_unit;
+}
+
+double flk_pieces_length(const flk_analysis *a, fourlink_branch branch)
+{
+    return a->actual ? flk_actual_length(a, branch) : whole_length(a);
+}
+
+double flk_pieces_end(const flk_analysis *a, fourlink_branch branch)
+{
+    return flk_pieces_length(a, branch) < whole_length(a)
+               ? flk_actual_facts_of(a, branch)->end_angle
+               : flk_analysis_end(a);
 }
 
 static void offer(search *s, double passed, flk_piece_end end)
@@ -112,6 +124,21 @@ static flk_piece_end end_of_motion(const flk_analysis *a, double angle)
                                                                                 : FLK_END_PLAIN;
 }
 
+static flk_piece_end beginning(const flk_analysis *a)
+{
+    if (a->actual)
+        return flk_actual_from_rest(a->d) ? FLK_END_ROOT : FLK_END_PLAIN;
+    return end_of_motion(a, a->d->motion.from);
+}
+
+/* The end at a length; an actual motion that is shorter than its rows stalls. */
+static flk_piece_end ending(const flk_analysis *a, double length)
+{
+    if (a->actual)
+        return length < whole_length(a) && !flk_analysis_repeats(a) ? FLK_END_ROOT : FLK_END_PLAIN;
+    return end_of_motion(a, flk_analysis_end(a));
+}
+
 /* An end of the motion at a position that has an end of its own. */
 static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 {
@@ -140,7 +167,7 @@ static double next_end(const flk_analysis *a, double length, double period, doub
     offer(&s, period, FLK_END_PLAIN);
     if (s.at >= length - CLOSEST - 1e-14 * length) {
         *end = s.at <= length + CLOSEST + 1e-14 * length ? s.end : FLK_END_PLAIN;
-        *end = join(end_of_motion(a, flk_analysis_end(a)), *end);
+        *end = join(ending(a, length), *end);
         return length;
     }
     *end = s.end;
@@ -157,7 +184,7 @@ static flk_piece_end first_end(const flk_analysis *a)
     s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;
     offer_positions(&s);
-    return join(end_of_motion(a, a->d->motion.from), s.at > CLOSEST ? FLK_END_PLAIN : s.end);
+    return join(beginning(a), s.at > CLOSEST ? FLK_END_PLAIN : s.end);
 }
 
 int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece)

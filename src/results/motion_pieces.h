@@ -23,8 +23,9 @@ typedef struct flk_piece {
     flk_piece_end begin, end;
 } flk_piece;
 
-/* The length of a deck's motion, rad. */
-double flk_pieces_length(const flk_analysis *a);
+/* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit. */
+double flk_pieces_length(const flk_analysis *a, fourlink_branch branch);
+double flk_pieces_end(const flk_analysis *a, fourlink_branch branch);
 
 /* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0.  Another length than that of
 ** the motion leaves whole periods out; a piece ends after the first of them. */
