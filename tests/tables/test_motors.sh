@@ -5,7 +5,7 @@
 # format, lists, summaries, sweeps, answers.
 . "$(dirname "$0")/../harness.sh"
 
-pump=$decks/motor-pump.deck
+pump=$data/../doc/motor-pump.deck
 stall='motor.stall_torque=60 N m'
 
 run 0 "$pump" -b open
