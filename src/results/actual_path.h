@@ -30,6 +30,7 @@ typedef struct flk_path {
     flk_node *node;   /* to be freed */
     size_t n, room;
     int status;     /* why it ends before its length, or FOURLINK_OK */
+    int by_time;    /* 1: all steps are over time, and the crank may swing back */
     int is_steady;  /* 1: it is a cycle that repeats */
     int no_memory;  /* 1: nodes are missing */
     double largest; /* J, energy */
@@ -43,6 +44,9 @@ const flk_node *flk_path_end(const flk_path *p);
 
 /* The crank after it has passed s, within the path: FOURLINK_OK, or why there is no position. */
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
+
+/* The row at a state within a step. */
+int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
 
 /* By which the logarithm of a small difference of energy grows over the path:
 ** integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2. */
