@@ -203,6 +203,10 @@ int flk_deck_needs_motion(const deck *d);
 /* What loads are over: OVER_THETA2 ... */
 double flk_deck_argument(const fourlink_state *state, int over);
 
+/* The rows of its motion, as from fourlink_motion_range; of rows by time only their number.  The time of such a row, s. */
+int flk_deck_range(const deck *d, fourlink_range *range);
+double flk_deck_time(const deck *d, unsigned long row);
+
 /* How many of its loads are springs, behind its own, and friction, behind these. */
 unsigned long flk_deck_spring_loads(const deck *d);
 unsigned long flk_deck_friction_loads(const deck *d);

@@ -12,6 +12,7 @@
 #include "actual_flywheel.h"
 #include "actual_path.h"
 #include "actual_steady.h"
+#include "actual_time.h"
 #include "analysis.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
@@ -46,10 +47,31 @@ static int run(flk_path *p, const deck *d, double cycle, double length)
     return flk_path_run(p, speed, length);
 }
 
+/* Rows by time: the sense of the motion is that in which the crank turns at first. */
+static int run_by_time(flk_path *p, const deck *d)
+{
+    double speed = d->drive.mode == DRIVE_FREE ? d->motion.speed : 0;
+    flk_actual_row first;
+    flk_node node;
+
+    memset(&node, 0, sizeof node);
+    node.by_time = 1;
+    p->sense = speed < 0 ? -1 : 1;
+    p->n = 0;
+    p->status = flk_path_row(p, &node, &first);
+    if (p->status == FOURLINK_OK && speed == 0 && first.crank.alpha2 < 0)
+        p->sense = -1;
+    if (p->status == FOURLINK_OK && d->drive.mode == DRIVE_RUN_UP && first.crank.alpha2 == 0)
+        p->status = FOURLINK_DOES_NOT_START;
+    return p->status == FOURLINK_OK && flk_time_run(p, speed, d->drive.duration);
+}
+
 static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->a->d;
 
+    if (d->drive.by_time)
+        return run_by_time(p, d);
     if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
@@ -120,9 +142,18 @@ double flk_actual_length(const flk_analysis *a, fourlink_branch branch)
     const flk_actual *m = a->actual;
     const flk_path *p = &m->path[index_of(branch)];
 
+    if (a->d->drive.by_time)
+        return flk_time_travel(p);
     return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 && !flk_analysis_repeats(a)
                ? flk_path_end(p)->s
                : m->length;
+}
+
+double flk_actual_time(const flk_analysis *a, fourlink_branch branch)
+{
+    const flk_path *p = &a->actual->path[index_of(branch)];
+
+    return p->n ? flk_path_end(p)->t : 0;
 }
 
 int flk_actual_from_rest(const deck *d)
@@ -142,6 +173,8 @@ int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, f
     memset(row, 0, sizeof *row);
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
+    if (a->d->drive.by_time)
+        return flk_time_find(p, s, row);
     if (a->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
         turns = floor(s / m->cycle + 1e-12);
         s -= turns * m->cycle;
@@ -155,11 +188,32 @@ int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, f
     return status;
 }
 
+int flk_actual_at_time(const flk_analysis *a, fourlink_branch branch, double time,
+                       flk_actual_row *row)
+{
+    const flk_path *p = &a->actual->path[index_of(branch)];
+    double end = flk_actual_time(a, branch);
+    int status = p->n ? FOURLINK_OK : p->status;
+
+    memset(row, 0, sizeof *row);
+    row->angle = a->d->motion.from;
+    row->time = time;
+    if (status == FOURLINK_OK && time > end * (1 + 1e-14))
+        status = p->status;
+    if (status == FOURLINK_OK)
+        status = flk_time_at(p, time, row);
+    if (status == FOURLINK_OK)
+        row->angle = row->crank.theta2 / a->d->motion.angle_unit;
+    return status;
+}
+
 int flk_actual_at_row(const flk_analysis *a, fourlink_branch branch, unsigned long i,
                       flk_actual_row *row)
 {
     fourlink_row at;
 
+    if (a->d->drive.by_time)
+        return flk_actual_at_time(a, branch, flk_deck_time(a->d, i), row);
     fourlink_motion_row(&a->d->motion, &a->range, i, &at);
     return flk_actual_at(a, branch, at.angle, row);
 }
@@ -171,7 +225,7 @@ const flk_actual_facts *flk_actual_facts_of(const flk_analysis *a, fourlink_bran
 
     if (!m)
         return NULL;
-    if (!m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+    if (!a->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
         if (a->d->drive.mode == DRIVE_RUN_UP)
             flk_facts_of_run_up(&m->path[i], &m->facts[i]);
         else

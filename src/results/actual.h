@@ -52,8 +52,14 @@ int flk_actual_at(const struct flk_analysis *a, fourlink_branch branch, double a
 int flk_actual_at_row(const struct flk_analysis *a, fourlink_branch branch, unsigned long i,
                       flk_actual_row *row);
 
-/* The length of the motion, rad: of the rows, unless it ends before. */
+/* The same at a time, of rows by time. */
+int flk_actual_at_time(const struct flk_analysis *a, fourlink_branch branch, double time,
+                       flk_actual_row *row);
+
+/* The length of the motion, rad: of the rows, unless it ends before; of rows by time that through which the crank
+** turns, forwards and backwards, and this takes `time`, s. */
 double flk_actual_length(const struct flk_analysis *a, fourlink_branch branch);
+double flk_actual_time(const struct flk_analysis *a, fourlink_branch branch);
 
 /* 1 if it begins at rest. */
 int flk_actual_from_rest(const deck *d);

@@ -92,9 +92,14 @@ int flk_time_run(flk_path *p, double speed, double duration)
     node.speed = p->sense * speed;
     node.u = 0.5 * speed * speed;
     node.E = p->status == FOURLINK_OK ? whole * node.u : 0;
-    while (flk_actual_keep(p, &node) && p->status == FOURLINK_OK && node.t < duration)
+    if (!flk_actual_keep(p, &node))
+        return 0;
+    while (p->status == FOURLINK_OK && flk_path_end(p)->t < duration) {
         p->status = p->n < MOST_NODES ? go_on(p, duration, &h, &node) : FOURLINK_TOO_LONG;
-    return p->status == FOURLINK_OK && !p->no_memory;
+        if (p->status == FOURLINK_OK && !flk_actual_keep(p, &node))
+            return 0;
+    }
+    return p->status == FOURLINK_OK;
 }
 
 /* The step at a time. */

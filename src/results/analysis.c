@@ -32,7 +32,7 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
-    fourlink_motion_range(&d->motion, &a->range); /* the deck's reader has checked it */
+    flk_deck_range(d, &a->range); /* the deck's reader has checked it */
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
@@ -125,6 +125,12 @@ static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int 
         flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
     row->at.branch = branch;
     row->at.status = status != FOURLINK_OK ? status : row->at.status;
+}
+
+void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
+                          flk_row *row)
+{
+    take_actual(a, needs, branch, flk_actual_at_time(a, branch, time, &row->actual), row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,

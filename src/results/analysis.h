@@ -70,6 +70,10 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row);
 
+/* The row at a time, of a deck with rows by time. */
+void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
+                          flk_row *row);
+
 /* The last crank angle of the motion, in the deck's unit. */
 double flk_analysis_end(const flk_analysis *a);
 

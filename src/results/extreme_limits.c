@@ -48,7 +48,7 @@ static void find_pole_at_corner(flk_search *x, flk_tracked *t, double s, double 
     flk_row row;
     int which;
 
-    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
+    flk_search_row_at(x, flk_column_need(t->c), corner, &row);
     if (row.at.status != FOURLINK_OK)
         return;
     value = flk_column_value(t->c, &row);

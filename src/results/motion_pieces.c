@@ -13,6 +13,7 @@
 
 /* Ends that are closer, in rad, are one. */
 #define CLOSEST 1e-9
+#define SHORT 0.5 /* rad, of a piece of rows by time */
 
 typedef struct search {
     const flk_analysis *a;
@@ -38,6 +39,8 @@ double flk_pieces_length(const flk_analysis *a, fourlink_branch branch)
 
 double flk_pieces_end(const flk_analysis *a, fourlink_branch branch)
 {
+    if (a->d->drive.by_time)
+        return flk_actual_time(a, branch);
     return flk_pieces_length(a, branch) < whole_length(a)
                ? flk_actual_facts_of(a, branch)->end_angle
                : flk_analysis_end(a);
@@ -187,10 +190,21 @@ static flk_piece_end first_end(const flk_analysis *a)
     return join(beginning(a), s.at > CLOSEST ? FLK_END_PLAIN : s.end);
 }
 
+/* Rows by time: corners are not known, so pieces are short. */
+static int next_by_time(double length, flk_piece *piece)
+{
+    piece->begin = piece->end = FLK_END_PLAIN;
+    piece->from = piece->to;
+    piece->to = piece->from + 2 * SHORT < length ? piece->from + SHORT : length;
+    return 1;
+}
+
 int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece)
 {
     if (piece->to >= length)
         return 0;
+    if (a->d->drive.by_time)
+        return next_by_time(length, piece);
     piece->begin = piece->to > 0 ? piece->end : first_end(a);
     piece->from = piece->to;
     piece->to = next_end(a, length, period, piece->from, &piece->end);

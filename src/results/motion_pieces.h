@@ -23,7 +23,8 @@ typedef struct flk_piece {
     flk_piece_end begin, end;
 } flk_piece;
 
-/* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit. */
+/* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
+** the time, s. */
 double flk_pieces_length(const flk_analysis *a, fourlink_branch branch);
 double flk_pieces_end(const flk_analysis *a, fourlink_branch branch);
 
