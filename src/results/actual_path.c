@@ -14,9 +14,7 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_path.h"
-#include "actual_step.h"
-#include "analysis.h"
-#include "motion_pieces.h"
+#include "corners.h"
 
 #define NEAR_REST 0.05 /* rad, to where the energy would vanish */
 #define LONGEST 0.5    /* rad, of a step */
@@ -132,9 +130,13 @@ static int run_piece(flk_path *p, double *h)
 int flk_path_run(flk_path *p, double speed, double length)
 {
     flk_node first;
-    flk_piece piece = {0, 0, FLK_END_PLAIN, FLK_END_PLAIN};
-    double whole, h = 0.1;
+    flk_piece_end end;
+    flk_corners corners;
+    double whole, h = 0.1, from, to = 0;
 
+    corners.d = p->machine.d;
+    corners.jumps = p->jumps;
+    corners.sense = p->sense;
     p->n = 0;
     p->is_steady = 0;
     p->largest = 0;
@@ -144,12 +146,14 @@ int flk_path_run(flk_path *p, double speed, double length)
     first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
     if (!flk_actual_keep(p, &first) || p->status != FOURLINK_OK)
         return 0;
-    while (flk_pieces_next(p->a, length, 1e30, &piece)) {
-        p->node[p->n - 1].low = piece.from;
-        p->node[p->n - 1].high = piece.to;
+    while (to < length) {
+        from = to;
+        to = flk_corners_next(&corners, length, 1e30, from, &end);
+        p->node[p->n - 1].low = from;
+        p->node[p->n - 1].high = to;
         if (!run_piece(p, &h))
             return 0;
-        if (piece.end == FLK_END_DEAD && piece.to < length) {
+        if (end == FLK_END_DEAD && to < length) {
             p->status = FOURLINK_DEAD_POSITION;
             return 0;
         }
