@@ -23,7 +23,7 @@
 #include "analysis.h"
 
 #define INSIDE 1e-11 /* of a cycle: corners are not touched, for torques may jump there */
-#define BESIDE 1e-5  /* rad: a change point has no position, but means of those beside it */
+#define BESIDE 5e-3  /* rad, of a change point: nearer, values are those through angles about it */
 #define SHORT 1e-2   /* rad: in a motion that swings back, errors of this at least */
 #define ITERATIONS 60
 
@@ -91,22 +91,66 @@ static int over_time(const flk_equations *e, double s, const double *y, double *
     return status;
 }
 
-/* Either of them at a change point. */
+/* rad passed since the nearest change point, < 0 before it; infinite if the mechanism has none. */
+static double after_change(const flk_path *p, double s)
+{
+    const fourlink_mechanism *mechanism = &p->a->d->mechanism;
+    double folded = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
+    double nearest = GSL_POSINF;
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        double turns = (flk_actual_theta2(p, s) - folded - i * M_PI) / (2 * M_PI);
+        double after = p->sense * 2 * M_PI * (turns - floor(turns + 0.5));
+
+        if ((i ? mechanism->change_stretched : mechanism->change_folded) &&
+            fabs(after) < fabs(nearest))
+            nearest = after;
+    }
+    return nearest;
+}
+
+#define PLACES 6
+
+/* 1 near a change point: where values are taken, in rad passed, and their weights (Lagrange), as the motion of the links,
+** which is smooth, is lost in rounding there. */
+static int is_near_change(const flk_path *p, double s, double *places, double *weights)
+{
+    static const double nodes[PLACES] = {-3 * BESIDE, -2 * BESIDE, -BESIDE,
+                                         BESIDE,      2 * BESIDE,  3 * BESIDE};
+    double after = after_change(p, s);
+    int i, k;
+
+    if (!(fabs(after) < BESIDE))
+        return 0;
+    for (i = 0; i < PLACES; i++) {
+        places[i] = s - after + nodes[i];
+        weights[i] = 1;
+        for (k = 0; k < PLACES; k++)
+            weights[i] *= k == i ? 1 : (after - nodes[k]) / (nodes[i] - nodes[k]);
+    }
+    return 1;
+}
+
+/* Either of the equations, there too. */
 static int between(int (*f)(const flk_equations *, double, const double *, double *),
                    const flk_equations *e, double s, const double *y, double *dy)
 {
-    double before[3], after[3];
-    int status, i;
+    double places[PLACES], weights[PLACES], values[3], sum[3] = {0, 0, 0};
+    int i, k, status;
 
-    status = f(e, s, y, dy);
-    if (status != FOURLINK_CHANGE_POINT)
-        return status;
-    status = f(e, s - BESIDE, y, before);
-    if (status == FOURLINK_OK)
-        status = f(e, s + BESIDE, y, after);
-    for (i = 0; i < 3 && status == FOURLINK_OK; i++)
-        dy[i] = 0.5 * (before[i] + after[i]);
-    return status;
+    if (!is_near_change(e->p, s, places, weights))
+        return f(e, s, y, dy);
+    for (i = 0; i < PLACES; i++) {
+        status = f(e, places[i], y, values);
+        if (status != FOURLINK_OK)
+            return status;
+        for (k = 0; k < 3; k++)
+            sum[k] += weights[i] * values[k];
+    }
+    for (k = 0; k < 3; k++)
+        dy[k] = sum[k];
+    return FOURLINK_OK;
 }
 
 static int derive_over_angle(void *context, double x, const double *y, double *dy)
@@ -124,16 +168,21 @@ static int derive_over_time(void *context, double x, const double *y, double *dy
     return between(over_time, e, inside(e, y[0]), y, dy);
 }
 
-/* J + I_f at an angle, of a change point beside it. */
+/* J + I_f at an angle, near a change point too. */
 int flk_actual_whole(const flk_path *p, double s, double *whole)
 {
+    double places[PLACES], weights[PLACES], sum = 0;
     flk_machine_place place;
-    int status = flk_machine_at(&p->machine, flk_actual_theta2(p, s), &place);
+    int n = is_near_change(p, s, places, weights) ? PLACES : 1, i, status;
 
-    if (status == FOURLINK_CHANGE_POINT)
-        status = flk_machine_at(&p->machine, flk_actual_theta2(p, s + BESIDE), &place);
-    *whole = place.whole;
-    return status;
+    for (i = 0; i < n; i++) {
+        status = flk_machine_at(&p->machine, flk_actual_theta2(p, n > 1 ? places[i] : s), &place);
+        if (status != FOURLINK_OK)
+            return status;
+        sum += n > 1 ? weights[i] * place.whole : place.whole;
+    }
+    *whole = sum;
+    return FOURLINK_OK;
 }
 
 /* Set the flk_equations and the beginning of a step at a node. */
