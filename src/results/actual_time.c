@@ -16,7 +16,8 @@
 #define SHORTEST 1e-15 /* of the duration */
 #define CLOSEST 1e-9   /* ... to where there is no position */
 #define MOST_NODES 200000UL
-#define FAR 1e30 /* rad: no corner */
+#define ROUNDING 1e-9 /* rad */
+#define FAR 1e30      /* rad: no corner */
 
 /* The time in which the crank turns through an angle, in either sense. */
 static double time_for(const flk_step *step, double angle)
@@ -124,21 +125,32 @@ int flk_time_at(const flk_path *p, double t, flk_actual_row *row)
     return flk_path_row(p, &at, row);
 }
 
+/* The first step in which the crank passes s, or comes as close as rounding. */
+static const flk_node *step_to(const flk_path *p, double s)
+{
+    const flk_node *node, *close = NULL;
+
+    for (node = p->node; node + 1 < p->node + p->n; node++) {
+        double low = GSL_MIN(node->s, node[1].s), high = GSL_MAX(node->s, node[1].s);
+
+        if (low <= s && s <= high)
+            return node;
+        if (!close && low - ROUNDING <= s && s <= high + ROUNDING)
+            close = node;
+    }
+    return close;
+}
+
 int flk_time_find(const flk_path *p, double s, flk_actual_row *row)
 {
+    const flk_node *node = step_to(p, s);
     flk_node at;
-    size_t k;
 
-    for (k = 0; k + 1 < p->n; k++) {
-        double from = p->node[k].s, to = p->node[k + 1].s;
-
-        if ((from <= s && s <= to) || (to <= s && s <= from)) {
-            flk_actual_within(&p->node[k], 0, s, &at);
-            at.s = s;
-            return flk_path_row(p, &at, row);
-        }
-    }
-    return p->status != FOURLINK_OK ? p->status : FOURLINK_NO_SUCH_ANGLE;
+    if (!node)
+        return p->status != FOURLINK_OK ? p->status : FOURLINK_NO_SUCH_ANGLE;
+    flk_actual_within(node, 0, s, &at);
+    at.s = s;
+    return flk_path_row(p, &at, row);
 }
 
 double flk_time_travel(const flk_path *p)

@@ -210,6 +210,8 @@ int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
            last = motion->from < end ? end : motion->from;
 
     *at = angle;
+    if (a->d->drive.by_time)
+        return 1; /* which angles it reaches depends on the branch */
     if (angle < first - tiny || angle > last + tiny)
         *at = angle + turn * ceil((first - tiny - angle) / turn);
     return first - tiny <= *at && *at <= last + tiny;
