@@ -8,18 +8,19 @@
 
 #include <gsl/gsl_math.h>
 
+#include "actual.h"
 #include "actual_facts.h"
 #include "actual_flywheel.h"
 #include "actual_path.h"
 #include "actual_steady.h"
 #include "actual_time.h"
-#include "analysis.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
 
 struct flk_actual {
+    const deck *d;
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
     int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
@@ -68,7 +69,7 @@ static int run_by_time(flk_path *p, const deck *d)
 
 static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
-    const deck *d = p->a->d;
+    const deck *d = p->d;
 
     if (d->drive.by_time)
         return run_by_time(p, d);
@@ -85,22 +86,22 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 /* Angles in the deck's unit. */
 static double angle_of(const flk_path *p, double s)
 {
-    const fourlink_motion *motion = &p->a->d->motion;
+    const fourlink_motion *motion = &p->d->motion;
 
     return motion->from + p->sense * s / motion->angle_unit;
 }
 
-static void find_branch(flk_analysis *a, fourlink_branch branch)
+static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
 {
-    flk_actual *m = a->actual;
     flk_path *p = &m->path[index_of(branch)];
     flk_actual_facts *f = &m->facts[index_of(branch)];
     int found;
 
-    p->a = a;
-    flk_machine_of(a->d, branch, a->loads, a->n_loads, &p->machine);
+    p->d = course->d;
+    p->jumps = course->jumps;
+    flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
-    p->sense = flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
+    p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, f);
     f->inertia = p->machine.inertia;
@@ -112,46 +113,48 @@ static void find_branch(flk_analysis *a, fourlink_branch branch)
     }
 }
 
-int flk_actual_open(flk_analysis *a)
+flk_actual *flk_actual_find(const flk_course *course)
 {
-    flk_actual *m;
+    const fourlink_motion *motion = &course->d->motion;
+    flk_actual *m = calloc(1, sizeof *m);
 
-    if (a->d->drive.mode == DRIVE_GIVEN)
-        return 1;
-    m = a->actual = calloc(1, sizeof *m);
     if (!m)
-        return 0;
-    m->cycle = flk_analysis_period(a->d);
-    m->length = fabs(flk_analysis_end(a) - a->d->motion.from) * a->d->motion.angle_unit;
-    find_branch(a, FOURLINK_OPEN);
-    find_branch(a, FOURLINK_CROSSED);
-    return !m->path[0].no_memory && !m->path[1].no_memory;
+        return NULL;
+    m->d = course->d;
+    m->cycle = course->period;
+    m->length = fabs(course->last - motion->from) * motion->angle_unit;
+    find_branch(m, course, FOURLINK_OPEN);
+    find_branch(m, course, FOURLINK_CROSSED);
+    if (!m->path[0].no_memory && !m->path[1].no_memory)
+        return m;
+    flk_actual_free(m);
+    return NULL;
 }
 
-void flk_actual_close(flk_analysis *a)
+void flk_actual_free(flk_actual *m)
 {
-    if (a->actual) {
-        free(a->actual->path[0].node);
-        free(a->actual->path[1].node);
+    if (m) {
+        free(m->path[0].node);
+        free(m->path[1].node);
     }
-    free(a->actual);
+    free(m);
 }
 
-double flk_actual_length(const flk_analysis *a, fourlink_branch branch)
+double flk_actual_length(const flk_actual *m, fourlink_branch branch)
 {
-    const flk_actual *m = a->actual;
     const flk_path *p = &m->path[index_of(branch)];
 
-    if (a->d->drive.by_time)
+    if (m->d->drive.by_time)
         return flk_time_travel(p);
-    return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 && !flk_analysis_repeats(a)
+    return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 &&
+                   m->d->drive.mode != DRIVE_STEADY
                ? flk_path_end(p)->s
                : m->length;
 }
 
-double flk_actual_time(const flk_analysis *a, fourlink_branch branch)
+double flk_actual_time(const flk_actual *m, fourlink_branch branch)
 {
-    const flk_path *p = &a->actual->path[index_of(branch)];
+    const flk_path *p = &m->path[index_of(branch)];
 
     return p->n ? flk_path_end(p)->t : 0;
 }
@@ -161,11 +164,10 @@ int flk_actual_from_rest(const deck *d)
     return d->drive.mode == DRIVE_RUN_UP || (d->drive.mode == DRIVE_FREE && d->motion.speed == 0);
 }
 
-int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, flk_actual_row *row)
+int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
 {
-    const flk_actual *m = a->actual;
     const flk_path *p = &m->path[index_of(branch)];
-    const fourlink_motion *motion = &a->d->motion;
+    const fourlink_motion *motion = &m->d->motion;
     double s = p->sense * (angle - motion->from) * motion->angle_unit, turns = 0;
     const flk_actual_facts *f = &m->facts[index_of(branch)];
     int status = f->status;
@@ -173,12 +175,12 @@ int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, f
     memset(row, 0, sizeof *row);
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
-    if (a->d->drive.by_time)
+    if (m->d->drive.by_time)
         return flk_time_find(p, s, row);
-    if (a->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
+    if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
         turns = floor(s / m->cycle + 1e-12);
         s -= turns * m->cycle;
-    } else if (status != FOURLINK_OK && (a->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
+    } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
                                          s > flk_path_end(p)->s * (1 + 1e-14))) {
         return status;
     }
@@ -188,45 +190,33 @@ int flk_actual_at(const flk_analysis *a, fourlink_branch branch, double angle, f
     return status;
 }
 
-int flk_actual_at_time(const flk_analysis *a, fourlink_branch branch, double time,
+int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
                        flk_actual_row *row)
 {
-    const flk_path *p = &a->actual->path[index_of(branch)];
-    double end = flk_actual_time(a, branch);
+    const flk_path *p = &m->path[index_of(branch)];
+    double end = flk_actual_time(m, branch);
     int status = p->n ? FOURLINK_OK : p->status;
 
     memset(row, 0, sizeof *row);
-    row->angle = a->d->motion.from;
+    row->angle = m->d->motion.from;
     row->time = time;
     if (status == FOURLINK_OK && time > end * (1 + 1e-14))
         status = p->status;
     if (status == FOURLINK_OK)
         status = flk_time_at(p, time, row);
     if (status == FOURLINK_OK)
-        row->angle = row->crank.theta2 / a->d->motion.angle_unit;
+        row->angle = row->crank.theta2 / m->d->motion.angle_unit;
     return status;
 }
 
-int flk_actual_at_row(const flk_analysis *a, fourlink_branch branch, unsigned long i,
-                      flk_actual_row *row)
+const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
 {
-    fourlink_row at;
-
-    if (a->d->drive.by_time)
-        return flk_actual_at_time(a, branch, flk_deck_time(a->d, i), row);
-    fourlink_motion_row(&a->d->motion, &a->range, i, &at);
-    return flk_actual_at(a, branch, at.angle, row);
-}
-
-const flk_actual_facts *flk_actual_facts_of(const flk_analysis *a, fourlink_branch branch)
-{
-    flk_actual *m = a->actual;
     int i = index_of(branch);
 
     if (!m)
         return NULL;
-    if (!a->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
-        if (a->d->drive.mode == DRIVE_RUN_UP)
+    if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+        if (m->d->drive.mode == DRIVE_RUN_UP)
             flk_facts_of_run_up(&m->path[i], &m->facts[i]);
         else
             flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);

@@ -12,7 +12,6 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_facts.h"
-#include "analysis.h"
 #include "mechanics/mechanics.h"
 
 #define ITERATIONS 60

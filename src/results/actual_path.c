@@ -14,9 +14,6 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_path.h"
-#include "actual_step.h"
-#include "analysis.h"
-#include "motion_pieces.h"
 
 #define NEAR_REST 0.05 /* rad, to where the energy would vanish */
 #define LONGEST 0.5    /* rad, of a step */
@@ -129,11 +126,24 @@ static int run_piece(flk_path *p, double *h)
     return 1;
 }
 
+/* Where the torques have their next corner, or the path its end. */
+static double next_corner(const flk_path *p, double after, double length, flk_piece_end *end)
+{
+    flk_corners c;
+    double at;
+
+    c.d = p->d;
+    c.jumps = p->jumps;
+    c.sense = p->sense;
+    at = flk_corners_next(&c, after, NULL, 0, end);
+    return at < length - FLK_CORNERS_CLOSE(length) ? at : length;
+}
+
 int flk_path_run(flk_path *p, double speed, double length)
 {
+    double whole, h = 0.1, at, next;
+    flk_piece_end end;
     flk_node first;
-    flk_piece piece = {0, 0, FLK_END_PLAIN, FLK_END_PLAIN};
-    double whole, h = 0.1;
 
     p->n = 0;
     p->is_steady = 0;
@@ -144,12 +154,13 @@ int flk_path_run(flk_path *p, double speed, double length)
     first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
     if (!flk_actual_keep(p, &first) || p->status != FOURLINK_OK)
         return 0;
-    while (flk_pieces_next(p->a, length, 1e30, &piece)) {
-        p->node[p->n - 1].low = piece.from;
-        p->node[p->n - 1].high = piece.to;
+    for (at = 0; at < length; at = next) {
+        next = next_corner(p, at, length, &end);
+        p->node[p->n - 1].low = at;
+        p->node[p->n - 1].high = next;
         if (!run_piece(p, &h))
             return 0;
-        if (piece.end == FLK_END_DEAD && piece.to < length) {
+        if (end == FLK_END_DEAD && next < length) {
             p->status = FOURLINK_DEAD_POSITION;
             return 0;
         }

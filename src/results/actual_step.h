@@ -5,9 +5,39 @@
 #ifndef FOURLINK_ACTUAL_STEP_H
 #define FOURLINK_ACTUAL_STEP_H
 
-#include "actual_path.h"
+#include "actual_machine.h"
+#include "corners.h"
+#include "mechanics/dormand_prince.h"
 
 #define FLK_TO_REST (-1) /* a status: the energy vanishes within a step */
+
+/* Where a step begins. */
+typedef struct flk_node {
+    double s;                 /* rad passed since the first row */
+    double t;                 /* s */
+    double E;                 /* J, kinetic energy at the beginning and the work since then */
+    double u;                 /* rad2/s2, omega2^2 / 2, from the equation of motion */
+    double low, high;         /* rad passed: between them the torques are smooth */
+    int by_time;              /* 1: time is the variable of this step, 0: the angle */
+    double speed;             /* rad/s, of a step over time */
+    double h;                 /* rad or s: the length of the step; 0 at the end */
+    flk_curve_of_step within; /* E, t, u; by time s, speed, E */
+} flk_node;
+
+typedef struct flk_path {
+    const deck *d;
+    const flk_jumps *jumps;
+    flk_machine machine;
+    double tolerance; /* 1, of a step */
+    double sense;     /* 1 or -1: of the range, and of the rotation */
+    flk_node *node;   /* to be freed */
+    size_t n, room;
+    int status;     /* why it ends before its length, or FOURLINK_OK */
+    int by_time;    /* 1: all steps are over time, and the crank may swing back */
+    int is_steady;  /* 1: it is a cycle that repeats */
+    int no_memory;  /* 1: nodes are missing */
+    double largest; /* J, energy */
+} flk_path;
 
 /* Equations of a step. */
 typedef struct flk_equations {

@@ -10,9 +10,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "actual_step.h"
 #include "actual_time.h"
-#include "analysis.h"
 
 #define LONGEST 0.2    /* rad, of a step */
 #define SHORTEST 1e-15 /* of the duration */

@@ -27,6 +27,23 @@ static int possible(const deck *d)
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
+/* The motion, unless it is given; 0 if out of memory. */
+static int find_actual(flk_analysis *a)
+{
+    flk_course course;
+
+    if (a->d->drive.mode == DRIVE_GIVEN)
+        return 1;
+    course.d = a->d;
+    course.jumps = &a->jumps;
+    course.last = flk_analysis_end(a);
+    course.period = flk_analysis_period(a->d);
+    course.loads = a->loads;
+    course.n_loads = a->n_loads;
+    a->actual = flk_actual_find(&course);
+    return a->actual != NULL;
+}
+
 int flk_analysis_open(flk_analysis *a, const deck *d)
 {
     memset(a, 0, sizeof *a);
@@ -36,12 +53,12 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL && flk_jumps_find(d, &a->jumps) && flk_actual_open(a);
+    return a->loads != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
-    flk_actual_close(a);
+    flk_actual_free(a->actual);
     free(a->loads);
     free(a->jumps.theta2);
     free(a->turning_memory);
@@ -130,17 +147,21 @@ static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int 
 void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
                           flk_row *row)
 {
-    take_actual(a, needs, branch, flk_actual_at_time(a, branch, time, &row->actual), row);
+    take_actual(a, needs, branch, flk_actual_at_time(a->actual, branch, time, &row->actual), row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
-    if (a->actual) {
-        take_actual(a, needs, branch, flk_actual_at_row(a, branch, i, &row->actual), row);
+    if (a->d->drive.by_time) {
+        flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
         return;
     }
     fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
+    if (a->actual) {
+        flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
+        return;
+    }
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }
 
@@ -148,7 +169,7 @@ void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, d
                            flk_row *row)
 {
     if (a->actual) {
-        take_actual(a, needs, branch, flk_actual_at(a, branch, angle, &row->actual), row);
+        take_actual(a, needs, branch, flk_actual_at(a->actual, branch, angle, &row->actual), row);
         return;
     }
     fourlink_motion_at(&a->d->motion, angle, &row->at.row);
@@ -159,6 +180,8 @@ double flk_analysis_end(const flk_analysis *a)
 {
     fourlink_row last;
 
+    if (a->d->drive.by_time)
+        return a->d->motion.to;
     fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
     return a->range.stops ? a->range.stop_angle : last.angle;
 }

@@ -55,7 +55,7 @@
       "coefficient of fluctuation of energy")                                                      \
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, TURNING,                               \
-      "coefficient of fluctuation of speed")                                \
+      "coefficient of fluctuation of speed")                                                       \
     X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the last cycle")        \
     X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
       "(largest + smallest speed) / 2 of that cycle")                                              \
@@ -333,7 +333,7 @@ static void tell_if(teller *t, fact_code code, double si)
 
 static void tell_actual(teller *t, flk_analysis *a)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a, (fourlink_branch)t->branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, (fourlink_branch)t->branch);
 
     if (!f)
         return;

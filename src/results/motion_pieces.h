@@ -6,16 +6,7 @@
 #define FOURLINK_MOTION_PIECES_H
 
 #include "analysis.h"
-
-/* How columns behave at the end of a piece. */
-typedef enum flk_piece_end {
-    FLK_END_PLAIN, /* the motion begins or ends, a load has a corner, links come near to one line */
-    FLK_END_ROOT,  /* the crank is at rest: as the root of the distance */
-    FLK_END_DEAD,  /* dead position: as the root, with poles; no row there */
-    FLK_END_CHANGE,      /* change point: smooth, or a pole; no row there */
-    FLK_END_CHANGE_REST, /* the same with the crank at rest: as the root of the distance */
-    FLK_END_NOWHERE      /* behind the last piece */
-} flk_piece_end;
+#include "corners.h"
 
 /* A piece, by the crank angle that the motion has passed since its first row, rad. */
 typedef struct flk_piece {

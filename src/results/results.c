@@ -535,7 +535,7 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    actual = flk_actual_facts_of(&r->a, branch);
+    actual = flk_actual_facts_of(r->a.actual, branch);
     *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : flk_analysis_end(&r->a);
     return actual ? actual->status : FOURLINK_OK;
 }

@@ -312,7 +312,7 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
 static void find(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
-    const flk_actual_facts *actual = flk_actual_facts_of(m->a, m->branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(m->a->actual, m->branch);
     double omega = m->crank.omega2;
 
     if (fabs(m->mean) <= 1e-12 * scale)
@@ -349,7 +349,7 @@ static double efficiency_of(moment *m)
 /* The speed of the crank, or the mean of its steady motion; NaN if it has none. */
 static double speed_of(const flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *actual = flk_actual_facts_of(a, branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(a->actual, branch);
 
     return actual ? actual->mean_speed : a->d->motion.speed;
 }
