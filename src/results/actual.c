@@ -20,8 +20,7 @@
 #define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
 
 struct flk_actual {
-    flk_actual_task task;
-    fourlink_range range;
+    const deck *d;
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
     int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
@@ -70,7 +69,7 @@ static int run_by_time(flk_path *p, const deck *d)
 
 static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
-    const deck *d = p->machine.d;
+    const deck *d = p->d;
 
     if (d->drive.by_time)
         return run_by_time(p, d);
@@ -87,22 +86,22 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 /* Angles in the deck's unit. */
 static double angle_of(const flk_path *p, double s)
 {
-    const fourlink_motion *motion = &p->machine.d->motion;
+    const fourlink_motion *motion = &p->d->motion;
 
     return motion->from + p->sense * s / motion->angle_unit;
 }
 
-static void find_branch(flk_actual *m, fourlink_branch branch)
+static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
 {
-    const flk_actual_task *task = &m->task;
     flk_path *p = &m->path[index_of(branch)];
     flk_actual_facts *f = &m->facts[index_of(branch)];
     int found;
 
-    p->jumps = task->jumps;
-    flk_machine_of(task->d, branch, task->loads, task->n_loads, &p->machine);
+    p->d = course->d;
+    p->jumps = course->jumps;
+    flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
-    p->sense = task->end < task->d->motion.from ? -1 : 1;
+    p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, f);
     f->inertia = p->machine.inertia;
@@ -114,27 +113,25 @@ static void find_branch(flk_actual *m, fourlink_branch branch)
     }
 }
 
-int flk_actual_open(const flk_actual_task *task, flk_actual **result)
+flk_actual *flk_actual_find(const flk_course *course)
 {
-    const fourlink_motion *motion = &task->d->motion;
-    flk_actual *m;
+    const fourlink_motion *motion = &course->d->motion;
+    flk_actual *m = calloc(1, sizeof *m);
 
-    *result = NULL;
-    if (task->d->drive.mode == DRIVE_GIVEN)
-        return 1;
-    m = *result = calloc(1, sizeof *m);
     if (!m)
-        return 0;
-    m->task = *task;
-    flk_deck_range(task->d, &m->range);
-    m->cycle = task->cycle;
-    m->length = fabs(task->end - motion->from) * motion->angle_unit;
-    find_branch(m, FOURLINK_OPEN);
-    find_branch(m, FOURLINK_CROSSED);
-    return !m->path[0].no_memory && !m->path[1].no_memory;
+        return NULL;
+    m->d = course->d;
+    m->cycle = course->period;
+    m->length = fabs(course->last - motion->from) * motion->angle_unit;
+    find_branch(m, course, FOURLINK_OPEN);
+    find_branch(m, course, FOURLINK_CROSSED);
+    if (!m->path[0].no_memory && !m->path[1].no_memory)
+        return m;
+    flk_actual_free(m);
+    return NULL;
 }
 
-void flk_actual_close(flk_actual *m)
+void flk_actual_free(flk_actual *m)
 {
     if (m) {
         free(m->path[0].node);
@@ -147,10 +144,10 @@ double flk_actual_length(const flk_actual *m, fourlink_branch branch)
 {
     const flk_path *p = &m->path[index_of(branch)];
 
-    if (m->task.d->drive.by_time)
+    if (m->d->drive.by_time)
         return flk_time_travel(p);
     return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 &&
-                   m->task.d->drive.mode != DRIVE_STEADY
+                   m->d->drive.mode != DRIVE_STEADY
                ? flk_path_end(p)->s
                : m->length;
 }
@@ -170,7 +167,7 @@ int flk_actual_from_rest(const deck *d)
 int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
 {
     const flk_path *p = &m->path[index_of(branch)];
-    const fourlink_motion *motion = &m->task.d->motion;
+    const fourlink_motion *motion = &m->d->motion;
     double s = p->sense * (angle - motion->from) * motion->angle_unit, turns = 0;
     const flk_actual_facts *f = &m->facts[index_of(branch)];
     int status = f->status;
@@ -178,12 +175,12 @@ int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk
     memset(row, 0, sizeof *row);
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
-    if (m->task.d->drive.by_time)
+    if (m->d->drive.by_time)
         return flk_time_find(p, s, row);
-    if (m->task.d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
+    if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
         turns = floor(s / m->cycle + 1e-12);
         s -= turns * m->cycle;
-    } else if (status != FOURLINK_OK && (m->task.d->drive.mode == DRIVE_STEADY || p->n == 0 ||
+    } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
                                          s > flk_path_end(p)->s * (1 + 1e-14))) {
         return status;
     }
@@ -201,26 +198,15 @@ int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
     int status = p->n ? FOURLINK_OK : p->status;
 
     memset(row, 0, sizeof *row);
-    row->angle = m->task.d->motion.from;
+    row->angle = m->d->motion.from;
     row->time = time;
     if (status == FOURLINK_OK && time > end * (1 + 1e-14))
         status = p->status;
     if (status == FOURLINK_OK)
         status = flk_time_at(p, time, row);
     if (status == FOURLINK_OK)
-        row->angle = row->crank.theta2 / m->task.d->motion.angle_unit;
+        row->angle = row->crank.theta2 / m->d->motion.angle_unit;
     return status;
-}
-
-int flk_actual_at_row(const flk_actual *m, fourlink_branch branch, unsigned long i,
-                      flk_actual_row *row)
-{
-    fourlink_row at;
-
-    if (m->task.d->drive.by_time)
-        return flk_actual_at_time(m, branch, flk_deck_time(m->task.d, i), row);
-    fourlink_motion_row(&m->task.d->motion, &m->range, i, &at);
-    return flk_actual_at(m, branch, at.angle, row);
 }
 
 const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
@@ -229,8 +215,8 @@ const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branc
 
     if (!m)
         return NULL;
-    if (!m->task.d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
-        if (m->task.d->drive.mode == DRIVE_RUN_UP)
+    if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+        if (m->d->drive.mode == DRIVE_RUN_UP)
             flk_facts_of_run_up(&m->path[i], &m->facts[i]);
         else
             flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);

@@ -14,7 +14,6 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_path.h"
-#include "corners.h"
 
 #define NEAR_REST 0.05 /* rad, to where the energy would vanish */
 #define LONGEST 0.5    /* rad, of a step */
@@ -127,16 +126,25 @@ static int run_piece(flk_path *p, double *h)
     return 1;
 }
 
+/* Where the torques have their next corner, or the path its end. */
+static double next_corner(const flk_path *p, double after, double length, flk_piece_end *end)
+{
+    flk_corners c;
+    double at;
+
+    c.d = p->d;
+    c.jumps = p->jumps;
+    c.sense = p->sense;
+    at = flk_corners_next(&c, after, NULL, 0, end);
+    return at < length - FLK_CORNERS_CLOSE(length) ? at : length;
+}
+
 int flk_path_run(flk_path *p, double speed, double length)
 {
-    flk_node first;
+    double whole, h = 0.1, at, next;
     flk_piece_end end;
-    flk_corners corners;
-    double whole, h = 0.1, from, to = 0;
+    flk_node first;
 
-    corners.d = p->machine.d;
-    corners.jumps = p->jumps;
-    corners.sense = p->sense;
     p->n = 0;
     p->is_steady = 0;
     p->largest = 0;
@@ -146,14 +154,13 @@ int flk_path_run(flk_path *p, double speed, double length)
     first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
     if (!flk_actual_keep(p, &first) || p->status != FOURLINK_OK)
         return 0;
-    while (to < length) {
-        from = to;
-        to = flk_corners_next(&corners, length, 1e30, from, &end);
-        p->node[p->n - 1].low = from;
-        p->node[p->n - 1].high = to;
+    for (at = 0; at < length; at = next) {
+        next = next_corner(p, at, length, &end);
+        p->node[p->n - 1].low = at;
+        p->node[p->n - 1].high = next;
         if (!run_piece(p, &h))
             return 0;
-        if (end == FLK_END_DEAD && to < length) {
+        if (end == FLK_END_DEAD && next < length) {
             p->status = FOURLINK_DEAD_POSITION;
             return 0;
         }

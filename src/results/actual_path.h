@@ -5,6 +5,7 @@
 #ifndef FOURLINK_ACTUAL_PATH_H
 #define FOURLINK_ACTUAL_PATH_H
 
+#include "actual_row.h"
 #include "actual_step.h"
 
 /* Integrate from this speed, rad/s, >= 0, over a length in rad; 1 if the path has this length. */

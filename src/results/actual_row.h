@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_row.h - what is known of the actual motion: at one crank angle, and as a whole.
+** actual_row.h - what the actual motion has at one crank angle, and as facts.
 */
 #ifndef FOURLINK_ACTUAL_ROW_H
 #define FOURLINK_ACTUAL_ROW_H

@@ -40,7 +40,7 @@ typedef struct problem {
 /* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
 static int mean_push(const flk_path *p, double cycle, double speed, double *mean)
 {
-    const fourlink_motion *motion = &p->machine.d->motion;
+    const fourlink_motion *motion = &p->d->motion;
     flk_machine_place place;
     flk_machine_push push;
     int i;
@@ -86,8 +86,8 @@ static double guess_speed(const flk_path *p, double cycle)
     flk_machine_place place;
     int i;
 
-    if (flk_machine_at(&p->machine, p->machine.d->motion.from * p->machine.d->motion.angle_unit,
-                       &place) != FOURLINK_OK ||
+    if (flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place) !=
+            FOURLINK_OK ||
         !mean_push(p, cycle, 0, &mean))
         return 0;
     largest = size_of_speed(&p->machine.motor, mean, place.whole);
@@ -233,8 +233,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 1;
     p->n = 0;
     p->machine.motor.torque = balances ? 0 : p->machine.motor.torque;
-    p->status = flk_machine_at(&p->machine,
-                               p->machine.d->motion.from * p->machine.d->motion.angle_unit, &place);
+    p->status = flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place);
     if (p->status != FOURLINK_OK)
         return 0;
     speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);

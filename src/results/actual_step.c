@@ -28,7 +28,7 @@
 
 static double inside(const flk_equations *e, double s)
 {
-    double nothing = INSIDE * e->p->machine.d->cycle, middle = 0.5 * (e->low + e->high);
+    double nothing = INSIDE * e->p->d->cycle, middle = 0.5 * (e->low + e->high);
 
     nothing = GSL_MIN(nothing, 0.25 * (e->high - e->low));
     return s < middle ? GSL_MAX(s, e->low + nothing) : GSL_MIN(s, e->high - nothing);
@@ -36,7 +36,7 @@ static double inside(const flk_equations *e, double s)
 
 double flk_actual_theta2(const flk_path *p, double s)
 {
-    const fourlink_motion *motion = &p->machine.d->motion;
+    const fourlink_motion *motion = &p->d->motion;
 
     return motion->from * motion->angle_unit + p->sense * s;
 }
@@ -93,7 +93,7 @@ static int over_time(const flk_equations *e, double s, const double *y, double *
 /* rad passed since the nearest change point, < 0 before it; infinite if the mechanism has none. */
 static double after_change(const flk_path *p, double s)
 {
-    const fourlink_mechanism *mechanism = &p->machine.d->mechanism;
+    const fourlink_mechanism *mechanism = &p->d->mechanism;
     double folded = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
     double nearest = GSL_POSINF;
     int i;

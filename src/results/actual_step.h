@@ -6,9 +6,10 @@
 #define FOURLINK_ACTUAL_STEP_H
 
 #include "actual_machine.h"
-#include "actual_row.h"
-#include "jumps.h"
+#include "corners.h"
 #include "mechanics/dormand_prince.h"
+
+#define FLK_TO_REST (-1) /* a status: the energy vanishes within a step */
 
 /* Where a step begins. */
 typedef struct flk_node {
@@ -24,8 +25,9 @@ typedef struct flk_node {
 } flk_node;
 
 typedef struct flk_path {
-    flk_machine machine;
+    const deck *d;
     const flk_jumps *jumps;
+    flk_machine machine;
     double tolerance; /* 1, of a step */
     double sense;     /* 1 or -1: of the range, and of the rotation */
     flk_node *node;   /* to be freed */
@@ -36,8 +38,6 @@ typedef struct flk_path {
     int no_memory;  /* 1: nodes are missing */
     double largest; /* J, energy */
 } flk_path;
-
-#define FLK_TO_REST (-1) /* a status: the energy vanishes within a step */
 
 /* Equations of a step. */
 typedef struct flk_equations {

@@ -27,18 +27,21 @@ static int possible(const deck *d)
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
-/* Find the actual motion, if it is not given; 0 if out of memory. */
+/* The motion, unless it is given; 0 if out of memory. */
 static int find_actual(flk_analysis *a)
 {
-    flk_actual_task task;
+    flk_course course;
 
-    task.d = a->d;
-    task.jumps = &a->jumps;
-    task.loads = a->loads;
-    task.n_loads = a->n_loads;
-    task.end = flk_analysis_end(a);
-    task.cycle = flk_analysis_period(a->d);
-    return flk_actual_open(&task, &a->actual);
+    if (a->d->drive.mode == DRIVE_GIVEN)
+        return 1;
+    course.d = a->d;
+    course.jumps = &a->jumps;
+    course.last = flk_analysis_end(a);
+    course.period = flk_analysis_period(a->d);
+    course.loads = a->loads;
+    course.n_loads = a->n_loads;
+    a->actual = flk_actual_find(&course);
+    return a->actual != NULL;
 }
 
 int flk_analysis_open(flk_analysis *a, const deck *d)
@@ -55,7 +58,7 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
 
 void flk_analysis_close(flk_analysis *a)
 {
-    flk_actual_close(a->actual);
+    flk_actual_free(a->actual);
     free(a->loads);
     free(a->jumps.theta2);
     free(a->turning_memory);
@@ -150,11 +153,15 @@ void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, do
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
-    if (a->actual) {
-        take_actual(a, needs, branch, flk_actual_at_row(a->actual, branch, i, &row->actual), row);
+    if (a->d->drive.by_time) {
+        flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
         return;
     }
     fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
+    if (a->actual) {
+        flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
+        return;
+    }
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }
 
@@ -173,6 +180,8 @@ double flk_analysis_end(const flk_analysis *a)
 {
     fourlink_row last;
 
+    if (a->d->drive.by_time)
+        return a->d->motion.to;
     fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
     return a->range.stops ? a->range.stop_angle : last.angle;
 }

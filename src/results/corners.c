@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** corners.c - the crank angles at which a column may have a corner: those of loads, of friction, of positions.
+** corners.c - the crank angles at which columns are not smooth: corners of loads, dead positions, change points, jumps of
+** friction.
 */
 #include <math.h>
 
 #include <gsl/gsl_math.h>
 
 #include "corners.h"
+
+/* Ends that are closer, in rad, are one. */
+#define CLOSEST 1e-9
 
 typedef struct search {
     const flk_corners *c;
@@ -17,7 +21,7 @@ typedef struct search {
 
 static void offer(search *s, double passed, flk_piece_end end)
 {
-    double closest = FLK_CLOSEST + 1e-14 * passed;
+    double closest = CLOSEST + 1e-14 * passed;
 
     if (passed <= s->after + closest)
         return;
@@ -34,7 +38,7 @@ static void offer_angle(search *s, double theta2, double period, flk_piece_end e
     double from = s->c->d->motion.from * s->c->d->motion.angle_unit;
     double passed = s->c->sense * (theta2 - from);
 
-    offer(s, passed + period * ceil((s->after + FLK_CLOSEST + 1e-14 * s->after - passed) / period),
+    offer(s, passed + period * ceil((s->after + CLOSEST + 1e-14 * s->after - passed) / period),
           end);
 }
 
@@ -86,10 +90,9 @@ static void offer_positions(search *s)
                 mechanism->change_stretched ? FLK_END_CHANGE : FLK_END_PLAIN);
 }
 
-double flk_corners_next(const flk_corners *c, double length, double period, double after,
+double flk_corners_next(const flk_corners *c, double after, const double *more, size_t n,
                         flk_piece_end *end)
 {
-    const fourlink_motion *motion = &c->d->motion;
     search s;
     size_t i;
 
@@ -101,15 +104,10 @@ double flk_corners_next(const flk_corners *c, double length, double period, doub
     offer_positions(&s);
     for (i = 0; i < c->jumps->n; i++)
         offer_angle(&s, c->jumps->theta2[i], c->jumps->period, FLK_END_PLAIN);
-    if (motion->run_up > 0)
-        offer(&s, motion->run_up * motion->angle_unit, FLK_END_PLAIN);
-    offer(&s, period, FLK_END_PLAIN);
+    for (i = 0; i < n; i++)
+        offer(&s, more[i], FLK_END_PLAIN);
     *end = s.end;
-    if (s.at < length - FLK_CLOSEST - 1e-14 * length)
-        return s.at;
-    if (s.at > length + FLK_CLOSEST + 1e-14 * length)
-        *end = FLK_END_PLAIN;
-    return length;
+    return s.at;
 }
 
 flk_piece_end flk_corners_first(const flk_corners *c)
@@ -117,9 +115,9 @@ flk_piece_end flk_corners_first(const flk_corners *c)
     search s;
 
     s.c = c;
-    s.after = -3 * FLK_CLOSEST;
-    s.at = 2 * FLK_CLOSEST;
+    s.after = -3 * CLOSEST;
+    s.at = 2 * CLOSEST;
     s.end = FLK_END_PLAIN;
     offer_positions(&s);
-    return s.at > FLK_CLOSEST ? FLK_END_PLAIN : s.end;
+    return s.at > CLOSEST ? FLK_END_PLAIN : s.end;
 }

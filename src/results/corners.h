@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** corners.h - the crank angles at which a column may have a corner: those of loads, of friction, of positions.
+** corners.h - the crank angles at which columns are not smooth.
 */
 #ifndef FOURLINK_CORNERS_H
 #define FOURLINK_CORNERS_H
 
 #include "jumps.h"
-
-/* Ends that are closer, in rad, are one. */
-#define FLK_CLOSEST 1e-9
 
 /* How columns behave at the end of a piece. */
 typedef enum flk_piece_end {
@@ -23,15 +20,17 @@ typedef enum flk_piece_end {
 typedef struct flk_corners {
     const deck *d;
     const flk_jumps *jumps;
-    double sense; /* 1, or -1: clockwise */
+    double sense; /* 1 or -1: of the range */
 } flk_corners;
 
-/* The next corner behind `after`, both in rad that the crank has passed since the first row of a motion of this
-** length, and what it is; the end of a period is one too.  Returns the length if there is none before. */
-double flk_corners_next(const flk_corners *c, double length, double period, double after,
+/* Two angles passed that differ by less are one. */
+#define FLK_CORNERS_CLOSE(passed) (1e-9 + 1e-14 * (passed))
+
+/* The next corner behind `after`, rad passed since the first row, and what is there; n more may be given. */
+double flk_corners_next(const flk_corners *c, double after, const double *more, size_t n,
                         flk_piece_end *end);
 
-/* The same at the first row itself. */
+/* What is at the first row. */
 flk_piece_end flk_corners_first(const flk_corners *c);
 
 #endif

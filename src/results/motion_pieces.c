@@ -70,33 +70,38 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 
-static flk_corners corners_of(const flk_analysis *a)
+static void find_corners(const flk_analysis *a, flk_corners *c)
 {
-    flk_corners c;
-
-    c.d = a->d;
-    c.jumps = &a->jumps;
-    c.sense = direction(a);
-    return c;
+    c->d = a->d;
+    c->jumps = &a->jumps;
+    c->sense = direction(a);
 }
 
 /* The next end behind `after`. */
 static double next_end(const flk_analysis *a, double length, double period, double after,
                        flk_piece_end *end)
 {
-    const flk_corners c = corners_of(a);
-    double at = flk_corners_next(&c, length, period, after, end);
+    double more[2], at;
+    flk_corners c;
 
-    if (at == length)
-        *end = join(ending(a, length), *end);
-    return at;
+    find_corners(a, &c);
+    more[0] = a->d->motion.run_up * a->d->motion.angle_unit; /* 0 is passed */
+    more[1] = period;
+    at = flk_corners_next(&c, after, more, 2, end);
+    if (at < length - FLK_CORNERS_CLOSE(length))
+        return at;
+    if (at > length + FLK_CORNERS_CLOSE(length))
+        *end = FLK_END_PLAIN;
+    *end = join(ending(a, length), *end);
+    return length;
 }
 
 /* What is at the beginning of the motion. */
 static flk_piece_end first_end(const flk_analysis *a)
 {
-    const flk_corners c = corners_of(a);
+    flk_corners c;
 
+    find_corners(a, &c);
     return join(beginning(a), flk_corners_first(&c));
 }
 

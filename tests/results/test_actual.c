@@ -204,6 +204,7 @@ static void test_tolerance(void **unused)
     read_deck(PUMP FORCE FAN MOTOR FLYWHEEL "[motion]\nmode = run-up\nturns = 3\n", &d);
     assert_true(flk_analysis_open(&a, &d));
     memset(&p, 0, sizeof p);
+    p.d = &d;
     p.jumps = &a.jumps;
     p.sense = 1;
     flk_machine_of(&d, FOURLINK_OPEN, a.loads, a.n_loads, &p.machine);
