@@ -18,6 +18,7 @@
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
+#define MOST_STEPS 200000UL
 
 struct flk_actual {
     const deck *d;
@@ -101,6 +102,7 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
     p->jumps = course->jumps;
     flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
+    p->budget = course->d->has_friction ? MOST_STEPS / 4 : MOST_STEPS;
     p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, f);

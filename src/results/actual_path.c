@@ -19,8 +19,8 @@
 #define LONGEST 0.5    /* rad, of a step */
 #define SHORTEST 1e-13 /* of the angle passed */
 #define CLOSEST 1e-9   /* rad, to where there is no position */
-#define MOST_NODES 200000UL
 #define ITERATIONS 60
+#define WORST 1e8       /* of the errors of steps, in parts of the tolerance */
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 
 /* Begin the next step: over time, if the crank is near to rest. */
@@ -84,7 +84,7 @@ static int go_on(flk_path *p, double *h, flk_node *after)
     if (node->by_time && node->E <= 0 && !(step.k[0][1] > 0))
         return FOURLINK_DOES_NOT_START;
     length = first_length(node, &step, *h);
-    for (;;) {
+    for (; p->budget > 0; p->budget--) {
         status = flk_actual_try(
             p, node, &step,
             node->by_time ? flk_actual_time_of(step.y[1], step.k[0][1], length) : length, &size);
@@ -92,12 +92,15 @@ static int go_on(flk_path *p, double *h, flk_node *after)
             status = flk_actual_fill(&step, &node->within);
         if (status == FOURLINK_OK && size <= 1)
             break;
-        if (status != FOURLINK_OK)
-            size = 1e8;
+        if (status != FOURLINK_OK || !(size < WORST))
+            size = WORST;
         length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
         if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
             return status > 0 ? status : FOURLINK_TOO_LONG;
     }
+    if (p->budget == 0)
+        return FOURLINK_TOO_LONG;
+    p->budget--;
     if (node->by_time)
         status = shorten(p, node, &step);
     node->h = step.h;
@@ -115,7 +118,7 @@ static int run_piece(flk_path *p, double *h)
     flk_node after;
 
     while (p->node[p->n - 1].s < p->node[p->n - 1].high) {
-        p->status = p->n < MOST_NODES ? go_on(p, h, &after) : FOURLINK_TOO_LONG;
+        p->status = go_on(p, h, &after);
         if (p->status != FOURLINK_OK || !flk_actual_keep(p, &after))
             return 0;
         if (after.E <= 0 && after.s < after.high) {

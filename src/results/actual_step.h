@@ -32,11 +32,12 @@ typedef struct flk_path {
     double sense;     /* 1 or -1: of the range, and of the rotation */
     flk_node *node;   /* to be freed */
     size_t n, room;
-    int status;     /* why it ends before its length, or FOURLINK_OK */
-    int by_time;    /* 1: all steps are over time, and the crank may swing back */
-    int is_steady;  /* 1: it is a cycle that repeats */
-    int no_memory;  /* 1: nodes are missing */
-    double largest; /* J, energy */
+    int status;           /* why it ends before its length, or FOURLINK_OK */
+    int by_time;          /* 1: all steps are over time, and the crank may swing back */
+    int is_steady;        /* 1: it is a cycle that repeats */
+    unsigned long budget; /* trials of steps that are left, for all runs together */
+    int no_memory;        /* 1: nodes are missing */
+    double largest;       /* J, energy */
 } flk_path;
 
 /* Equations of a step. */

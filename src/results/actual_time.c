@@ -15,9 +15,9 @@
 #define LONGEST 0.2    /* rad, of a step */
 #define SHORTEST 1e-15 /* of the duration */
 #define CLOSEST 1e-9   /* ... to where there is no position */
-#define MOST_NODES 200000UL
-#define ROUNDING 1e-9 /* rad */
-#define FAR 1e30      /* rad: no corner */
+#define WORST 1e8      /* of the errors of steps, in parts of the tolerance */
+#define ROUNDING 1e-9  /* rad */
+#define FAR 1e30       /* rad: no corner */
 
 /* The time in which the crank turns through an angle, in either sense. */
 static double time_for(const flk_step *step, double angle)
@@ -57,16 +57,21 @@ static int go_on(flk_path *p, double duration, double *h, flk_node *after)
     if (status != FOURLINK_OK)
         return status;
     length = GSL_MIN(GSL_MIN(*h, time_for(&step, LONGEST)), left);
-    for (;;) {
+    for (; p->budget > 0; p->budget--) {
         status = flk_actual_try(p, node, &step, length, &size);
         if (status == FOURLINK_OK && size <= 1)
             status = flk_actual_fill(&step, &node->within);
         if (status == FOURLINK_OK && size <= 1)
             break;
-        length *= status == FOURLINK_OK ? GSL_MAX(0.2, 0.9 * pow(size, -0.125)) : 0.2;
+        if (status != FOURLINK_OK || !(size < WORST))
+            size = WORST;
+        length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
         if (length < (status == FOURLINK_OK ? SHORTEST : CLOSEST) * duration)
             return status == FOURLINK_OK ? FOURLINK_TOO_LONG : status;
     }
+    if (p->budget == 0)
+        return FOURLINK_TOO_LONG;
+    p->budget--;
     *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
     status = shorten(p, node, &step);
     node->h = step.h;
@@ -94,7 +99,7 @@ int flk_time_run(flk_path *p, double speed, double duration)
     if (!flk_actual_keep(p, &node))
         return 0;
     while (p->status == FOURLINK_OK && flk_path_end(p)->t < duration) {
-        p->status = p->n < MOST_NODES ? go_on(p, duration, &h, &node) : FOURLINK_TOO_LONG;
+        p->status = go_on(p, duration, &h, &node);
         if (p->status == FOURLINK_OK && !flk_actual_keep(p, &node))
             return 0;
     }

@@ -77,14 +77,17 @@ static void test_energy(void **unused)
         opened(ROCKER "[motion]\nmode = free\nspeed = 40 rad/s\nturns = 100\ninterval = 37 deg\n");
     fourlink_instant at = row_of(r, 0);
     double first = energy_of(r, &at), kinetic = value_at(r, "energy", 0), worst = 0;
+    double least = 1e9, most = 0;
     unsigned long i;
 
     (void)unused;
     for (i = 1; i < problem_of(r).n_rows; i++) {
         at = row_of(r, i);
         worst = fmax(worst, fabs(energy_of(r, &at) - first));
+        least = fmin(least, at.row.crank.omega2);
+        most = fmax(most, at.row.crank.omega2);
     }
-    assert_true(value_at(r, "max(omega2)", 0) > 1.8 * value_at(r, "min(omega2)", 0));
+    assert_true(most > 1.8 * least);
     assert_near(worst, 0, 1e-11 * kinetic);
     fourlink_results_free(r);
 }
@@ -212,6 +215,7 @@ static void test_tolerance(void **unused)
         flk_actual_row row;
 
         p.tolerance = tolerance[i];
+        p.budget = 10000;
         assert_true(flk_path_run(&p, 0, 6 * M_PI));
         assert_int_equal(flk_path_at(&p, 5.5 * M_PI, &row), FOURLINK_OK);
         speed[i] = row.crank.omega2;
