@@ -37,6 +37,11 @@ module fourlink
     fourlink_no_mean = 9, &
     fourlink_locked = 10, &
     fourlink_no_direction = 11, &
+    fourlink_does_not_start = 12, &
+    fourlink_stalls = 13, &
+    fourlink_no_steady = 14, &
+    fourlink_no_inertia = 15, &
+    fourlink_too_long = 16, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -65,7 +70,8 @@ module fourlink
     fourlink_no_such_list = 45, &
     fourlink_bad_friction = 46, &
     fourlink_bad_spring = 47, &
-    fourlink_bad_balance = 48
+    fourlink_bad_balance = 48, &
+    fourlink_bad_motor = 49
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -99,7 +105,12 @@ module fourlink
     fourlink_conditions = 6
   integer(c_int), parameter :: fourlink_above = 1, fourlink_below = 2, fourlink_or_equal = 4
   integer(c_int), parameter :: fourlink_facts_limits = 1, fourlink_facts_extremes = 2, &
-    fourlink_facts_turning = 4
+    fourlink_facts_turning = 4, fourlink_facts_motion = 8
+  integer(c_int), parameter :: fourlink_no_motor = 0, fourlink_motor_torque_type = 1, &
+    fourlink_motor_linear = 2, fourlink_motor_curve = 3, fourlink_motor_power = 4, &
+    fourlink_motor_balance = 5
+  integer(c_int), parameter :: fourlink_mode_given = 0, fourlink_mode_free = 1, &
+    fourlink_mode_run_up = 2, fourlink_mode_steady = 3
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
     fourlink_of_rounding = 4, fourlink_of_forces = 8
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
@@ -197,6 +208,15 @@ module fourlink
     real(c_double) :: ground_moment
   end type fourlink_spring_state
 
+  ! Points of a curve: c_loc of arrays.
+  type, bind(c) :: fourlink_motor
+    integer(c_int) :: kind = fourlink_no_motor
+    real(c_double) :: torque = 0, stall_torque = 0, no_load_speed = 0, power = 0, max_torque = 0
+    type(c_ptr) :: curve_speed = c_null_ptr, curve_torque = c_null_ptr
+    integer(c_long) :: n_curve = 0
+    real(c_double) :: inertia = 0, ratio = 1
+  end type fourlink_motor
+
   type, bind(c) :: fourlink_balance
     type(fourlink_vector) :: crank, rocker
   end type fourlink_balance
@@ -272,6 +292,7 @@ module fourlink
     integer(c_int) :: one_instant, one_revolution, digits
     integer(c_long) :: n_expected, n_designs, design
     integer(c_int) :: has_outputs, has_statistics
+    integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
   end type fourlink_problem
 
   type, bind(c) :: fourlink_unit
@@ -468,6 +489,29 @@ module fourlink
       type(fourlink_spring), intent(in) :: spring
       type(fourlink_spring_state), intent(inout) :: at
     end function fourlink_spring_at
+
+    integer(c_int) function fourlink_inertia(mechanism, state, J, slope) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      real(c_double), intent(inout) :: J, slope
+    end function fourlink_inertia
+
+    integer(c_int) function fourlink_generalised_force(mechanism, state, loads, n_loads, Q) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_state), intent(in) :: state
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      real(c_double), intent(inout) :: Q
+    end function fourlink_generalised_force
+
+    integer(c_int) function fourlink_motor_torque(motor, omega2, torque) bind(c)
+      import
+      type(fourlink_motor), intent(in) :: motor
+      real(c_double), value :: omega2
+      real(c_double), intent(inout) :: torque
+    end function fourlink_motor_torque
 
     integer(c_int) function fourlink_balance_of(mechanism, fraction, balance) bind(c)
       import
@@ -773,6 +817,13 @@ module fourlink
       type(c_ptr), intent(inout) :: facts
       integer(c_long), intent(inout) :: n
     end function fourlink_results_facts
+
+    integer(c_int) function fourlink_results_end(results, branch, angle) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: branch
+      real(c_double), intent(inout) :: angle
+    end function fourlink_results_end
 
     integer(c_int) function fourlink_results_turning(results, branch, turning) bind(c)
       import

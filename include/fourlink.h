@@ -67,6 +67,11 @@ extern "C" {
     X(FOURLINK_NO_MEAN, 9, "no mean: the column is unbounded to both sides")                      \
     X(FOURLINK_LOCKED, 10, "friction locks the mechanism")                                        \
     X(FOURLINK_NO_DIRECTION, 11, "the ends of a spring meet: its force has no direction")         \
+    X(FOURLINK_DOES_NOT_START, 12, "does not start: the torque does not turn the crank")          \
+    X(FOURLINK_STALLS, 13, "stalls: the crank comes to rest")                                     \
+    X(FOURLINK_NO_STEADY, 14, "no steady motion: no speed repeats after a cycle")                 \
+    X(FOURLINK_NO_INERTIA, 15, "nothing that moves has a mass or a moment of inertia")            \
+    X(FOURLINK_TOO_LONG, 16, "the motion takes too many steps")                                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
@@ -97,7 +102,9 @@ extern "C" {
     X(FOURLINK_BAD_FRICTION, 46, "a coefficient, radius or length of friction is negative")       \
     X(FOURLINK_BAD_SPRING, 47,                                                                    \
       "a spring is between a link and itself, or its damping is negative")                        \
-    X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")
+    X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")                  \
+    X(FOURLINK_BAD_MOTOR, 49,                                                                     \
+      "a motor has no such kind, no ratio, or a curve whose speeds do not rise")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -323,6 +330,32 @@ typedef struct fourlink_balance {
     fourlink_vector rocker; /* kg m, to be added to rocker or lever; 0 for a slider-crank */
 } fourlink_balance;
 
+/* How the torque of a motor follows its speed. */
+typedef enum fourlink_motor_kind {
+    FOURLINK_NO_MOTOR = 0,
+    FOURLINK_MOTOR_TORQUE = 1, /* a constant torque */
+    FOURLINK_MOTOR_LINEAR = 2, /* T = stall_torque (1 - w / no_load_speed), a motor with brushes */
+    FOURLINK_MOTOR_CURVE = 3,  /* Steffen's interpolation; beyond an end its value holds */
+    FOURLINK_MOTOR_POWER = 4,  /* T = power / w, at most max_torque */
+    FOURLINK_MOTOR_BALANCE = 5 /* a constant torque that balances the loads over a cycle: only in
+                                  decks, where the motion sets `torque` */
+} fourlink_motor_kind;
+
+/* A motor.  Set it to zero first.  Torques and speeds are those of its own shaft, counter-clockwise
+** positive: a motor that drives clockwise has negative ones. */
+typedef struct fourlink_motor {
+    fourlink_motor_kind kind;
+    double torque;              /* N m, constant */
+    double stall_torque;        /* N m */
+    double no_load_speed;       /* rad/s, of the same sign */
+    double power, max_torque;   /* W, > 0; N m, of the sign of the rotation */
+    const double *curve_speed;  /* rad/s, rising */
+    const double *curve_torque; /* N m */
+    unsigned long n_curve;      /* points of the curve, at least 2 */
+    double inertia;             /* kg m2, of the rotor */
+    double ratio;               /* 1, speed of the motor / speed of the crank; not 0 */
+} fourlink_motor;
+
 /* ---------------------------------------------------------------------------------------------
 ** The mechanism as a whole
 ** ------------------------------------------------------------------------------------------- */
@@ -546,6 +579,13 @@ typedef struct fourlink_unit {
 } fourlink_unit;
 
 /* The problem that a deck poses. */
+enum {
+    FOURLINK_MODE_GIVEN = 0,  /* the motion of the crank is given */
+    FOURLINK_MODE_FREE = 1,   /* it follows from torques and inertia: from a given speed, */
+    FOURLINK_MODE_RUN_UP = 2, /* from rest, */
+    FOURLINK_MODE_STEADY = 3  /* the motion that repeats after a cycle */
+};
+
 typedef struct fourlink_problem {
     char title[256]; /* null-terminated; cut off if longer */
     fourlink_mechanism mechanism;
@@ -571,6 +611,9 @@ typedef struct fourlink_problem {
     unsigned long design;        /* number of this one, from 0 */
     int has_outputs;    /* 1: the [sweep] names outputs, which give a line for each design */
     int has_statistics; /* 1: it asks for statistics of them */
+    int mode;           /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
+                           speed, acceleration and time are those of fourlink_results_row */
+    int by_time;        /* 1: rows by time, whose angles are those of fourlink_results_row */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
@@ -623,7 +666,8 @@ enum {
 enum {
     FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always there */
     FOURLINK_FACTS_EXTREMES = 2, /* max() and min() of the columns */
-    FOURLINK_FACTS_TURNING = 4   /* turning moment and flywheel */
+    FOURLINK_FACTS_TURNING = 4,  /* turning moment and flywheel */
+    FOURLINK_FACTS_MOTION = 8    /* actual motion: mean speed, fluctuation, run-up */
 };
 
 /* All results at one crank angle. */
@@ -987,6 +1031,54 @@ FOURLINK_API int fourlink_balance_of(const fourlink_mechanism *mechanism, double
 FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
                                             const fourlink_vector *moment, double radius,
                                             fourlink_link *balanced, double *mass);
+
+/* The generalised inertia of the moving links: with it the kinetic energy is J omega2^2 / 2.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    state      from fourlink_position
+** Returned:
+**    J          kg m2
+**    slope      kg m2, dJ/dtheta2; may be null
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
+** Note:
+**    The torque on the crank that moves the links is J alpha2 + slope omega2^2 / 2, without loads
+**    and weights.
+** Reference:
+**    Lagrange's equation for one coordinate; see inertia.c.
+*/
+FOURLINK_API int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                                  double *J, double *slope);
+
+/* The generalised force of loads and weights on the crank: their power for a unit crank speed.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    state      from fourlink_velocity
+**    loads      as for fourlink_solve
+**    n_loads    how many
+** Returned:
+**    Q          N m, counter-clockwise positive
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND, FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME,
+**    FOURLINK_BAD_NUMBER
+*/
+FOURLINK_API int fourlink_generalised_force(const fourlink_mechanism *mechanism,
+                                            const fourlink_state *state, const fourlink_load *loads,
+                                            unsigned long n_loads, double *Q);
+
+/* The torque of a motor on the crank.
+**
+** Given:
+**    motor      a motor
+**    omega2     rad/s, of the crank
+** Returned:
+**    torque     N m, at the crank: that of the motor's shaft times the ratio
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_MOTOR
+*/
+FOURLINK_API int fourlink_motor_torque(const fourlink_motor *motor, double omega2, double *torque);
 
 /* The nine equations themselves, A x = b.
 **
@@ -1515,6 +1607,24 @@ FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *n
 */
 FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, int groups,
                                         const fourlink_value **facts, unsigned long *n);
+
+/* Where the actual motion of the machine ends.
+**
+** Given:
+**    results    from fourlink_results_open
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+** Returned:
+**    angle      crank angle at which it ends, in the deck's unit; that of the last row if it does not
+**               end before
+** Returned (function value):
+**    FOURLINK_OK: the machine moves through all rows, or its motion is given;
+**    1 to 19, why it does not: FOURLINK_DOES_NOT_START, FOURLINK_STALLS, FOURLINK_NO_STEADY ...;
+**    FOURLINK_NULL, FOURLINK_BAD_BRANCH
+** Note:
+**    With the codes 1 to 19 too, `angle` is returned.  The rows from there on have the same status.
+*/
+FOURLINK_API int fourlink_results_end(fourlink_results *results, fourlink_branch branch,
+                                      double *angle);
 
 /* The turning moment over a cycle, with its areas.
 **

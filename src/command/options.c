@@ -36,6 +36,7 @@ const char *const options_help[] = {
     "                                    is printed too with --format or --output",
     "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
     "                                    polar, vectors, klein, animation (default for .gif),",
+    "                                    speed: of a motion that is not given,",
     "                                    columns: those of the table, or outputs of a [sweep];",
     "                                    of a [sweep]: histogram",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
@@ -175,7 +176,7 @@ static int set_plot_kind(options *o, const char *value, char message[400])
     nearest = flk_text_nearest(flk_text_of(value), plot_names);
     flk_message(message, 400,
                 "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
-                "klein, animation, histogram or columns, not '%t'%h",
+                "klein, animation, speed, histogram or columns, not '%t'%h",
                 flk_text_of(value), nearest);
     return 0;
 }

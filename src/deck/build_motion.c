@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** build_motion.c - builds the motion of the crank, the flywheel, the table and the expected values.
+** build_motion.c - builds the motion of the crank, the table and the expected values.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -11,6 +11,8 @@
 #include "base/number.h"
 #include "reader.h"
 
+#define MOST_TIMES 1000000 /* rows by time */
+
 static double angle_or(parser *p, key_code key, double otherwise)
 {
     const setting *s = flk_setting_find(p, key);
@@ -18,8 +20,7 @@ static double angle_or(parser *p, key_code key, double otherwise)
     return IS_SET(s) ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
-/* 1 if a key of the section has a mistake, from which no other should follow. */
-static int is_mistaken(parser *p, section_code section)
+int flk_build_is_mistaken(parser *p, section_code section)
 {
     const section_use *use = flk_section_find(p, section, NULL);
     key_code k;
@@ -41,7 +42,8 @@ static int is_mistaken(parser *p, section_code section)
 /* One instant has no range, but `at` from the command line replaces the deck's range. */
 static void check_alone(parser *p, const setting *at)
 {
-    static const key_code others[] = {KEY_MOTION_FROM, KEY_MOTION_TO, KEY_MOTION_RUN_UP};
+    static const key_code others[] = {KEY_MOTION_FROM, KEY_MOTION_TO, KEY_MOTION_TURNS,
+                                      KEY_MOTION_RUN_UP};
     size_t i;
 
     for (i = 0; i < sizeof others / sizeof others[0]; i++) {
@@ -66,16 +68,18 @@ static double whole(double x)
 static void build_run_up(parser *p, const setting *run_up)
 {
     const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED),
-                  *to = flk_setting_find(p, KEY_MOTION_TO);
+                  *to = flk_setting_find(p, KEY_MOTION_TO),
+                  *turns = flk_setting_find(p, KEY_MOTION_TURNS);
 
     p->d->motion.run_up = angle_or(p, KEY_MOTION_RUN_UP, 0);
     p->d->one_revolution = 1;
     if (speed->si[0] != 0)
         flk_mistake(p->mistakes, speed->place,
                     "a run-up starts from rest: give an acceleration, not a speed");
-    if (IS_SET(to))
-        flk_mistake(p->mistakes, to->place,
-                    "a run-up ends one revolution after its angle: 'to' is not allowed");
+    if (IS_SET(to) || IS_SET(turns))
+        flk_mistake(p->mistakes, (IS_SET(to) ? to : turns)->place,
+                    "a run-up ends one revolution after its angle: '%s' is not allowed",
+                    IS_SET(to) ? "to" : "turns");
     if (p->d->motion.hold)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
@@ -104,17 +108,158 @@ static void check_cycle(parser *p, double cycle)
         flk_mistake(p->mistakes, s->place, "the cycle is shorter than the interval of the rows");
 }
 
+int flk_build_mode(parser *p)
+{
+    return flk_setting_find(p, KEY_MOTION_MODE)->word;
+}
+
+/* Refuse keys of the given motion beside another mode, and the reverse. */
+static void check_mode(parser *p, int mode)
+{
+    static const key_code of_given[] = {KEY_MOTION_ACCELERATION, KEY_MOTION_RUN_UP, KEY_MOTION_HOLD,
+                                        KEY_MOTION_AT};
+    const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED),
+                  *mean = flk_setting_find(p, KEY_MOTION_MEAN_SPEED);
+    size_t i;
+
+    for (i = 0; mode != DRIVE_GIVEN && i < sizeof of_given / sizeof of_given[0]; i++) {
+        const setting *s = flk_setting_find(p, of_given[i]);
+
+        if (IS_SET(s))
+            flk_mistake(p->mistakes, s->place, "'%s' is for a given motion: mode = %t computes it",
+                        flk_key_table[of_given[i]].name,
+                        flk_setting_find(p, KEY_MOTION_MODE)->value);
+    }
+    if (mode == DRIVE_RUN_UP && speed->si[0] != 0)
+        flk_mistake(p->mistakes, speed->place,
+                    "a run-up starts from rest: for a motion from this speed, mode = free");
+    if (mode == DRIVE_STEADY && IS_SET(speed))
+        flk_mistake(p->mistakes, speed->place,
+                    "the speed of the steady motion is computed: give a mean_speed with [motor] "
+                    "torque = constant, or a motor that has a speed");
+    if (IS_SET(mean) && p->d->drive.motor.kind != FOURLINK_MOTOR_BALANCE &&
+        !flk_build_is_mistaken(p, SECTION_MOTOR))
+        flk_mistake(p->mistakes, mean->place,
+                    "a mean_speed needs [motor] torque = constant, which balances the loads at any "
+                    "speed");
+    else if (IS_SET(mean) && mean->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
+        flk_mistake(p->mistakes, mean->place, "the mean_speed must not be 0");
+}
+
+/* The keys of rows by time, which have their own end. */
+static void build_rows_by_time(parser *p, int mode)
+{
+    static const key_code of_angle[] = {KEY_MOTION_TO, KEY_MOTION_TURNS, KEY_MOTION_INTERVAL};
+    const setting *rows = flk_setting_find(p, KEY_MOTION_ROWS),
+                  *step = flk_setting_find(p, KEY_MOTION_TIME_STEP),
+                  *duration = flk_setting_find(p, KEY_MOTION_DURATION);
+    deck_drive *drive = &p->d->drive;
+    size_t i;
+
+    drive->by_time = rows->word;
+    drive->time_step = step->si[0];
+    drive->duration = duration->si[0];
+    if (!rows->word) {
+        if (IS_SET(step) || IS_SET(duration))
+            flk_mistake(p->mistakes, (IS_SET(step) ? step : duration)->place,
+                        "'%s' is for rows by time: rows = time",
+                        IS_SET(step) ? "time_step" : "duration");
+        return;
+    }
+    if (mode != DRIVE_FREE && mode != DRIVE_RUN_UP)
+        flk_mistake(p->mistakes, rows->place, "rows by time need mode = free or run-up");
+    if ((!IS_SET(step) || !IS_SET(duration)) &&
+        !flk_section_find(p, SECTION_MOTION, NULL)->has_unknown)
+        flk_mistake(p->mistakes, rows->place, "rows by time need '%s'",
+                    IS_SET(step) ? "duration" : "time_step");
+    for (i = 0; i < sizeof of_angle / sizeof of_angle[0]; i++) {
+        const setting *s = flk_setting_find(p, of_angle[i]);
+
+        if (IS_SET(s))
+            flk_mistake(p->mistakes, s->place,
+                        "'%s' is for rows by angle; rows by time have time_step and duration",
+                        flk_key_table[of_angle[i]].name);
+    }
+    if (p->d->has_friction)
+        flk_mistake(p->mistakes, rows->place,
+                    "rows by time allow the machine to swing back, which friction does not: rows "
+                    "by angle, or no [friction]");
+    if (step->si[0] > 0 && duration->si[0] / step->si[0] > MOST_TIMES)
+        flk_mistake(p->mistakes, duration->place, "more than 1,000,000 rows by time");
+}
+
+/* How the crank's speed comes about. */
+static void build_drive(parser *p)
+{
+    int mode = flk_build_mode(p);
+
+    p->d->drive.mode = mode;
+    p->d->drive.mean_speed = flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    check_mode(p, mode);
+    build_rows_by_time(p, mode);
+}
+
+/* The last crank angle, in the deck's unit. */
+static double last_angle(parser *p, double cycle)
+{
+    const setting *to = flk_setting_find(p, KEY_MOTION_TO),
+                  *turns = flk_setting_find(p, KEY_MOTION_TURNS);
+    double from = p->d->motion.from, sense = flk_build_sense(p);
+
+    p->d->drive.turns = turns->si[0];
+    if (IS_SET(turns) && IS_SET(to))
+        flk_mistake(p->mistakes, turns->place, "give either 'to' or 'turns', not both");
+    else if (IS_SET(turns) && turns->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
+        flk_mistake(p->mistakes, turns->place, "the turns must not be 0");
+    if (IS_SET(to))
+        return angle_or(p, KEY_MOTION_TO, 0);
+    if (IS_SET(turns))
+        return from +
+               turns->si[0] * whole(flk_unit_from_si(2 * M_PI, p->d->units[QUANTITY_ANGLE].unit));
+    return from + sense * cycle;
+}
+
+/* The first place at which the end of the range is given. */
+static text_place place_of_end(parser *p)
+{
+    const setting *to = flk_setting_find(p, KEY_MOTION_TO),
+                  *turns = flk_setting_find(p, KEY_MOTION_TURNS);
+
+    return IS_SET(to) ? to->place : IS_SET(turns) ? turns->place : flk_reader_end(p);
+}
+
+static void check_range(parser *p)
+{
+    const fourlink_motion *motion = &p->d->motion;
+    const setting *s = flk_setting_find(p, KEY_MOTION_INTERVAL);
+    fourlink_range range;
+    int status = fourlink_motion_range(motion, &range);
+
+    if (status == FOURLINK_BAD_RANGE)
+        flk_mistake(p->mistakes, place_of_end(p),
+                    "the range runs against the rotation of an accelerated crank: swap 'from' and "
+                    "'to', or set 'hold = yes'");
+    else if (status == FOURLINK_NO_RUN_UP)
+        flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_RUN_UP)->place,
+                    "a run-up from rest needs an acceleration");
+    else if (status != FOURLINK_OK)
+        flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
+                    fourlink_status_text(status));
+    else if (p->d->drive.mode == DRIVE_FREE && (motion->to - motion->from) * motion->speed < 0)
+        flk_mistake(p->mistakes, place_of_end(p),
+                    "the range runs against the speed at its beginning: swap 'from' and 'to'");
+}
+
 void flk_build_motion(parser *p)
 {
     fourlink_motion *motion = &p->d->motion;
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
     const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP),
-                  *at = flk_setting_find(p, KEY_MOTION_AT), *s;
-    double cycle, turning;
-    fourlink_range range;
-    int status;
+                  *at = flk_setting_find(p, KEY_MOTION_AT);
+    double cycle;
 
     check_speed(p);
+    build_drive(p);
     motion->angle_unit = u->up / u->down;
     motion->speed = flk_setting_or(p, KEY_MOTION_SPEED, 0);
     motion->acceleration = flk_setting_or(p, KEY_MOTION_ACCELERATION, 0);
@@ -130,28 +275,16 @@ void flk_build_motion(parser *p)
     }
     cycle = angle_or(p, KEY_MOTION_CYCLE, whole(flk_unit_from_si(2 * M_PI, *u)));
     check_cycle(p, cycle);
-    turning = motion->speed != 0 ? motion->speed : motion->acceleration;
     motion->from = angle_or(p, KEY_MOTION_FROM, 0);
-    motion->to = angle_or(p, KEY_MOTION_TO, motion->from + (turning < 0 ? -cycle : cycle));
+    motion->to = last_angle(p, cycle);
     p->d->one_revolution =
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (IS_SET(run_up))
         build_run_up(p, run_up);
-    if (is_mistaken(p, SECTION_MOTION) || p->lacks_values)
-        return;
-    status = fourlink_motion_range(motion, &range);
-    if (status == FOURLINK_BAD_RANGE) {
-        s = flk_setting_find(p, KEY_MOTION_TO);
-        flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p),
-                    "the range runs against the rotation of an accelerated crank: swap 'from' and "
-                    "'to', or set 'hold = yes'");
-    } else if (status == FOURLINK_NO_RUN_UP) {
-        flk_mistake(p->mistakes, run_up->place, "a run-up from rest needs an acceleration");
-    } else if (status != FOURLINK_OK) {
-        s = flk_setting_find(p, KEY_MOTION_INTERVAL);
-        flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
-                    fourlink_status_text(status));
-    }
+    if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
+        p->d->friction.direction = motion->to < motion->from ? -1 : 1;
+    if (!flk_build_is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
+        check_range(p);
 }
 
 void flk_build_table(parser *p)
@@ -237,16 +370,4 @@ void flk_build_expectations(parser *p)
     }
     if (p->expectations_only)
         keep_one_branch(d);
-}
-
-void flk_build_flywheel(parser *p)
-{
-    const setting *inertia = flk_setting_find(p, KEY_FLYWHEEL_INERTIA),
-                  *fluctuation = flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION);
-
-    p->d->flywheel_fluctuation = fluctuation->si[0];
-    p->d->flywheel_inertia = inertia->si[0];
-    if (IS_SET(inertia) && IS_SET(fluctuation))
-        flk_mistake(p->mistakes, inertia->place,
-                    "give either the fluctuation or the inertia: the other follows");
 }

@@ -3,35 +3,15 @@
 ** curve.c - a quantity over the crank angle, given at some angles, smooth and periodic between them; or over another
 ** argument, not periodic.
 **
-** Steffen's interpolation (Astron. Astrophys. 239, 443, 1990), which does not overshoot: a pressure
-** that is never negative at the points of an indicator card is not negative between them, as a cubic
-** spline's would be beside the steep rise of a combustion.  With h_i = x_{i+1} - x_i and the secant
-** s_i = (y_{i+1} - y_i) / h_i, the slope at a point and the cubic after it are
-**
-**    p_i  = (s_{i-1} h_i + s_i h_{i-1}) / (h_{i-1} + h_i)                                      (eq. 8)
-**    y'_i = (sign s_{i-1} + sign s_i) min(|s_{i-1}|, |s_i|, |p_i| / 2)                         (eq. 11)
-**    y    = y_i + d (y'_i + d (b + d a)),  d = x - x_i                                         (eq. 1)
-**    a    = (y'_i + y'_{i+1} - 2 s_i) / h_i^2,  b = (3 s_i - 2 y'_i - y'_{i+1}) / h_i    (eqs. 2, 3)
-**
-** At the ends of a curve that is not periodic the slope is the secant beside it.
-**
-** GSL has it too, but GSL allocates memory, and calls its error handler if it cannot.
+** Between the points the interpolation is Steffen's (base/steffen.c).  At the ends of a curve that is not periodic the
+** slope is the secant beside it.
 */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_math.h>
-
+#include "base/steffen.h"
 #include "curve.h"
-
-/* The slope at a point between two intervals with these widths and secants. */
-static double slope(double h0, double s0, double h1, double s1)
-{
-    double p = (s0 * h1 + s1 * h0) / (h0 + h1);
-
-    return (GSL_SIGN(s0) + GSL_SIGN(s1)) * GSL_MIN(GSL_MIN(fabs(s0), fabs(s1)), fabs(p) / 2);
-}
 
 static double secant(const curve *c, size_t i)
 {
@@ -46,8 +26,8 @@ static void set_open_slopes(curve *c)
     c->slope[0] = secant(c, 0);
     c->slope[last] = secant(c, last - 1);
     for (i = 1; i < last; i++)
-        c->slope[i] =
-            slope(c->x[i] - c->x[i - 1], secant(c, i - 1), c->x[i + 1] - c->x[i], secant(c, i));
+        c->slope[i] = flk_steffen_slope(c->x[i] - c->x[i - 1], secant(c, i - 1),
+                                        c->x[i + 1] - c->x[i], secant(c, i));
 }
 
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c)
@@ -74,8 +54,8 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
         size_t last = (i + n - 1) % n;
         double h0 = c->x[last + 1] - c->x[last], h1 = c->x[i + 1] - c->x[i];
 
-        c->slope[i] =
-            slope(h0, (c->y[last + 1] - c->y[last]) / h0, h1, (c->y[i + 1] - c->y[i]) / h1);
+        c->slope[i] = flk_steffen_slope(h0, (c->y[last + 1] - c->y[last]) / h0, h1,
+                                        (c->y[i + 1] - c->y[i]) / h1);
     }
     return 1;
 }
@@ -83,7 +63,7 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
 double flk_curve_value(const curve *c, double x)
 {
     size_t low = 0, high = c->n, next;
-    double h, s, a, b, d;
+    double d;
 
     if (c->period > 0) {
         x = fmod(x - c->x[0], c->period);
@@ -105,11 +85,8 @@ double flk_curve_value(const curve *c, double x)
     d = x - c->x[low];
     if (d < 0)
         d = 0; /* rounding */
-    h = c->x[high] - c->x[low];
-    s = (c->y[high] - c->y[low]) / h;
-    a = (c->slope[low] + c->slope[next] - 2 * s) / (h * h);
-    b = (3 * s - 2 * c->slope[low] - c->slope[next]) / h;
-    return c->y[low] + d * (c->slope[low] + d * (b + d * a));
+    return flk_steffen_value(d, c->x[high] - c->x[low], c->y[low], c->y[high], c->slope[low],
+                             c->slope[next]);
 }
 
 void flk_curve_free(curve *c)

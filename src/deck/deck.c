@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "deck.h"
 #include "mechanics/mechanics.h"
 
@@ -118,6 +120,21 @@ void fourlink_deck_free(fourlink_deck *d)
     free(d);
 }
 
+int flk_deck_range(const deck *d, fourlink_range *range)
+{
+    double n = d->drive.by_time ? ceil(d->drive.duration / d->drive.time_step - 1e-9) : 0;
+    int status = fourlink_motion_range(&d->motion, range);
+
+    if (status == FOURLINK_OK && d->drive.by_time)
+        range->n_rows = (unsigned long)n + 1;
+    return status;
+}
+
+double flk_deck_time(const deck *d, unsigned long row)
+{
+    return GSL_MIN((double)row * d->drive.time_step, d->drive.duration);
+}
+
 int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
 {
     fourlink_range range;
@@ -141,7 +158,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
-    if (fourlink_motion_range(&d->motion, &range) == FOURLINK_OK)
+    if (flk_deck_range(d, &range) == FOURLINK_OK)
         problem->n_rows = range.n_rows;
     problem->one_instant = d->one_instant;
     problem->one_revolution = d->one_revolution;
@@ -151,6 +168,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->design = d->sweep.design;
     problem->has_outputs = d->sweep.output.names.length > 0 || d->sweep.yield.names.length > 0;
     problem->has_statistics = d->sweep.has_statistics;
+    problem->mode = d->drive.mode;
+    problem->by_time = d->drive.by_time;
     return FOURLINK_OK;
 }
 

@@ -115,6 +115,27 @@ typedef struct deck_sweep {
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
+/* How the speed of the crank comes about. */
+enum {
+    DRIVE_GIVEN = FOURLINK_MODE_GIVEN,   /* as d->motion says */
+    DRIVE_FREE = FOURLINK_MODE_FREE,     /* from motion.speed, with or without a motor */
+    DRIVE_RUN_UP = FOURLINK_MODE_RUN_UP, /* from rest */
+    DRIVE_STEADY = FOURLINK_MODE_STEADY  /* the motion that repeats after d->cycle */
+};
+
+/* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval are the
+** rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up and hold are 0. */
+typedef struct deck_drive {
+    int mode;
+    fourlink_motor motor; /* FOURLINK_NO_MOTOR: none */
+    double flywheel;      /* kg m2, on the shaft outside the crank; 0: none, or wanted (below) */
+    double mean_speed;    /* rad/s, steady, with a torque that balances; 0: not given */
+    double turns;         /* 1; 0: not given.  motion.to is set from it */
+    int by_time;          /* 1: rows by time */
+    double time_step, duration; /* s, of rows by time */
+    double fluctuation;         /* 1, exact: the flywheel that has it is wanted; 0: not */
+} deck_drive;
+
 /* A deck; to hosts of the library it is fourlink_deck, without members. */
 typedef struct fourlink_deck deck;
 
@@ -142,6 +163,7 @@ struct fourlink_deck {
     deck_expectation *expectations;
     size_t n_expectations;
     double flywheel_fluctuation, flywheel_inertia; /* 1, kg m2: 0 if not given */
+    deck_drive drive;
     deck_sweep sweep;
     int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
@@ -181,6 +203,10 @@ int flk_deck_needs_motion(const deck *d);
 /* What loads are over: OVER_THETA2 ... */
 double flk_deck_argument(const fourlink_state *state, int over);
 
+/* The rows of its motion, as from fourlink_motion_range; of rows by time only their number.  The time of such a row, s. */
+int flk_deck_range(const deck *d, fourlink_range *range);
+double flk_deck_time(const deck *d, unsigned long row);
+
 /* How many of its loads are springs, behind its own, and friction, behind these. */
 unsigned long flk_deck_spring_loads(const deck *d);
 unsigned long flk_deck_friction_loads(const deck *d);
@@ -191,6 +217,11 @@ unsigned long flk_deck_all_loads(const deck *d);
 /* The loads that do not depend on speeds or forces: places for springs and friction are 0 (deck.c). */
 void flk_deck_set_loads(const deck *d, fourlink_branch branch, double theta2, fourlink_load *loads,
                         double *gas_force);
+
+/* The same with those that depend on speeds, and springs; places for friction are 0 (forces.c): FOURLINK_OK,
+** FOURLINK_NO_DIRECTION. */
+int flk_deck_set_moving_loads(const deck *d, const fourlink_state *state, fourlink_load *loads,
+                              double *gas_force);
 
 /* How many of its loads are the gas: one on the piston; two on the rod and on the cylinder. */
 unsigned long flk_deck_gas_loads(const deck *d);

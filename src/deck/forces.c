@@ -107,6 +107,13 @@ static int set_loads_of_motion(const deck *d, const fourlink_state *state, fourl
     return FOURLINK_OK;
 }
 
+int flk_deck_set_moving_loads(const deck *d, const fourlink_state *state, fourlink_load *loads,
+                              double *gas)
+{
+    flk_deck_set_loads(d, state->branch, state->link[FOURLINK_CRANK].theta, loads, gas);
+    return set_loads_of_motion(d, state, loads);
+}
+
 static int solve(const deck *d, int closed_form, const fourlink_state *state, fourlink_load *loads,
                  fourlink_forces *forces, fourlink_losses *losses)
 {
@@ -145,8 +152,7 @@ int fourlink_deck_analyse(const fourlink_deck *d, fourlink_branch branch,
     status = fourlink_analyse(&d->mechanism, branch, crank, NULL, 0, &motion, NULL);
     if (status != FOURLINK_OK)
         return status;
-    flk_deck_set_loads(d, branch, crank->theta2, loads, &force);
-    status = set_loads_of_motion(d, &motion, loads);
+    status = flk_deck_set_moving_loads(d, &motion, loads, &force);
     if (status == FOURLINK_OK)
         status = solve(d, closed_form, &motion, loads, &found, &lost);
     if (status != FOURLINK_OK)

@@ -94,6 +94,7 @@ static void build(parser *p)
     flk_build_friction(p);
     flk_build_points(p);
     flk_build_series(p);
+    flk_build_motor(p);
     flk_build_motion(p);
     flk_build_flywheel(p);
     flk_build_table(p);

@@ -219,8 +219,18 @@ void flk_build_points(parser *p);
 void flk_build_series(parser *p);
 void flk_build_motion(parser *p);
 void flk_build_flywheel(parser *p);
+void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
+
+/* 1 if a key of the section has a mistake, from which no other should follow. */
+int flk_build_is_mistaken(parser *p, section_code section);
+
+/* How the crank's speed comes about: DRIVE_GIVEN ... */
+int flk_build_mode(parser *p);
+
+/* The sense in which a speed or a motor turns the crank: -1 clockwise; otherwise 1. */
+int flk_build_sense(parser *p);
 
 /* 1 if the mechanism can have a stroke instead of the length of its crank. */
 int flk_build_has_stroke(const parser *p);

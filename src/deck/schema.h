@@ -25,6 +25,7 @@
     X(LEVER, "lever", 0, INVERTED, KEY_LEVER_OFFSET)                 \
     X(GAS, "gas", 0, FOURLINK_SLIDER_CRANK | INVERTED, KEY_GAS_BORE) \
     X(MOTION, "motion", 0, ANY_KIND, KEY_MOTION_SPEED)               \
+    X(MOTOR, "motor", 0, ANY_KIND, KEY_MOTOR_TORQUE)                 \
     X(GRAVITY, "gravity", 0, ANY_KIND, KEY_GRAVITY_ACCELERATION)     \
     X(LOAD, "load", 1, ANY_KIND, KEY_LOAD_LINK)                      \
     X(SPRING, "spring", 1, ANY_KIND, KEY_SPRING_LINK)                \
@@ -130,6 +131,20 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(MOTION, AT, "at", QUANTITY, ANGLE, ANY, ANY_KIND)                                            \
     X(MOTION, RUN_UP, "run_up", QUANTITY, ANGLE, POSITIVE, ANY_KIND)                               \
     X(MOTION, HOLD, "hold", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(MOTION, MODE, "mode", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(MOTION, MEAN_SPEED, "mean_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)                    \
+    X(MOTION, TURNS, "turns", QUANTITY, NUMBER, ANY, ANY_KIND)                                     \
+    X(MOTION, ROWS, "rows", WORD, NUMBER, ANY, ANY_KIND)                                           \
+    X(MOTION, TIME_STEP, "time_step", QUANTITY, TIME, POSITIVE, ANY_KIND)                          \
+    X(MOTION, DURATION, "duration", QUANTITY, TIME, POSITIVE, ANY_KIND)                            \
+    X(MOTOR, TORQUE, "torque", QUANTITY, TORQUE, ANY, ANY_KIND)                                    \
+    X(MOTOR, STALL_TORQUE, "stall_torque", QUANTITY, TORQUE, ANY, ANY_KIND)                        \
+    X(MOTOR, NO_LOAD_SPEED, "no_load_speed", QUANTITY, ANGULAR_SPEED, ANY, ANY_KIND)               \
+    X(MOTOR, CURVE, "curve", CURVE, TORQUE, ANY, ANY_KIND)                                         \
+    X(MOTOR, POWER, "power", QUANTITY, POWER, POSITIVE, ANY_KIND)                                  \
+    X(MOTOR, MAX_TORQUE, "max_torque", QUANTITY, TORQUE, ANY, ANY_KIND)                            \
+    X(MOTOR, INERTIA, "inertia", QUANTITY, INERTIA, NOT_NEGATIVE, ANY_KIND)                        \
+    X(MOTOR, RATIO, "ratio", QUANTITY, NUMBER, ANY, ANY_KIND)                                      \
     X(GRAVITY, ACCELERATION, "acceleration", QUANTITY, ACCELERATION, NOT_NEGATIVE, ANY_KIND)       \
     X(GRAVITY, DIRECTION, "direction", QUANTITY, ANGLE, ANY, ANY_KIND)                             \
     X(LOAD, LINK, "link", WORD, NUMBER, ANY, ANY_KIND)                                             \
@@ -177,6 +192,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(TABLE, DIGITS, "digits", COUNT, NUMBER, POSITIVE, ANY_KIND)                                  \
     X(FLYWHEEL, FLUCTUATION, "fluctuation", QUANTITY, NUMBER, POSITIVE, ANY_KIND)                  \
     X(FLYWHEEL, INERTIA, "inertia", QUANTITY, INERTIA, POSITIVE, ANY_KIND)                         \
+    X(FLYWHEEL, EXACT, "exact", WORD, NUMBER, ANY, ANY_KIND)                                       \
     X(SWEEP, SAMPLES, "samples", COUNT, NUMBER, POSITIVE, ANY_KIND)                                \
     X(SWEEP, SEED, "seed", COUNT, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(SWEEP, OUTPUT, "output", NAMES, NUMBER, ANY, ANY_KIND)                                       \

@@ -169,12 +169,14 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
-/* The quantity of what a load is over. */
+/* The quantity of what a load, or the torque of a motor, is over. */
 static quantity argument_of(const section_use *use)
 {
     text over =
         use->section == SECTION_LOAD ? flk_setting_of(use, KEY_LOAD_OVER)->value : flk_text_of("");
 
+    if (use->section == SECTION_MOTOR)
+        return QUANTITY_ANGULAR_SPEED;
     return flk_text_equal(over, "v") || flk_text_equal(over, "slide_v") ? QUANTITY_SPEED
            : flk_text_equal(over, "x") || flk_text_equal(over, "slide") ? QUANTITY_LENGTH
            : flk_text_equal(over, "omega2") || flk_text_equal(over, "omega4")
@@ -230,6 +232,9 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         break;
     case FORM_QUANTITY:
     case FORM_EITHER:
+        s->word = code == KEY_MOTOR_TORQUE && flk_text_equal(s->value, "constant");
+        if (s->word)
+            break;
         if ((key->form != FORM_EITHER || has_unit(p, code, s)) &&
             flk_values_piece(p, s, s->value, flk_quantity_of_key(p, use, code), &s->si[0]))
             check_sign(p, key, s);

@@ -25,17 +25,6 @@ static double flk_dot_size(fourlink_vector u, fourlink_vector v)
     return fabs(u.x * v.x) + fabs(u.y * v.y);
 }
 
-/* Derivative by theta2 of the point at arm r from the link's origin: its velocity for a unit crank
-** speed. */
-static fourlink_vector flk_unit_velocity(const fourlink_link_state *link, fourlink_vector r)
-{
-    fourlink_vector k;
-
-    k.x = link->k_origin.x - link->k * r.y;
-    k.y = link->k_origin.y + link->k * r.x;
-    return k;
-}
-
 static void flk_apply_load(const fourlink_load *load, const fourlink_link_state *link,
                            flk_body *body)
 {
@@ -45,7 +34,7 @@ static void flk_apply_load(const fourlink_load *load, const fourlink_link_state 
     FLK_TURN(r, link, load->at);
     if (load->frame == FOURLINK_FRAME_LINK)
         FLK_TURN(F, link, load->force);
-    k = flk_unit_velocity(link, r);
+    FLK_UNIT_VELOCITY(k, link, r);
     by_force = FLK_DOT(F, k);
     r.x -= body->arm.x;
     r.y -= body->arm.y;
@@ -66,7 +55,7 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
     fourlink_vector r, a, k;
 
     FLK_TURN(r, link, data->cg);
-    k = flk_unit_velocity(link, r);
+    FLK_UNIT_VELOCITY(k, link, r);
     a.x = link->acceleration.x - omega2 * r.x - link->alpha * r.y;
     a.y = link->acceleration.y - omega2 * r.y + link->alpha * r.x;
     by_weight = data->mass * FLK_DOT(*gravity, k);

@@ -125,6 +125,11 @@ typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechani
 flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
 int flk_dyad_is_singular(const fourlink_state *state);
 
+/* The motion of every link; without `angles`, which take a third of the time, theta of links 3 and 4, mu and phi are not
+** set (mechanism.c). */
+int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                       const fourlink_crank *crank, int angles, fourlink_state *state);
+
 /* The relative speed in a joint for a unit crank speed: of a pin in rad, of a slider along its slide over the length of
 ** the crank.  The sense in which the crank turns, or is about to: 1 or -1 (friction.c). */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,

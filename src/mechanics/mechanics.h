@@ -55,4 +55,8 @@ void flk_list_forces(const fourlink_forces *forces, double list[10]);
     ((v).x = (at).x * (link)->axis.x - (at).y * (link)->axis.y, \
      (v).y = (at).x * (link)->axis.y + (at).y * (link)->axis.x)
 
+/* k = the derivative by theta2 of the point at arm r from a link's origin: its velocity for a unit crank speed. */
+#define FLK_UNIT_VELOCITY(v, link, r) \
+    ((v).x = (link)->k_origin.x - (link)->k * (r).y, (v).y = (link)->k_origin.y + (link)->k * (r).x)
+
 #endif

@@ -270,6 +270,19 @@ static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechan
     return FOURLINK_OK;
 }
 
+int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
+                       const fourlink_crank *crank, int angles, fourlink_state *state)
+{
+    const flk_kind *kind;
+    int status = flk_kind_find(mechanism, state, &kind);
+
+    if (status == FOURLINK_OK)
+        status = analyse_motion(kind, mechanism, branch, crank, NULL, 0, state);
+    if (status == FOURLINK_OK && angles)
+        measure_angles(kind, mechanism, state);
+    return status;
+}
+
 /* The matrix may be singular, so the state is written only after the solution. */
 int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                      const fourlink_crank *crank, const fourlink_load *loads, unsigned long n_loads,

@@ -303,7 +303,7 @@ static int put_panel(picture *p, const group *g, int branch)
     panel_range(p, &q);
     for (i = 0; i < c.n; i++)
         if (q.line[i].n_points && has_extremes)
-            panel_extremes(p, &q, c.column[i], i);
+            panel_extremes(p, &q, c.column[i], i, i);
     for (i = 0; i < c.n; i++) {
         branch_name = fourlink_branch_text((int)p->branches[c.branch[i]]);
         if (q.line[i].n_points)

@@ -18,7 +18,7 @@ static void put_panel(picture *p, int y)
     panel_range(p, &q);
     for (i = 0; i < p->n_branches; i++)
         if (q.line[i].n_points)
-            panel_extremes(p, &q, y, i);
+            panel_extremes(p, &q, y, i, i);
     for (i = 0; i < p->n_branches; i++)
         if (q.line[i].n_points) {
             graph_plot(p, p->branches[i], name, i + 1);

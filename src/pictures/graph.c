@@ -90,8 +90,9 @@ static int is_periodic(const picture *p)
 {
     const fourlink_motion *motion = &p->problem.motion;
 
-    return p->problem.one_revolution && motion->run_up <= 0 && !p->range.stops &&
-           (motion->acceleration == 0 || motion->hold) &&
+    return p->problem.one_revolution &&
+           (p->problem.mode == FOURLINK_MODE_GIVEN || p->problem.mode == FOURLINK_MODE_STEADY) &&
+           motion->run_up <= 0 && !p->range.stops && (motion->acceleration == 0 || motion->hold) &&
            p->mechanism->change_stretched == p->mechanism->change_folded;
 }
 
@@ -119,9 +120,9 @@ static int behind_gap(const picture *p, fourlink_branch branch, int y, double tu
 }
 
 /* What is smaller is rounding: a motion of the crank alone is the measure. */
-static double rounding_of(const picture *p, int y)
+static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
-    double length = p->design->link[FOURLINK_CRANK].length, omega = p->problem.motion.speed;
+    double length = p->design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch);
     const char *of = p->columns[y].quantity;
     double size;
 
@@ -158,7 +159,7 @@ static void follow(const picture *p, fourlink_branch branch, int column, followe
 {
     f->column = column;
     f->turn = turn_of(p, column);
-    f->rounding = rounding_of(p, column);
+    f->rounding = rounding_of(p, branch, column);
     f->last = f->behind = GSL_NAN;
     f->from = behind_gap(p, branch, column, f->turn, &f->behind);
 }

@@ -15,15 +15,15 @@
 #define X_LETTERS 7   /* between the numbers of the x axis */
 
 /* 1 if the crank angle is on the x axis. */
-static int over_crank(const picture *p)
+static int over_crank(const picture *p, const panel *q)
 {
-    return (p->columns[0].flags & FOURLINK_CRANK_ANGLE) != 0;
+    return (p->columns[q->x_column].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
 /* The step of the numbers on the x axis of another column. */
-static double x_step(const picture *p, double span)
+static double x_step(const picture *p, const panel *q, double span)
 {
-    return strcmp(p->columns[0].quantity, "angle") == 0
+    return strcmp(p->columns[q->x_column].quantity, "angle") == 0
                ? graph_angle_step(p, span)
                : sketch_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
 }
@@ -126,15 +126,15 @@ void panel_range(const picture *p, panel *q)
     if (q->e.low > q->e.high)
         return;
     find_range(p, q, &low, &high);
-    if (!over_crank(p))
+    if (!over_crank(p, q))
         find_x_range(q, &from, &to);
     if (q->to_scale)
         find_scale(&p->on, &from, &to, &low, &high);
-    if (!over_crank(p))
+    if (!over_crank(p, q))
         canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, to,
-                     x_step(p, to - from));
+                     x_step(p, q, to - from));
     canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
-    if (graph_is_cut(&q->e) || (!over_crank(p) && graph_is_cut(&q->x)))
+    if (graph_is_cut(&q->e) || (!over_crank(p, q) && graph_is_cut(&q->x)))
         canvas_print(&p->on,
                      "set label '%s' at graph 0.5, graph 1 center front boxed offset 0,-0.8\n",
                      q->is_unbounded ? "beyond the frame where a value is unbounded"
@@ -142,7 +142,7 @@ void panel_range(const picture *p, panel *q)
     room_open(&q->r, &p->on, from, to, low, high);
     q->r.rings = RINGS;
     keep_clear(q);
-    if (over_crank(p))
+    if (over_crank(p, q))
         put_instant(p, q);
     else
         put_instants(p, q);
@@ -150,15 +150,21 @@ void panel_range(const picture *p, panel *q)
 
 void panel_begin(picture *p, panel *q, int n)
 {
+    panel_begin_over(p, q, 0, n);
+}
+
+void panel_begin_over(picture *p, panel *q, int x, int n)
+{
     double from = p->problem.motion.from;
 
+    q->x_column = x;
     q->e = q->x = graph_nothing;
     q->n = q->to_scale = q->is_unbounded = 0;
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    if (over_crank(p))
+    if (over_crank(p, q))
         canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
                      graph_angle_step(p, fabs(p->end - from)));
 }
@@ -192,7 +198,7 @@ static void put_extreme(const picture *p, panel *q, double value, double angle, 
                      middle.y, line);
 }
 
-void panel_extremes(const picture *p, panel *q, int y, int i)
+void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
 {
     const fourlink_value *column = &p->columns[y];
     int is_cut = graph_is_cut(&q->e), k, is_angle = strcmp(column->quantity, "angle") == 0;
@@ -204,7 +210,8 @@ void panel_extremes(const picture *p, panel *q, int y, int i)
     for (k = 0; k < 2; k++) {
         flk_text_join(extreme, sizeof extreme, k ? "min(" : "max(", column->name, ")",
                       (char *)NULL);
-        if (fourlink_results_value(p->results, extreme, p->branches[i], 0, &found) != FOURLINK_OK ||
+        if (fourlink_results_value(p->results, extreme, p->branches[branch], 0, &found) !=
+                FOURLINK_OK ||
             !gsl_finite(found.value) ||
             (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
             continue;

@@ -14,6 +14,7 @@
 
 /* The curves of a panel, and the places of its texts. */
 typedef struct panel {
+    int x_column;      /* of the picture's columns */
     graph_extent e, x; /* of the curves; of another column than the crank angle on the x axis */
     graph_line line[PANEL_CURVES];
     int n;
@@ -22,14 +23,15 @@ typedef struct panel {
     room r;
 } panel;
 
-/* Go on to the next panel, with a key of n curves. */
+/* Go on to the next panel, with a key of n curves; the same over another column than the first. */
 void panel_begin(picture *p, panel *q, int n);
+void panel_begin_over(picture *p, panel *q, int x, int n);
 
 /* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
 void panel_range(const picture *p, panel *q);
 
-/* Put the extremes of column y on branch i, curve i, that are in the panel, over the crank angle; what is
+/* Put the extremes of column y on this of the picture's branches, curve i, that are in the panel, over the crank angle; what is
 ** rounding compared with the curves is 0. */
-void panel_extremes(const picture *p, panel *q, int y, int i);
+void panel_extremes(const picture *p, panel *q, int y, int branch, int i);
 
 #endif

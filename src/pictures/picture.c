@@ -106,6 +106,17 @@ char *picture_words(const picture *p, const char *name, double si, quantity q,
                          (char *)NULL);
 }
 
+double picture_speed_of(const picture *p, fourlink_branch branch)
+{
+    fourlink_value mean;
+
+    if (p->problem.mode == FOURLINK_MODE_GIVEN)
+        return p->problem.motion.speed;
+    return fourlink_results_value(p->results, "mean_speed", branch, 0, &mean) == FOURLINK_OK
+               ? mean.value * mean.to_si
+               : 0;
+}
+
 double picture_end(const fourlink_motion *motion)
 {
     fourlink_range range;
@@ -510,6 +521,8 @@ static const char *missing(const picture *p)
 
     if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
+    if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)
+        return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
     if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&

@@ -34,6 +34,8 @@
       "Klein's construction")                                                                      \
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
       picture_animation, NULL, "mechanism in motion")                                              \
+    X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,   \
+      "theta2,omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")    \
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
       NULL, "histograms of the outputs of the sweep")                                              \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
@@ -45,8 +47,9 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32, /* a panel for each output of the sweep */
-    PLOT_FILLED = 64 /* as high as its drawing */
+    PLOT_SWEEP = 32,  /* a panel for each output of the sweep */
+    PLOT_FILLED = 64, /* as high as its drawing */
+    PLOT_ACTUAL = 128 /* a motion that is not given */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
@@ -190,6 +193,9 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 #define PICTURE_WORDS 120
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
+
+/* rad/s, of the crank at the first row; of the actual motion its mean over the last cycle, or 0 if it has none. */
+double picture_speed_of(const picture *p, fourlink_branch branch);
 
 /* The last crank angle of a motion, in its unit. */
 double picture_end(const fourlink_motion *motion);

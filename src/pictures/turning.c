@@ -45,7 +45,7 @@ static double moment_at(const diagram *d, double angle)
     double gas_force;
 
     crank.theta2 = theta2_at(d, angle);
-    crank.omega2 = p->problem.motion.speed;
+    crank.omega2 = picture_speed_of(p, d->branch);
     crank.alpha2 = 0;
     if (fourlink_deck_analyse(p->deck, d->branch, &crank, 0, p->loads, &state, &forces, &losses,
                               &gas_force) != FOURLINK_OK)
@@ -276,7 +276,7 @@ const char *picture_turning(picture *p, fourlink_branch branch)
         return "the turning moment needs a crank that turns fully, at constant speed";
     d.p = p;
     d.branch = branch;
-    d.sense = p->problem.motion.speed < 0 ? -1 : 1;
+    d.sense = picture_speed_of(p, branch) < 0 ? -1 : 1;
     d.cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
     d.mean = picture_value(p, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
     fputs("unset label; unset arrow\n", p->on.out);

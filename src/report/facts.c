@@ -121,6 +121,7 @@ void report_put_facts(report *r)
     put_inputs(r);
     put_facts(r, "Type and key facts", FOURLINK_FACTS_LIMITS);
     put_facts(r, "Turning moment", FOURLINK_FACTS_TURNING);
+    put_facts(r, "Actual motion", FOURLINK_FACTS_MOTION);
     for (i = 0; i < r->n_branches && r->problem.n_rows > 1; i++)
         put_extremes(r, r->branches[i]);
     page_print(&r->page, "</section>\n");

@@ -15,7 +15,8 @@
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
-                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0);
+                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0) |
+                (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0);
     fourlink_rod rod;
     int status = fourlink_rod_masses(&d->mechanism, &rod);
 
@@ -26,20 +27,38 @@ static int possible(const deck *d)
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
+/* The motion, unless it is given; 0 if out of memory. */
+static int find_actual(flk_analysis *a)
+{
+    flk_course course;
+
+    if (a->d->drive.mode == DRIVE_GIVEN)
+        return 1;
+    course.d = a->d;
+    course.jumps = &a->jumps;
+    course.last = flk_analysis_end(a);
+    course.period = flk_analysis_period(a->d);
+    course.loads = a->loads;
+    course.n_loads = a->n_loads;
+    a->actual = flk_actual_find(&course);
+    return a->actual != NULL;
+}
+
 int flk_analysis_open(flk_analysis *a, const deck *d)
 {
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
-    fourlink_motion_range(&d->motion, &a->range); /* the deck's reader has checked it */
+    flk_deck_range(d, &a->range); /* the deck's reader has checked it */
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL && flk_jumps_find(d, &a->jumps);
+    return a->loads != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
+    flk_actual_free(a->actual);
     free(a->loads);
     free(a->jumps.theta2);
     free(a->turning_memory);
@@ -110,16 +129,49 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                                               &at->forces, &row->derived);
 }
 
+/* A row of the actual motion, or the reason why there is none. */
+static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int status,
+                        flk_row *row)
+{
+    row->at.row.crank = row->actual.crank;
+    row->at.row.angle = row->actual.angle;
+    row->at.row.time = row->actual.time;
+    if (status != FOURLINK_OK)
+        row->at.row.time = row->at.row.crank.omega2 = row->at.row.crank.alpha2 = FLK_UNDEFINED;
+    if (status == FOURLINK_OK)
+        flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
+    row->at.branch = branch;
+    row->at.status = status != FOURLINK_OK ? status : row->at.status;
+}
+
+void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
+                          flk_row *row)
+{
+    take_actual(a, needs, branch, flk_actual_at_time(a->actual, branch, time, &row->actual), row);
+}
+
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
                       flk_row *row)
 {
+    if (a->d->drive.by_time) {
+        flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
+        return;
+    }
     fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
+    if (a->actual) {
+        flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
+        return;
+    }
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }
 
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row)
 {
+    if (a->actual) {
+        take_actual(a, needs, branch, flk_actual_at(a->actual, branch, angle, &row->actual), row);
+        return;
+    }
     fourlink_motion_at(&a->d->motion, angle, &row->at.row);
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
 }
@@ -128,6 +180,8 @@ double flk_analysis_end(const flk_analysis *a)
 {
     fourlink_row last;
 
+    if (a->d->drive.by_time)
+        return a->d->motion.to;
     fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
     return a->range.stops ? a->range.stop_angle : last.angle;
 }
@@ -143,6 +197,8 @@ int flk_analysis_repeats(const flk_analysis *a)
 {
     const fourlink_motion *motion = &a->d->motion;
 
+    if (a->actual)
+        return a->d->drive.mode == DRIVE_STEADY;
     return motion->run_up <= 0 && !a->range.stops && (motion->acceleration == 0 || motion->hold);
 }
 
@@ -163,6 +219,8 @@ int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
            last = motion->from < end ? end : motion->from;
 
     *at = angle;
+    if (a->d->drive.by_time)
+        return 1; /* which angles it reaches depends on the branch */
     if (angle < first - tiny || angle > last + tiny)
         *at = angle + turn * ceil((first - tiny - angle) / turn);
     return first - tiny <= *at && *at <= last + tiny;

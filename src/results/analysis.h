@@ -5,6 +5,7 @@
 #ifndef FOURLINK_ANALYSIS_H
 #define FOURLINK_ANALYSIS_H
 
+#include "actual.h"
 #include "deck/deck.h"
 #include "derived.h"
 #include "jumps.h"
@@ -18,8 +19,9 @@ enum {
     NEED_DERIVED = 16,
     NEED_SUPERPOSITION = 32,
     NEED_GAS = 64,
-    NEED_LOSSES = 128, /* columns of friction */
-    NEED_BALANCE = 256 /* of an engine with [balance] */
+    NEED_LOSSES = 128,  /* columns of friction */
+    NEED_BALANCE = 256, /* of an engine with [balance] */
+    NEED_ACTUAL = 512   /* columns of the actual motion */
 };
 
 /* One row. */
@@ -28,7 +30,8 @@ typedef struct flk_row {
     fourlink_engine engine; /* computed only if needed */
     fourlink_series series;
     fourlink_klein klein;
-    flk_derived derived; /* from the motion, and from the forces if needed */
+    flk_derived derived;   /* from the motion, and from the forces if needed */
+    flk_actual_row actual; /* of a deck whose motion is not given */
 } flk_row;
 
 /* The turning moment of a branch, computed once. */
@@ -47,6 +50,7 @@ typedef struct flk_analysis {
     int needs_motion;      /* 1: loads depend on the motion or on the forces */
     fourlink_load *loads;  /* memory for the loads of the present row */
     flk_jumps jumps;
+    flk_actual *actual;     /* null: the motion is given */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
@@ -65,6 +69,10 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
                       flk_row *row);
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row);
+
+/* The row at a time, of a deck with rows by time. */
+void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
+                          flk_row *row);
 
 /* The last crank angle of the motion, in the deck's unit. */
 double flk_analysis_end(const flk_analysis *a);

@@ -20,6 +20,7 @@
 #define PINNED (FOUR_BAR | INVERTED) /* link 4 turns about D */
 #define ALL FLK_EVERY_KIND
 #define USUAL 0x100
+#define USUAL_ACTUAL 0x200 /* the same, if the motion is not given */
 
 #define STATE(member) offsetof(flk_row, at.state.member)
 #define SERIES(member) offsetof(flk_row, series.member)
@@ -43,6 +44,7 @@
 #define OF_ENGINE(member) NEED_ENGINE, VALUE, offsetof(flk_row, engine.member), 0
 #define OF_LOSSES(member) NEED_FORCES | NEED_LOSSES, VALUE, offsetof(flk_row, at.losses.member), 0
 #define OF_BALANCE(member) NEED_DERIVED | NEED_BALANCE, VALUE, DERIVED(member), 0
+#define OF_ACTUAL(member) NEED_ACTUAL, VALUE, offsetof(flk_row, actual.member), 0
 #define OF_KLEIN(member) NEED_KLEIN, VALUE, offsetof(flk_row, klein.member), 0
 
 /* F12x, F12y; the numbers of the unknowns are ME3491's */
@@ -98,10 +100,10 @@
 #define COLUMN_LIST(X)                                                                             \
     X(theta2, ANGLE, ALL | USUAL, OF_ROW(angle), "angle of the crank",                             \
       "thet (Alvi), thetaa (ME3491)")                                                              \
-    X(time, TIME, ALL, OF_ROW(time), "time since the first row", "")                               \
-    X(omega2, ANGULAR_SPEED, ALL, OF_ROW(crank.omega2), "angular speed of the crank",              \
-      "vela (Alvi), omegaa (ME3491)")                                                              \
-    X(alpha2, ANGULAR_ACCELERATION, ALL, OF_ROW(crank.alpha2),                                     \
+    X(time, TIME, ALL | USUAL_ACTUAL, OF_ROW(time), "time since the first row", "")                \
+    X(omega2, ANGULAR_SPEED, ALL | USUAL_ACTUAL, OF_ROW(crank.omega2),                             \
+      "angular speed of the crank", "vela (Alvi), omegaa (ME3491)")                                \
+    X(alpha2, ANGULAR_ACCELERATION, ALL | USUAL_ACTUAL, OF_ROW(crank.alpha2),                      \
       "angular acceleration of the crank", "acca (Alvi), alphaa (ME3491)")                         \
     X(theta3, ANGLE, ALL | USUAL, OF_STATE(link[3].theta), "angle of the coupler, rod or slide",   \
       "beta (Alvi), thetab (ME3491)")                                                              \
@@ -197,6 +199,12 @@
       "primary shaking force m_rec r omega2^2 cos(theta2), along +x", "")                          \
     X(Fs_secondary, FORCE, SLIDER_CRANK, OF_BALANCE(secondary),                                    \
       "secondary shaking force m_rec r omega2^2 cos(2 theta2) / n, along +x", "")                  \
+    X(T_motor, TORQUE, ALL | USUAL, OF_ACTUAL(T_motor), "torque of the motor, at the crank", "")   \
+    X(J, INERTIA, ALL, OF_ACTUAL(J),                                                               \
+      "generalised inertia of the links: kinetic energy J omega2^2 / 2", "")                       \
+    X(energy, ENERGY, ALL, OF_ACTUAL(energy), "kinetic energy of links, flywheel and rotor", "")   \
+    X(energy_residual, NUMBER, ALL, OF_ACTUAL(energy_residual),                                    \
+      "energy less the work done, relative to the largest energy", "")                             \
     X(residual, NUMBER, ALL | USUAL, OF_FORCES(residual),                                          \
       "power balance, relative to its largest term", "")                                           \
     TERMS(X, x, LENGTH, x, "displacement of the piston, two terms", "x (DFA eq. 2)")               \
@@ -251,14 +259,18 @@ static const flk_column_info table[] = {COLUMN_LIST(COLUMN_INFO)};
 #define TABLE_COUNT (sizeof table / sizeof table[0])
 
 /* There is no time for a crank at rest, or for one held at a speed and an acceleration. */
-static int has_time(const fourlink_motion *motion)
+static int has_time(const deck *d)
 {
+    const fourlink_motion *motion = &d->motion;
+
+    if (d->drive.mode != DRIVE_GIVEN)
+        return 1;
     return motion->acceleration != 0 ? !motion->hold : motion->speed != 0;
 }
 
 static int has(const flk_analysis *a, const flk_column_info *info)
 {
-    if (info->x == ROW(time) && !has_time(&a->d->motion))
+    if (info->x == ROW(time) && !has_time(a->d))
         return 0;
     return (info->kinds & (int)a->d->design.kind) != 0 && (info->need & ~a->possible) == 0;
 }
@@ -423,9 +435,11 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
 
 /* 1: printed if the deck names no columns; of a [point], whose columns have names of their own, only the
 ** place. */
-static int is_usual(const flk_column *c)
+static int is_usual(const flk_analysis *a, const flk_column *c)
 {
-    return c->name != c->info->name ? c->component < 2 : (c->info->kinds & USUAL) != 0;
+    int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
+
+    return c->name != c->info->name ? c->component < 2 : (c->info->kinds & usual) != 0;
 }
 
 static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, size_t n)
@@ -434,7 +448,7 @@ static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, s
     size_t i;
 
     for (i = 0; i < flk_column_limit(a->d); i++)
-        if (flk_column_number(a, i, &c) && (!usual_only || is_usual(&c)))
+        if (flk_column_number(a, i, &c) && (!usual_only || is_usual(a, &c)))
             n = add(list, n, &c);
     return n;
 }
@@ -447,6 +461,8 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
     if (info->need & NEED_LOSSES)
         return "needs a [friction] section; the deck has none";
+    if (info->need & NEED_ACTUAL)
+        return "needs [motion] mode = free, run-up or steady; the motion is given";
     if (info->need & NEED_BALANCE)
         return "needs a [balance] section; the deck has none";
     if (!d->has_forces)

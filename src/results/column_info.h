@@ -23,8 +23,8 @@ typedef enum column_form {
 struct flk_column_info {
     const char *name;
     quantity q;
-    int kinds; /* mechanisms that have it, and USUAL: printed when the deck names no columns */
-    int need;  /* what it is computed with: the deck has the column if it can give that */
+    int kinds; /* mechanisms that have it, and USUAL, USUAL_ACTUAL: printed when the deck names no columns */
+    int need; /* what it is computed with: the deck has the column if it can give that */
     column_form form;
     size_t x, y; /* places of the numbers in a row */
     const char *meaning, *source_name;

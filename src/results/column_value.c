@@ -113,7 +113,10 @@ int flk_column_flags(const flk_column *c)
         return 0;
     return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
            (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |
-           (x == FORCE(residual) || x == DERIVED(superposition) ? FOURLINK_OF_ROUNDING : 0) |
+           (x == FORCE(residual) || x == DERIVED(superposition) ||
+                    x == offsetof(flk_row, actual.energy_residual)
+                ? FOURLINK_OF_ROUNDING
+                : 0) |
            (c->info->need & (NEED_FORCES | NEED_ENGINE) ? FOURLINK_OF_FORCES : 0);
 }
 

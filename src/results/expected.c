@@ -68,9 +68,10 @@ static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value 
         return 1;
     }
     if (group || is_hinted)
-        n = flk_fact_list(a, NULL, (int)e->branch,
-                          group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, NULL, 0,
-                          facts, NULL);
+        n = flk_fact_list(
+            a, NULL, (int)e->branch,
+            group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
+            NULL, 0, facts, NULL);
     for (i = 0; i < n; i++)
         if (flk_text_same(e->name, facts[i].name))
             facts[f->n_facts++] = facts[i];

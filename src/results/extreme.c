@@ -111,7 +111,7 @@ static void settle(const flk_search *x, flk_tracked *t, int which)
 
     if (!f->is_there || f->corner == f->angle || !gsl_finite(f->value))
         return;
-    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, f->corner, &row);
+    flk_search_row_at(x, flk_column_need(t->c), f->corner, &row);
     value = flk_column_value(t->c, &row);
     if (t->turn > 0)
         value = flk_search_nearest(t, value, f->value);
@@ -130,13 +130,13 @@ static void settle(const flk_search *x, flk_tracked *t, int which)
 static void settle_constant(const flk_search *x, flk_tracked *t)
 {
     flk_found *max = &t->best[0], *min = &t->best[1];
-    double first = x->a->d->motion.from, value;
+    double first = x->from, value;
     flk_row row;
 
     if (!max->is_there || !min->is_there || !gsl_finite(max->value) ||
         !(max->value - min->value <= NOISE * fabs(max->value)))
         return;
-    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, first, &row);
+    flk_search_row_at(x, flk_column_need(t->c), first, &row);
     value = flk_column_value(t->c, &row);
     if (t->turn > 0)
         value = flk_search_nearest(t, value, max->value);
@@ -154,11 +154,11 @@ static void settle_zero(const flk_search *x, flk_tracked *t, int which)
         t->best[which].value = 0;
 }
 
-static void give(const flk_found *f, flk_extreme *extreme)
+static void give(const flk_search *x, const flk_found *f, flk_extreme *extreme)
 {
     extreme->is_there = f->is_there;
     extreme->value = f->value;
-    extreme->angle = f->angle;
+    extreme->angle = flk_search_crank(x, f->angle);
 }
 
 /* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
@@ -182,8 +182,8 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
             settle_zero(x, t, which);
         }
         settle_constant(x, t);
-        give(&t->best[0], &pairs[c].max);
-        give(&t->best[1], &pairs[c].min);
+        give(x, &t->best[0], &pairs[c].max);
+        give(x, &t->best[1], &pairs[c].min);
     }
     x->a->is_fast = 0;
 }

@@ -64,7 +64,7 @@ static void find_pole_at_corner(flk_search *x, flk_tracked *t, const double *val
 
     if (flk_search_is_root(inwards > 0 ? x->piece.begin : x->piece.end))
         step = inwards * sqrt(BESIDE_POLE);
-    flk_analysis_at_angle(x->a, flk_column_need(t->c), x->branch, corner, &row);
+    flk_search_row_at(x, flk_column_need(t->c), corner, &row);
     if (row.at.status != FOURLINK_OK)
         return;
     value = flk_column_value(t->c, &row);

@@ -29,11 +29,15 @@ static void skip_periods(flk_search *x)
 
 void flk_search_begin(flk_search *x)
 {
-    x->length = flk_pieces_length(x->a);
+    x->length = flk_pieces_length(x->a, x->branch);
     skip_periods(x);
     x->from = x->a->d->motion.from;
-    x->end = flk_analysis_end(x->a);
+    x->end = flk_pieces_end(x->a, x->branch);
     x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
+    if (x->a->d->drive.by_time) {
+        x->from = 0;
+        x->per_rad = x->length > 0 ? x->end / x->length : 0;
+    }
     memset(&x->piece, 0, sizeof x->piece);
 }
 
@@ -88,9 +92,27 @@ double flk_search_corner(const flk_search *x, double s)
                                         : flk_search_passed(x, s));
 }
 
+void flk_search_row_at(const flk_search *x, int needs, double angle, flk_row *row)
+{
+    if (x->a->d->drive.by_time)
+        flk_analysis_at_time(x->a, needs, x->branch, angle, row);
+    else
+        flk_analysis_at_angle(x->a, needs, x->branch, angle, row);
+}
+
+double flk_search_crank(const flk_search *x, double angle)
+{
+    flk_row row;
+
+    if (!x->a->d->drive.by_time)
+        return angle;
+    flk_analysis_at_time(x->a, 0, x->branch, angle, &row);
+    return row.at.row.angle;
+}
+
 void flk_search_compute(const flk_search *x, int needs, double passed, flk_row *row)
 {
-    flk_analysis_at_angle(x->a, needs, x->branch, flk_search_angle(x, passed), row);
+    flk_search_row_at(x, needs, flk_search_angle(x, passed), row);
 }
 
 int flk_search_is_reached(const flk_search *x)

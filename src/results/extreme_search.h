@@ -58,11 +58,12 @@ typedef struct flk_search {
     size_t n_columns;
     flk_tracked *columns;
     int has_noise; /* 1: a column measures rounding, so samples come from the deck's own solver */
-    double from, end; /* first and last angle of the motion, in the deck's unit */
-    double length;    /* of the motion, rad, but for the whole periods that are skipped, */
-    double skipped;   /* rad, */
-    double period;    /* after the first of them */
-    double per_rad;   /* the deck's unit of angle for 1 rad passed, with sign */
+    double from,
+        end; /* first and last angle of the motion, in the deck's unit; of rows by time the times, s */
+    double length;  /* of the motion, rad, but for the whole periods that are skipped, */
+    double skipped; /* rad, */
+    double period;  /* after the first of them */
+    double per_rad; /* the deck's unit of angle for 1 rad passed, with sign */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
     double step;      /* of its first samples */
@@ -92,6 +93,10 @@ double flk_search_rate(const flk_search *x, double s);
 double flk_search_passed(const flk_search *x, double s);
 double flk_search_angle(const flk_search *x, double passed);
 double flk_search_corner(const flk_search *x, double s);
+
+/* The row at an angle of the search: of rows by time that is a time, s.  The crank angle there, in the deck's unit. */
+void flk_search_row_at(const flk_search *x, int needs, double angle, flk_row *row);
+double flk_search_crank(const flk_search *x, double angle);
 
 void flk_search_compute(const flk_search *x, int needs, double passed, flk_row *row);
 

@@ -12,57 +12,73 @@
 #include "mechanics/kind.h"
 #include "turning.h"
 
-/* name, quantity, 1 for the turning moment, meaning */
+/* name, quantity, group, meaning */
 #define FACT_LIST(X)                                                                               \
-    X(TYPE, "type", NUMBER, 0, "type of the linkage, by Grashof")                                  \
-    X(FREUDENSTEIN, "K", AREA, 0, "(a^2 - b^2 + c^2 + d^2) / 2, Freudenstein")                     \
-    X(THETA2_FROM, "theta2_from", ANGLE, 0, "first crank angle that can be reached")               \
-    X(THETA2_TO, "theta2_to", ANGLE, 0, "last crank angle that can be reached")                    \
-    X(THETA4_FROM, "theta4_from", ANGLE, 0, "first angle that link 4 can have")                    \
-    X(THETA4_TO, "theta4_to", ANGLE, 0, "last angle that link 4 can have")                         \
-    X(THETA4_SWING, "theta4_swing", ANGLE, 0, "range of theta4: theta4_to - theta4_from")          \
-    X(ROD_RATIO, "n", NUMBER, 0, "length of the rod / length of the crank")                        \
-    X(ROD_GYRATION, "k", LENGTH, 0, "radius of gyration of the rod")                               \
-    X(PAIR_GYRATION, "k1", LENGTH, 0, "gyration of m_a and m_b: k1^2 = b (l - b)")                 \
-    X(M_A, "m_a", MASS, 0, "part of the rod's mass at the crank pin")                              \
-    X(M_B, "m_b", MASS, 0, "part of the rod's mass at the gudgeon pin")                            \
-    X(ROD_PENDULUM, "L", LENGTH, 0, "b + k^2/b, the equivalent pendulum")                          \
-    X(ROD_DISTANCE, "d", LENGTH, 0, "k^2/b, from the centre of mass to m_d")                       \
-    X(M_D, "m_d", MASS, 0, "mass of the equivalent pair at distance d")                            \
-    X(M_G, "m_g", MASS, 0, "mass of that pair at the gudgeon pin")                                 \
-    X(MU_MIN, "mu_min", ANGLE, 0, "smallest transmission angle")                                   \
-    X(MU_MAX, "mu_max", ANGLE, 0, "largest transmission angle")                                    \
-    X(THETA4_MIN, "theta4_min", ANGLE, 0, "smallest angle of the rocker or lever")                 \
-    X(THETA4_MAX, "theta4_max", ANGLE, 0, "largest angle of the rocker or lever")                  \
-    X(SWING, "swing", ANGLE, 0, "angle between these limits")                                      \
-    X(TIME_RATIO, "time_ratio", NUMBER, 0, "slow swing or stroke / quick one, in time")            \
-    X(STROKE, "stroke", LENGTH, 0, "distance between the dead centres")                            \
-    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, 0, "piston farthest from the crankshaft")     \
-    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, 0, "piston nearest to the crankshaft")        \
-    X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, 0, "mass moment of its counterweight")          \
-    X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, 0, "its direction, from the crank")       \
-    X(BALANCE_MASS, "balance_mass", MASS, 0, "mass of the crank's counterweight")                  \
-    X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, 0, "mass moment of that of link 4")           \
-    X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, 0, "its direction, from link 4")        \
-    X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, 0, "mass of that of link 4")               \
-    X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, 1, "efficiency over a cycle")                  \
-    X(MEAN_TORQUE, "mean_torque", TORQUE, 1, "mean of the turning moment -Ts")                     \
-    X(MEAN_POWER, "mean_power", POWER, 1, "mean torque times the speed of the crank")              \
-    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, 1,                                         \
+    X(TYPE, "type", NUMBER, LIMITS, "type of the linkage, by Grashof")                             \
+    X(FREUDENSTEIN, "K", AREA, LIMITS, "(a^2 - b^2 + c^2 + d^2) / 2, Freudenstein")                \
+    X(THETA2_FROM, "theta2_from", ANGLE, LIMITS, "first crank angle that can be reached")          \
+    X(THETA2_TO, "theta2_to", ANGLE, LIMITS, "last crank angle that can be reached")               \
+    X(THETA4_FROM, "theta4_from", ANGLE, LIMITS, "first angle that link 4 can have")               \
+    X(THETA4_TO, "theta4_to", ANGLE, LIMITS, "last angle that link 4 can have")                    \
+    X(THETA4_SWING, "theta4_swing", ANGLE, LIMITS, "range of theta4: theta4_to - theta4_from")     \
+    X(ROD_RATIO, "n", NUMBER, LIMITS, "length of the rod / length of the crank")                   \
+    X(ROD_GYRATION, "k", LENGTH, LIMITS, "radius of gyration of the rod")                          \
+    X(PAIR_GYRATION, "k1", LENGTH, LIMITS, "gyration of m_a and m_b: k1^2 = b (l - b)")            \
+    X(M_A, "m_a", MASS, LIMITS, "part of the rod's mass at the crank pin")                         \
+    X(M_B, "m_b", MASS, LIMITS, "part of the rod's mass at the gudgeon pin")                       \
+    X(ROD_PENDULUM, "L", LENGTH, LIMITS, "b + k^2/b, the equivalent pendulum")                     \
+    X(ROD_DISTANCE, "d", LENGTH, LIMITS, "k^2/b, from the centre of mass to m_d")                  \
+    X(M_D, "m_d", MASS, LIMITS, "mass of the equivalent pair at distance d")                       \
+    X(M_G, "m_g", MASS, LIMITS, "mass of that pair at the gudgeon pin")                            \
+    X(MU_MIN, "mu_min", ANGLE, LIMITS, "smallest transmission angle")                              \
+    X(MU_MAX, "mu_max", ANGLE, LIMITS, "largest transmission angle")                               \
+    X(THETA4_MIN, "theta4_min", ANGLE, LIMITS, "smallest angle of the rocker or lever")            \
+    X(THETA4_MAX, "theta4_max", ANGLE, LIMITS, "largest angle of the rocker or lever")             \
+    X(SWING, "swing", ANGLE, LIMITS, "angle between these limits")                                 \
+    X(TIME_RATIO, "time_ratio", NUMBER, LIMITS, "slow swing or stroke / quick one, in time")       \
+    X(STROKE, "stroke", LENGTH, LIMITS, "distance between the dead centres")                       \
+    X(INNER_DEAD_CENTRE, "inner_dead_centre", ANGLE, LIMITS,                                       \
+      "piston farthest from the crankshaft")                                                       \
+    X(OUTER_DEAD_CENTRE, "outer_dead_centre", ANGLE, LIMITS, "piston nearest to the crankshaft")   \
+    X(BALANCE_CRANK, "balance_crank", MASS_MOMENT, LIMITS, "mass moment of its counterweight")     \
+    X(BALANCE_CRANK_ANGLE, "balance_crank_angle", ANGLE, LIMITS, "its direction, from the crank")  \
+    X(BALANCE_MASS, "balance_mass", MASS, LIMITS, "mass of the crank's counterweight")             \
+    X(BALANCE_ROCKER, "balance_rocker", MASS_MOMENT, LIMITS, "mass moment of that of link 4")      \
+    X(BALANCE_ROCKER_ANGLE, "balance_rocker_angle", ANGLE, LIMITS, "its direction, from link 4")   \
+    X(BALANCE_ROCKER_MASS, "balance_rocker_mass", MASS, LIMITS, "mass of that of link 4")          \
+    X(EFFICIENCY_CYCLE, "efficiency_cycle", NUMBER, TURNING, "efficiency over a cycle")            \
+    X(MEAN_TORQUE, "mean_torque", TORQUE, TURNING, "mean of the turning moment -Ts")               \
+    X(MEAN_POWER, "mean_power", POWER, TURNING, "mean torque times the speed of the crank")        \
+    X(ENERGY_FLUCTUATION, "energy_fluctuation", ENERGY, TURNING,                                   \
       "largest minus smallest energy in a cycle")                                                  \
-    X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, 1, "coefficient of fluctuation of energy") \
-    X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, 1, "moment of inertia of the flywheel")       \
-    X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, 1,                                     \
-      "coefficient of fluctuation of speed")
+    X(ENERGY_COEFFICIENT, "energy_coefficient", NUMBER, TURNING,                                   \
+      "coefficient of fluctuation of energy")                                                      \
+    X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
+    X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, TURNING,                               \
+      "coefficient of fluctuation of speed")                                                       \
+    X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the last cycle")        \
+    X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
+      "(largest + smallest speed) / 2 of that cycle")                                              \
+    X(PERIOD, "period", TIME, MOTION, "duration of that cycle")                                    \
+    X(FLUCTUATION_EXACT, "fluctuation_exact", NUMBER, MOTION,                                      \
+      "(largest - smallest speed) / mean_speed")                                                   \
+    X(STEADY_RATE, "steady_rate", NUMBER, MOTION,                                                  \
+      "by which a difference from the steady motion shrinks in a cycle")                           \
+    X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "crank angle at which the machine comes to rest") \
+    X(RUN_UP_TIME, "run_up_time", TIME, MOTION,                                                    \
+      "until the speed reaches the mean of the steady motion")                                     \
+    X(MOTOR_TORQUE, "motor_torque", TORQUE, MOTION,                                                \
+      "of a motor that balances the loads, at the crank")
 
-#define FACT_CODE(code, name, q, turning, meaning) FACT_##code,
+#define FACT_CODE(code, name, q, group, meaning) FACT_##code,
 typedef enum fact_code { FACT_LIST(FACT_CODE) FACT_COUNT } fact_code;
 
-#define FACT_INFO(code, name, q, turning, meaning) {name, QUANTITY_##q, turning, meaning},
+#define FACT_INFO(code, name, q, group, meaning) \
+    {name, QUANTITY_##q, FOURLINK_FACTS_##group, meaning},
 static const struct {
     const char *name;
     quantity q;
-    int turning;
+    int group; /* FOURLINK_FACTS_LIMITS ... */
     const char *meaning;
 } fact_table[] = {FACT_LIST(FACT_INFO)};
 
@@ -79,9 +95,7 @@ int flk_fact_group(text name)
 {
     int i = find(name);
 
-    return i == FACT_COUNT         ? 0
-           : fact_table[i].turning ? FOURLINK_FACTS_TURNING
-                                   : FOURLINK_FACTS_LIMITS;
+    return i == FACT_COUNT ? 0 : fact_table[i].group;
 }
 
 const char *flk_fact_nearest(text name)
@@ -340,6 +354,30 @@ static void tell_turning(teller *t, flk_analysis *a)
     }
 }
 
+/* What is defined for this motion. */
+static void tell_if(teller *t, fact_code code, double si)
+{
+    if (gsl_finite(si))
+        tell(t, code, si);
+}
+
+static void tell_actual(teller *t, flk_analysis *a)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, (fourlink_branch)t->branch);
+
+    if (!f)
+        return;
+    tell_if(t, FACT_MEAN_SPEED, f->mean_speed);
+    tell_if(t, FACT_MEAN_SPEED_TEXTBOOK, f->mean_speed_textbook);
+    tell_if(t, FACT_PERIOD, f->period);
+    tell_if(t, FACT_FLUCTUATION_EXACT, f->fluctuation_exact);
+    tell_if(t, FACT_STEADY_RATE, f->steady_rate);
+    tell_if(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
+    tell_if(t, FACT_RUN_UP_TIME, f->run_up_time);
+    if (t->d->drive.motor.kind == FOURLINK_MOTOR_BALANCE)
+        tell_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
+}
+
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
                             const flk_column *columns, size_t n_columns, fourlink_value *list,
                             char *names)
@@ -374,6 +412,8 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
             tell_extremes(&t, a, x, &columns[j], names + 2 * DECK_NAME_SIZE * j);
         if (groups & FOURLINK_FACTS_TURNING)
             tell_turning(&t, a);
+        if (groups & FOURLINK_FACTS_MOTION)
+            tell_actual(&t, a);
     }
     return t.n;
 }

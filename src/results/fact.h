@@ -7,10 +7,10 @@
 
 #include "extreme.h"
 
-/* The largest number of facts of the limits and the turning moment, on both branches. */
-#define FLK_FACT_LIMIT 80
+/* The largest number of facts besides extremes, on both branches. */
+#define FLK_FACT_LIMIT 100
 
-/* The group of a fact, FOURLINK_FACTS_LIMITS or FOURLINK_FACTS_TURNING; 0 if no deck has this fact. */
+/* The group of a fact, FOURLINK_FACTS_LIMITS ...; 0 if no deck has this fact. */
 int flk_fact_group(text name);
 
 /* The most similar name of a fact, or null. */

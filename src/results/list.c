@@ -106,12 +106,53 @@ static void tell_angle(teller *t, const char *key, double angle, const char *mea
     tell(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
 }
 
+/* A motion that is not given. */
+static void tell_drive(teller *t)
+{
+    static const char *const modes[] = {"given", "free", "run-up", "steady"};
+    const deck_drive *drive = &t->d->drive;
+
+    if (drive->mode == DRIVE_GIVEN)
+        return;
+    tell_words(t, "mode", modes[drive->mode], "the motion follows from torques and inertia");
+    if (drive->mode == DRIVE_FREE)
+        tell(t, "speed", QUANTITY_ANGULAR_SPEED, t->d->motion.speed, "speed at the first row");
+    tell_if(t, "mean_speed", QUANTITY_ANGULAR_SPEED, drive->mean_speed, "mean over time");
+    tell_if(t, "time_step", QUANTITY_TIME, drive->time_step, "interval of rows by time");
+    tell_if(t, "duration", QUANTITY_TIME, drive->duration, "time of the last row");
+}
+
+static void tell_motor(teller *t)
+{
+    const fourlink_motor *motor = &t->d->drive.motor;
+
+    t->section = "motor";
+    if (motor->kind == FOURLINK_NO_MOTOR)
+        return;
+    if (motor->kind == FOURLINK_MOTOR_BALANCE)
+        tell_words(t, "torque", "constant", "balances the loads over a cycle");
+    else if (motor->kind == FOURLINK_MOTOR_TORQUE)
+        tell(t, "torque", QUANTITY_TORQUE, motor->torque, "torque of the motor");
+    if (motor->kind == FOURLINK_MOTOR_CURVE)
+        tell_words(t, "curve", "a curve", "torque over the motor's speed");
+    tell_if(t, "stall_torque", QUANTITY_TORQUE, motor->stall_torque, "torque at rest");
+    tell_if(t, "no_load_speed", QUANTITY_ANGULAR_SPEED, motor->no_load_speed,
+            "speed without torque");
+    tell_if(t, "power", QUANTITY_POWER, motor->power, "power of the motor");
+    tell_if(t, "max_torque", QUANTITY_TORQUE, motor->max_torque, "largest torque");
+    tell_if(t, "inertia", QUANTITY_INERTIA, motor->inertia, "moment of inertia of the rotor");
+    if (motor->ratio != 1)
+        tell(t, "ratio", QUANTITY_NUMBER, motor->ratio, "speed of the motor / speed of the crank");
+}
+
 static void tell_motion(teller *t)
 {
     const fourlink_motion *motion = &t->d->motion;
 
     t->section = "motion";
-    tell(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
+    tell_drive(t);
+    if (t->d->drive.mode == DRIVE_GIVEN)
+        tell(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
     tell_if(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
             "acceleration of the crank");
     if (t->d->one_instant) {
@@ -121,9 +162,10 @@ static void tell_motion(teller *t)
     tell_angle(t, "from", motion->from, "first crank angle");
     if (motion->run_up > 0)
         tell_angle(t, "run_up", motion->run_up, "angle of the run-up from rest");
-    else
+    else if (!t->d->drive.by_time)
         tell_angle(t, "to", motion->to, "last crank angle");
-    tell_angle(t, "interval", motion->interval, "interval of the crank angle");
+    if (!t->d->drive.by_time)
+        tell_angle(t, "interval", motion->interval, "interval of the crank angle");
     tell(t, "cycle", QUANTITY_ANGLE, t->d->cycle, "period of curves and loads");
     if (motion->hold)
         tell_words(t, "hold", "yes", "every row has this speed and acceleration");
@@ -240,7 +282,7 @@ static void tell_gas(teller *t)
             "pressure on the crank side");
 }
 
-#define MOST_OF_DECK 50 /* links 20, slide 2, gravity 2, motion 8, gas 5, flywheel 2 */
+#define MOST_OF_DECK 60 /* links 20, slide 2, gravity 2, motion 13, motor 8, gas 5, flywheel 3 */
 #define MOST_OF_LOAD 12
 #define MOST_OF_SPRING 10
 #define MOST_OF_FRICTION 6
@@ -272,6 +314,7 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     tell(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
     tell(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
     tell_motion(&t);
+    tell_motor(&t);
     for (i = 0; i < d->n_loads; i++)
         tell_load(&t, &d->loads[i], &d->variations[i]);
     for (i = 0; i < d->n_springs; i++)
@@ -283,4 +326,6 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
             "moment of inertia of the flywheel");
     tell_if(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
             "coefficient of fluctuation of speed");
+    if (d->drive.fluctuation > 0)
+        tell_words(&t, "exact", "yes", "the flywheel has this fluctuation in the actual motion");
 }

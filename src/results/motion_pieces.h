@@ -6,16 +6,7 @@
 #define FOURLINK_MOTION_PIECES_H
 
 #include "analysis.h"
-
-/* How columns behave at the end of a piece. */
-typedef enum flk_piece_end {
-    FLK_END_PLAIN, /* the motion begins or ends, a load has a corner, links come near to one line */
-    FLK_END_ROOT,  /* the crank is at rest: as the root of the distance */
-    FLK_END_DEAD,  /* dead position: as the root, with poles; no row there */
-    FLK_END_CHANGE,      /* change point: smooth, or a pole; no row there */
-    FLK_END_CHANGE_REST, /* the same with the crank at rest: as the root of the distance */
-    FLK_END_NOWHERE      /* behind the last piece */
-} flk_piece_end;
+#include "corners.h"
 
 /* A piece, by the crank angle that the motion has passed since its first row, rad. */
 typedef struct flk_piece {
@@ -24,8 +15,10 @@ typedef struct flk_piece {
     double motion_from, motion_to; /* in which columns of the motion alone are smooth */
 } flk_piece;
 
-/* The length of a deck's motion, rad. */
-double flk_pieces_length(const flk_analysis *a);
+/* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
+** the time, s. */
+double flk_pieces_length(const flk_analysis *a, fourlink_branch branch);
+double flk_pieces_end(const flk_analysis *a, fourlink_branch branch);
 
 /* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0.  Another length than that of
 ** the motion leaves whole periods out; a piece ends after the first of them. */

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/quantity.h"
 #include "condition.h"
 #include "expected.h"
@@ -484,7 +486,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
     v.has_angle = 1;
     v.angle = row.at.row.angle;
     v.branch = (int)branch;
-    if (row.at.status != FOURLINK_OK && !(v.flags & FOURLINK_OF_CRANK))
+    if (row.at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
         return row.at.status;
     *value = v;
     return FOURLINK_OK;
@@ -523,6 +525,19 @@ int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branc
                    : value_of_column(r, &c, branch, angle, value);
     group = flk_fact_group(whole);
     return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
+}
+
+int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
+{
+    const flk_actual_facts *actual;
+
+    if (!r || !angle)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    actual = flk_actual_facts_of(r->a.actual, branch);
+    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : flk_analysis_end(&r->a);
+    return actual ? actual->status : FOURLINK_OK;
 }
 
 int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourlink_turning *turning)

@@ -11,6 +11,8 @@
 **
 **    coefficient of fluctuation of energy dE / (Tm c),   of speed Cs = dE / (I omega^2)
 **
+** Of an actual motion the speed omega is its mean, and I has the rotor of the motor.
+**
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
 ** and where T crosses Tm, which GSL's root finder gives.
@@ -141,15 +143,21 @@ static void cut_at_curve(moment *m, const curve *c)
         cut_at(m, c->x[i]);
 }
 
+/* 1 if the crank turns at one speed, or its steady motion has a mean speed. */
+static int has_speed(const deck *d)
+{
+    if (d->drive.mode != DRIVE_GIVEN)
+        return d->drive.mode == DRIVE_STEADY;
+    return d->motion.speed != 0 && d->motion.acceleration == 0;
+}
+
 /* Steps of a degree in the cycle; 0 if there is no turning moment. */
 static size_t steps_of(const deck *d)
 {
     double degrees = floor(d->cycle / STEP + 0.5);
 
-    return !d->has_forces || d->motion.speed == 0 || d->motion.acceleration != 0 || degrees < 1 ||
-                   degrees > MOST_STEPS
-               ? 0
-               : (size_t)degrees;
+    return !d->has_forces || !has_speed(d) || degrees < 1 || degrees > MOST_STEPS ? 0
+                                                                                  : (size_t)degrees;
 }
 
 /* The most pieces that there can be. */
@@ -304,7 +312,8 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
 static void find(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
-    double omega = d->motion.speed;
+    const flk_actual_facts *actual = flk_actual_facts_of(m->a->actual, m->branch);
+    double omega = m->crank.omega2;
 
     if (fabs(m->mean) <= 1e-12 * scale)
         m->mean = 0;
@@ -314,8 +323,8 @@ static void find(moment *m, double scale, fourlink_turning *t)
     t->energy_fluctuation = fluctuation_of_energy(m, t);
     t->has_coefficient = m->mean != 0;
     t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
-    t->inertia = d->flywheel_inertia;
-    t->fluctuation = d->flywheel_fluctuation;
+    t->inertia = actual ? actual->inertia : d->flywheel_inertia;
+    t->fluctuation = actual ? 0 : d->flywheel_fluctuation;
     if (t->inertia > 0)
         t->fluctuation = t->energy_fluctuation / (t->inertia * omega * omega);
     else if (t->fluctuation > 0)
@@ -337,6 +346,14 @@ static double efficiency_of(moment *m)
     return without < 0 ? with / without : with == without;
 }
 
+/* The speed of the crank, or the mean of its steady motion; NaN if it has none. */
+static double speed_of(const flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual_facts *actual = flk_actual_facts_of(a->actual, branch);
+
+    return actual ? actual->mean_speed : a->d->motion.speed;
+}
+
 const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch)
 {
     flk_turning *t = &a->turning[branch == FOURLINK_OPEN ? 0 : 1];
@@ -348,16 +365,18 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     m.a = a;
     m.branch = branch;
     m.crank.theta2 = 0;
-    m.crank.omega2 = a->d->motion.speed;
+    m.crank.omega2 = speed_of(a, branch);
     m.crank.alpha2 = 0;
     m.mean = 0;
     m.without_friction = 0;
     m.cuts = a->turning_memory;
     m.work = m.cuts + most_cuts(a);
     m.n_cuts = 0;
+    t->is_known = 1;
+    if (!gsl_finite(m.crank.omega2))
+        return NULL;
     cut(&m);
     m.mean = mean_of(&m, &scale);
-    t->is_known = 1;
     t->is_there = !gsl_isnan(m.mean);
     if (t->is_there)
         find(&m, scale, &t->t);

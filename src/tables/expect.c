@@ -165,7 +165,8 @@ static void write_angles(sheet *s, fourlink_branch branch)
 static void write_rows(sheet *s, fourlink_branch branch)
 {
     const fourlink_motion *motion = &s->problem.motion;
-    int ends_meet = s->problem.one_revolution && !s->range.stops && motion->run_up <= 0 &&
+    int ends_meet = s->problem.one_revolution && s->problem.mode == FOURLINK_MODE_GIVEN &&
+                    !s->range.stops && motion->run_up <= 0 &&
                     (motion->acceleration == 0 || motion->hold);
     unsigned long n = s->problem.n_rows, k;
     fourlink_instant now;
@@ -174,6 +175,8 @@ static void write_rows(sheet *s, fourlink_branch branch)
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
         status = fourlink_results_row(s->results, branch, k, s->values, &now, NULL);
         put_section(s, branch, now.row.angle, status);
+        if (sheet_is_over(s, &now))
+            break;
     }
 }
 

@@ -64,7 +64,12 @@ static void put_speed(sheet *s)
     const fourlink_motion *motion = &s->problem.motion;
     fourlink_unit u = sheet_unit(s, "angular_speed");
 
-    if (motion->run_up > 0)
+    if (s->problem.mode == FOURLINK_MODE_FREE)
+        line_put(&s->l, "# free motion from %6g %s", in_unit(motion->speed, &u), u.name);
+    else if (s->problem.mode != FOURLINK_MODE_GIVEN)
+        line_put(&s->l, s->problem.mode == FOURLINK_MODE_STEADY ? "# steady motion"
+                                                                : "# run-up from rest");
+    else if (motion->run_up > 0)
         line_put(&s->l, "# crank from rest");
     else
         line_put(&s->l, "# crank at %6g %s", in_unit(motion->speed, &u), u.name);

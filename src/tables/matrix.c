@@ -54,6 +54,8 @@ void matrix_write(sheet *s)
         for (k = 0; k < s->problem.n_rows; k++) {
             int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
 
+            if (sheet_is_over(s, &at))
+                break;
             line_put(&s->l, blocks++ ? "\n\n" : "");
             put_title(s, &at);
             if (status == FOURLINK_OK)

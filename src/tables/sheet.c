@@ -107,13 +107,25 @@ static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink
     find_status(row);
 }
 
-static void write_row(sheet *s, fourlink_branch branch, unsigned long k)
+int sheet_is_over(const sheet *s, const fourlink_instant *at)
+{
+    double angle;
+
+    return s->problem.mode != FOURLINK_MODE_GIVEN && at->status != FOURLINK_OK &&
+           at->status == fourlink_results_end(s->results, at->branch, &angle);
+}
+
+/* Returns 0 if the machine does not come to this row. */
+static int write_row(sheet *s, fourlink_branch branch, unsigned long k)
 {
     fourlink_instant at;
     sheet_row row;
 
     find_row(s, branch, k, &at, &row);
+    if (sheet_is_over(s, &at))
+        return 0;
     s->format->row(s, &row);
+    return 1;
 }
 
 /* Write all rows of a branch; rows without numbers, for the same reason, as one. */
@@ -126,6 +138,8 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
 
     for (k = 0; k < s->problem.n_rows; k++) {
         find_row(s, branch, k, &at, &row);
+        if (sheet_is_over(s, &at))
+            break;
         if (is_open && at.status == first.status) {
             stretch.last = row.last;
             continue;
@@ -145,20 +159,38 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
         s->format->row(s, &stretch);
 }
 
-void sheet_write_stop(sheet *s, fourlink_branch branch)
+/* Write why there are no further rows, with the crank angle if it has one: BEFORE ANGLE UNIT AFTER. */
+static void write_end(sheet *s, fourlink_branch branch, const char *before, double angle,
+                      int digits, const char *after)
 {
-    char words[FORMAT_SIZE + 80], number[FORMAT_SIZE];
+    char words[2 * FORMAT_SIZE + 200], number[FORMAT_SIZE];
     sheet_row row;
 
-    if (!s->range.stops)
-        return;
     memset(&row, 0, sizeof row);
     row.branch = branch;
-    row.status = flk_text_join(words, sizeof words, "the crank comes to rest at ",
-                               format_general(s->range.stop_angle, 12, number), " ", s->angle_unit,
-                               (char *)NULL);
+    row.status = flk_text_join(words, sizeof words, before, format_general(angle, digits, number),
+                               " ", s->angle_unit, after, (char *)NULL);
+    if (!before[0])
+        row.status = after;
     s->failed++;
     s->format->row(s, &row);
+}
+
+void sheet_write_stop(sheet *s, fourlink_branch branch)
+{
+    int status;
+    double angle;
+
+    if (s->problem.mode == FOURLINK_MODE_GIVEN) {
+        if (s->range.stops)
+            write_end(s, branch, "the crank comes to rest at ", s->range.stop_angle, 12, "");
+        return;
+    }
+    status = fourlink_results_end(s->results, branch, &angle);
+    if (status == FOURLINK_STALLS)
+        write_end(s, branch, "stalls at ", angle, 6, "");
+    else if (status != FOURLINK_OK)
+        write_end(s, branch, "", angle, 6, fourlink_status_text(status));
 }
 
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
@@ -218,8 +250,8 @@ static void write_block(sheet *s, fourlink_branch branch)
             s->format->block(s, branch);
         if (s->format->is_brief)
             write_rows_briefly(s, branch);
-        for (k = 0; k < s->problem.n_rows && !s->format->is_brief; k++)
-            write_row(s, branch, k);
+        for (k = 0; k < s->problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
+            ;
         sheet_write_stop(s, branch);
         if (s->format->end_block)
             s->format->end_block(s, branch);
@@ -231,12 +263,14 @@ static void write_by_angle(sheet *s, const fourlink_branch *branches, int n)
     unsigned long n_rows = s->problem.n_rows, k;
     int i;
 
-    if (s->problem.one_revolution && !s->range.stops && n_rows > 1)
+    if (s->problem.one_revolution && s->problem.mode == FOURLINK_MODE_GIVEN && !s->range.stops &&
+        n_rows > 1)
         n_rows--;
     for (k = 0; k < n_rows; k++)
         for (i = n - 1; i >= 0; i--)
             write_row(s, branches[i], k);
-    sheet_write_stop(s, branches[0]);
+    for (i = 0; i < n && (i == 0 || s->problem.mode != FOURLINK_MODE_GIVEN); i++)
+        sheet_write_stop(s, branches[i]);
 }
 
 static void write_rows(sheet *s)
@@ -292,7 +326,8 @@ static void write_list(sheet *s)
     for (i = 0; i < n; i++)
         s->format->column(s, &list[i]);
     fourlink_results_facts(s->results, FOURLINK_OPEN,
-                           FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, &list, &n);
+                           FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
+                           &list, &n);
     for (i = 0; i < n; i++) {
         for (k = 0; k < i && strcmp(list[k].name, list[i].name) != 0; k++)
             ;
@@ -355,7 +390,9 @@ static void write_content(sheet *s)
         s->format->open(s);
     switch (s->content) {
     case SHEET_SUMMARY:
-        write_facts(s, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING);
+        write_facts(s, 0,
+                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
+                        FOURLINK_FACTS_MOTION);
         break;
     case SHEET_CHECK:
         write_checks(s);

@@ -172,7 +172,10 @@ void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *in
 /* How many values of this deck agree, or are misprints as expected; and of how many. */
 unsigned long sheet_score(const sheet *s, unsigned long *of);
 
-/* Write where the crank comes to rest, if it does. */
+/* 1 if the machine does not come to this row, because its actual motion has ended. */
+int sheet_is_over(const sheet *s, const fourlink_instant *at);
+
+/* Write where the crank comes to rest, or why the machine goes no further, if so. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 
 /* Write the nine equations for each row. */

@@ -52,6 +52,8 @@ static int decimals_of_angle(const sheet *s, int otherwise)
     fourlink_row row;
     int decimals;
 
+    if (s->problem.by_time)
+        return otherwise;
     if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
         last = row.angle;
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {

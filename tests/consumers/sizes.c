@@ -24,6 +24,7 @@ int main(void)
     PRINT_SIZE(fourlink_spring);
     PRINT_SIZE(fourlink_spring_state);
     PRINT_SIZE(fourlink_balance);
+    PRINT_SIZE(fourlink_motor);
     PRINT_SIZE(fourlink_reach);
     PRINT_SIZE(fourlink_limits);
     PRINT_SIZE(fourlink_series);

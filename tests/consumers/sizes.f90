@@ -20,6 +20,7 @@ program sizes
   type(fourlink_spring) :: spring_
   type(fourlink_spring_state) :: spring_state_
   type(fourlink_balance) :: balance_
+  type(fourlink_motor) :: motor_
   type(fourlink_reach) :: reach_
   type(fourlink_limits) :: limits_
   type(fourlink_series) :: series_
@@ -54,6 +55,7 @@ program sizes
   write (*, '(a, 1x, i0)') 'fourlink_spring', c_sizeof(spring_)
   write (*, '(a, 1x, i0)') 'fourlink_spring_state', c_sizeof(spring_state_)
   write (*, '(a, 1x, i0)') 'fourlink_balance', c_sizeof(balance_)
+  write (*, '(a, 1x, i0)') 'fourlink_motor', c_sizeof(motor_)
   write (*, '(a, 1x, i0)') 'fourlink_reach', c_sizeof(reach_)
   write (*, '(a, 1x, i0)') 'fourlink_limits', c_sizeof(limits_)
   write (*, '(a, 1x, i0)') 'fourlink_series', c_sizeof(series_)

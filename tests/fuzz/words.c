@@ -60,7 +60,8 @@ static void put_names(const char *deck)
         put_word(list[i].name);
         put("max(", list[i].name, (int)strlen(list[i].name), ")");
     }
-    fourlink_results_facts(r, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING, &list, &n);
+    fourlink_results_facts(
+        r, 0, FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION, &list, &n);
     for (i = 0; i < n; i++)
         put_word(list[i].name);
     fourlink_results_free(r);
@@ -95,6 +96,10 @@ int main(void)
               "[motion]\nspeed = 1\n[gas]\nbore = 1\npressure = 1\n");
     put_names("mechanism = inverted-slider-crank\n[ground]\nlength = 3\n[crank]\nlength = 1\n"
               "[slider]\nmass = 1\n[motion]\nspeed = 1\n");
+    put_names("mechanism = four-bar\n[ground]\nlength = 3\n[crank]\nlength = 1\nmass = 1\n"
+              "cg = 1\n[coupler]\nlength = 3\n[rocker]\nlength = 3\n[motion]\nmode = run-up\n"
+              "[motor]\nstall_torque = 9\nno_load_speed = 9\n[load]\nlink = rocker\n"
+              "torque = -1\nover = omega4\nat_speed = 1\n");
     put_options();
     for (i = 0; i < sizeof others / sizeof others[0]; i++)
         put_word(others[i]);

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** steffen.h - Steffen's interpolation, which does not overshoot.
+*/
+#ifndef FOURLINK_STEFFEN_H
+#define FOURLINK_STEFFEN_H
+
+/* The slope at a point between two intervals with these widths and secants. */
+double flk_steffen_slope(double h0, double s0, double h1, double s1);
+
+/* The value at distance d from the first of two points h apart, with these values and slopes. */
+double flk_steffen_value(double d, double h, double y0, double y1, double slope0, double slope1);
+
+#endif

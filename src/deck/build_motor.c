@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** build_motor.c - builds the motor and the flywheel from values.
+*/
+#include <math.h>
+
+#include "reader.h"
+
+/* ------------------------------------------------------------------------------------------- motor */
+
+/* Refuse 0, of which no sense follows. */
+static void check_not_zero(parser *p, key_code key)
+{
+    const setting *s = flk_setting_find(p, key);
+
+    if (IS_SET(s) && s->si[0] == 0)
+        flk_mistake(p->mistakes, s->place, "the %s must not be 0", flk_key_table[key].name);
+}
+
+/* 1 if two keys that belong together are there; a mistake if only one is. */
+static int has_pair(parser *p, key_code first, key_code second, const char *why)
+{
+    const setting *a = flk_setting_find(p, first), *b = flk_setting_find(p, second);
+
+    if (IS_SET(a) != IS_SET(b))
+        flk_mistake(p->mistakes, (IS_SET(a) ? a : b)->place, "'%s' needs '%s', %s",
+                    flk_key_table[IS_SET(a) ? first : second].name,
+                    flk_key_table[IS_SET(a) ? second : first].name, why);
+    return IS_SET(a) || IS_SET(b);
+}
+
+/* T = stall_torque (1 - w / no_load_speed) */
+static int has_line(parser *p)
+{
+    const setting *torque = flk_setting_find(p, KEY_MOTOR_STALL_TORQUE),
+                  *speed = flk_setting_find(p, KEY_MOTOR_NO_LOAD_SPEED);
+
+    check_not_zero(p, KEY_MOTOR_STALL_TORQUE);
+    check_not_zero(p, KEY_MOTOR_NO_LOAD_SPEED);
+    if (torque->si[0] * speed->si[0] < 0)
+        flk_mistake(p->mistakes, speed->place,
+                    "the no_load_speed must have the sign of the stall_torque");
+    return has_pair(p, KEY_MOTOR_STALL_TORQUE, KEY_MOTOR_NO_LOAD_SPEED,
+                    "the two ends of the motor's line");
+}
+
+static int has_power(parser *p)
+{
+    check_not_zero(p, KEY_MOTOR_MAX_TORQUE);
+    return has_pair(p, KEY_MOTOR_POWER, KEY_MOTOR_MAX_TORQUE,
+                    "or the torque would be infinite at rest");
+}
+
+/* Check that a curve has points whose speeds rise; returns how many, or 0. */
+static size_t check_curve(parser *p, const setting *s)
+{
+    size_t i;
+
+    if (!s->curve || s->n_points < 2)
+        return (size_t)flk_mistake(p->mistakes, s->place,
+                                   "expected two or more points of speed and torque, such as "
+                                   "0 rpm 5 N m, 1500 rpm 0 N m, not '%t'",
+                                   s->value);
+    if (s->n_points > MOST_POINTS)
+        return (size_t)flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
+    for (i = 1; i < s->n_points; i++)
+        if (!(s->curve[i].x > s->curve[i - 1].x))
+            return (size_t)flk_mistake(p->mistakes, s->curve[i].place,
+                                       "the speeds of the motor's curve do not rise");
+    return s->n_points;
+}
+
+static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
+{
+    size_t n = check_curve(p, s), i;
+    double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL;
+
+    if (!x)
+        return;
+    for (i = 0; i < n; i++) {
+        x[i] = s->curve[i].x;
+        x[n + i] = s->curve[i].y[0];
+    }
+    motor->curve_speed = x;
+    motor->curve_torque = x + n;
+    motor->n_curve = (unsigned long)n;
+}
+
+/* A motor needs a motion that is not given; one that balances needs a cycle and its mean speed. */
+static void check_mode(parser *p, const section_use *use, const fourlink_motor *motor)
+{
+    int mode = flk_build_mode(p);
+    const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
+                  *word = flk_setting_find(p, KEY_MOTION_MODE);
+
+    if (mode == DRIVE_GIVEN && IS_SET(word) && !flk_text_equal(word->value, "given"))
+        return; /* its mistake is noted */
+    if (mode == DRIVE_GIVEN)
+        flk_mistake(
+            p->mistakes, use->place,
+            "the motion is given, so that a motor does nothing: [motion] needs mode = free, "
+            "run-up or steady");
+    else if (motor->kind == FOURLINK_MOTOR_BALANCE && mode != DRIVE_STEADY)
+        flk_mistake(p->mistakes, torque->place,
+                    "torque = constant balances the loads over a cycle: it needs mode = steady");
+    else if (motor->kind == FOURLINK_MOTOR_BALANCE &&
+             !IS_SET(flk_setting_find(p, KEY_MOTION_MEAN_SPEED)))
+        flk_mistake(p->mistakes, torque->place,
+                    "torque = constant leaves the speed open: [motion] needs a mean_speed");
+}
+
+void flk_build_motor(parser *p)
+{
+    const section_use *use = flk_section_find(p, SECTION_MOTOR, NULL);
+    const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
+                  *points = flk_setting_find(p, KEY_MOTOR_CURVE);
+    fourlink_motor *motor = &p->d->drive.motor;
+    int line, power, n;
+
+    if (!use || p->lacks_values || flk_build_is_mistaken(p, SECTION_MOTOR))
+        return;
+    line = has_line(p);
+    power = has_power(p);
+    n = line + power + IS_SET(torque) + IS_SET(points);
+    if (n == 0)
+        flk_mistake(p->mistakes, use->place,
+                    "[motor] needs a torque, a stall_torque with no_load_speed, a curve, or a "
+                    "power with max_torque");
+    if (n > 1)
+        flk_mistake(p->mistakes, use->place,
+                    "give only one of torque, stall_torque, curve and power");
+    check_not_zero(p, KEY_MOTOR_RATIO);
+    motor->kind = torque->word     ? FOURLINK_MOTOR_BALANCE
+                  : IS_SET(points) ? FOURLINK_MOTOR_CURVE
+                  : line           ? FOURLINK_MOTOR_LINEAR
+                  : power          ? FOURLINK_MOTOR_POWER
+                                   : FOURLINK_MOTOR_TORQUE;
+    motor->torque = torque->si[0];
+    motor->stall_torque = flk_setting_or(p, KEY_MOTOR_STALL_TORQUE, 0);
+    motor->no_load_speed = flk_setting_or(p, KEY_MOTOR_NO_LOAD_SPEED, 0);
+    motor->power = flk_setting_or(p, KEY_MOTOR_POWER, 0);
+    motor->max_torque = flk_setting_or(p, KEY_MOTOR_MAX_TORQUE, 0);
+    motor->inertia = flk_setting_or(p, KEY_MOTOR_INERTIA, 0);
+    motor->ratio = flk_setting_or(p, KEY_MOTOR_RATIO, 1);
+    if (IS_SET(points))
+        build_curve(p, points, motor);
+    if (n == 1)
+        check_mode(p, use, motor);
+}
+
+/* The torque of a motor that says in which sense it turns. */
+static double driving_torque(const fourlink_motor *motor)
+{
+    double largest = 0;
+    unsigned long i;
+
+    switch (motor->kind) {
+    case FOURLINK_MOTOR_TORQUE:
+        return motor->torque;
+    case FOURLINK_MOTOR_LINEAR:
+        return motor->stall_torque;
+    case FOURLINK_MOTOR_POWER:
+        return motor->max_torque;
+    default:
+        for (i = 0; i < motor->n_curve; i++)
+            if (fabs(motor->curve_torque[i]) > fabs(largest))
+                largest = motor->curve_torque[i];
+        return largest;
+    }
+}
+
+int flk_build_sense(parser *p)
+{
+    const fourlink_motor *motor = &p->d->drive.motor;
+    double turning = flk_setting_or(p, KEY_MOTION_SPEED, 0);
+
+    if (turning == 0)
+        turning = flk_build_mode(p) == DRIVE_GIVEN ? flk_setting_or(p, KEY_MOTION_ACCELERATION, 0)
+                                                   : flk_setting_or(p, KEY_MOTION_MEAN_SPEED, 0);
+    if (turning == 0)
+        turning = motor->ratio < 0 ? -driving_torque(motor) : driving_torque(motor);
+    return turning < 0 ? -1 : 1;
+}
+
+/* ---------------------------------------------------------------------------------------- flywheel */
+
+/* 1 if something turns or moves with the crank and has inertia. */
+static int has_inertia(const deck *d)
+{
+    const fourlink_link *link = d->design.link, *crank = &link[FOURLINK_CRANK];
+
+    return d->drive.flywheel > 0 || d->drive.fluctuation > 0 || d->drive.motor.inertia > 0 ||
+           crank->inertia > 0 || (crank->mass > 0 && (crank->cg.x != 0 || crank->cg.y != 0)) ||
+           link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 ||
+           (link[4].inertia > 0 && d->design.kind != FOURLINK_SLIDER_CRANK);
+}
+
+/* The exact fluctuation is one of the steady motion. */
+static void build_exact(parser *p, const setting *exact, const setting *fluctuation)
+{
+    int mode = flk_build_mode(p);
+
+    if (exact->word && !IS_SET(fluctuation))
+        flk_mistake(p->mistakes, exact->place,
+                    "'exact' needs a fluctuation, for which the flywheel is found");
+    else if (exact->word && mode != DRIVE_STEADY)
+        flk_mistake(p->mistakes, exact->place,
+                    "an exact fluctuation is one of the actual motion: [motion] needs "
+                    "mode = steady");
+    else if (exact->word)
+        p->d->drive.fluctuation = fluctuation->si[0];
+    else if (IS_SET(fluctuation) && mode != DRIVE_GIVEN)
+        flk_mistake(p->mistakes, fluctuation->place,
+                    "the actual motion needs the inertia of the flywheel, or exact = yes to find "
+                    "it from the fluctuation");
+}
+
+void flk_build_flywheel(parser *p)
+{
+    const setting *inertia = flk_setting_find(p, KEY_FLYWHEEL_INERTIA),
+                  *fluctuation = flk_setting_find(p, KEY_FLYWHEEL_FLUCTUATION),
+                  *mode = flk_setting_find(p, KEY_MOTION_MODE);
+
+    p->d->flywheel_fluctuation = fluctuation->si[0];
+    p->d->flywheel_inertia = inertia->si[0];
+    if (IS_SET(inertia) && IS_SET(fluctuation))
+        flk_mistake(p->mistakes, inertia->place,
+                    "give either the fluctuation or the inertia: the other follows");
+    p->d->drive.flywheel = inertia->si[0];
+    build_exact(p, flk_setting_find(p, KEY_FLYWHEEL_EXACT), fluctuation);
+    if (p->d->drive.mode != DRIVE_GIVEN && !has_inertia(p->d) && !p->mistakes->count &&
+        !p->lacks_values)
+        flk_mistake(p->mistakes, mode->place,
+                    "nothing that moves has a mass or a moment of inertia: the actual motion needs "
+                    "one");
+}

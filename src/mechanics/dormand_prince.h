@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** dormand_prince.h - steps of an integration of order 8.
+*/
+#ifndef FOURLINK_DORMAND_PRINCE_H
+#define FOURLINK_DORMAND_PRINCE_H
+
+#define FLK_UNKNOWNS 3
+#define FLK_STAGES 16
+#define FLK_POWERS 7
+
+/* dy/dx at x: FOURLINK_OK, or a status that ends the step. */
+typedef int flk_derivative(void *context, double x, const double *y, double *dy);
+
+/* A step; the caller sets the members up to h and k[0]. */
+typedef struct flk_step {
+    flk_derivative *f;
+    void *context; /* for f */
+    double x, y[FLK_UNKNOWNS];
+    double h;                           /* its length, of either sign */
+    double k[FLK_STAGES][FLK_UNKNOWNS]; /* derivatives: k[0] at x, k[12] at x + h */
+    double next[FLK_UNKNOWNS];          /* y at x + h */
+} flk_step;
+
+/* What changes within a step. */
+typedef struct flk_curve_of_step {
+    double F[FLK_UNKNOWNS][FLK_POWERS];
+} flk_curve_of_step;
+
+/* Find `next` and its estimated error; then k[12]; then the values within the step, which need both: FOURLINK_OK, or a
+** status of f. */
+int flk_step_take(flk_step *step, double *error);
+int flk_step_end(flk_step *step);
+int flk_step_within(flk_step *step, flk_curve_of_step *within);
+
+/* The change of y[i] from the beginning to the part `part` of the step, 0 to 1. */
+double flk_step_change(const flk_curve_of_step *within, int i, double part);
+
+#endif

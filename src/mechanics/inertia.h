@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** inertia.h - the machine as one mass that turns with the crank.
+*/
+#ifndef FOURLINK_INERTIA_H
+#define FOURLINK_INERTIA_H
+
+#include "mechanics.h"
+
+/* J, kg m2, and the torque, N m, that turns the links against their inertia with the state's speeds and
+** accelerations: J alpha2 + J' omega2^2 / 2. */
+void flk_inertia_of_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                           double *J, double *turning);
+
+/* Q, N m, of weights and valid loads. */
+double flk_inertia_push(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const fourlink_load *loads, unsigned long n_loads);
+
+/* A valid motor's torque on the crank (motor.c). */
+double flk_motor_torque(const fourlink_motor *motor, double omega2);
+
+#endif

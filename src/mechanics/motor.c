@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** motor.c - the torque of a motor over its speed.
+**
+** The crank turns at omega2, the motor at ratio omega2, and its torque on the crank is ratio T:
+**
+**    constant   T = torque
+**    linear     T = stall_torque (1 - w / no_load_speed); it brakes above the no-load speed
+**    curve      Steffen's interpolation; beyond an end the value there holds
+**    power      T = power / w, at most max_torque, in the sense of max_torque
+*/
+#include <math.h>
+
+#include "base/steffen.h"
+#include "inertia.h"
+
+static double secant(const fourlink_motor *motor, unsigned long i)
+{
+    return (motor->curve_torque[i + 1] - motor->curve_torque[i]) /
+           (motor->curve_speed[i + 1] - motor->curve_speed[i]);
+}
+
+/* At the ends the slope is the secant beside it. */
+static double slope(const fourlink_motor *motor, unsigned long i)
+{
+    const double *x = motor->curve_speed;
+
+    if (i == 0)
+        return secant(motor, 0);
+    if (i == motor->n_curve - 1)
+        return secant(motor, i - 1);
+    return flk_steffen_slope(x[i] - x[i - 1], secant(motor, i - 1), x[i + 1] - x[i],
+                             secant(motor, i));
+}
+
+static double on_curve(const fourlink_motor *motor, double w)
+{
+    const double *x = motor->curve_speed, *y = motor->curve_torque;
+    unsigned long low = 0, high = motor->n_curve - 1;
+
+    if (!(w > x[0]) || w >= x[high])
+        return w >= x[high] ? y[high] : y[0];
+    while (high - low > 1) {
+        unsigned long middle = (low + high) / 2;
+
+        if (x[middle] <= w)
+            low = middle;
+        else
+            high = middle;
+    }
+    return flk_steffen_value(w - x[low], x[high] - x[low], y[low], y[high], slope(motor, low),
+                             slope(motor, high));
+}
+
+static double of_power(const fourlink_motor *motor, double w)
+{
+    double turning = motor->max_torque < 0 ? -w : w, largest = fabs(motor->max_torque);
+    double torque = turning * largest > motor->power ? motor->power / turning : largest;
+
+    return motor->max_torque < 0 ? -torque : torque;
+}
+
+static int is_valid(const fourlink_motor *motor)
+{
+    unsigned long i;
+
+    if (motor->kind == FOURLINK_NO_MOTOR)
+        return 1;
+    if (motor->ratio == 0 || (motor->kind == FOURLINK_MOTOR_LINEAR && motor->no_load_speed == 0))
+        return 0;
+    if (motor->kind == FOURLINK_MOTOR_CURVE) {
+        for (i = 1; i < motor->n_curve && motor->curve_speed && motor->curve_torque; i++)
+            if (!(motor->curve_speed[i - 1] < motor->curve_speed[i]))
+                return 0;
+        return i == motor->n_curve && i > 1;
+    }
+    return motor->kind > FOURLINK_NO_MOTOR && motor->kind <= FOURLINK_MOTOR_BALANCE;
+}
+
+double flk_motor_torque(const fourlink_motor *motor, double omega2)
+{
+    double w = motor->ratio * omega2;
+
+    switch (motor->kind) {
+    case FOURLINK_MOTOR_TORQUE:
+    case FOURLINK_MOTOR_BALANCE:
+        return motor->ratio * motor->torque;
+    case FOURLINK_MOTOR_LINEAR:
+        return motor->ratio * motor->stall_torque * (1 - w / motor->no_load_speed);
+    case FOURLINK_MOTOR_CURVE:
+        return motor->ratio * on_curve(motor, w);
+    case FOURLINK_MOTOR_POWER:
+        return motor->ratio * of_power(motor, w);
+    default:
+        return 0;
+    }
+}
+
+int fourlink_motor_torque(const fourlink_motor *motor, double omega2, double *torque)
+{
+    if (!motor || !torque)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (!is_valid(motor))
+        return FOURLINK_BAD_MOTOR;
+    *torque = flk_motor_torque(motor, omega2);
+    return FOURLINK_OK;
+}

@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual.c - the actual motion of the machine: speed, acceleration and time of the crank from torques and inertia.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual.h"
+#include "actual_facts.h"
+#include "actual_flywheel.h"
+#include "actual_path.h"
+#include "actual_steady.h"
+#include "actual_time.h"
+#include "mechanics/inertia.h"
+#include "mechanics/mechanics.h"
+
+#define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
+#define MOST_STEPS 200000UL
+
+struct flk_actual {
+    const deck *d;
+    flk_path path[2]; /* open, crossed */
+    flk_actual_facts facts[2];
+    int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
+    double cycle;    /* rad */
+    double length;   /* rad, of the rows */
+};
+
+static int index_of(fourlink_branch branch)
+{
+    return branch == FOURLINK_OPEN ? 0 : 1;
+}
+
+/* A run-up, or a free motion. */
+static int run(flk_path *p, const deck *d, double cycle, double length)
+{
+    double speed = d->drive.mode == DRIVE_FREE ? p->sense * d->motion.speed : 0;
+
+    if (p->machine.motor.kind == FOURLINK_MOTOR_BALANCE && !flk_steady_find(p, cycle, 0, speed))
+        return 0;
+    if (speed < 0) {
+        p->n = 0;
+        p->status = FOURLINK_DOES_NOT_START;
+        return 0;
+    }
+    return flk_path_run(p, speed, length);
+}
+
+/* Rows by time: the sense of the motion is that in which the crank turns at first. */
+static int run_by_time(flk_path *p, const deck *d)
+{
+    double speed = d->drive.mode == DRIVE_FREE ? d->motion.speed : 0;
+    flk_actual_row first;
+    flk_node node;
+
+    memset(&node, 0, sizeof node);
+    node.by_time = 1;
+    p->sense = speed < 0 ? -1 : 1;
+    p->n = 0;
+    p->status = flk_path_row(p, &node, &first);
+    if (p->status == FOURLINK_OK && speed == 0 && first.crank.alpha2 < 0)
+        p->sense = -1;
+    if (p->status == FOURLINK_OK && d->drive.mode == DRIVE_RUN_UP && first.crank.alpha2 == 0)
+        p->status = FOURLINK_DOES_NOT_START;
+    return p->status == FOURLINK_OK && flk_time_run(p, speed, d->drive.duration);
+}
+
+static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
+{
+    const deck *d = p->d;
+
+    if (d->drive.by_time)
+        return run_by_time(p, d);
+    if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
+        flk_facts_of_cycle(p, m->cycle, f);
+    if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
+        return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
+    if (d->drive.mode == DRIVE_STEADY)
+        return flk_steady_find(p, m->cycle, p->sense * d->drive.mean_speed,
+                               p->sense * d->motion.speed);
+    return run(p, d, m->cycle, m->length);
+}
+
+/* Angles in the deck's unit. */
+static double angle_of(const flk_path *p, double s)
+{
+    const fourlink_motion *motion = &p->d->motion;
+
+    return motion->from + p->sense * s / motion->angle_unit;
+}
+
+static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
+{
+    flk_path *p = &m->path[index_of(branch)];
+    flk_actual_facts *f = &m->facts[index_of(branch)];
+    int found;
+
+    p->d = course->d;
+    p->jumps = course->jumps;
+    flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
+    p->tolerance = TOLERANCE;
+    p->budget = course->d->has_friction ? MOST_STEPS / 4 : MOST_STEPS;
+    p->sense = course->last < course->d->motion.from ? -1 : 1;
+    flk_facts_forget(f);
+    found = find(m, p, f);
+    f->inertia = p->machine.inertia;
+    f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
+    if (!found) {
+        f->status = p->status;
+        f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
+        f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
+    }
+}
+
+flk_actual *flk_actual_find(const flk_course *course)
+{
+    const fourlink_motion *motion = &course->d->motion;
+    flk_actual *m = calloc(1, sizeof *m);
+
+    if (!m)
+        return NULL;
+    m->d = course->d;
+    m->cycle = course->period;
+    m->length = fabs(course->last - motion->from) * motion->angle_unit;
+    find_branch(m, course, FOURLINK_OPEN);
+    find_branch(m, course, FOURLINK_CROSSED);
+    if (!m->path[0].no_memory && !m->path[1].no_memory)
+        return m;
+    flk_actual_free(m);
+    return NULL;
+}
+
+void flk_actual_free(flk_actual *m)
+{
+    if (m) {
+        free(m->path[0].node);
+        free(m->path[1].node);
+    }
+    free(m);
+}
+
+double flk_actual_length(const flk_actual *m, fourlink_branch branch)
+{
+    const flk_path *p = &m->path[index_of(branch)];
+
+    if (m->d->drive.by_time)
+        return flk_time_travel(p);
+    return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 &&
+                   m->d->drive.mode != DRIVE_STEADY
+               ? flk_path_end(p)->s
+               : m->length;
+}
+
+double flk_actual_time(const flk_actual *m, fourlink_branch branch)
+{
+    const flk_path *p = &m->path[index_of(branch)];
+
+    return p->n ? flk_path_end(p)->t : 0;
+}
+
+int flk_actual_from_rest(const deck *d)
+{
+    return d->drive.mode == DRIVE_RUN_UP || (d->drive.mode == DRIVE_FREE && d->motion.speed == 0);
+}
+
+int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
+{
+    const flk_path *p = &m->path[index_of(branch)];
+    const fourlink_motion *motion = &m->d->motion;
+    double s = p->sense * (angle - motion->from) * motion->angle_unit, turns = 0;
+    const flk_actual_facts *f = &m->facts[index_of(branch)];
+    int status = f->status;
+
+    memset(row, 0, sizeof *row);
+    row->angle = angle;
+    row->crank.theta2 = angle * motion->angle_unit;
+    if (m->d->drive.by_time)
+        return flk_time_find(p, s, row);
+    if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
+        turns = floor(s / m->cycle + 1e-12);
+        s -= turns * m->cycle;
+    } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
+                                         s > flk_path_end(p)->s * (1 + 1e-14))) {
+        return status;
+    }
+    status = flk_path_at(p, s, row);
+    row->time += turns > 0 || turns < 0 ? turns * flk_path_end(p)->t : 0;
+    row->crank.theta2 = angle * motion->angle_unit;
+    return status;
+}
+
+int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
+                       flk_actual_row *row)
+{
+    const flk_path *p = &m->path[index_of(branch)];
+    double end = flk_actual_time(m, branch);
+    int status = p->n ? FOURLINK_OK : p->status;
+
+    memset(row, 0, sizeof *row);
+    row->angle = m->d->motion.from;
+    row->time = time;
+    if (status == FOURLINK_OK && time > end * (1 + 1e-14))
+        status = p->status;
+    if (status == FOURLINK_OK)
+        status = flk_time_at(p, time, row);
+    if (status == FOURLINK_OK)
+        row->angle = row->crank.theta2 / m->d->motion.angle_unit;
+    return status;
+}
+
+const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
+{
+    int i = index_of(branch);
+
+    if (!m)
+        return NULL;
+    if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
+        if (m->d->drive.mode == DRIVE_RUN_UP)
+            flk_facts_of_run_up(&m->path[i], &m->facts[i]);
+        else
+            flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);
+    }
+    m->is_known[i] = 1;
+    return &m->facts[i];
+}

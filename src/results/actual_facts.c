@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_facts.c - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
+**
+**    mean speed    cycle / period, the mean over time, what a tachometer shows
+**    textbooks'    (largest + smallest) / 2
+**    fluctuation   (largest - smallest) / mean speed
+**    rate          exp(integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2 over a cycle)
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual_facts.h"
+#include "mechanics/mechanics.h"
+
+#define ITERATIONS 60
+
+void flk_facts_forget(flk_actual_facts *f)
+{
+    f->status = FOURLINK_OK;
+    f->end_angle = f->mean_speed = f->mean_speed_textbook = f->period = f->fluctuation_exact =
+        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = f->inertia =
+            FLK_UNDEFINED;
+}
+
+/* Speed and acceleration in the sense of the motion. */
+typedef struct sample {
+    double s, speed, alpha, time;
+} sample;
+
+static int take(const flk_path *p, double s, sample *at)
+{
+    flk_actual_row row;
+    int status = flk_path_at(p, s, &row);
+
+    at->s = s;
+    at->speed = p->sense * row.crank.omega2;
+    at->alpha = p->sense * row.crank.alpha2;
+    at->time = row.time;
+    return status == FOURLINK_OK;
+}
+
+/* What is sought: the acceleration, or the speed less a value, is 0. */
+typedef struct goal {
+    int of_speed;
+    double speed;
+} goal;
+
+static double value_of(const goal *g, const sample *at)
+{
+    return g->of_speed ? at->speed - g->speed : at->alpha;
+}
+
+/* A zero between two samples whose values differ in sign, by false position that halves the value of an end that stays
+** (the Illinois method). */
+static void find_zero(const flk_path *p, const goal *g, sample low, sample high, sample *at)
+{
+    double f_low = value_of(g, &low), f_high = value_of(g, &high), f;
+    double close = g->of_speed ? 1e-15 * g->speed : 1e-9 * GSL_MAX(fabs(f_low), fabs(f_high));
+    int k, side = 0;
+
+    *at = low;
+    for (k = 0; k < ITERATIONS && high.s - low.s > 4e-16 * high.s && f_high != f_low; k++) {
+        double s = low.s - f_low * (high.s - low.s) / (f_high - f_low);
+
+        if (!(s > low.s && s < high.s) || !take(p, s, at))
+            break;
+        f = value_of(g, at);
+        if (fabs(f) <= close)
+            break;
+        if ((f < 0) == (f_low < 0)) {
+            low = *at;
+            f_low = f;
+            f_high *= side == -1 ? 0.5 : 1;
+            side = -1;
+        } else {
+            high = *at;
+            f_high = f;
+            f_low *= side == 1 ? 0.5 : 1;
+            side = 1;
+        }
+    }
+}
+
+static void widen(const sample *at, double *least, double *most)
+{
+    *least = GSL_MIN(*least, at->speed);
+    *most = GSL_MAX(*most, at->speed);
+}
+
+/* The smallest and the largest speed from s to the end: at the ends of the steps, or where the acceleration is 0 between
+** them.  Within a step it may be 0 twice, so the middle is looked at too. */
+static int find_range(const flk_path *p, double s, double *least, double *most)
+{
+    static const goal extreme = {0, 0};
+    sample last, now, between;
+    size_t k;
+    int half;
+
+    if (!take(p, s, &last))
+        return 0;
+    *least = *most = last.speed;
+    for (k = 0; k + 1 < p->n; k++)
+        for (half = 1; half <= 2; half++) {
+            double from = p->node[k].s, to = p->node[k + 1].s;
+
+            if (half == 1 ? 0.5 * (from + to) <= s : to <= s)
+                continue;
+            if (!take(p, half == 1 ? 0.5 * (from + to) : to, &now))
+                return 0;
+            widen(&now, least, most);
+            if ((last.alpha < 0) != (now.alpha < 0)) {
+                find_zero(p, &extreme, last, now, &between);
+                widen(&between, least, most);
+            }
+            last = now;
+        }
+    return 1;
+}
+
+void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
+{
+    const flk_node *end = flk_path_end(p);
+    double from = GSL_MAX(0, end->s - cycle), least, most, growth;
+    sample first;
+
+    if (!(end->s > 0) || !take(p, from, &first) || !find_range(p, from, &least, &most))
+        return;
+    f->period = end->t - first.time;
+    f->mean_speed = p->sense * (end->s - from) / f->period;
+    f->mean_speed_textbook = p->sense * 0.5 * (least + most);
+    f->fluctuation_exact = (most - least) / fabs(f->mean_speed);
+    if (p->is_steady && flk_path_growth(p, &growth) == FOURLINK_OK)
+        f->steady_rate = exp(growth);
+}
+
+void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
+{
+    goal reached = {1, 0};
+    sample last, now;
+    size_t k;
+
+    reached.speed = p->sense * f->mean_speed;
+    for (k = 0; k < p->n && take(p, p->node[k].s, &now); k++) {
+        if (k > 0 && now.speed >= reached.speed) {
+            find_zero(p, &reached, last, now, &now);
+            f->run_up_time = now.time;
+            return;
+        }
+        last = now;
+    }
+}

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_flywheel.h - the flywheel with which the steady motion has a wanted fluctuation of speed.
+*/
+#ifndef FOURLINK_ACTUAL_FLYWHEEL_H
+#define FOURLINK_ACTUAL_FLYWHEEL_H
+
+#include "actual_path.h"
+
+/* Find this flywheel, and with it the steady motion, as flk_steady_find does.  The machine's inertia is that of the
+** rotor before, and has the flywheel then; it stays as it is if the motion fluctuates less without a flywheel. */
+int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluctuation);
+
+#endif

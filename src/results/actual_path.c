@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_path.c - the motion of one branch from a given energy: steps of the integration, and any angle between them.
+**
+** Steps are over the angle (actual_step.c).  The angle at which the energy would vanish is about E / |dE/ds| away; where
+** that is close, and from rest, they are over the time.
+**
+** Steps end where torques have corners.  Rows lie within steps: they do not depend on each other, nor on the interval
+** between them.
+*/
+#include <math.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual_path.h"
+
+#define NEAR_REST 0.05 /* rad, to where the energy would vanish */
+#define LONGEST 0.5    /* rad, of a step */
+#define SHORTEST 1e-13 /* of the angle passed */
+#define CLOSEST 1e-9   /* rad, to where there is no position */
+#define ITERATIONS 60
+#define WORST 1e8       /* of the errors of steps, in parts of the tolerance */
+#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
+
+/* Begin the next step: over time, if the crank is near to rest. */
+static int choose(flk_path *p, flk_node *node, flk_equations *e, flk_step *step)
+{
+    int status;
+
+    node->by_time = !(node->E > 0);
+    status = flk_actual_begin(p, node, e, step);
+    if (node->by_time || (status == FOURLINK_OK && node->E > NEAR_REST * fabs(step->k[0][0])))
+        return status;
+    node->by_time = 1;
+    return flk_actual_begin(p, node, e, step);
+}
+
+/* End a step over time where the crank comes to rest, or at the end of the piece, if it passes them. */
+static int shorten(const flk_path *p, flk_node *node, flk_step *step)
+{
+    double size;
+    int status = FOURLINK_OK;
+
+    if (step->next[1] <= 0) {
+        status = flk_actual_try(p, node, step,
+                                step->h * flk_actual_part(&node->within, 1, -step->y[1]), &size);
+        step->next[1] = 0;
+        if (status == FOURLINK_OK)
+            status = flk_actual_fill(step, &node->within);
+    }
+    if (status == FOURLINK_OK && step->next[0] > node->high) {
+        status = flk_actual_try(p, node, step,
+                                step->h * flk_actual_part(&node->within, 0, node->high - node->s),
+                                &size);
+        step->next[0] = node->high;
+        if (status == FOURLINK_OK)
+            status = flk_actual_fill(step, &node->within);
+    }
+    return status;
+}
+
+/* The length of the next step, in angle, of at most h. */
+static double first_length(const flk_node *node, const flk_step *step, double h)
+{
+    double left = node->high - node->s, length = GSL_MIN(h, LONGEST);
+
+    if (node->by_time && step->k[0][1] < 0) /* a little farther than to rest */
+        length = GSL_MIN(length, 1.5 * gsl_pow_2(step->y[1]) / (-2 * step->k[0][1]));
+    return length >= left ? left : length > 0.5 * left ? 0.5 * left : length;
+}
+
+/* One step from the last node, of at most *h in angle; *h is the length for the next. */
+static int go_on(flk_path *p, double *h, flk_node *after)
+{
+    flk_node *node = &p->node[p->n - 1];
+    double length, size;
+    flk_equations e;
+    flk_step step;
+    int status = choose(p, node, &e, &step);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (node->by_time && node->E <= 0 && !(step.k[0][1] > 0))
+        return FOURLINK_DOES_NOT_START;
+    length = first_length(node, &step, *h);
+    for (; p->budget > 0; p->budget--) {
+        status = flk_actual_try(
+            p, node, &step,
+            node->by_time ? flk_actual_time_of(step.y[1], step.k[0][1], length) : length, &size);
+        if (status == FOURLINK_OK && size <= 1)
+            status = flk_actual_fill(&step, &node->within);
+        if (status == FOURLINK_OK && size <= 1)
+            break;
+        if (status != FOURLINK_OK || !(size < WORST))
+            size = WORST;
+        length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+        if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
+            return status > 0 ? status : FOURLINK_TOO_LONG;
+    }
+    if (p->budget == 0)
+        return FOURLINK_TOO_LONG;
+    p->budget--;
+    if (node->by_time)
+        status = shorten(p, node, &step);
+    node->h = step.h;
+    flk_actual_end_step(node, step.h, step.next, after);
+    if (!node->by_time && length == node->high - node->s)
+        after->s = node->high;
+    if (node->by_time && after->speed <= 0)
+        after->E = 0;
+    *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+    return status;
+}
+
+static int run_piece(flk_path *p, double *h)
+{
+    flk_node after;
+
+    while (p->node[p->n - 1].s < p->node[p->n - 1].high) {
+        p->status = go_on(p, h, &after);
+        if (p->status != FOURLINK_OK || !flk_actual_keep(p, &after))
+            return 0;
+        if (after.E <= 0 && after.s < after.high) {
+            p->status = FOURLINK_STALLS;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Where the torques have their next corner, or the path its end. */
+static double next_corner(const flk_path *p, double after, double length, flk_piece_end *end)
+{
+    flk_corners c;
+    double at;
+
+    c.d = p->d;
+    c.jumps = p->jumps;
+    c.sense = p->sense;
+    c.has_loads = 1;
+    at = flk_corners_next(&c, after, NULL, 0, end);
+    return at < length - FLK_CORNERS_CLOSE(length) ? at : length;
+}
+
+int flk_path_run(flk_path *p, double speed, double length)
+{
+    double whole, h = 0.1, at, next;
+    flk_piece_end end;
+    flk_node first;
+
+    p->n = 0;
+    p->is_steady = 0;
+    p->largest = 0;
+    p->status = flk_actual_whole(p, 0, &whole);
+    memset(&first, 0, sizeof first);
+    first.u = 0.5 * speed * speed;
+    first.E = p->status == FOURLINK_OK ? whole * first.u : 0;
+    if (!flk_actual_keep(p, &first) || p->status != FOURLINK_OK)
+        return 0;
+    for (at = 0; at < length; at = next) {
+        next = next_corner(p, at, length, &end);
+        p->node[p->n - 1].low = at;
+        p->node[p->n - 1].high = next;
+        if (!run_piece(p, &h))
+            return 0;
+        if (end == FLK_END_DEAD && next < length) {
+            p->status = FOURLINK_DEAD_POSITION;
+            return 0;
+        }
+    }
+    return 1;
+}
+
+const flk_node *flk_path_end(const flk_path *p)
+{
+    return &p->node[p->n - 1];
+}
+
+/* The last node at or before s. */
+static const flk_node *node_before(const flk_path *p, double s)
+{
+    size_t low = 0, high = p->n;
+
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+
+        if (p->node[middle].s <= s)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &p->node[low];
+}
+
+int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
+{
+    flk_machine_place place;
+    flk_machine_push push;
+    double theta2 = flk_actual_theta2(p, at->s), speed;
+    int status = flk_machine_at(&p->machine, theta2, &place);
+
+    if (status != FOURLINK_OK)
+        return status;
+    speed = at->by_time ? at->speed : sqrt(2 * at->E / place.whole);
+    status = flk_actual_push(p, &place, speed, &push);
+    if (status != FOURLINK_OK)
+        return status;
+    row->crank.theta2 = theta2;
+    row->crank.omega2 = p->sense * speed;
+    row->crank.alpha2 = p->sense * push.alpha2;
+    row->time = at->t;
+    row->T_motor = push.T_motor;
+    row->J = place.J;
+    row->energy = 0.5 * place.whole * speed * speed;
+    row->energy_residual = p->largest > 0 ? (place.whole * at->u - at->E) / p->largest : 0;
+    return FOURLINK_OK;
+}
+
+int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
+{
+    flk_node at;
+
+    flk_actual_within(node_before(p, s), 0, s, &at);
+    at.s = s;
+    return flk_path_row(p, &at, row);
+}
+
+/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2) */
+static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
+{
+    flk_machine_place place;
+    flk_machine_push slower, faster;
+    flk_node at;
+    double speed;
+    int status = flk_machine_at(&p->machine, flk_actual_theta2(p, s), &place);
+
+    flk_actual_within(node, 0, s, &at);
+    if (status != FOURLINK_OK)
+        return status;
+    speed = at.by_time ? at.speed : sqrt(2 * at.E / place.whole);
+    status = flk_actual_push(p, &place, speed * (1 - DIFFERENCE), &slower);
+    if (status == FOURLINK_OK)
+        status = flk_actual_push(p, &place, speed * (1 + DIFFERENCE), &faster);
+    *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
+    return status;
+}
+
+/* By Gauss's rule of four points within each step. */
+int flk_path_growth(const flk_path *p, double *growth)
+{
+    static const double x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                0.93056815579702629};
+    static const double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                0.17392742256872693};
+    double sum = 0, value;
+    size_t k;
+    int i, status;
+
+    for (k = 0; k + 1 < p->n; k++) {
+        double from = p->node[k].s, length = p->node[k + 1].s - from;
+
+        for (i = 0; i < 4; i++) {
+            status = growth_at(p, &p->node[k], from + x[i] * length, &value);
+            if (status != FOURLINK_OK)
+                return status;
+            sum += w[i] * length * value;
+        }
+    }
+    *growth = sum;
+    return FOURLINK_OK;
+}

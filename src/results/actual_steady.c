@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_steady.c - the motion that repeats after a cycle.
+**
+** From the energy E0 at the first row the crank comes to the energy g(E0) after a cycle, in the time t.  Unknown are the
+** speed v at the first row and, of a motor that balances the loads, its torque T:
+**
+**    g(E0) - E0 = 0                                of any motor, for v
+**    g(E0) - E0 = 0,   mean_speed t - cycle = 0    of a motor that balances, for v and T
+**    g(E0) - E0 = 0                                the same from a given speed, for T
+**
+** They are solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965), which with one unknown
+** is the secant.  It starts from the lowest speed above which the mean torque of a cycle at constant speed is negative:
+** there a run-up ends, for below it the machine gains speed.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "actual_steady.h"
+
+#define PLACES 18
+#define SPEEDS 60 /* that are tried */
+#define FACTOR 1.4
+#define STEPS 60
+#define HALVINGS 30
+#define COARSE 1e-6   /* tolerance of the steps of first solutions, and their error */
+#define CLOSE 1e-13   /* of the energy, the cycle: solved */
+#define ROUNDED 1e-11 /* ... if it does not come closer */
+
+/* The equations in one or two unknowns. */
+typedef struct problem {
+    flk_path *p;
+    double cycle, mean_speed;
+    int has_speed, has_torque; /* which are unknown */
+    double speed;              /* rad/s, if it is known */
+    double torque_unit;        /* N m */
+} problem;
+
+/* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
+static int mean_push(const flk_path *p, double cycle, double speed, double *mean)
+{
+    const fourlink_motion *motion = &p->d->motion;
+    flk_machine_place place;
+    flk_machine_push push;
+    int i;
+
+    *mean = 0;
+    for (i = 0; i < PLACES; i++) {
+        double theta2 =
+            motion->from * motion->angle_unit + p->sense * cycle * ((double)i + 0.381) / PLACES;
+
+        if (flk_machine_at(&p->machine, theta2, &place) != FOURLINK_OK ||
+            flk_machine_push_at(&p->machine, &place, p->sense * speed, &push) != FOURLINK_OK)
+            return 0;
+        *mean += p->sense * push.push / PLACES;
+    }
+    return 1;
+}
+
+/* A speed of the size of those of the motor. */
+static double size_of_speed(const fourlink_motor *motor, double torque, double whole)
+{
+    double w = 0;
+
+    switch (motor->kind) {
+    case FOURLINK_MOTOR_LINEAR:
+        w = motor->no_load_speed;
+        break;
+    case FOURLINK_MOTOR_CURVE:
+        w = GSL_MAX(fabs(motor->curve_speed[0]), fabs(motor->curve_speed[motor->n_curve - 1]));
+        break;
+    case FOURLINK_MOTOR_POWER:
+        w = motor->power / motor->max_torque;
+        break;
+    default:
+        return sqrt(fabs(torque) / whole);
+    }
+    return fabs(w / motor->ratio);
+}
+
+/* The speed at which the mean torque turns negative; 0: there is none. */
+static double guess_speed(const flk_path *p, double cycle)
+{
+    double mean, last = 0, speed, largest;
+    flk_machine_place place;
+    int i;
+
+    if (flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place) !=
+            FOURLINK_OK ||
+        !mean_push(p, cycle, 0, &mean))
+        return 0;
+    largest = size_of_speed(&p->machine.motor, mean, place.whole);
+    speed = largest / 1000;
+    for (i = 0; i < SPEEDS && mean_push(p, cycle, speed, &mean); i++, speed *= FACTOR) {
+        if (last > 0 && mean <= 0)
+            return speed / FACTOR * pow(FACTOR, last / (last - mean));
+        last = mean;
+    }
+    return 0;
+}
+
+/* The residuals of x = ln v, T; 0 if the crank stalls. */
+static int miss(const problem *q, const double *x, double *r)
+{
+    double speed = q->has_speed ? exp(x[0]) : q->speed;
+    const flk_node *end;
+    int n = 0;
+
+    if (q->has_torque)
+        q->p->machine.motor.torque =
+            q->p->sense * x[q->has_speed] * q->torque_unit / q->p->machine.motor.ratio;
+    if (!flk_path_run(q->p, speed, q->cycle))
+        return 0;
+    end = flk_path_end(q->p);
+    r[n++] = log(end->E / q->p->node[0].E);
+    if (q->mean_speed > 0)
+        r[n++] = q->mean_speed * end->t / q->cycle - 1;
+    return 1;
+}
+
+static double size(int n, const double *r)
+{
+    return n == 2 ? gsl_hypot(r[0], r[1]) : fabs(r[0]);
+}
+
+/* B dx = -r */
+static int solve(int n, double B[2][2], const double *r, double *dx)
+{
+    double det = B[0][0] * B[1][1] - B[0][1] * B[1][0];
+
+    if (n == 1)
+        dx[0] = -r[0] / B[0][0];
+    else {
+        dx[0] = (-r[0] * B[1][1] + r[1] * B[0][1]) / det;
+        dx[1] = (-r[1] * B[0][0] + r[0] * B[1][0]) / det;
+    }
+    return fabs(dx[0]) <= 1e30 && (n == 1 || fabs(dx[1]) <= 1e30);
+}
+
+/* B += (dr - B dx) dx / dx.dx */
+static void update(int n, double B[2][2], const double *dx, const double *dr)
+{
+    double square = dx[0] * dx[0] + (n == 2 ? dx[1] * dx[1] : 0);
+    int i, j;
+
+    for (i = 0; i < n; i++) {
+        double left = dr[i] - B[i][0] * dx[0] - (n == 2 ? B[i][1] * dx[1] : 0);
+
+        for (j = 0; j < n; j++)
+            B[i][j] += left * dx[j] / square;
+    }
+}
+
+/* A step from x, shorter while the crank stalls or the residuals grow; 0 if no step is short enough. */
+static int step(const problem *q, int n, double *x, double *r, const double *dx, double B[2][2])
+{
+    double next[2], at[2], moved[2], change[2], part = 1;
+    int i, k;
+
+    for (k = 0; k < n; k++)
+        part = GSL_MIN(part, fabs(dx[k]) > 1 ? 1 / fabs(dx[k]) : 1);
+    for (i = 0; i < HALVINGS; i++, part *= 0.5) {
+        for (k = 0; k < n; k++) {
+            moved[k] = part * dx[k];
+            at[k] = x[k] + moved[k];
+        }
+        if (!miss(q, at, next) || size(n, next) > 2 * size(n, r))
+            continue;
+        for (k = 0; k < n; k++) {
+            change[k] = next[k] - r[k];
+            x[k] = at[k];
+            r[k] = next[k];
+        }
+        update(n, B, moved, change);
+        return 1;
+    }
+    return 0;
+}
+
+/* Go on from x until the residuals are close to 0, or as close as rounding lets them come. */
+static int broyden(const problem *q, double *x, double B[2][2], double close, double rounded)
+{
+    int n = q->has_speed + q->has_torque, i, is_there = 0;
+    double r[2], dx[2], last;
+
+    for (i = 0; i < HALVINGS && !(is_there = miss(q, x, r)) && q->has_speed; i++)
+        x[0] += 0.3;
+    for (i = 0; is_there && i < STEPS && size(n, r) > close; i++) {
+        last = size(n, r);
+        if (!solve(n, B, r, dx) || !step(q, n, x, r, dx, B))
+            break;
+        if (last <= rounded && size(n, r) > 0.5 * last)
+            break;
+    }
+    if (is_there && size(n, r) <= rounded)
+        return 1;
+    if (is_there)
+        miss(q, x, r);
+    return 0;
+}
+
+/* Coarsely, then finely.  B begins as if all energy of a cycle came from the torques of this cycle, g' = 0; with a
+** motor that balances, as if torques did not depend on the speed, g' = 1. */
+static int solve_problem(const problem *q, double *x)
+{
+    double tolerance = q->p->tolerance, B[2][2];
+    int is_there;
+
+    B[0][0] = q->has_torque ? q->has_speed ? 0 : 1 : -2;
+    B[0][1] = 1;
+    B[1][0] = -1;
+    B[1][1] = -0.25;
+    q->p->tolerance = COARSE;
+    is_there = broyden(q, x, B, COARSE, 10 * COARSE);
+    q->p->tolerance = tolerance;
+    return is_there && broyden(q, x, B, CLOSE, ROUNDED) && (q->has_torque || B[0][0] < 0);
+}
+
+int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
+{
+    int balances = p->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
+    double x[2], mean = 0;
+    flk_machine_place place;
+    problem q;
+
+    q.p = p;
+    q.cycle = cycle;
+    q.mean_speed = balances ? mean_speed : 0;
+    q.speed = speed;
+    q.has_torque = balances;
+    q.has_speed = !balances || mean_speed > 0;
+    q.torque_unit = 1;
+    p->n = 0;
+    p->machine.motor.torque = balances ? 0 : p->machine.motor.torque;
+    p->status = flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place);
+    if (p->status != FOURLINK_OK)
+        return 0;
+    speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);
+    p->status = FOURLINK_NO_STEADY;
+    if (!(speed > 0) || (balances && !mean_push(p, cycle, speed, &mean)))
+        return 0;
+    q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
+    x[0] = log(speed);
+    x[q.has_speed] = -mean / q.torque_unit;
+    p->is_steady = solve_problem(&q, x);
+    if (p->is_steady)
+        return 1;
+    if (p->status == FOURLINK_OK)
+        p->status = FOURLINK_NO_STEADY;
+    return 0;
+}

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** actual_steady.h - the motion that repeats after a cycle.
+*/
+#ifndef FOURLINK_ACTUAL_STEADY_H
+#define FOURLINK_ACTUAL_STEADY_H
+
+#include "actual_path.h"
+
+/* Find the speed at the first row of the steady motion of a path's machine, and with a motor that balances its torque.
+** The path is then the cycle; p->status says why there is none, and the path, if it stalls, where.
+**
+** Given:
+**    cycle       rad
+**    mean_speed  rad/s, in the sense of the motion; 0: not wanted
+**    speed       rad/s, at the first row, of a motor that balances and has no wanted mean speed
+** Returned (function value):
+**    1 found, 0 not
+*/
+int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed);
+
+#endif

@@ -1,0 +1,52 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_speed.sh FOURLINK DATA - pictures of machines with a motor: the speed with its mean, torques over the speed,
+# energy; the other kinds at the actual speed.
+. "$(dirname "$0")/pictures.sh"
+pump=$data/../doc/motor-pump.deck
+steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'
+
+# fact NAME: of the steady motion
+fact() { "$fourlink" -S -f csv -c theta2,omega2,energy $steady "$pump" | tr -d '\r' | awk -F, -v name="$1" '$1 == name {print $2}'; }
+# points BLOCK: of a curve in the script
+points() { awk -v block="\$$1 << EOD" '$0 == block {on = 1; next} /^EOD/ {on = 0} on && NF' s.gp; }
+
+run 0 --plot-script=s.gp --plot-kind=speed $steady "$pump"
+quiet
+near 'the mean' "$(sed -n "s/.*, \([0-9.]*\) with lines lt 2 title 'mean'.*/\1/p" s.gp)" "$(fact mean_speed)" 1e-7
+points omega2_open >speed
+check 'a curve of the speed' test "$(wc -l <speed)" -eq 721
+near 'its largest value' "$(awk '{print $2}' speed | sort -g | tail -n 1)" "$(fact 'max(omega2)')" 1e-4
+points T_motor_open >motor
+check 'the torque of the motor is on its line' awk '
+    {e = $2 - 120 * (1 - $1 / 14); if (e < 0) e = -e; if (e > 1e-5) bad++} END {exit bad || NR != 721}' motor
+points Ts_open >crank
+check 'that on the crank makes a loop' awk '
+    {d = $2 - 120 * (1 - $1 / 14); if (d > 5) above++; if (d < -5) below++} END {exit !(above && below)}' crank
+points energy_open >energy
+near 'the largest energy' "$(awk '{print $2}' energy | sort -g | tail -n 1)" "$(fact 'max(energy)')" 1e-4
+
+run 2 --plot=p.svg --plot-kind=speed "$alvi"
+says 'this picture needs [motion] mode = free, run-up or steady; the motion is given'
+run 1 --plot-script=s.gp --plot-kind=speed --branch=open --set='motor.stall_torque=60 N m' "$pump"
+says 'stalls'
+
+# The turning moment is that of the mean speed.
+run 0 --plot-script=s.gp --plot-kind=turning-moment $steady "$pump"
+quiet
+near 'its mean' "$(sed -n 's/^mean = //p' s.gp)" "-$(fact mean_torque | tr -d -)" 1e-4
+run 2 --plot-script=s.gp --plot-kind=turning-moment --branch=open "$pump"
+says 'the turning moment needs'
+
+needs_gnuplot
+for kind in $kinds speed; do
+    [ $kind = animation ] && continue
+    run 0 --plot=$kind.svg --plot-kind=$kind $steady "$pump"
+    quiet
+    svg $kind.svg
+done
+shows speed.svg 'open: mean = 11.199 rad/s' omega2 mean T_motor Ts 'torque (N.m)' 'omega2 (rad/s)' 'energy (J)'
+run 0 --plot=r.svg --plot-kind=columns --plot-x=time --columns=omega2,T_motor --branch=open "$pump"
+shows r.svg 'time (s)' 'omega2 (rad/s)' 'T_motor (N.m)'
+finish

@@ -1,0 +1,460 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_actual.c - the actual motion of machines: energy, a second integration by GSL, limits, symmetries, machines that
+** swing back, and values of an independent solver.
+*/
+#include <stdlib.h>
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "machines.h"
+#include "results/actual_path.h"
+#include "results/actual_time.h"
+#include "results/analysis.h"
+
+#define PUMP                                                                                    \
+    "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
+    "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
+    "cg = 70 mm\n[ground]\noffset = 10 mm\n[piston]\nmass = 1.2 kg\n"
+#define FORCE                                                                                \
+    "[load P]\nlink = piston\nforce = 0 deg -100 N, 60 deg -150 N, 120 deg -150 N, 180 deg " \
+    "-300 N, 200 deg -900 N,\n240 deg -1400 N, 300 deg -1200 N\n"
+#define FAN                                                                                   \
+    "[load F]\nlink = crank\ntorque = -0.02 N m\nover = omega2\nat_speed = 1 rad/s\nexponent" \
+    " = 2\n"
+#define MOTOR "[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
+#define FLYWHEEL "[flywheel]\ninertia = 0.5 kg m2\n"
+#define FRICTION                                                                            \
+    "[friction]\nguide = 0.1\nguide_length = 60 mm\nA = 0.05\nradius_A = 20 mm\nB = 0.05\n" \
+    "radius_B = 20 mm\nC = 0.08\nradius_C = 10 mm\n"
+#define ROCKER                                                                             \
+    "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\nmass = 0.1 " \
+    "kg\ngyration = 8 mm\ncg = 10 mm\n[coupler]\nlength = 66 mm\nmass = 0.3 kg\ngyration " \
+    "= 25 mm\ncg = 30 mm at 10 deg\n[rocker]\nlength = 56 mm\nmass = 0.25 kg\ngyration = " \
+    "20 mm\ncg = 28 mm at -5 deg\n"
+
+static double value_at(fourlink_results *r, const char *name, double angle)
+{
+    fourlink_value v;
+    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
+
+    if (status != FOURLINK_OK)
+        fail_msg("%s at %g: %s", name, angle, fourlink_status_text(status));
+    return v.value;
+}
+
+static fourlink_instant row_of(fourlink_results *r, unsigned long i)
+{
+    fourlink_instant at;
+
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL), FOURLINK_OK);
+    return at;
+}
+
+/* Kinetic energy and that of the weights. */
+static double energy_of(fourlink_results *r, const fourlink_instant *at)
+{
+    fourlink_problem problem = problem_of(r);
+    const fourlink_design *d = &problem.mechanism.design;
+    double J, omega2 = at->row.crank.omega2, energy;
+    fourlink_vector G;
+    int i;
+
+    assert_int_equal(fourlink_inertia(&problem.mechanism, &at->state, &J, NULL), FOURLINK_OK);
+    energy = 0.5 * J * omega2 * omega2;
+    for (i = 2; i <= 4; i++) {
+        fourlink_point(&at->state, i, &d->link[i].cg, &G, NULL, NULL);
+        energy -= d->link[i].mass * (G.x * d->gravity.x + G.y * d->gravity.y);
+    }
+    return energy;
+}
+
+/* A free machine keeps its energy over 100 turns, though its speed changes by more than half. */
+static void test_energy(void **unused)
+{
+    fourlink_results *r =
+        opened(ROCKER "[motion]\nmode = free\nspeed = 40 rad/s\nturns = 100\ninterval = 37 deg\n");
+    fourlink_instant at = row_of(r, 0);
+    double first = energy_of(r, &at), kinetic = value_at(r, "energy", 0), worst = 0;
+    double least = 1e9, most = 0;
+    unsigned long i;
+
+    (void)unused;
+    for (i = 1; i < problem_of(r).n_rows; i++) {
+        at = row_of(r, i);
+        worst = fmax(worst, fabs(energy_of(r, &at) - first));
+        least = fmin(least, at.row.crank.omega2);
+        most = fmax(most, at.row.crank.omega2);
+    }
+    assert_true(most > 1.8 * least);
+    assert_near(worst, 0, 1e-11 * kinetic);
+    fourlink_results_free(r);
+}
+
+/* The kinetostatic torque is that of the shaft in each row; the energy is the work put in. */
+static void check_rows(fourlink_results *r, double inertia)
+{
+    unsigned long i;
+
+    for (i = 0; i < problem_of(r).n_rows; i++) {
+        fourlink_instant at = row_of(r, i);
+        double angle = at.row.angle, Ts = at.forces.Ts;
+        double shaft = value_at(r, "T_motor", angle) - inertia * at.row.crank.alpha2;
+
+        assert_near(Ts, shaft, 1e-11 * (fabs(Ts) + inertia * fabs(at.row.crank.alpha2)));
+        assert_near(value_at(r, "energy_residual", angle), 0, 1e-11);
+        assert_near(value_at(r, "omega2", angle), at.row.crank.omega2, 0);
+    }
+}
+
+static void test_shaft(void **unused)
+{
+    static const char *const motions[] = {"mode = run-up", "mode = free\nspeed = 9 rad/s",
+                                          "mode = steady"};
+    static const char *const friction[] = {"", FRICTION};
+    size_t i, j;
+
+    (void)unused;
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 2; j++) {
+            fourlink_results *r =
+                opened(print("%s[motion]\n%s\nturns = 2\ninterval = 7 deg\n%s",
+                             PUMP FORCE FAN MOTOR FLYWHEEL, motions[i], friction[j]));
+
+            check_rows(r, 0.5);
+            fourlink_results_free(r);
+        }
+}
+
+/* ------------------------------------------------------------------------------------ by GSL */
+
+/* d(omega2^2 / 2)/dtheta2 and dt/dtheta2 from the public functions. */
+static int equations(double theta2, const double y[], double dy[], void *of_deck)
+{
+    fourlink_motor motor;
+    fourlink_problem problem;
+    fourlink_crank crank = {theta2, sqrt(2 * y[0]), 0};
+    fourlink_load loads[20];
+    fourlink_state state;
+    fourlink_forces forces;
+    fourlink_losses losses;
+    double gas, J, slope, Q, T;
+
+    memset(&motor, 0, sizeof motor);
+    motor.kind = FOURLINK_MOTOR_LINEAR;
+    motor.stall_torque = 120;
+    motor.no_load_speed = 14;
+    motor.ratio = 1;
+    fourlink_deck_problem(of_deck, &problem);
+    if (fourlink_deck_analyse(of_deck, FOURLINK_OPEN, &crank, 1, loads, &state, &forces, &losses,
+                              &gas) != FOURLINK_OK)
+        return GSL_EFAILED;
+    fourlink_inertia(&problem.mechanism, &state, &J, &slope);
+    fourlink_generalised_force(&problem.mechanism, &state, loads, problem.n_loads, &Q);
+    fourlink_motor_torque(&motor, crank.omega2, &T);
+    dy[0] = (T + Q - slope * y[0]) / (J + 0.5);
+    dy[1] = 1 / crank.omega2;
+    return GSL_SUCCESS;
+}
+
+/* A second opinion: GSL's rk8pd, from one point of the curve to the next. */
+static void test_second_opinion(void **unused)
+{
+    static const double corners[] = {0,   60,  120, 180, 200, 240, 300, 360,
+                                     420, 480, 540, 560, 600, 660, 720};
+    fourlink_results *r =
+        opened(PUMP FORCE FAN MOTOR FLYWHEEL "[motion]\nmode = free\nspeed = 5 rad/s\nturns = 2\n");
+    gsl_odeiv2_system system = {equations, NULL, 2, (void *)fourlink_results_deck(r)};
+    gsl_odeiv2_driver *driver =
+        gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-3, 0, 1e-13);
+    double theta2 = 0, y[2] = {12.5, 0};
+    size_t i;
+
+    (void)unused;
+    for (i = 1; i < sizeof corners / sizeof corners[0]; i++) {
+        gsl_odeiv2_driver_reset(driver);
+        assert_int_equal(gsl_odeiv2_driver_apply(driver, &theta2, corners[i] * DEG, y),
+                         GSL_SUCCESS);
+        assert_close(value_at(r, "omega2", corners[i]), sqrt(2 * y[0]), 1e-11);
+        assert_close(value_at(r, "time", corners[i]), y[1], 1e-11);
+    }
+    gsl_odeiv2_driver_free(driver);
+    fourlink_results_free(r);
+}
+
+/* ------------------------------------------------------------------------------------ tolerance */
+
+static void read_deck(const char *contents, deck *d)
+{
+    fourlink_source source = deck_source(contents);
+
+    if (flk_deck_read(&source, d) != 1)
+        fail_msg("%s\n%s", d->mistakes.list[0].message, contents);
+}
+
+/* A tolerance that is a tenth changes none of ten digits; one that is a thousand times larger would. */
+static void test_tolerance(void **unused)
+{
+    static const double tolerance[] = {1e-12, 1e-13, 1e-9};
+    double speed[3], time[3];
+    flk_analysis a;
+    flk_path p;
+    deck d;
+    int i;
+
+    (void)unused;
+    read_deck(PUMP FORCE FAN MOTOR FLYWHEEL "[motion]\nmode = run-up\nturns = 3\n", &d);
+    assert_true(flk_analysis_open(&a, &d));
+    memset(&p, 0, sizeof p);
+    p.d = &d;
+    p.jumps = &a.jumps;
+    p.sense = 1;
+    flk_machine_of(&d, FOURLINK_OPEN, a.loads, a.n_loads, &p.machine);
+    for (i = 0; i < 3; i++) {
+        flk_actual_row row;
+
+        p.tolerance = tolerance[i];
+        p.budget = 10000;
+        assert_true(flk_path_run(&p, 0, 6 * M_PI));
+        assert_int_equal(flk_path_at(&p, 5.5 * M_PI, &row), FOURLINK_OK);
+        speed[i] = row.crank.omega2;
+        time[i] = row.time;
+    }
+    assert_close(speed[0], speed[1], 1e-11);
+    assert_close(time[0], time[1], 1e-11);
+    assert_true(fabs(speed[2] - speed[1]) > fabs(speed[0] - speed[1]));
+    free(p.node);
+    flk_analysis_close(&a);
+    flk_deck_free(&d);
+}
+
+/* ------------------------------------------------------------------------------------ limits */
+
+/* With a large flywheel the torque tends to that at constant speed, at first order. */
+static void test_large_flywheel(void **unused)
+{
+    fourlink_results *given = opened(PUMP FORCE "[motion]\nspeed = 12 rad/s\ninterval = 15 deg\n");
+    double off[2] = {0, 0}, angle;
+    int i;
+
+    (void)unused;
+    for (i = 0; i < 2; i++) {
+        fourlink_results *r = opened(print("%s[motor]\ntorque = constant\n[flywheel]\ninertia = "
+                                           "%s kg m2\n[motion]\nmode = steady\nmean_speed = 12 "
+                                           "rad/s\ninterval = 15 deg\n",
+                                           PUMP FORCE, i ? "20000" : "2000"));
+
+        for (angle = 0; angle < 360; angle += 15)
+            off[i] = fmax(off[i], fabs(value_at(r, "Ts", angle) - value_at(given, "Ts", angle)));
+        fourlink_results_free(r);
+    }
+    assert_close(off[0] / off[1], 10.0, 0.01);
+    assert_true(off[1] < 1e-3);
+    fourlink_results_free(given);
+}
+
+/* Values of the theory of flywheels: 12 rad/s in the mean over time is 12.089 over the angle, and the textbooks'
+** coefficient of fluctuation, 0.25825, is not the true one. */
+static void test_fluctuation(void **unused)
+{
+    fourlink_results *r =
+        opened(PUMP FORCE "[motor]\ntorque = constant\n[flywheel]\ninertia = 2 "
+                          "kg m2\n[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
+
+    (void)unused;
+    assert_close(value_at(r, "mean_speed", 0), 12.0, 1e-10);
+    assert_near(value_at(r, "mean(omega2)", 0), 12.089, 5e-4);
+    assert_near(value_at(r, "fluctuation_exact", 0), 0.25712, 6e-6);
+    assert_near(value_at(r, "flywheel_fluctuation", 0), 0.25825, 2e-5);
+    assert_close(value_at(r, "steady_rate", 0), 1.0, 1e-9);
+    assert_close((value_at(r, "max(omega2)", 0) - value_at(r, "min(omega2)", 0)) / 12,
+                 value_at(r, "fluctuation_exact", 0), 1e-8);
+    assert_close((value_at(r, "max(omega2)", 0) + value_at(r, "min(omega2)", 0)) / 2,
+                 value_at(r, "mean_speed_textbook", 0), 1e-8);
+    fourlink_results_free(r);
+}
+
+/* The rate of the map of the energy over a cycle is that by which a run-up comes to the steady speed. */
+static void test_rate(void **unused)
+{
+    fourlink_results *r = opened(PUMP FORCE FAN "[motor]\nstall_torque = 120 N m\nno_load_speed "
+                                                "= 14 rad/s\n[flywheel]\ninertia = 8 kg m2\n"
+                                                "[motion]\nmode = run-up\nturns = 6\n");
+    fourlink_results *steady =
+        opened(PUMP FORCE FAN "[motor]\nstall_torque = 120 N m\n"
+                              "no_load_speed = 14 rad/s\n[flywheel]\n"
+                              "inertia = 8 kg m2\n[motion]\nmode = steady\n");
+    double E = value_at(steady, "energy", 0), rate = value_at(steady, "steady_rate", 0);
+    double before = value_at(r, "energy", 5 * 360) - E, after = value_at(r, "energy", 6 * 360) - E;
+
+    (void)unused;
+    assert_in_range(rate * 1000, 100, 900);
+    assert_close(value_at(r, "steady_rate", 0), rate, 1e-9);
+    assert_close(after / before, rate, 5e-3);
+    assert_close(value_at(r, "mean_speed", 0), value_at(steady, "mean_speed", 0), 1e-9);
+    /* it reaches that mean after the time of the fact */
+    assert_true(value_at(r, "run_up_time", 0) > 0.3);
+    fourlink_results_free(r);
+    fourlink_results_free(steady);
+}
+
+/* ------------------------------------------------------------------------------------ symmetries */
+
+/* A machine seen from behind: the mirror image turns clockwise. */
+static void test_mirror(void **unused)
+{
+    static const char motor[] = "[motor]\nstall_torque = %s60 N m\nno_load_speed = %s14 rad/s\n"
+                                "inertia = 0.01 kg m2\nratio = 3\n";
+    static const char links[] =
+        "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg "
+        "m2\ncg = (12, %s3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"
+        "cg = 70 mm\n[ground]\noffset = %s10 mm\n[piston]\nmass = 1.2 kg\n%s"
+        "[gravity]\ndirection = %s90 deg\n";
+    char left[2000], right[2000];
+    fourlink_results *r, *s;
+    double angle;
+
+    (void)unused;
+    sprintf(left, links, "", "", FRICTION, "-");
+    sprintf(left + strlen(left), motor, "", "");
+    sprintf(right, links, "-", "-", FRICTION, "");
+    sprintf(right + strlen(right), motor, "-", "-");
+    r = opened(print("%s[motion]\nmode = run-up\nto = 400 deg\n", left));
+    s = opened(print("%s[motion]\nmode = run-up\nto = -400 deg\n", right));
+    for (angle = 0; angle <= 400; angle += 10) {
+        assert_near(value_at(r, "omega2", angle), -value_at(s, "omega2", -angle), 1e-10);
+        assert_near(value_at(r, "alpha2", angle), -value_at(s, "alpha2", -angle), 1e-8);
+        assert_near(value_at(r, "T_motor", angle), -value_at(s, "T_motor", -angle), 1e-8);
+        assert_near(value_at(r, "time", angle), value_at(s, "time", -angle), 1e-11);
+    }
+    fourlink_results_free(r);
+    fourlink_results_free(s);
+}
+
+/* Rows do not depend on the interval, nor on the rows before them. */
+static void test_any_angle(void **unused)
+{
+    fourlink_results *fine = opened(PUMP FORCE FAN MOTOR FLYWHEEL
+                                    "[motion]\nmode = run-up\nturns = 1\ninterval = 0.1 deg\n"),
+                     *coarse = opened(PUMP FORCE FAN MOTOR FLYWHEEL
+                                      "[motion]\nmode = run-up\nturns = 1\ninterval = 90 deg\n");
+    double angle;
+
+    (void)unused;
+    for (angle = 360; angle >= 0; angle -= 0.7) {
+        assert_near(value_at(fine, "omega2", angle), value_at(coarse, "omega2", angle), 0);
+        assert_near(value_at(fine, "time", angle), value_at(coarse, "time", angle), 0);
+    }
+    fourlink_results_free(fine);
+    fourlink_results_free(coarse);
+}
+
+/* A parallelogram runs through its change points, and a linkage with dead positions up to the first. */
+static void test_positions(void **unused)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = 0.3 m\nmass = 1 kg\n"
+        "cg = 0.15 m\n[coupler]\nlength = 1 m\nmass = 2 kg\ncg = 0.5 m\n[rocker]\nlength = 0.3 m\n"
+        "mass = 1 kg\ncg = 0.15 m\n[motion]\nmode = free\nspeed = 20 rad/s\nfrom = 30 deg\nto = "
+        "1110 deg\ninterval = 20 deg\n");
+    double angle, h, J, t;
+    fourlink_instant at;
+
+    (void)unused;
+    /* all of it turns as one mass, J = sum m r^2, under its weight */
+    J = 2 * (1 * 0.15 * 0.15) + 2 * 0.3 * 0.3;
+    for (angle = 30; angle <= 1110; angle += 40) {
+        h = (1 * 0.15 * 2 + 2 * 0.3) * (sin(angle * DEG) - sin(30 * DEG));
+        assert_close(value_at(r, "omega2", angle), sqrt(400 - 2 * 9.81 * h / J), 1e-9);
+    }
+    fourlink_results_free(r);
+
+    r = opened("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 60 mm\nmass = 1 "
+               "kg\ncg = 20 mm\n[coupler]\nlength = 50 mm\nmass = 1 kg\ncg = 20 mm\n[rocker]\n"
+               "length = 40 mm\nmass = 1 kg\ncg = 10 mm\n[motion]\nmode = free\nspeed = 30 rad/s\n"
+               "from = 50 deg\nto = 120 deg\ninterval = 1 deg\n[flywheel]\ninertia = 1 kg m2\n");
+    at = row_of(r, 0);
+    J = energy_of(r, &at) + 0.5 * 900;
+    for (angle = 50; fourlink_results_at(r, FOURLINK_OPEN, angle, NULL, &at, NULL) == FOURLINK_OK;
+         angle += 1)
+        assert_near(energy_of(r, &at) + 0.5 * gsl_pow_2(at.row.crank.omega2), J, 1e-9 * J);
+    assert_in_range(angle, 60, 110);
+    assert_int_not_equal(fourlink_results_end(r, FOURLINK_OPEN, &t), FOURLINK_OK);
+    fourlink_results_free(r);
+}
+
+/* ------------------------------------------------------------------------------------ by time */
+
+/* Rows by time are those by angle at the same time. */
+static void test_time_and_angle(void **unused)
+{
+    fourlink_results *r = opened(PUMP FORCE FAN MOTOR FLYWHEEL
+                                 "[motion]\nmode = run-up\nrows = time\ntime_step = 10 ms\n"
+                                 "duration = 0.555 s\n"),
+                     *s = opened(PUMP FORCE FAN MOTOR FLYWHEEL
+                                 "[motion]\nmode = run-up\nturns = 1\n");
+    unsigned long i, n = problem_of(r).n_rows;
+
+    (void)unused;
+    assert_int_equal(n, 57);
+    for (i = 0; i < n; i++) {
+        fourlink_instant at = row_of(r, i);
+
+        assert_near(at.row.time, i < n - 1 ? 0.01 * (double)i : 0.555, 1e-15);
+        assert_near(value_at(s, "time", at.row.angle), at.row.time, 1e-10);
+        assert_near(value_at(s, "omega2", at.row.angle), at.row.crank.omega2, 1e-9);
+        assert_near(value_at(r, "omega2", at.row.angle), at.row.crank.omega2, 1e-9);
+    }
+    fourlink_results_free(r);
+    fourlink_results_free(s);
+}
+
+/* A pendulum swings between the angles at which its energy is that of its weight, as often as it should. */
+static void test_pendulum(void **unused)
+{
+    fourlink_results *r = opened(PUMP "[motion]\nmode = free\nspeed = 8 rad/s\nrows = time\n"
+                                      "time_step = 5 ms\nduration = 3 s\n"),
+                     *s = opened(PUMP "[motion]\nmode = free\nspeed = 8 rad/s\nturns = 1\n");
+    fourlink_instant at = row_of(r, 0);
+    double first = energy_of(r, &at), size = value_at(r, "max(energy)", 0), stall, value;
+    unsigned long i, n = problem_of(r).n_rows, turns = 0;
+    int forward = 1;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_end(s, FOURLINK_OPEN, &stall), FOURLINK_STALLS);
+    for (i = 1; i < n; i++) {
+        at = row_of(r, i);
+        assert_near(energy_of(r, &at), first, 1e-10 * size);
+        assert_near(at.forces.Ts, 0, 1e-11);
+        assert_true(at.row.angle <= stall + 1e-9);
+        turns += (at.row.crank.omega2 > 0) != forward;
+        forward = at.row.crank.omega2 > 0;
+    }
+    assert_in_range(turns, 5, 40);
+    /* extremes over the time, with the crank angles where they are */
+    assert_close(value_at(r, "max(omega2)", 0), -value_at(r, "min(omega2)", 0), 1e-8);
+    {
+        fourlink_value v;
+
+        assert_int_equal(fourlink_results_value(r, "max(J)", FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+        assert_int_equal(fourlink_results_value(r, "J", FOURLINK_OPEN, v.angle, &v), FOURLINK_OK);
+        value = v.value;
+    }
+    assert_close(value, value_at(r, "max(J)", 0), 1e-9);
+    fourlink_results_free(r);
+    fourlink_results_free(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_energy),         cmocka_unit_test(test_shaft),
+        cmocka_unit_test(test_second_opinion), cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_large_flywheel), cmocka_unit_test(test_fluctuation),
+        cmocka_unit_test(test_rate),           cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_any_angle),      cmocka_unit_test(test_positions),
+        cmocka_unit_test(test_time_and_angle), cmocka_unit_test(test_pendulum)};
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}

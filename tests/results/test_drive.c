@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_drive.c - decks with a motor, by name: columns, facts, the end of the motion, the flywheel for a fluctuation;
+** against an independent solver.
+*/
+#include "machines.h"
+
+#define PUMP                                                                                    \
+    "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
+    "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
+    "cg = 70 mm\n[ground]\noffset = 10 mm\n[piston]\nmass = 1.2 kg\n[load P]\nlink = piston\n"  \
+    "force = 0 deg -100 N, 60 deg -150 N, 120 deg -150 N, 180 deg -300 N, 200 deg -900 N,\n"    \
+    "240 deg -1400 N, 300 deg -1200 N\n[load F]\nlink = crank\ntorque = -0.02 N m\n"            \
+    "over = omega2\nat_speed = 1 rad/s\nexponent = 2\n"
+#define MOTOR "[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
+#define FLYWHEEL "[flywheel]\ninertia = 0.5 kg m2\n"
+#define RUN_UP "[motion]\nmode = run-up\nturns = 2\ninterval = 45 deg\n"
+#define STEADY "[motion]\nmode = steady\ninterval = 45 deg\n"
+
+static fourlink_value value_at(fourlink_results *r, const char *name, double angle)
+{
+    fourlink_value v;
+    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
+
+    if (status != FOURLINK_OK)
+        fail_msg("%s: %s", name, fourlink_status_text(status));
+    return v;
+}
+
+static void check_value(fourlink_results *r, const char *name, double angle, double expected)
+{
+    double computed = value_at(r, name, angle).value;
+
+    if (!(fabs(computed - expected) <= 1e-9 * fabs(expected)))
+        fail_msg("%s at %g: %.13g, expected %.13g", name, angle, computed, expected);
+}
+
+static int status_of(fourlink_results *r, const char *name, double angle)
+{
+    fourlink_value v;
+
+    return fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
+}
+
+/* One line of values of the independent solver. */
+static void check_row(fourlink_results *r, double angle, const double expected[7])
+{
+    static const char *const names[] = {"time", "omega2", "alpha2", "T_motor",
+                                        "Ts",   "F12x",   "F12y"};
+    int i;
+
+    for (i = 0; i < 7; i++)
+        check_value(r, names[i], angle, expected[i]);
+}
+
+static void test_run_up(void **unused)
+{
+    static const double at_45[] = {0.105222531727,  11.70599690827, 43.49993530184,  19.66288364339,
+                                   -2.087084007533, 126.7487020372, -0.2405524127144},
+                        at_720[] = {1.168444468909, 11.25138487753, 40.48204147439, 23.55955819263,
+                                    3.318537455433, 82.67895717049, 25.27059548348};
+    fourlink_results *r = opened(PUMP MOTOR FLYWHEEL RUN_UP);
+    double angle;
+
+    (void)unused;
+    check_row(r, 45, at_45);
+    check_row(r, 720, at_720);
+    assert_int_equal(problem_of(r).mode, FOURLINK_MODE_RUN_UP);
+    assert_int_equal(problem_of(r).n_rows, 17);
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_OK);
+    assert_near(angle, 720, 0);
+    /* reached between the rows, at the mean of the steady motion */
+    assert_in_range(value_at(r, "run_up_time", 0).value * 1e4, 900, 1000);
+    assert_true(fabs(value_at(r, "energy_residual", 720).value) < 1e-12);
+    /* the torque that the shaft brings to the crank */
+    assert_close(value_at(r, "Ts", 30).value,
+                 value_at(r, "T_motor", 30).value - 0.5 * value_at(r, "alpha2", 30).value, 1e-11);
+    assert_close(value_at(r, "energy", 30).value,
+                 0.5 * (0.5 + value_at(r, "J", 30).value) * value_at(r, "omega2", 30).value *
+                     value_at(r, "omega2", 30).value,
+                 1e-11);
+    fourlink_results_free(r);
+}
+
+static void test_steady(void **unused)
+{
+    static const double at_180[] = {0.233819683268,   14.02793279833, -5.890331291283,
+                                    -0.2394239856987, 2.705741659943, 319.5615188388,
+                                    36.51062537359};
+    fourlink_results *r = opened(PUMP MOTOR FLYWHEEL STEADY);
+    double max, min;
+
+    (void)unused;
+    check_row(r, 180, at_180);
+    check_value(r, "period", 0, 0.5610716958147);
+    check_value(r, "mean_speed", 0, 2 * M_PI / 0.5610716958147);
+    assert_close(value_at(r, "steady_rate", 0).value, 4.48615e-05, 1e-6);
+    max = value_at(r, "max(omega2)", 0).value;
+    min = value_at(r, "min(omega2)", 0).value;
+    assert_close(value_at(r, "mean_speed_textbook", 0).value, (max + min) / 2, 1e-9);
+    assert_close(value_at(r, "fluctuation_exact", 0).value,
+                 (max - min) / value_at(r, "mean_speed", 0).value, 1e-9);
+    /* beside it, the textbooks' from the turning moment at the mean speed */
+    assert_close(value_at(r, "flywheel_fluctuation", 0).value,
+                 value_at(r, "energy_fluctuation", 0).value /
+                     (0.5 * pow(value_at(r, "mean_speed", 0).value, 2)),
+                 1e-12);
+    assert_int_equal(status_of(r, "run_up_time", 0), FOURLINK_NO_SUCH_FACT);
+    assert_int_equal(status_of(r, "stall_angle", 0), FOURLINK_NO_SUCH_FACT);
+    fourlink_results_free(r);
+}
+
+static void test_ends(void **unused)
+{
+    fourlink_results *r =
+        opened(PUMP "[motor]\nstall_torque = 60 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL RUN_UP);
+    double angle = 0, values[64];
+    fourlink_instant at;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_STALLS);
+    assert_close(value_at(r, "stall_angle", 0).value, angle, 1e-15);
+    assert_in_range(angle * 10, 2905, 2906);
+    assert_int_equal(status_of(r, "omega2", 280), FOURLINK_OK);
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 7, values, &at, NULL), FOURLINK_STALLS);
+    assert_near(values[0], 315, 0);
+    assert_true(isnan(at.row.crank.omega2) && isnan(at.row.time));
+    assert_int_equal(fourlink_results_end(NULL, FOURLINK_OPEN, &angle), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_end(r, (fourlink_branch)0, &angle), FOURLINK_BAD_BRANCH);
+    fourlink_results_free(r);
+
+    r = opened(PUMP "[motor]\ntorque = -20 N m\n" FLYWHEEL
+                    "[motion]\nmode = run-up\nto = 90 deg\n");
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_DOES_NOT_START);
+    assert_int_equal(status_of(r, "omega2", 45), FOURLINK_DOES_NOT_START);
+    fourlink_results_free(r);
+
+    r = opened(PUMP "[motor]\nstall_torque = 20 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL STEADY);
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_NO_STEADY);
+    assert_int_equal(status_of(r, "mean_speed", 0), FOURLINK_NO_SUCH_FACT);
+    assert_int_equal(status_of(r, "mean_torque", 0), FOURLINK_NO_SUCH_FACT);
+    fourlink_results_free(r);
+}
+
+/* The flywheel that is found gives the fluctuation, whatever its size. */
+static void test_wanted_flywheel(void **unused)
+{
+    static const double wanted[] = {1e-4, 0.01, 0.1, 0.5, 0.75};
+    char deck[2000];
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
+        fourlink_results *r;
+        double inertia;
+
+        sprintf(deck, "%s[flywheel]\nfluctuation = %.17g\nexact = yes\n%s", PUMP MOTOR, wanted[i],
+                STEADY);
+        r = opened(deck);
+        assert_close(value_at(r, "fluctuation_exact", 0).value, wanted[i], 1e-9);
+        inertia = value_at(r, "flywheel_inertia", 0).value;
+        fourlink_results_free(r);
+        sprintf(deck, "%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP MOTOR, inertia, STEADY);
+        r = opened(deck);
+        assert_close(value_at(r, "fluctuation_exact", 0).value, wanted[i], 1e-8);
+        fourlink_results_free(r);
+    }
+    /* without a flywheel it fluctuates less */
+    sprintf(deck, "%s[flywheel]\nfluctuation = 2\nexact = yes\n%s", PUMP MOTOR, STEADY);
+    {
+        fourlink_results *r = opened(deck);
+
+        assert_true(value_at(r, "fluctuation_exact", 0).value < 1);
+        assert_int_equal(status_of(r, "flywheel_inertia", 0), FOURLINK_NO_SUCH_FACT);
+        fourlink_results_free(r);
+    }
+}
+
+/* A constant torque that balances the loads, at any mean speed; the exact fluctuation is not the textbooks'. */
+static void test_balancing_motor(void **unused)
+{
+    fourlink_results *r = opened(PUMP "[motor]\ntorque = constant\n[flywheel]\ninertia = 20 kg m2\n"
+                                      "[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
+    double exact, textbook;
+
+    (void)unused;
+    check_value(r, "mean_speed", 0, 12);
+    assert_close(value_at(r, "period", 0).value, 2 * M_PI / 12, 1e-9);
+    assert_close(value_at(r, "motor_torque", 0).value, value_at(r, "T_motor", 100).value, 1e-12);
+    exact = value_at(r, "fluctuation_exact", 0).value;
+    textbook = value_at(r, "flywheel_fluctuation", 0).value;
+    assert_in_range(1e6 * fabs(exact / textbook - 1), 10, 30000);
+    fourlink_results_free(r);
+}
+
+/* In FORTRAN 77 by the same names. */
+static void test_fortran(void **unused)
+{
+    const char deck[] = PUMP MOTOR FLYWHEEL STEADY;
+    fourlink_results *handle = NULL;
+    double value = 0, angle = 180;
+    char message[80];
+    int status, open = 1;
+
+    (void)unused;
+    flopen_(deck, &handle, &status, message, sizeof deck - 1, sizeof message);
+    assert_int_equal(status, FOURLINK_OK);
+    flval_(&handle, "omega2", &open, &angle, &value, &status, 6);
+    assert_int_equal(status, FOURLINK_OK);
+    assert_close(value, 14.02793279833, 1e-9);
+    flval_(&handle, "period", &open, &angle, &value, &status, 6);
+    assert_close(value, 0.5610716958147, 1e-9);
+    flshut_(&handle);
+}
+
+/* Columns and facts of the actual motion are not those of a given one. */
+static void test_given(void **unused)
+{
+    static const char *const names[] = {"T_motor", "J", "energy", "energy_residual"};
+    fourlink_results *r = opened(PUMP "[motion]\nspeed = 12 rad/s\n");
+    double angle;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < 4; i++)
+        assert_int_equal(status_of(r, names[i], 0), FOURLINK_NO_SUCH_NAME);
+    assert_int_equal(status_of(r, "mean_speed", 0), FOURLINK_NO_SUCH_FACT);
+    assert_int_equal(problem_of(r).mode, FOURLINK_MODE_GIVEN);
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_OK);
+    assert_near(angle, 360, 0);
+    fourlink_results_free(r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_run_up),
+                                       cmocka_unit_test(test_steady),
+                                       cmocka_unit_test(test_ends),
+                                       cmocka_unit_test(test_wanted_flywheel),
+                                       cmocka_unit_test(test_balancing_motor),
+                                       cmocka_unit_test(test_fortran),
+                                       cmocka_unit_test(test_given)};
+
+    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+}

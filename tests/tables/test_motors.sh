@@ -1,0 +1,77 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_motors.sh FOURLINK DATA - machines with a motor: their tables, the reason at the end of the rows in every
+# format, lists, summaries, sweeps, answers.
+. "$(dirname "$0")/../harness.sh"
+
+pump=$data/../doc/motor-pump.deck
+stall='motor.stall_torque=60 N m'
+
+run 0 "$pump" -b open
+quiet
+prints '# run-up from rest; masses of all links; loads process, fan'
+check 'the usual columns are those of the actual motion' \
+    grep -q '^# theta2  *time  *omega2  *alpha2 .* T_motor' out
+check '17 rows' test "$(grep -c '^ ' out)" -eq 17
+
+run 0 "$pump" -s motion.mode=steady -s motion.turns=1 -b open
+prints '# steady motion; '
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -b open
+prints '# free motion from 9 rad/s; '
+
+# Where it stalls the rows end, with one reason.
+run 1 "$pump" -s "$stall" -b open -c theta2,omega2
+quiet
+prints '# stalls at 290.539 deg'
+check 'seven rows before it' test "$(grep -c '^ ' out)" -eq 7
+check 'one reason' test "$(grep -c 'stalls' out)" -eq 1
+run 1 "$pump" -s "$stall" -f csv -c theta2,omega2
+check 'the reason in csv, on both branches' test "$(grep -c '^[a-z]*,,,stalls at [0-9.]* deg' out)" -eq 2
+check 'no row after it' test "$(grep -c '^open' out)" -eq 8
+run 1 "$pump" -s "$stall" -f json -c theta2,omega2 -b open
+prints '{"status":"stalls at 290.539 deg","values":null}'
+run 1 "$pump" -s "$stall" --matrix -b open
+check 'matrix: seven blocks and the reason' test "$(grep -c '^# theta2 = ' out)" -eq 7
+prints '# stalls at 290.539 deg'
+run 1 "$pump" -s "$stall" --expect -b open
+run 0 "$pump" -s "$stall" -S -b open
+check 'the angle as a fact' grep -q '^stall_angle  *290.539 deg' out
+
+run 1 "$pump" -s 'motor.stall_torque=-20 N m' -s 'motor.no_load_speed=-10 rad/s' -s motion.turns=1 -b open
+prints '# does not start: the torque does not turn the crank'
+run 1 "$pump" -s motion.mode=steady -s 'motor.stall_torque=20 N m' -b open
+prints '# no steady motion: no speed repeats after a cycle'
+
+# Lists and summaries.
+run 0 "$pump" --list
+for name in T_motor J energy energy_residual mean_speed mean_speed_textbook period fluctuation_exact run_up_time; do
+    check "$name is listed" grep -q "^$name  *[^ ]" out
+done
+run 0 "$alvi" --list
+check 'not of a given motion' test "$(grep -c '^T_motor\|^mean_speed\|^energy_residual' out)" -eq 0
+run 0 "$pump" -S -f csv
+for input in motion.mode motor.stall_torque motor.no_load_speed flywheel.inertia; do
+    check "$input is an input" grep -q "^$input," out
+done
+run 2 "$alvi" -c T_motor
+says "the column 'T_motor' needs [motion] mode = free, run-up or steady; the motion is given"
+
+# A sweep over motor and flywheel.
+{
+    cat "$pump"
+    printf '[sweep]\nmotor.stall_torque = 60 N m, 120 N m\nflywheel.inertia = 0.1 kg m2 to 0.5 kg m2 step 0.4 kg m2\n'
+    printf 'output = max(omega2), run_up_time, fluctuation_exact, stall_angle\n'
+} >sweep.deck
+run 0 sweep.deck -f csv -b open
+check 'four designs' test "$(grep -c ',open,' out)" -eq 4
+check 'each output is a number in some design' awk -F, '
+    NR > 1 {for (i = 5; i <= 8; i++) n[i] += $i > 0}
+    END {exit !(n[5] == 4 && n[6] > 0 && n[7] > 0 && n[8] > 0)}' out
+
+# Answers agree with the deck they are of.
+run 0 "$pump" --expect -b open
+mv out answers
+run 0 "$pump" --check=answers
+prints 'differs: 0'
+finish
