@@ -216,14 +216,19 @@ static int pole_order(const approach *e, double y[][NODES], int most, double *st
 }
 
 /* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow and are not rounding, know
-** the sign best. */
-static double pole_sign(const approach *e, double y[][NODES], int most)
+** the sign best.  A column that is zero but for rounding can seem to have a pole: where alpha2 is 0, alpha3 of a crank
+** and a rod of the same length, for one. */
+#define LEAST_POLE 1e-11 /* of the size away from the ends, at a radian: less is rounding */
+
+static double pole_sign(const approach *e, double y[][NODES], int most, double size)
 {
     double strength;
 
-    if (strong_pole(e, y, most, &strength))
+    if (strong_pole(e, y, most, &strength) && fabs(strength) > LEAST_POLE * size)
         return fabs(y[0][0]) > fabs(y[0][NODES - 1]) ? y[0][0] : strength;
-    return hidden_pole(e, y, most, &strength) ? strength : 0;
+    if (hidden_pole(e, y, most, &strength) && fabs(strength) > LEAST_POLE * size)
+        return strength;
+    return 0;
 }
 
 /* Leave the samples of a column out that are so close to an end of the piece. */
@@ -584,13 +589,14 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
     limit l;
 
     list_values(x, c, e, y);
+    t->size_inside = GSL_MAX_DBL(t->size_inside, size_inside(x, values));
     has_vector_pole = find_vector_pole(x, t, e, &v);
     if (!(t->turn > 0) && has_vector_pole) {
         offer_pole(x, t, e, 0);
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
         return;
     }
-    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order);
+    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order, t->size_inside);
     if (sign != 0) {
         offer_pole(x, t, e, sign > 0 ? 0 : 1);
         return;

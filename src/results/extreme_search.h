@@ -27,14 +27,15 @@ typedef struct flk_found {
 /* A column in the search. */
 typedef struct flk_tracked {
     const flk_column *c;
-    double turn;      /* of an angle: a turn in its unit; else 0 */
-    double last;      /* value from which an angle goes on; NaN: it starts anew */
-    double first;     /* value at the first row */
-    int restarts;     /* 1: it started anew after that */
-    double size;      /* largest magnitude of the samples */
-    double bound;     /* magnitude beyond which it is infinite */
-    int is_noise;     /* 1: a measure of rounding */
-    int has_pole[2];  /* 1: unbounded at the begin, the end of the piece */
+    double turn;        /* of an angle: a turn in its unit; else 0 */
+    double last;        /* value from which an angle goes on; NaN: it starts anew */
+    double first;       /* value at the first row */
+    int restarts;       /* 1: it started anew after that */
+    double size;        /* largest magnitude of the samples */
+    double size_inside; /* largest of those that are not near the ends of a stretch */
+    double bound;       /* magnitude beyond which it is infinite */
+    int is_noise;       /* 1: a measure of rounding */
+    int has_pole[2];    /* 1: unbounded at the begin, the end of the piece */
     double lost[2];   /* rad from the begin, the end of the piece, within which rows are rounding */
     int is_rough;     /* 1: rows near the present end of the piece may be rounding, */
     double rounding;  /* more than this, of its size, is too much */
