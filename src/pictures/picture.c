@@ -111,16 +111,6 @@ char *picture_words(const picture *p, const char *name, double si, quantity q,
                          (char *)NULL);
 }
 
-double picture_end(const fourlink_motion *motion)
-{
-    fourlink_range range;
-    fourlink_row last;
-
-    fourlink_motion_range(motion, &range);
-    fourlink_motion_row(motion, &range, range.n_rows - 1, &last);
-    return range.stops ? range.stop_angle : last.angle;
-}
-
 double picture_angle(const picture *p, int k, int steps)
 {
     double from = p->problem.motion.from;

@@ -296,7 +296,20 @@ function mechanism(data, panel) {
             panel.drawing.style.aspectRatio = Math.max(1.25, Math.min(2.2, ratio));
     }
 
-    return {panel, shape, choose, layOut, show, handle, rowAt};
+    /* The same drawing of other rows: the scale stays. */
+    function hold() {
+        cached = paths();
+    }
+
+    /* Of a place in the drawing, in the frame of link 1; turning to and fro is the same here, since y is downwards. */
+    function planeOf(at) {
+        const [x, y] = times(1 / view.scale, minus(at, view.origin));
+        const c = Math.cos(data.turn), s = Math.sin(data.turn);
+        return [c * x - s * y, -s * x - c * y];
+    }
+
+    return {panel, shape, choose, layOut, hold, show, handle, rowAt, planeOf, place: (name) => place(name, now),
+            pixel: () => 1 / view.scale};
 }
 
 /* ------------------------------------------------------------------------------------------------ the polygons */
@@ -533,6 +546,13 @@ function keyOf(data) {
     return key;
 }
 
+/* What the drawing consists of, whatever its numbers. */
+function structure(data) {
+    return JSON.stringify([data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
+                           data.forces, data.torques, data.columns.map((c) => [c.name, c.unit]),
+                           data.branches.map((b) => b.name)]);
+}
+
 /* Make the drawing in `place`, an element, from `data`; returns its functions. */
 function draw(data, place) {
     const main = mechanism(data, makePanel("Mechanism", "whole"));
@@ -566,8 +586,24 @@ function draw(data, place) {
             view.choose(branch);
         layOut();
     }
+    /* Take other numbers of the same mechanism, at the same scale if `held`; false if it is another one. */
+    function update(next, held) {
+        const k = data.branches.indexOf(branch);
+        if (structure(next) !== structure(data))
+            return false;
+        Object.assign(data, next);
+        branch = data.branches[k];
+        for (const view of views)
+            view.choose(branch);
+        if (held)
+            main.hold();
+        else
+            layOut();
+        return true;
+    }
     choose(0);
-    return {show, choose, layOut, main, name, row: () => now, reason: (i) => branch.reasons[i] || ""};
+    return {show, choose, layOut, update, main, name, row: () => now, branch: () => data.branches.indexOf(branch),
+            reason: (i) => branch.reasons[i] || ""};
 }
 
 return draw;
