@@ -86,10 +86,12 @@ function mechanism(data, panel) {
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
     panel.drawing.append(panel.ink, handle);
 
-    /* Take a branch. */
-    function choose(branch) {
+    /* Take a branch; `held`: of the same drawing. */
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         forces = present(names, tracks, rows);
         torques = present(turning, tracks, rows);
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
@@ -338,9 +340,11 @@ function polygon(data, panel, described) {
         return ends.map((list) => (Math.min(...list) + Math.max(...list)) / 2);
     }
 
-    function choose(branch) {
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         put = makeValues(panel, described.sides.map((x) => ({label: x.label, unit, kind: "link" + x.pen})));
     }
 
@@ -422,9 +426,11 @@ function freeBody(data, panel, link) {
         return link.shape === "slot" ? pins[1] : pins.length > 1 ? middle(pins[0], pins[1]) : pins[0];
     }
 
-    function choose(branch) {
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         forces = present(mine(data.forces), tracks, rows);
         torques = present(mine(data.torques), tracks, rows);
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
@@ -594,7 +600,7 @@ function draw(data, place) {
         Object.assign(data, next);
         branch = data.branches[k];
         for (const view of views)
-            view.choose(branch);
+            view.choose(branch, held);
         if (held)
             main.hold();
         else

@@ -48,7 +48,7 @@ function mark(messages) {
             seen.set(message.line, (seen.get(message.line) || []).concat(message));
     marks = [...seen].map(([line, list]) => {
         const wide = texts[line - 1].replace(/\t/g, "    ").length;
-        const words = list.map((m) => m.text.replace(/^.*?:\d+: /, "")).join("; ");
+        const words = list.map((m) => m.text.replace(/^.*?:\d+: (error|note): /, "")).join("; ");
         const made = html("div", {class: "mark " + list[0].kind}, html("span", {}, words));
         made.style.top = (line - 1) * LINE + "px";
         made.firstChild.style.marginLeft = "calc(" + (wide + 2) + "ch)";
@@ -72,6 +72,14 @@ function put(text, kind) {
     keep(kind || null);
     number();
     scroll();
+    changed();
+}
+
+/* Put the first text, which cannot be undone. */
+function begin(text) {
+    area.value = text;
+    present = snapshot();
+    number();
     changed();
 }
 
@@ -108,6 +116,8 @@ area.addEventListener("input", (event) => {
         changed();
 });
 area.addEventListener("beforeinput", (event) => {
+    if (area.selectionStart !== area.selectionEnd || area.selectionStart !== present.from)
+        group = null; /* elsewhere */
     if (event.inputType !== "historyUndo" && event.inputType !== "historyRedo")
         return;
     event.preventDefault();
@@ -122,7 +132,7 @@ area.addEventListener("keydown", (event) => {
 });
 area.addEventListener("scroll", scroll);
 
-return {put, undo, redo, mark, select, text: () => area.value,
+return {begin, put, undo, redo, mark, select, text: () => area.value,
         can: () => [steps.length > 0, undone.length > 0],
         /* The next change begins a step. */
         close: () => { group = null; }};

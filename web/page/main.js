@@ -9,7 +9,7 @@ const find = (id) => document.getElementById(id);
 const examples = JSON.parse(find("examples").textContent);
 const MOST_TEXT = 1e6, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
-let first = 0, shown = {};
+let first = 0, shown = {}, filling = 0;
 
 const program = web.program((is) => { find("busy").hidden = !is; });
 const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => evaluate());
@@ -17,8 +17,12 @@ const handles = web.handles(editor, program.ask);
 const curve = web.curve(find("curve-place"), (i) => controls.go(i));
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
 
-function tell(words) {
-    find("notice").textContent = words;
+/* Tell something; what is told of a deck goes when that is over. */
+function tell(words, isOfDeck) {
+    if (!isOfDeck || words || find("notice").dataset.of === "deck") {
+        find("notice").textContent = words;
+        find("notice").dataset.of = isOfDeck ? "deck" : "page";
+    }
 }
 
 /* ------------------------------------------------------------------------------------------------ the deck */
@@ -48,6 +52,7 @@ function sameRow(next) {
 }
 
 function take(answer, fresh) {
+    const begun = performance.now();
     const next = answer.scene && JSON.parse(answer.scene);
     deck = answer.deck;
     showMessages(deck.messages, deck.more);
@@ -67,12 +72,14 @@ function take(answer, fresh) {
             controls.take(data, drawing, row);
         }
         handles.take(data, drawing);
+        window.fourlinkPage.firstDrawing = window.fourlinkPage.firstDrawing || performance.now();
+        window.fourlinkPage.times.push(performance.now() - begun);
     }
     const words = [deck.rows > MOST_ROWS ? deck.rows + " rows: the page shows and writes at most " + MOST_ROWS +
                    ". Take a larger interval, or the program itself." : "",
                    deck.designs ? "A [sweep] of " + deck.designs + " designs: the page shows design " + deck.design +
                    "; the program itself prints all." : ""];
-    tell(words.filter((x) => x).join(" "));
+    tell(words.filter((x) => x).join(" "), true);
     shown = {};
     offer();
     fill();
@@ -95,8 +102,7 @@ async function evaluate() {
     working = true;
     again = false;
     try {
-        const one = data && data.start !== undefined && deck && deck.instant ? undefined : undefined;
-        const answer = await program.ask("open", {name, text, at: one});
+        const answer = await program.ask("open", {name, text});
         take(answer, fresh);
         fresh = false;
     } catch (error) {
@@ -109,7 +115,7 @@ async function evaluate() {
         evaluate();
 }
 
-function load(newName, text) {
+function load(newName, text, isFirst) {
     if (text.length > MOST_TEXT) {
         tell(text.length > LARGEST ? newName + ": larger than 64 MB: not a deck"
             : newName + ": larger than 1 MB: the page edits smaller decks; use the program itself");
@@ -119,10 +125,13 @@ function load(newName, text) {
     fresh = true;
     find("name").value = name;
     editor.close();
-    if (text.replace(/\r\n?/g, "\n") === editor.text())
+    const words = text.replace(/\r\n?/g, "\n");
+    if (isFirst)
+        editor.begin(words);
+    else if (words === editor.text())
         evaluate();
     else
-        editor.put(text.replace(/\r\n?/g, "\n"));
+        editor.put(words);
 }
 
 /* ------------------------------------------------------------------------------------------------ the views */
@@ -194,12 +203,14 @@ async function fill() {
         return;
     if (which !== "table")
         shown[which] = true;
+    filling++;
     try {
         await views[which]();
     } catch (error) {
         shown[which] = false;
         tell("The program was " + error.message + ".");
     }
+    filling--;
 }
 
 const tabs = [...document.querySelectorAll("[role=tab]")];
@@ -347,15 +358,18 @@ window.addEventListener("resize", () => {
         curve.draw();
 });
 
-async function begin() {
+/* For the tests: whether all is answered and drawn, and how long that took, in ms. */
+window.fourlinkPage = {isIdle: () => !working && !again && filling === 0, firstDrawing: 0, times: []};
+
+async function begin(isFirst) {
     const linked = await web.link.read(location.hash);
     if (linked)
-        load(linked.name, linked.text);
-    else
-        load("alvi-5.1.deck", examples["alvi-5.1.deck"]);
+        load(linked.name, linked.text, isFirst);
+    else if (isFirst)
+        load("alvi-5.1.deck", examples["alvi-5.1.deck"], true);
     if (!linked && /^#(deck|plain)=/.test(location.hash))
         tell("The link is damaged: it has no deck.");
 }
-window.addEventListener("hashchange", begin);
-begin();
+window.addEventListener("hashchange", () => begin(false));
+begin(true);
 }());
