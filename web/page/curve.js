@@ -10,6 +10,7 @@ let curves = [], names = ["", ""], row = 0, branch = 0, view = null;
 place.append(panel.figure);
 panel.figure.querySelector("figcaption").remove();
 panel.list.remove();
+begin(panel, "none yet");
 
 const finite = (list) => list.filter((x) => typeof x === "number");
 

@@ -17,17 +17,26 @@ const handles = web.handles(editor, program.ask);
 const curve = web.curve(find("curve-place"), (i) => controls.go(i));
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
 
-/* Tell something; what is told of a deck goes when that is over. */
-function tell(words, isOfDeck) {
-    if (!isOfDeck || words || find("notice").dataset.of === "deck") {
-        find("notice").textContent = words;
-        find("notice").dataset.of = isOfDeck ? "deck" : "page";
-    }
+let quiet = null;
+
+/* Tell something for a while. */
+function tell(words) {
+    find("notice").textContent = words;
+    clearTimeout(quiet);
+    quiet = setTimeout(() => { find("notice").textContent = ""; }, 12000);
 }
 
 /* ------------------------------------------------------------------------------------------------ the deck */
 
-function showMessages(list, more) {
+/* What the page leaves to the program itself. */
+function limits() {
+    return [deck.rows > MOST_ROWS ? deck.rows + " rows: the page writes files of at most " + MOST_ROWS +
+            ". Take a larger interval, or the program itself." : "",
+            deck.designs ? "A [sweep] of " + deck.designs + " designs: the page shows design " + deck.design +
+            ". The program itself prints all." : ""].filter((x) => x);
+}
+
+function showMessages(list, more, others) {
     const place = find("messages");
     editor.mark(list);
     place.replaceChildren(...list.map((message) => {
@@ -40,6 +49,7 @@ function showMessages(list, more) {
     }));
     if (more)
         place.append(html("li", {class: "error"}, "fourlink: and " + more + " more " + list[0].kind + (more > 1 ? "s" : "")));
+    place.append(...others.map((words) => html("li", {class: "page"}, words)));
 }
 
 /* The row of the drawing that is nearest to the angle now shown. */
@@ -55,7 +65,7 @@ function take(answer, fresh) {
     const begun = performance.now();
     const next = answer.scene && JSON.parse(answer.scene);
     deck = answer.deck;
-    showMessages(deck.messages, deck.more);
+    showMessages(deck.messages, deck.more, limits());
     find("results").classList.toggle("stale", !deck.usable);
     find("stale").hidden = deck.usable;
     if (!deck.usable)
@@ -75,11 +85,6 @@ function take(answer, fresh) {
         window.fourlinkPage.firstDrawing = window.fourlinkPage.firstDrawing || performance.now();
         window.fourlinkPage.times.push(performance.now() - begun);
     }
-    const words = [deck.rows > MOST_ROWS ? deck.rows + " rows: the page shows and writes at most " + MOST_ROWS +
-                   ". Take a larger interval, or the program itself." : "",
-                   deck.designs ? "A [sweep] of " + deck.designs + " designs: the page shows design " + deck.design +
-                   "; the program itself prints all." : ""];
-    tell(words.filter((x) => x).join(" "), true);
     shown = {};
     offer();
     fill();
@@ -252,7 +257,7 @@ async function saveSheet(format, type) {
     if (!deck || !deck.usable)
         return tell("The deck has mistakes.");
     if (deck.rows > MOST_ROWS)
-        return tell(deck.rows + " rows: the page writes at most " + MOST_ROWS + ".");
+        return tell(limits()[0]);
     save(stem() + "." + format, type, (await program.ask("sheet", {format, content: "rows"})).text);
 }
 
