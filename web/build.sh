@@ -52,6 +52,7 @@ build_program() {
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
     # shellcheck disable=SC2086
     emcc -Os --no-entry -s STANDALONE_WASM -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=1GB -s TOTAL_STACK=1MB \
+        -Wl,--wrap=sin,--wrap=cos \
         -o web/fourlink.wasm web/objects/*.o $libraries
 }
 
