@@ -10,7 +10,7 @@ const os = require("node:os");
 const path = require("node:path");
 const {spawnSync} = require("node:child_process");
 const {open, wait} = require("./browser.js");
-const exercises = require("./exercises.js");
+const exercisesOf = require("./exercises.js");
 
 const [page, fourlink, root, folder] = process.argv.slice(2).map((x) => path.resolve(x));
 const work = fs.mkdtempSync(path.join(os.tmpdir(), "fourlink-web-"));
@@ -349,7 +349,7 @@ async function column(name) {
 }
 
 async function tryExercises() {
-    for (const exercise of exercises) {
+    for (const exercise of exercisesOf(root)) {
         await click("tab-drawing");
         await typeDeck(exercise.deck);
         check(exercise.name + ": " + await messages(), !(await messages()).some((x) => /error/.test(x)));

@@ -9,7 +9,7 @@ const find = (id) => document.getElementById(id);
 const examples = JSON.parse(find("examples").textContent);
 const MOST_TEXT = 1e6, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
-let first = 0, shown = {}, filling = 0;
+let instant = null, first = 0, shown = {}, filling = 0;
 
 const program = web.program((is) => { find("busy").hidden = !is; });
 const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => evaluate());
@@ -73,7 +73,8 @@ function take(answer, fresh) {
     document.title = (deck.title || name) + " \u2013 fourlink";
     find("no-drawing").hidden = Boolean(next && next.branches.length);
     if (next && next.branches.length) {
-        const row = fresh ? next.start : sameRow(next);
+        const row = fresh || (deck.instant && deck.from !== instant) ? next.start : sameRow(next);
+        instant = deck.instant ? deck.from : null;
         if (drawing && drawing.update(next, handles.isHeld())) {
             controls.renew(row);
         } else {
