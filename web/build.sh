@@ -41,7 +41,7 @@ build_program() {
         mkdir -p web/objects
     fi
     (cd "$source" && find src/base src/mechanics src/deck src/results src/tables src/report src/pictures/end.c web -name '*.c' \
-        ! -name 'system_*.c' ! -path src/report/figures.c) | xargs -P 2 -n 8 sh -c '
+        ! -name 'system_*.c' ! -path src/report/figures.c ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
         source=$1 work=$2
         shift 2
         for file; do
@@ -80,16 +80,19 @@ build_page() {
     report=$source/src/report
     base64 -w 0 web/fourlink.wasm >web/fourlink.base64
     put_json "$source/data" >web/examples.json
-    put_manual "$source/doc/man/fourlink-deck.5" >web/manual.txt
+    for manual in fourlink-deck.5 fourlink.1; do
+        put_manual "$source/doc/man/$manual"
+    done >web/manual.txt
     while IFS= read -r line; do
         case $line in
-        @STYLE@) cat "$report/report.css" "$web/page.css" ;;
+        @REPORT_STYLE@) cat "$report/report.css" ;;
+        @STYLE@) cat "$web/page.css" ;;
+        @REPORT_SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/controls.js" ;;
         @EXAMPLES@) cat web/examples.json ;;
         @MANUAL@) cat web/manual.txt ;;
         @WORKER@) cat "$web/worker.js" ;;
         @PROGRAM@) cat web/fourlink.base64 ;;
-        @SCRIPT@) cat "$report/panel.js" "$report/drawing.js" "$report/controls.js" \
-            "$web/page/text.js" "$web/page/editor.js" "$web/page/program.js" "$web/page/handles.js" "$web/page/curve.js" \
+        @SCRIPT@) cat "$web/page/text.js" "$web/page/editor.js" "$web/page/program.js" "$web/page/handles.js" "$web/page/curve.js" \
             "$web/page/tables.js" "$web/page/link.js" "$web/page/main.js" ;;
         *) printf '%s\n' "$line" ;;
         esac

@@ -29,9 +29,9 @@ function check(what, is) {
 /* What the command says and prints of a deck, alone in its folder. */
 function command(name, text, ...options) {
     fs.writeFileSync(path.join(work, name), text);
-    const made = spawnSync(fourlink, [...options, name], {cwd: work, encoding: "utf8", maxBuffer: 1e9});
+    const made = spawnSync(fourlink, [...options, name], {cwd: work, encoding: "utf8", maxBuffer: 2e7});
     fs.unlinkSync(path.join(work, name));
-    return {out: made.stdout, messages: made.stderr.split("\n").filter((x) => x), status: made.status};
+    return {out: made.stdout, messages: made.stderr.split("\n").filter((x) => x), status: made.error ? 3 : made.status}; /* 3: more than the page writes too */
 }
 
 const value = (id) => b.evaluate(`document.getElementById("${id}").value`);
@@ -272,6 +272,17 @@ async function tryFiles() {
     check("the report", report.name === "me3491-exercise-4.html" && /<h2>.*Sample calculation/.test(report.text) &&
           /id="fourlink-rows"/.test(report.text) && /<\/html>\s*$/.test(report.text));
     fs.writeFileSync(path.join(work, "report.html"), report.text);
+    await b.go("about:blank");
+    await b.go("file://" + path.join(work, "report.html"));
+    await b.until("document.querySelector('.panel.whole circle')", "the drawing of the report");
+    const native = path.join(work, "native.html");
+    command(name, words, "--report=" + native, "--plot-at=0 deg");
+    const part = (text, from, to) => text.slice(text.indexOf(from), text.indexOf(to, text.indexOf(from)));
+    for (const [from, to] of [["<style>", "</style>"], ["<script>//", "</script>"]])
+        check("the report has the command's " + from, part(fs.readFileSync(native, "utf8"), from, to) === part(report.text, from, to));
+    await b.go(address);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
+    await load(name);
     await click("save-link");
     await b.until("location.hash.length > 20", "a link");
     const hash = await b.evaluate("location.hash");

@@ -14,9 +14,10 @@ begin(panel, "none yet");
 
 const finite = (list) => list.filter((x) => typeof x === "number");
 
-/* Round values that divide a range into about `count` parts. */
-function ticksOf(low, high, count) {
-    const step = roundUp((high - low) / count), list = [];
+/* Round values that divide a range into about `count` parts; degrees in parts of a turn. */
+function ticksOf(low, high, count, isDegrees) {
+    const least = (high - low) / count, parts = [5, 10, 15, 30, 45, 60, 90, 180, 360], list = [];
+    const step = isDegrees && least > 2 && least <= 360 ? parts.find((x) => x >= least) : roundUp(least);
     for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++)
         list.push(Number((k * step).toPrecision(12)));
     return list;
@@ -34,7 +35,7 @@ function rangeOf(j) {
 function axis(j) {
     const [low, high] = rangeOf(j), edge = j ? [panel.height - 44, 22] : [74, panel.width - 18];
     const at = (x) => edge[0] + (x - low) / (high - low) * (edge[1] - edge[0]);
-    const ticks = ticksOf(low, high, j ? panel.height / 60 : panel.width / 110);
+    const ticks = ticksOf(low, high, j ? panel.height / 60 : panel.width / 90, /\(deg\)$/.test(names[j]));
     for (const x of ticks) {
         const p = at(x);
         line(panel, "grid", ...(j ? [[74, p], [panel.width - 18, p]] : [[p, panel.height - 44], [p, 22]]));

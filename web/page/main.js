@@ -252,6 +252,7 @@ function save(file, type, words) {
     setTimeout(() => URL.revokeObjectURL(address), 1000);
 }
 
+const own = (id) => find(id).textContent.trimStart();
 const stem = () => name.replace(/\.deck$/, "");
 
 async function saveSheet(format, type) {
@@ -279,7 +280,10 @@ const actions = {
         if (!deck || !deck.usable)
             return tell("The deck has mistakes.");
         const at = data ? data.angles[drawing.row()] + " " + data.units.angle : "";
-        save(stem() + ".html", "text/html", (await program.ask("report", {angle: at})).text);
+        const {text} = await program.ask("report", {angle: at});
+        const end = text.lastIndexOf("@SCRIPT@\n"); /* the deck may have such a line too, before it */
+        save(stem() + ".html", "text/html", text.slice(0, end).replace("@STYLE@\n", () => own("report-style")) +
+             own("report-script") + text.slice(end + 9));
     },
     async link() {
         const hash = await web.link.make(name, editor.text());

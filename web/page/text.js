@@ -4,6 +4,8 @@
 **
 ** The program reads the deck; here only those plain numbers are found that can be changed by dragging.
 */
+"use strict";
+
 const web = {};
 
 web.text = (function () {
