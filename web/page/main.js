@@ -7,7 +7,8 @@
 const {html} = fourlink;
 const find = (id) => document.getElementById(id);
 const examples = JSON.parse(find("examples").textContent);
-const MOST_TEXT = 1e6, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
+const MOST_TEXT = 2e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
+const TOO_LARGE = "larger than 200 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
 let instant = null, first = 0, shown = {}, filling = 0;
 
@@ -16,6 +17,10 @@ const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => eva
 const handles = web.handles(editor, program.ask);
 const curve = web.curve(find("curve-place"), (i) => controls.go(i));
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
+
+function fail(error) {
+    tell(error.message === "stopped" ? "Stopped." : "This failed: " + error.message);
+}
 
 let quiet = null;
 
@@ -112,7 +117,8 @@ async function evaluate() {
         take(answer, fresh);
         fresh = false;
     } catch (error) {
-        tell("The program was " + error.message + ".");
+        if (!again)
+            fail(error);
     }
     clearTimeout(restart);
     restart = null;
@@ -124,7 +130,7 @@ async function evaluate() {
 function load(newName, text, isFirst) {
     if (text.length > MOST_TEXT) {
         tell(text.length > LARGEST ? newName + ": larger than 64 MB: not a deck"
-            : newName + ": larger than 1 MB: the page edits smaller decks; use the program itself");
+            : newName + ": " + TOO_LARGE);
         return;
     }
     name = newName;
@@ -214,7 +220,7 @@ async function fill() {
         await views[which]();
     } catch (error) {
         shown[which] = false;
-        tell("The program was " + error.message + ".");
+        fail(error);
     }
     filling--;
 }
@@ -302,7 +308,7 @@ for (const id in actions)
         try {
             await actions[id]();
         } catch (error) {
-            tell("The program was " + error.message + ".");
+            fail(error);
         }
         find("save-menu").open = false;
     });
@@ -315,11 +321,12 @@ find("open").addEventListener("change", async () => {
     else if (file)
         load(file.name, await file.text());
 });
-find("deck").addEventListener("paste", (event) => {
-    if (event.clipboardData.getData("text").length + editor.text().length <= MOST_TEXT)
-        return;
-    event.preventDefault();
-    tell("larger than 1 MB: the page edits smaller decks; use the program itself");
+find("deck").addEventListener("beforeinput", (event) => {
+    const words = event.data || (event.dataTransfer && event.dataTransfer.getData("text")) || "";
+    if (words.length + editor.text().length > MOST_TEXT && words.length > 1000) {
+        event.preventDefault();
+        tell(TOO_LARGE);
+    }
 });
 find("name").addEventListener("change", () => {
     name = find("name").value.trim() || "my.deck";
@@ -366,6 +373,7 @@ window.addEventListener("beforeprint", () => {
 window.addEventListener("resize", () => {
     if (!find("view-curve").hidden)
         curve.draw();
+    handles.show(); /* the drawing has found its new scale */
 });
 
 /* For the tests: whether all is answered and drawn, and how long that took, in ms. */
