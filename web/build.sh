@@ -49,6 +49,7 @@ build_program() {
             [ "$object" -nt "$source/$file" ] || emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -Os -ffp-contract=off \
                 -I"$source/include" -I"$source/src" -I"$work/web/gsl" -c "$source/$file" -o "$object" || exit 255
         done' sh "$source" "$work"
+    [ -z "$(find web/objects -newer web/fourlink.wasm 2>/dev/null)" ] && [ -e web/fourlink.wasm ] && return
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
     # shellcheck disable=SC2086
     emcc -Os --no-entry -s STANDALONE_WASM -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=1GB -s TOTAL_STACK=1MB \

@@ -7,8 +7,8 @@
 const {html} = fourlink;
 const find = (id) => document.getElementById(id);
 const examples = JSON.parse(find("examples").textContent);
-const MOST_TEXT = 2e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
-const TOO_LARGE = "larger than 200 kB: the page edits smaller decks; use the program itself";
+const MOST_TEXT = 1e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
+const TOO_LARGE = "larger than 100 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
 let instant = null, first = 0, shown = {}, filling = 0;
 
