@@ -6,7 +6,7 @@
 */
 "use strict";
 
-let program = null;
+let program = null, isOpen = false; /* a deck without mistakes */
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 const bytes = (from, length) => new Uint8Array(program.memory.buffer, from, length);
 
@@ -52,18 +52,21 @@ function textAt(place) {
 const tasks = {
     /* Open a deck; with its drawing if there is one. */
     open({name, text, at, branch}) {
+        isOpen = false;
         const [nameLength, length] = give(name, text);
         const status = program.web_open(nameLength, length - 1);
         if (status !== 0 && status !== 36)
             throw new Error(textAt(program.web_status_text(status)));
         const deck = JSON.parse(answer(true));
-        deck.usable = status === 0;
+        deck.usable = isOpen = status === 0;
         const scene = deck.usable && program.web_scene(branch || 0, at === undefined ? deck.from : at);
         return {deck, scene: scene ? answer(true) : null};
     },
     curve({x, y}) {
         give("table.columns=" + x + "," + y);
-        return {curves: JSON.parse(answer(program.web_curve()))};
+        if (!program.web_curve())
+            throw new Error("the deck has more loads or points than a drawing shows");
+        return {curves: JSON.parse(answer(true))};
     },
     /* Rows of the table: numbers, a row after the other, and after each row its status, "ok" if it has numbers. */
     rows({branch, first, count, width}) {
@@ -101,6 +104,8 @@ self.onmessage = ({data}) => {
     try {
         if (data.bytes)
             start(data.bytes);
+        if (!data.bytes && data.task !== "open" && !isOpen)
+            throw new Error("no deck is open");
         const made = data.bytes ? {} : tasks[data.task](data);
         self.postMessage({id: data.id, time: performance.now() - begun, ...made});
     } catch (error) {

@@ -10,10 +10,14 @@ const examples = JSON.parse(find("examples").textContent);
 const MOST_TEXT = 1e5, LARGEST = 64e6, MOST_ROWS = 100000, PAGE = 200;
 const TOO_LARGE = "larger than 100 kB: the page edits smaller decks; use the program itself";
 let name = "my.deck", deck = null, data = null, drawing = null, working = false, again = false, restart = null;
-let instant = null, first = 0, shown = {}, filling = 0;
+let instant = null, fresh = true; /* a new deck begins at its own crank angle */
+let first = 0, shown = {}, filling = 0, halted = null; /* a view that was stopped */
 
 const program = web.program((is) => { find("busy").hidden = !is; });
-const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => evaluate());
+const editor = web.editor(find("deck"), find("gutter"), find("layer"), () => {
+    halted = null;
+    evaluate();
+});
 const handles = web.handles(editor, program.ask);
 const curve = web.curve(find("curve-place"), (i) => controls.go(i));
 const controls = fourlink.controls((id) => find("fourlink-" + id), seen);
@@ -66,7 +70,7 @@ function sameRow(next) {
     return best;
 }
 
-function take(answer, fresh) {
+function take(answer) {
     const begun = performance.now();
     const next = answer.scene && JSON.parse(answer.scene);
     deck = answer.deck;
@@ -90,13 +94,14 @@ function take(answer, fresh) {
         handles.take(data, drawing);
         window.fourlinkPage.firstDrawing = window.fourlinkPage.firstDrawing || performance.now();
         window.fourlinkPage.times.push(performance.now() - begun);
+    } else {
+        data = drawing = null;
+        find("fourlink-panels").replaceChildren();
     }
     shown = {};
     offer();
     fill();
 }
-
-let fresh = true;
 
 /* Give the text to the program; while it works, only the newest text waits. */
 async function evaluate() {
@@ -114,7 +119,7 @@ async function evaluate() {
     again = false;
     try {
         const answer = await program.ask("open", {name, text});
-        take(answer, fresh);
+        take(answer);
         fresh = false;
     } catch (error) {
         if (!again)
@@ -211,7 +216,7 @@ async function fill() {
         return;
     if (which === "table")
         first = Math.min(first, Math.floor((deck.rows - 1) / PAGE) * PAGE);
-    if (shown[which] === true)
+    if (shown[which] === true || halted === which)
         return;
     if (which !== "table")
         shown[which] = true;
@@ -221,6 +226,8 @@ async function fill() {
     } catch (error) {
         shown[which] = false;
         fail(error);
+        halted = which;
+        evaluate(); /* the program begins anew, and has no deck yet */
     }
     filling--;
 }
@@ -235,6 +242,7 @@ function openTab(tab) {
     if (tab.id === "tab-drawing" && drawing)
         drawing.layOut();
     handles.show();
+    halted = null;
     fill();
 }
 tabs.forEach((tab, k) => {
@@ -359,6 +367,7 @@ handles.onRelease(() => {
 for (const id of ["curve-x", "curve-y"])
     find(id).addEventListener("change", () => {
         shown.curve = false;
+        halted = null;
         fill();
     });
 for (const [id, way] of [["rows-before", -PAGE], ["rows-after", PAGE]])
