@@ -67,7 +67,7 @@ async function open() {
         return result.value;
     }
     /* Wait until an expression is true. */
-    async function until(expression, what, most = 60000) {
+    async function until(expression, what, most = 120000) {
         for (const end = Date.now() + most; Date.now() < end; await wait(15))
             if (await evaluate("Boolean(" + expression + ")"))
                 return;
