@@ -117,16 +117,6 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
                : 0;
 }
 
-double picture_end(const fourlink_motion *motion)
-{
-    fourlink_range range;
-    fourlink_row last;
-
-    fourlink_motion_range(motion, &range);
-    fourlink_motion_row(motion, &range, range.n_rows - 1, &last);
-    return range.stops ? range.stop_angle : last.angle;
-}
-
 double picture_angle(const picture *p, int k, int steps)
 {
     double from = p->problem.motion.from;

@@ -3,7 +3,7 @@
 ** controls.js - what a report does with its drawing: slider, crank, play, assembly mode; and the buttons that save
 ** a table.
 */
-fourlink.start = (function () {
+Object.assign(fourlink, (function () {
 
 /* Let the crank be dragged, by mouse or finger. */
 function drag(drawing, go) {
@@ -30,12 +30,11 @@ function drag(drawing, go) {
         sheet.addEventListener(end, () => { dragged = null; });
 }
 
-/* Connect the controls of a report to its drawing. */
-function connect(data, drawing) {
-    const find = (id) => document.getElementById("fourlink-" + id);
+/* The controls of a drawing: slider, crank, play, assembly mode.  `find` finds their elements; `take` gives them a
+** drawing and its data, and begins at a row; `seen` is called with each row that is shown. */
+function controls(find, seen) {
     const slider = find("angle"), shown = find("shown"), button = find("play"), status = find("status");
-    const last = data.angles.length - 1;
-    let playing = null;
+    let data = null, drawing = null, last = 0, playing = null;
 
     function go(i) {
         drawing.show(i);
@@ -43,6 +42,8 @@ function connect(data, drawing) {
         shown.textContent = fourlink.angleText(data, data.angles[drawing.row()]);
         slider.setAttribute("aria-valuetext", drawing.name());
         status.textContent = drawing.reason(drawing.row()); /* read aloud when it changes */
+        if (seen)
+            seen(drawing.row());
     }
     function stop() {
         if (playing === null)
@@ -55,11 +56,11 @@ function connect(data, drawing) {
     /* Once through the motion in eight seconds; slower for who wants less motion.  Rows without a position are
     ** passed over. */
     function play() {
-        const wait = (window.matchMedia("(prefers-reduced-motion: reduce)").matches ? 32000 : 8000) / (last + 1);
+        const slow = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
         let before = null, rest = 0;
         const step = (time) => {
             let i = drawing.row();
-            rest += before === null ? 0 : Math.min((time - before) / wait, last);
+            rest += before === null ? 0 : Math.min((time - before) * (last + 1) / (slow ? 32000 : 8000), last);
             before = time;
             for (let k = 0; k <= last && rest >= 1; k++) {
                 i = i === last ? 0 : i + 1;
@@ -76,47 +77,65 @@ function connect(data, drawing) {
         const page = Math.max(1, Math.round((last + 1) / 24));
         const steps = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: page, PageDown: -page,
                        Home: -last, End: last}[event.key];
-        if (!steps || event.altKey || event.ctrlKey || event.metaKey)
+        if (!drawing || !steps || event.altKey || event.ctrlKey || event.metaKey)
             return;
         event.preventDefault();
         stop();
         go(drawing.row() + steps);
     }
+    function offerBranches() {
+        const group = find("branches"), names = data.branches.map((branch) => branch.name);
+        group.hidden = names.length < 2;
+        group.querySelectorAll("label").forEach((label) => label.remove());
+        names.forEach((name, k) => {
+            const radio = fourlink.html("input", {type: "radio", name: "fourlink-branch", value: name});
+            radio.checked = k === drawing.branch();
+            radio.addEventListener("change", () => {
+                drawing.choose(k);
+                stop();
+                go(drawing.row());
+            });
+            group.append(fourlink.html("label", {}, radio, " " + name));
+        });
+    }
+    function setRange() {
+        last = data.angles.length - 1;
+        slider.max = last;
+        button.disabled = last === 0;
+    }
+    function take(newData, newDrawing, row) {
+        stop();
+        data = newData;
+        drawing = newDrawing;
+        setRange();
+        offerBranches();
+        drag(drawing, (i) => {
+            stop();
+            go(i);
+        });
+        go(row);
+    }
+    /* The drawing has taken other numbers. */
+    function renew(row) {
+        setRange();
+        go(row);
+    }
 
-    slider.max = last;
     slider.addEventListener("input", () => {
         stop();
         go(Number(slider.value));
     });
     slider.addEventListener("keydown", byKey);
     button.addEventListener("click", () => playing === null ? play() : stop());
-    button.disabled = last === 0;
-    if (data.branches.length > 1) {
-        data.branches.forEach((branch, k) => {
-            const radio = fourlink.html("input", {type: "radio", name: "fourlink-branch", value: branch.name});
-            radio.checked = k === 0;
-            radio.addEventListener("change", () => {
-                drawing.choose(k);
-                stop();
-                go(drawing.row());
-            });
-            find("branches").append(fourlink.html("label", {}, radio, " " + branch.name));
-        });
-        find("branches").hidden = false;
-    }
-    drag(drawing, (i) => {
-        stop();
-        go(i);
-    });
     let width = window.innerWidth;
     window.addEventListener("resize", () => {
-        if (window.innerWidth !== width) {
+        if (window.innerWidth !== width && drawing) {
             width = window.innerWidth;
             drawing.layOut();
         }
     });
     window.addEventListener("beforeprint", stop);
-    go(data.start);
+    return {take, renew, go, stop};
 }
 
 /* Show the buttons that save a table as a file. */
@@ -143,7 +162,8 @@ function start() {
     if (!data.branches.length)
         return;
     place.hidden = false;
-    connect(data, fourlink.draw(data, document.getElementById("fourlink-panels")));
+    controls((id) => document.getElementById("fourlink-" + id))
+        .take(data, fourlink.draw(data, document.getElementById("fourlink-panels")), data.start);
     const picture = document.querySelector("figure.mechanism"); /* its number goes to the drawing */
     if (picture) {
         const number = picture.querySelector("figcaption").textContent.split(".")[0];
@@ -152,7 +172,7 @@ function start() {
     }
 }
 
-return start;
-}());
+return {controls, start};
+}()));
 
 fourlink.start();

@@ -124,10 +124,12 @@ function mechanism(data, panel) {
     const longest = () => 0.2 * Math.min(panel.width, panel.height);
     panel.drawing.append(panel.ink, handle);
 
-    /* Take a branch. */
-    function choose(branch) {
+    /* Take a branch; `held`: of the same drawing. */
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         forces = present(names, tracks, rows);
         torques = present(turning, tracks, rows);
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
@@ -336,7 +338,20 @@ function mechanism(data, panel) {
             panel.drawing.style.aspectRatio = Math.max(1.25, Math.min(2.2, ratio));
     }
 
-    return {panel, shape, choose, layOut, show, handle, rowAt};
+    /* The same drawing of other rows: the scale stays. */
+    function hold() {
+        cached = paths();
+    }
+
+    /* Of a place in the drawing, in the frame of link 1; turning to and fro is the same here, since y is downwards. */
+    function planeOf(at) {
+        const [x, y] = times(1 / view.scale, minus(at, view.origin));
+        const c = Math.cos(data.turn), s = Math.sin(data.turn);
+        return [c * x - s * y, -s * x - c * y];
+    }
+
+    return {panel, shape, choose, layOut, hold, show, handle, rowAt, planeOf, place: (name) => place(name, now),
+            pixel: () => 1 / view.scale};
 }
 
 /* ------------------------------------------------------------------------------------------------ the polygons */
@@ -365,9 +380,11 @@ function polygon(data, panel, described) {
         return ends.map((list) => (Math.min(...list) + Math.max(...list)) / 2);
     }
 
-    function choose(branch) {
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         put = makeValues(panel, described.sides.map((x) => ({label: x.label, unit, kind: "link" + x.pen})));
     }
 
@@ -449,9 +466,11 @@ function freeBody(data, panel, link) {
         return link.shape === "slot" ? pins[1] : pins.length > 1 ? middle(pins[0], pins[1]) : pins[0];
     }
 
-    function choose(branch) {
+    function choose(branch, held) {
         tracks = tracksOf(data, branch);
         rows = reached(tracks);
+        if (held)
+            return;
         forces = present(mine(data.forces), tracks, rows);
         torques = present(mine(data.torques), tracks, rows);
         put = makeValues(panel, forces.map((f) => ({label: f.label, unit: data.units.force, kind: f.pen}))
@@ -577,6 +596,13 @@ function keyOf(data) {
     return key;
 }
 
+/* What the drawing consists of, whatever its numbers. */
+function structure(data) {
+    return JSON.stringify([data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
+                           data.forces, data.torques, data.columns.map((c) => [c.name, c.unit]),
+                           data.branches.map((b) => b.name)]);
+}
+
 /* Make the drawing in `place`, an element, from `data`; returns its functions. */
 function draw(data, place) {
     const main = mechanism(data, makePanel("Mechanism", "whole"));
@@ -610,8 +636,24 @@ function draw(data, place) {
             view.choose(branch);
         layOut();
     }
+    /* Take other numbers of the same mechanism, at the same scale if `held`; false if it is another one. */
+    function update(next, held) {
+        const k = data.branches.indexOf(branch);
+        if (structure(next) !== structure(data))
+            return false;
+        Object.assign(data, next);
+        branch = data.branches[k];
+        for (const view of views)
+            view.choose(branch, held);
+        if (held)
+            main.hold();
+        else
+            layOut();
+        return true;
+    }
     choose(0);
-    return {show, choose, layOut, main, name, row: () => now, reason: (i) => branch.reasons[i] || ""};
+    return {show, choose, layOut, update, main, name, row: () => now, branch: () => data.branches.indexOf(branch),
+            reason: (i) => branch.reasons[i] || ""};
 }
 
 return draw;

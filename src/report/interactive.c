@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 
 #include "assets.h"
+#include "interactive.h"
 #include "report.h"
 #include "scene.h"
 #include "tables/json_text.h"
@@ -205,14 +206,14 @@ static void put_angles(line *l, const rows *t, double start)
     line_put(l, "],\n\"start\":%lu,\n", first);
 }
 
-/* Write the rows of the deck's branches; 0 without memory. */
-static int put_rows(line *l, report *r, rows *t, double start)
+/* Write the rows of branches; 0 without memory. */
+static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, double start)
 {
     style *styles = malloc((t->n_columns + 1) * sizeof *styles);
     int i, done = styles && put_columns(l, t, styles);
 
-    for (i = 0; done && i < r->n_branches; i++) {
-        done = rows_compute(t, r->branches[i]);
+    for (i = 0; done && i < n; i++) {
+        done = rows_compute(t, branches[i]);
         if (done && i == 0) {
             put_angles(l, t, start);
             scene_write(l, t);
@@ -223,6 +224,19 @@ static int put_rows(line *l, report *r, rows *t, double start)
             put_branch(l, t, styles);
     }
     free(styles);
+    return done;
+}
+
+int interactive_write(FILE *out, rows *t, const fourlink_branch *branches, int n, double start)
+{
+    int done;
+    line l;
+
+    line_start(&l, out);
+    line_put(&l, "{\n");
+    done = put_rows(&l, t, branches, n, start);
+    line_put(&l, "]}\n");
+    line_end(&l);
     return done;
 }
 
@@ -245,7 +259,6 @@ void report_put_interactive(report *r)
     double start = r->now.status == FOURLINK_OK ? r->now.row.angle : GSL_NAN;
     rows *t = malloc(sizeof *t);
     page *p = &r->page;
-    line l;
 
     if (!t) {
         r->out_of_memory = 1;
@@ -256,11 +269,8 @@ void report_put_interactive(report *r)
         put_lines(p, controls);
         page_print(p, "<div id=\"fourlink-panels\"></div>\n"
                       "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
-                      "<script type=\"application/json\" id=\"fourlink-rows\">{\n");
-        line_start(&l, p->out);
-        r->out_of_memory |= !put_rows(&l, r, t, start);
-        line_put(&l, "]}\n");
-        line_end(&l);
+                      "<script type=\"application/json\" id=\"fourlink-rows\">");
+        r->out_of_memory |= !interactive_write(p->out, t, r->branches, r->n_branches, start);
         page_print(p, "</script>\n");
     }
     r->out_of_memory |= t->out_of_memory;

@@ -218,7 +218,7 @@ static int pole_order(const approach *e, double y[][NODES], int most, double *st
 /* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow and are not rounding, know
 ** the sign best.  A column that is zero but for rounding can seem to have a pole: where alpha2 is 0, alpha3 of a crank
 ** and a rod of the same length, for one. */
-#define LEAST_POLE 1e-11 /* of the size away from the ends, at a radian: less is rounding */
+#define LEAST_POLE 1e-11 /* of the size in the middle of pieces, at a radian: less is rounding */
 
 static double pole_sign(const approach *e, double y[][NODES], int most, double size)
 {
@@ -577,6 +577,20 @@ static void offer_pole(const flk_search *x, flk_tracked *t, const approach *e, i
     flk_search_offer(&t->here[which], which, which == 0 ? GSL_POSINF : GSL_NEGINF, angle, angle);
 }
 
+/* Note the size of a column in the middle of a long piece. */
+static void note_size(const flk_search *x, flk_tracked *t, const double *values)
+{
+    double middle = (x->s[0] + x->s[x->n - 1]) / 2;
+    size_t i = 0;
+
+    if (x->piece.to - x->piece.from < LONG_ENOUGH)
+        return;
+    while (x->s[i] < middle)
+        i++;
+    if (fabs(values[i]) > t->size_inside) /* not where there is no row */
+        t->size_inside = fabs(values[i]);
+}
+
 /* Offer what a column has at an end of the piece: its limit, or a pole. */
 static void find_limit(flk_search *x, size_t c, const approach *e)
 {
@@ -589,7 +603,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
     limit l;
 
     list_values(x, c, e, y);
-    t->size_inside = GSL_MAX_DBL(t->size_inside, size_inside(x, values));
+    note_size(x, t, values);
     has_vector_pole = find_vector_pole(x, t, e, &v);
     if (!(t->turn > 0) && has_vector_pole) {
         offer_pole(x, t, e, 0);

@@ -1,0 +1,514 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** drive.js PAGE FOURLINK ROOT [FOLDER] - drives the page in headless Chromium: types, drags, presses keys, reads,
+** and compares with the command FOURLINK.  ROOT is the folder of the sources, FOLDER one of more decks to compare.
+*/
+"use strict";
+
+const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
+const {spawnSync} = require("node:child_process");
+const {open, wait} = require("./browser.js");
+const exercisesOf = require("./exercises.js");
+
+const [page, fourlink, root, folder] = process.argv.slice(2).map((x) => path.resolve(x));
+const work = fs.mkdtempSync(path.join(os.tmpdir(), "fourlink-web-"));
+const address = "file://" + page;
+let passed = 0, failed = 0, b;
+
+function check(what, is) {
+    if (is) {
+        passed++;
+    } else {
+        failed++;
+        console.log("FAILED: " + what.slice(0, 400));
+    }
+}
+
+/* What the command says and prints of a deck, alone in its folder. */
+function command(name, text, ...options) {
+    fs.writeFileSync(path.join(work, name), text);
+    const made = spawnSync(fourlink, [...options, name], {cwd: work, encoding: "utf8", maxBuffer: 2e7});
+    fs.unlinkSync(path.join(work, name));
+    return {out: made.stdout, messages: made.stderr.split("\n").filter((x) => x), status: made.error ? 3 : made.status}; /* 3: more than the page writes too */
+}
+
+const value = (id) => b.evaluate(`document.getElementById("${id}").value`);
+const text = (id) => b.evaluate(`document.getElementById("${id}").textContent`);
+const click = (id) => b.evaluate(`document.getElementById("${id}").click()`);
+const settled = () => b.until("window.fourlinkPage.isIdle()", "an answer", 60000);
+const messages = () => b.evaluate(`[...document.querySelectorAll("#messages li:not(.page)")].map((x) => x.textContent)`);
+
+/* Put a deck into the page at once. */
+async function put(name, words) {
+    await b.evaluate(`(() => {
+        const set = (id, words, kind) => {
+            const element = document.getElementById(id);
+            element.value = words;
+            element.dispatchEvent(new Event(kind, {bubbles: true}));
+        };
+        set("name", ${JSON.stringify(name)}, "change");
+        set("deck", ${JSON.stringify(words)}, "input");
+    })()`);
+    await settled();
+}
+
+/* The file that a button of the menu saves: {name, text}. */
+async function saved(button) {
+    await b.evaluate(`window.kept = null; (() => {
+        const make = URL.createObjectURL;
+        URL.createObjectURL = (blob) => { window.kept = {blob}; return make.call(URL, blob); };
+        const click = HTMLAnchorElement.prototype.click;
+        HTMLAnchorElement.prototype.click = function () {
+            window.kept.name = this.download;
+            HTMLAnchorElement.prototype.click = click;
+            URL.createObjectURL = make;
+        };
+    })()`);
+    await click(button);
+    await b.until("window.kept && window.kept.name", "a file", 20000);
+    return b.evaluate("window.kept.blob.text().then((text) => ({name: window.kept.name, text}))");
+}
+
+/* -------------------------------------------------------------------------------- messages and numbers of decks */
+
+/* Cells of csv; quoted ones hold no line ends here. */
+const cells = (line) => (line.match(/("([^"]|"")*"|[^,]*)(,|$)/g) || []).map((x) => x.replace(/,$/, ""));
+
+/* The largest difference of two csv files in parts of the largest value of its column, and where; -1: other words. */
+function difference(one, other) {
+    const x = one.trim().split(/\r?\n/).map(cells), y = other.trim().split(/\r?\n/).map(cells);
+    let worst = 0, where = "", count = 0;
+    if (x.length !== y.length)
+        return {worst: -1, where: x.length + " and " + y.length + " lines", count};
+    const isNumber = (s) => /^-?[0-9.]+(e[-+]?[0-9]+)?$/.test(s);
+    for (let j = 0; j < x[0].length; j++) {
+        const isRest = /^residual/.test(x[0][j]), isAngle = /\(deg\)$/.test(x[0][j]);
+        const largest = isRest ? 1e4 : Math.max(0, ...x.slice(1).map((row) => isNumber(row[j] || "") ? Math.abs(row[j]) : 0)) || 1;
+        for (let i = 0; i < x.length; i++) {
+            const [p, q] = [x[i][j], y[i][j]];
+            if (!isNumber(p || "") || !isNumber(q || "")) {
+                if (p !== q)
+                    return {worst: -1, where: x[0][j] + ": " + p + " and " + q, count};
+                continue;
+            }
+            count++;
+            let d = Math.abs(p - q);
+            d = (isAngle && d > 180 ? Math.abs(d - 360) : d) / largest;
+            if (d > worst)
+                [worst, where] = [d, x[0][j] + " line " + (i + 1) + ": " + p + " and " + q];
+        }
+    }
+    return {worst, where, count};
+}
+
+const total = {decks: 0, messages: 0, values: 0, worst: 0, where: ""};
+
+async function compare(name, words) {
+    const wanted = command(name, words, "--format=csv");
+    const expected = wanted.messages.filter((x) => !/^fourlink: \S+: note: /.test(x)); /* of files, which a page has not */
+    await put(name, words);
+    const found = await messages();
+    total.decks++;
+    total.messages += expected.length;
+    check(name + " says " + JSON.stringify(found.find((x, i) => x !== expected[i])) + " and not " +
+          JSON.stringify(expected.find((x, i) => x !== found[i])) + "\n" + words, expected.join("\n") === found.join("\n"));
+    if (wanted.status > 1 || /^\s*\[sweep\]/m.test(words))
+        return;
+    const {worst, where, count} = difference(wanted.out, (await saved("save-csv")).text);
+    total.values += count;
+    if (worst > total.worst)
+        [total.worst, total.where] = [worst, name + ", " + where];
+    check(name + ": " + where + ": " + worst, worst >= 0 && worst <= 1e-15);
+}
+
+/* All decks of a folder whose text a textarea can hold. */
+async function compareAll(from, rename) {
+    const files = fs.readdirSync(from).filter((x) => x.endsWith(".deck")).sort(), seen = new Set();
+    for (const file of files) {
+        const bytes = fs.readFileSync(path.join(from, file)), words = bytes.toString("utf8").replace(/\r\n?/g, "\n");
+        if (seen.has(words) || words.length > 1e6 || words.includes("\0") || words.startsWith("\ufeff") ||
+            (!bytes.equals(Buffer.from(bytes.toString("utf8")))))
+            continue;
+        seen.add(words);
+        await compare(rename ? "x.deck" : file, words);
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------- by hand */
+
+async function load(name) {
+    await b.evaluate(`(() => {
+        const menu = document.getElementById("example");
+        menu.value = ${JSON.stringify(name)};
+        menu.dispatchEvent(new Event("change"));
+    })()`);
+    await settled();
+}
+
+/* A text is typed in place of what is there. */
+async function typeDeck(words) {
+    await b.evaluate(`document.getElementById("deck").focus(); document.getElementById("deck").select()`);
+    await b.type(words);
+    await settled();
+}
+
+const middle = (selector) => b.evaluate(`(() => {
+    const box = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+})()`);
+const pin = (name) => middle(`.panel.whole circle[data-name="${name}"]`);
+
+async function drag(from, to, steps = 6) {
+    await b.mouse("mousePressed", ...from);
+    for (let k = 1; k <= steps; k++) {
+        await b.mouse("mouseMoved", from[0] + (to[0] - from[0]) * k / steps, from[1] + (to[1] - from[1]) * k / steps);
+        await wait(20);
+    }
+    await b.mouse("mouseReleased", ...to);
+    await settled();
+}
+
+/* The lines in which two decks differ, [before, after]. */
+function changes(before, after) {
+    const x = before.split("\n"), y = after.split("\n");
+    return x.length === y.length ? x.map((line, i) => [line, y[i]]).filter(([p, q]) => p !== q) : null;
+}
+
+async function tryTyping() {
+    const good = fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8");
+    await typeDeck(good.replace("length = 66 mm", "lenght = 66 mm"));
+    check("a mistake as one types: " + await messages(), (await messages())[0] ===
+          "alvi-5.1.deck:14: error: unknown key 'lenght' in [coupler]; did you mean 'length'?");
+    check("the mistake stands at its line", await b.evaluate(`(() => {
+        const mark = document.querySelector("#layer .mark");
+        return mark.style.top === "260px" && mark.textContent.startsWith("unknown key 'lenght'");
+    })()`));
+    check("the text is invalid for a screen reader", await b.evaluate(
+        `document.getElementById("deck").getAttribute("aria-invalid") === "true"`));
+    await b.evaluate(`document.querySelector("#messages button").click()`);
+    check("the message leads to its line", await b.evaluate(
+        `(() => { const a = document.getElementById("deck"); return a.value.slice(a.selectionStart, a.selectionEnd); })()`) ===
+        "lenght = 66 mm");
+    await b.type("length = 66 mm");
+    await settled();
+    check("it is mended: " + await messages(), (await messages()).length === 0 && await value("deck") === good);
+    await b.key("z", 2);
+    await settled();
+    check("Ctrl+Z takes it back", /lenght/.test(await value("deck")) && (await messages()).length === 1);
+    await b.key("y", 2);
+    await settled();
+    check("Ctrl+Y does it again", await value("deck") === good);
+}
+
+async function tryCrank() {
+    await load("alvi-5.1.deck");
+    const A = await pin("A"), B = await pin("B"), r = Math.hypot(B[0] - A[0], B[1] - A[1]);
+    await drag(B, [A[0] + r * Math.cos(1), A[1] - r * Math.sin(1)], 8);
+    const shown = parseFloat(await text("fourlink-shown"));
+    check("the crank is dragged to 57.3 deg: " + shown, Math.abs(shown - 57.3) < 2);
+    check("which leaves the deck", await value("deck") === fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8"));
+    await b.evaluate(`document.getElementById("fourlink-angle").focus()`);
+    await b.key("Home");
+    await b.key("ArrowRight");
+    check("keys move the slider: " + await text("fourlink-shown"), await text("fourlink-shown") !== "0°");
+    await click("fourlink-play");
+    const before = await text("fourlink-shown");
+    await wait(700);
+    check("it plays", await text("fourlink-shown") !== before && await text("fourlink-play") === "Pause");
+    await click("fourlink-play");
+    const after = await text("fourlink-shown");
+    await wait(200);
+    check("and stops", await text("fourlink-shown") === after);
+    await b.evaluate(`document.querySelectorAll("#fourlink-branches input")[1].click()`);
+    check("the other assembly mode", (await b.evaluate(
+        `document.querySelector(".panel.whole svg").getAttribute("aria-label")`)).includes("crossed"));
+}
+
+/* Each knob is dragged: these lines of the deck change, and it goes where the pointer is. */
+async function tryKnobs(name, wanted) {
+    await load(name);
+    const before = await value("deck");
+    for (const [knob, way, ...keys] of wanted) {
+        await b.until(`document.querySelector('[data-knob="${knob}"]')`, "a ring for " + knob);
+        const from = await middle(`[data-knob="${knob}"] .ring`), to = [from[0] + way[0], from[1] + way[1]];
+        await drag(from, to);
+        const made = changes(before, await value("deck"));
+        check(name + ", " + knob + ": " + JSON.stringify(made), made && made.length === keys.length &&
+              made.every(([p, q], i) => p.trim().startsWith(keys[i]) && q.trim().startsWith(keys[i]) &&
+                         p.replace(/[-+.\d]/g, "") === q.replace(/[-+.\d]/g, "")));
+        check(name + ", " + knob + " has no mistake: " + await messages(), !(await messages()).some((x) => /error/.test(x)));
+        check("numbers are short: " + JSON.stringify(made), made && made.every(([, q]) => !/\d\.\d{4}/.test(q.replace(/[#;].*/, ""))));
+        await click("undo");
+        await settled();
+        check(name + ", " + knob + ": one step of undo", await value("deck") === before);
+    }
+}
+
+async function tryDragging() {
+    await click("change");
+    await tryKnobs("me3491-exercise-4.deck", [
+        ["B", [20, 2], "length"], ["C", [15, -20], "length", "length"], ["D", [18, 3], "length"],
+        ["G2", [6, -3], "cg"], ["G4", [8, 9], "cg"], ["P0", [-10, 12], "at"]]);
+    await tryKnobs("me3491-example-1.deck", [["B", [9, -8], "stroke"], ["C", [25, 2], "length"], ["G3", [12, 3], "cg"]]);
+    await tryKnobs("oscillating-cylinder.deck", [["B", [10, 0], "length"], ["D", [20, 0], "length"]]);
+    await load("me3491-exercise-4.deck");
+    await b.until(`document.querySelector('[data-knob="G4"]')`, "rings");
+    await b.evaluate(`document.querySelector('[data-knob="D"]').focus()`);
+    const before = await value("deck");
+    for (let k = 0; k < 3; k++)
+        await b.key("ArrowRight", 8);
+    await settled();
+    const made = changes(before, await value("deck"));
+    check("arrow keys move a pin: " + JSON.stringify(made), made && made.length === 1 && parseFloat(made[0][1].split("=")[1]) > 151);
+    await click("change");
+}
+
+async function tryFiles() {
+    const words = fs.readFileSync(path.join(root, "data/me3491-exercise-4.deck"), "utf8"), name = "me3491-exercise-4.deck";
+    await load(name);
+    const deck = await saved("save-deck"), json = await saved("save-json"), report = await saved("save-report");
+    check("the deck is saved as it is", deck.name === name && deck.text === words);
+    check("json: " + json.text.slice(0, 80), json.name === "me3491-exercise-4.json" && JSON.parse(json.text).mechanism === "four-bar linkage");
+    check("the report", report.name === "me3491-exercise-4.html" && /<h2>.*Sample calculation/.test(report.text) &&
+          /id="fourlink-rows"/.test(report.text) && /<\/html>\s*$/.test(report.text));
+    fs.writeFileSync(path.join(work, "report.html"), report.text);
+    await b.go("about:blank");
+    await b.go("file://" + path.join(work, "report.html"));
+    await b.until("document.querySelector('.panel.whole circle')", "the drawing of the report");
+    const native = path.join(work, "native.html");
+    command(name, words, "--report=" + native, "--plot-at=0 deg");
+    const part = (text, from, to) => text.slice(text.indexOf(from), text.indexOf(to, text.indexOf(from)));
+    for (const [from, to] of [["<style>", "</style>"], ["<script>//", "</script>"]])
+        check("the report has the command's " + from, part(fs.readFileSync(native, "utf8"), from, to) === part(report.text, from, to));
+    await b.go(address);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
+    await load(name);
+    await click("save-link");
+    await b.until("location.hash.length > 20", "a link");
+    const hash = await b.evaluate("location.hash");
+    check("a short link: " + hash.length, hash.startsWith("#deck=") && hash.length < words.length);
+    await b.go("about:blank");
+    await b.go(address + hash);
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the linked deck");
+    check("the link carries the deck", await value("deck") === words && await value("name") === name);
+    await b.go("about:blank");
+    await b.go(address + "#deck=AAAA");
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the page");
+    check("a damaged link: " + await text("notice"), /damaged/.test(await text("notice")));
+    await b.go("about:blank");
+    await b.go(address + "#plain=" + encodeURIComponent("y.deck\n" + words));
+    await b.until("window.fourlinkPage && document.querySelector('.panel.whole circle')", "the plain link");
+    check("a plain link", await value("deck") === words && await value("name") === "y.deck");
+}
+
+async function tryHostile() {
+    const evil = '</script><img src=x onerror="window.evil=1"><b class="evil">';
+    await put(evil + ".deck", "title = \"" + evil + "\"\nmechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n" +
+              "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n[point " + evil.replace(/[[\]=]/g, "") + "]\nlink = coupler\nat = (1, 2) mm\n" +
+              "[load " + evil.replace(/[[\]=]/g, "") + "]\nlink = rocker\ntorque = 1 N m\n[motion]\nspeed = 1 rad/s\n[expect]\ntype = " + evil + "\n" + evil);
+    for (const tab of ["curve", "table", "facts", "checks", "drawing"]) {
+        await click("tab-" + tab);
+        await settled();
+    }
+    await put("x.deck", "title = \"" + evil + "\"\nmechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n" +
+              "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n[point <b>P</b>]\nlink = coupler\nat = (1, 2) mm\n");
+    for (const tab of ["curve", "table", "facts", "checks", "drawing"]) {
+        await click("tab-" + tab);
+        await settled();
+    }
+    check("texts of a deck never become markup", await b.evaluate(
+        `window.evil === undefined && !document.querySelector(".evil, main img, #fourlink-panels b, header img")`));
+}
+
+async function tryLimits() {
+    const good = fs.readFileSync(path.join(root, "data/alvi-5.1.deck"), "utf8");
+    const begun = Date.now();
+    await put("large.deck", good.replace("interval = 40 deg", "interval = 0.00036 deg"));
+    const told = await b.evaluate("document.querySelector('#messages .page').textContent");
+    check("a million rows: " + told, /^1000001 rows: the page writes files of at most 100000\./.test(told));
+    check("in " + (Date.now() - begun) + " ms", Date.now() - begun < 5000);
+    await click("save-csv");
+    await wait(100);
+    check("no csv of them: " + await text("notice"), /^1000001 rows: /.test(await text("notice")));
+    await click("tab-table");
+    await b.until("document.querySelectorAll('#table-place tr').length > 100", "the table");
+    await click("tab-facts");
+    await wait(1500);
+    await b.evaluate(`document.getElementById("stop").click()`);
+    await put("alvi-5.1.deck", good);
+    check("the page goes on", (await messages()).length === 0);
+    await click("tab-drawing");
+    const answer = await b.evaluate(`(async () => {
+        const input = document.getElementById("open"), list = new DataTransfer();
+        list.items.add(new File([new Uint8Array(65e6)], "huge.deck"));
+        input.files = list.files;
+        input.dispatchEvent(new Event("change"));
+        await new Promise((done) => setTimeout(done, 300));
+        return document.getElementById("notice").textContent;
+    })()`);
+    const comment = "# a comment of forty characters and more\n", again = Date.now();
+    await put("alvi-5.1.deck", good + comment.repeat(2400));
+    console.log("a deck of 99 kB: " + (Date.now() - again) + " ms");
+    check("2400 lines have no mistakes", (await messages()).length === 0);
+    await put("alvi-5.1.deck", good);
+    await b.evaluate(`(() => {
+        const data = new DataTransfer();
+        data.setData("text", ${JSON.stringify(comment)}.repeat(3000));
+        document.getElementById("deck").dispatchEvent(new InputEvent("beforeinput", {dataTransfer: data, cancelable: true}));
+    })()`);
+    check("more is refused: " + await text("notice"), /^larger than 100 kB/.test(await text("notice")));
+    check("64 MB: " + answer, answer === "huge.deck: larger than 64 MB: not a deck");
+    check("the deck is still there", await value("deck") === good);
+}
+
+/* ------------------------------------------------------------------------------------------ the ten exercises */
+
+async function column(name) {
+    return b.evaluate(`(() => {
+        const cell = document.querySelector('[data-column="${name}"]');
+        return cell ? cell.textContent : null;
+    })()`);
+}
+
+async function tryExercises() {
+    for (const exercise of exercisesOf(root)) {
+        await click("tab-drawing");
+        await typeDeck(exercise.deck);
+        check(exercise.name + ": " + await messages(), !(await messages()).some((x) => /error/.test(x)));
+        for (const [name, wanted] of exercise.row || [])
+            check(exercise.name + ", " + name + ": " + await column(name) + ", not " + wanted, await column(name) === wanted);
+        if (exercise.facts) {
+            await click("tab-facts");
+            await b.until("document.querySelector('#facts-place tbody tr')", "facts");
+            await settled();
+            const facts = await b.evaluate(`[...document.querySelectorAll("#facts-place tbody tr")].map((row) =>
+                [...row.children].slice(0, 3).map((cell) => cell.textContent).join(" ").trim())`);
+            for (const fact of exercise.facts)
+                check(exercise.name + ": no " + fact + " in " + facts.slice(0, 30), facts.includes(fact));
+        }
+        if (exercise.score) {
+            await click("tab-checks");
+            await b.until("document.querySelector('#checks-place li.total')", "comparisons");
+            await settled();
+            const found = await b.evaluate(`[...document.querySelectorAll("#checks-place li")].map((x) => x.textContent).join("\\n")`);
+            const wanted = command(await value("name"), exercise.deck, "--check").out.trim();
+            check(exercise.name + ": " + found, found.endsWith("# score: " + exercise.score) && found === wanted);
+        }
+    }
+    await click("tab-drawing");
+}
+
+/* --------------------------------------------------------------------------------------------- time, keyboard, layout */
+
+async function tryTimes() {
+    await b.go("about:blank");
+    await b.go(address);
+    await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
+    const first = await b.evaluate("window.fourlinkPage.firstDrawing");
+    check("first drawing after " + first + " ms", first < 1000);
+    await load("me3491-exercise-4.deck");
+    await click("change");
+    await b.until(`document.querySelector('[data-knob="P0"]')`, "a ring");
+    const times = [];
+    const from = await middle('[data-knob="P0"] .ring');
+    await b.evaluate("window.fourlinkPage.times.length = 0");
+    await drag(from, [from[0] + 60, from[1] + 40], 40);
+    times.push(...await b.evaluate("window.fourlinkPage.times"));
+    await click("change");
+    times.sort((x, y) => x - y);
+    const typical = times[Math.floor(times.length / 4)]; /* when nothing else runs */
+    console.log("first drawing " + Math.round(first) + " ms; redraw while dragging, of " + times.length + ": lower quartile " +
+                typical.toFixed(1) + " ms, longest " + times[times.length - 1].toFixed(1) + " ms");
+    check("redraw while dragging: " + typical, typical < 16.7);
+}
+
+/* Everything can be reached with Tab, and each control has a name. */
+async function tryKeyboard() {
+    await load("me3491-exercise-4.deck");
+    await click("change");
+    await settled();
+    await b.evaluate("document.activeElement.blur()");
+    const seen = new Set();
+    for (let k = 0; k < 60; k++) {
+        await b.key("Tab");
+        seen.add(await b.evaluate(`(() => {
+            const e = document.activeElement;
+            return e.id || e.getAttribute("data-knob") || e.name || e.textContent.slice(0, 20);
+        })()`));
+    }
+    for (const id of ["example", "open", "undo", "deck", "name", "fourlink-angle", "fourlink-play", "tab-drawing", "change", "B", "P0"])
+        check("Tab reaches " + id + ": " + [...seen], seen.has(id) || (id === "undo" && !seen.has(id)));
+    await click("change");
+    const nameless = await b.evaluate(`[...document.querySelectorAll("button, input, select, textarea, [role]")].filter((e) =>
+        !e.textContent.trim() && !e.getAttribute("aria-label") && !e.getAttribute("aria-labelledby") &&
+        !(e.labels && e.labels.length) && !/^(status|tabpanel)$/.test(e.getAttribute("role"))).map((e) => e.outerHTML.slice(0, 80))`);
+    check("without a name: " + nameless, nameless.length === 0);
+}
+
+async function tryLayout() {
+    for (const width of [360, 768, 1280, 2560]) {
+        await b.size(width, 900);
+        for (const name of ["me3491-exercise-4.deck", "alvi-5.1.deck"]) {
+            await load(name);
+            for (const tab of ["drawing", "curve", "table", "facts", "checks", "manual"]) {
+                await click("tab-" + tab);
+                await settled();
+                const wide = await b.evaluate("document.documentElement.scrollWidth");
+                check(width + " px, " + tab + ": " + wide, wide <= width);
+            }
+            await click("tab-drawing");
+        }
+    }
+    await b.size(1280, 900);
+    await b.go("about:blank");
+    await b.page("Page.addScriptToEvaluateOnNewDocument", {source: `window.shift = 0;
+        new PerformanceObserver((list) => list.getEntries().forEach((e) => { window.shift += e.value; }))
+            .observe({type: "layout-shift", buffered: true});`});
+    await b.go(address);
+    await b.until("document.querySelector('.panel.whole circle')", "the page");
+    await wait(500);
+    const shift = await b.evaluate("window.shift");
+    check("layout shift " + shift, shift < 0.01);
+    const place = await b.evaluate("document.querySelector('.panel.whole svg').getBoundingClientRect().top");
+    for (const words of ["title = x\n", fs.readFileSync(path.join(root, "data/me3491-example-1.deck"), "utf8")]) {
+        await put("x.deck", words);
+        check("the drawing stays in its place", place ===
+              await b.evaluate("document.querySelector('.panel.whole svg').getBoundingClientRect().top"));
+    }
+}
+
+async function main() {
+    b = await open();
+    await b.size(1280, 900);
+    await b.go(address);
+    await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
+    for (const [what, run] of [["typing", tryTyping], ["crank", tryCrank], ["dragging", tryDragging], ["exercises", tryExercises],
+                               ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
+                               ["layout", tryLayout], ["times", tryTimes],
+                               ["decks", async () => {
+                                   await compareAll(path.join(root, "data"));
+                                   await compareAll(path.join(root, "tests/decks"));
+                                   if (folder)
+                                       await compareAll(folder, true);
+                                   console.log(total.decks + " decks, " + total.messages + " messages, " + total.values +
+                                               " values, largest difference " + total.worst + ", " + total.where);
+                               }]]) {
+        if (process.env.TRY && !process.env.TRY.split(",").includes(what))
+            continue;
+        try {
+            await run();
+        } catch (error) {
+            check(what + ": " + error.stack, false);
+        }
+        check(what + ": errors in the page: " + b.problems, b.problems.length === 0);
+        b.problems.length = 0;
+    }
+    await b.close();
+    fs.rmSync(work, {recursive: true});
+    console.log(passed + " passed, " + failed + " failed");
+    process.exitCode = failed ? 1 : 0;
+}
+
+main();

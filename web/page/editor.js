@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** editor.js - the text of the deck: line numbers, messages at their lines, undo.
+**
+** The text is a textarea.  It has an undo of its own, since dragging in the drawing changes the text too.
+*/
+web.editor = function (area, gutter, layer, changed) {
+
+const {html} = fourlink;
+const LINE = 20, MOST_STEPS = 500;
+let steps = [], undone = [], present = {text: "", from: 0, to: 0}, group = null, time = 0, lines = 0, marks = [];
+
+const snapshot = () => ({text: area.value, from: area.selectionStart, to: area.selectionEnd});
+
+/* Keep the text before a change; changes of one kind that follow at once are one step. */
+function keep(kind) {
+    const now = performance.now();
+    if (area.value === present.text)
+        return false;
+    if (kind === null || kind !== group || now - time > 1000) {
+        steps.push(present);
+        steps.splice(0, steps.length - MOST_STEPS);
+    }
+    undone = [];
+    group = kind;
+    time = now;
+    present = snapshot();
+    return true;
+}
+
+function number() {
+    const count = area.value.split("\n").length;
+    if (count !== lines)
+        gutter.firstChild.textContent = Array.from({length: count}, (_, i) => i + 1).join("\n");
+    lines = count;
+}
+
+function scroll() {
+    layer.firstChild.style.transform = "translate(" + -area.scrollLeft + "px," + -area.scrollTop + "px)";
+    gutter.firstChild.style.transform = "translateY(" + -area.scrollTop + "px)";
+}
+
+/* Show messages at the ends of their lines. */
+function mark(messages) {
+    const texts = area.value.split("\n"), seen = new Map();
+    for (const message of messages)
+        if (message.line > 0 && message.line <= texts.length)
+            seen.set(message.line, (seen.get(message.line) || []).concat(message));
+    marks = [...seen].map(([line, list]) => {
+        const wide = texts[line - 1].replace(/\t/g, "    ").length;
+        const words = list.map((m) => m.text.replace(/^.*?:\d+: (error|note): /, "")).join("; ");
+        const made = html("div", {class: "mark " + list[0].kind}, html("span", {}, words));
+        made.style.top = (line - 1) * LINE + "px";
+        made.firstChild.style.marginLeft = "calc(" + (wide + 2) + "ch)";
+        return made;
+    });
+    layer.firstChild.replaceChildren(...marks);
+    area.setAttribute("aria-invalid", messages.some((m) => m.kind === "error") ? "true" : "false");
+}
+
+/* Put a text in the place of all; of one kind, it is one step. */
+function put(text, kind) {
+    const {selectionStart, selectionEnd, scrollTop, scrollLeft} = area;
+    if (text === area.value)
+        return;
+    area.value = text;
+    area.setSelectionRange(Math.min(selectionStart, text.length), Math.min(selectionEnd, text.length));
+    area.scrollTop = scrollTop;
+    area.scrollLeft = scrollLeft;
+    if (kind === group)
+        time = performance.now();
+    keep(kind || null);
+    number();
+    scroll();
+    changed();
+}
+
+/* Put the first text, which cannot be undone. */
+function begin(text) {
+    area.value = text;
+    present = snapshot();
+    number();
+    changed();
+}
+
+function go(from, to) {
+    if (!from.length)
+        return;
+    const step = from.pop(), {scrollTop} = area;
+    to.push(present);
+    present = step;
+    group = null;
+    area.value = step.text;
+    area.setSelectionRange(step.from, step.to);
+    area.scrollTop = scrollTop;
+    number();
+    scroll();
+    changed();
+}
+const undo = () => go(steps, undone);
+const redo = () => go(undone, steps);
+
+/* Select a line, from 1. */
+function select(line) {
+    const before = area.value.split("\n").slice(0, line - 1).reduce((sum, x) => sum + x.length + 1, 0);
+    const end = area.value.indexOf("\n", before);
+    area.focus();
+    area.setSelectionRange(before, end < 0 ? area.value.length : end);
+    area.scrollTop = Math.max(0, (line - 1) * LINE - area.clientHeight / 2);
+}
+
+area.addEventListener("input", (event) => {
+    number();
+    scroll();
+    if (keep(event.inputType || null))
+        changed();
+});
+area.addEventListener("beforeinput", (event) => {
+    if (area.selectionStart !== area.selectionEnd || area.selectionStart !== present.from)
+        group = null; /* elsewhere */
+    if (event.inputType !== "historyUndo" && event.inputType !== "historyRedo")
+        return;
+    event.preventDefault();
+    (event.inputType === "historyUndo" ? undo : redo)();
+});
+area.addEventListener("keydown", (event) => {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y"))
+        return;
+    event.preventDefault();
+    (key === "y" || event.shiftKey ? redo : undo)();
+});
+area.addEventListener("scroll", scroll);
+
+return {begin, put, undo, redo, mark, select, text: () => area.value,
+        can: () => [steps.length > 0, undone.length > 0],
+        /* The next change begins a step. */
+        close: () => { group = null; }};
+};

@@ -1,0 +1,377 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** program.c - what the page calls, from worker.js.
+**
+** A call takes its text from the room that web_room gave, and leaves its answer, JSON or a file, where web_answer
+** says.  One deck is open at a time.
+*/
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/quantity.h"
+#include "base/text.h"
+#include "report/interactive.h"
+#include "report/report.h"
+#include "tables/json_text.h"
+#include "tables/sheet.h"
+
+#define CALLED(name) __attribute__((export_name(#name)))
+#define MOST_MISTAKES 100
+#define CURVE_DIGITS 12
+
+static char *input;  /* the text of the next call */
+static char *deck;   /* the name and the text of the deck */
+static char *answer; /* of the last call */
+static size_t answer_length;
+static FILE *out; /* into `answer` */
+static line l;    /* into `out` */
+static fourlink_source source;
+static fourlink_results *results; /* of the deck; null if it has mistakes */
+static fourlink_problem problem;
+static fourlink_branch branches[2];
+static int n_branches;
+static double *numbers; /* of web_rows */
+
+/* Room for a text of this length; null if there is none. */
+CALLED(web_room) char *web_room(unsigned long length)
+{
+    free(input);
+    return input = malloc(length + 1);
+}
+
+CALLED(web_answer) const char *web_answer(void)
+{
+    return answer;
+}
+
+CALLED(web_answer_length) unsigned long web_answer_length(void)
+{
+    return (unsigned long)answer_length;
+}
+
+static int begin_answer(void)
+{
+    free(answer);
+    answer = NULL;
+    answer_length = 0;
+    out = open_memstream(&answer, &answer_length);
+    if (out)
+        line_start(&l, out);
+    return out != NULL;
+}
+
+/* 1; 0 if memory has run out. */
+static int end_answer(void)
+{
+    int failed;
+
+    line_end(&l);
+    failed = ferror(out);
+    failed |= fclose(out) != 0;
+    return !failed;
+}
+
+static void put_string(const char *name, const char *words)
+{
+    line_put(&l, "\"%s\":", name);
+    json_text_put(&l, words, "");
+}
+
+static void put_number(const char *name, unsigned long value)
+{
+    line_put(&l, ",\"%s\":%lu", name, value);
+}
+
+/* ------------------------------------------------------------------------------------------------ messages */
+
+/* What is not printable becomes a question mark, as in the messages of the command. */
+static void make_printable(char *words)
+{
+    text rest = flk_text_of(words);
+
+    while (rest.length) {
+        size_t n = flk_text_printable(rest);
+
+        if (!n)
+            words[rest.start - words] = '?';
+        rest = flk_text_from(rest, n ? n : 1);
+    }
+}
+
+/* Put a message as the command prints it, with its line in the deck; 0: it is elsewhere. */
+static void put_message(int *n, const char *kind, const char *file, long at, const char *message)
+{
+    char words[2000], number[FORMAT_SIZE];
+
+    flk_text_join(words, sizeof words, at ? "" : "fourlink: ", file, at ? ":" : "",
+                  at ? format_general((double)at, 17, number) : "", ": ", kind, ": ", message,
+                  (char *)NULL);
+    make_printable(words);
+    line_put(&l, "%s\n{", (*n)++ ? "," : "");
+    put_string("text", words);
+    line_put(&l, ",");
+    put_string("kind", kind);
+    put_number("line", strcmp(file, source.name) == 0 ? (unsigned long)at : 0);
+    line_put(&l, "}");
+}
+
+static void put_messages(const fourlink_mistake *list, unsigned long count, const char *kind)
+{
+    unsigned long i;
+    int n = 0;
+
+    line_put(&l, "\"messages\":[");
+    for (i = 0; i < count && i < MOST_MISTAKES; i++)
+        put_message(&n, kind, list[i].file, list[i].line, list[i].message);
+    line_put(&l, "]");
+    put_number("more", count > MOST_MISTAKES ? count - MOST_MISTAKES : 0);
+}
+
+/* ------------------------------------------------------------------------------------------------ the deck */
+
+static void put_value_name(const fourlink_value *v)
+{
+    line_put(&l, "{");
+    put_string("name", v->name);
+    line_put(&l, ",");
+    put_string("unit", v->unit);
+    line_put(&l, ",");
+    put_string("meaning", v->meaning);
+    line_put(&l, "}");
+}
+
+static void put_names(const char *name, int which)
+{
+    const fourlink_value *list;
+    unsigned long n, i;
+
+    fourlink_results_list(results, which, &list, &n);
+    line_put(&l, ",\n\"%s\":[", name);
+    for (i = 0; i < n; i++) {
+        line_put(&l, i ? ",\n" : "\n");
+        put_value_name(&list[i]);
+    }
+    line_put(&l, "]");
+}
+
+static void put_deck(void)
+{
+    int i;
+
+    line_put(&l, ",\n");
+    put_string("title", problem.title);
+    line_put(&l, ",");
+    put_string("kind", fourlink_kind_text((int)problem.mechanism.design.kind));
+    put_number("rows", problem.n_rows);
+    put_number("instant", (unsigned long)problem.one_instant);
+    put_number("designs", problem.n_designs);
+    put_number("design", problem.design + 1);
+    put_number("expected", problem.n_expected);
+    line_put(&l, ",\"from\":");
+    json_text_number(&l, problem.motion.from, 17);
+    line_put(&l, ",\"branches\":[");
+    for (i = 0; i < n_branches; i++)
+        line_put(&l, "%s\"%s\"", i ? "," : "", fourlink_branch_text((int)branches[i]));
+    line_put(&l, "]");
+    put_names("columns", FOURLINK_COLUMNS);
+    put_names("all", FOURLINK_ALL_COLUMNS);
+}
+
+static void take_deck(void)
+{
+    fourlink_deck_problem(fourlink_results_deck(results), &problem);
+    source.design = problem.design;
+    n_branches = 0;
+    if (problem.open)
+        branches[n_branches++] = FOURLINK_OPEN;
+    if (problem.crossed)
+        branches[n_branches++] = FOURLINK_CROSSED;
+}
+
+/* Open the deck whose name, of this length and with its final zero, and whose text are in the room.  Answers with its
+** messages and, if it has no mistakes, what there is to see.  Returns a status. */
+CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
+{
+    fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
+    unsigned long n = 0;
+    int status = FOURLINK_NO_MEMORY;
+
+    fourlink_results_free(results);
+    results = NULL;
+    free(deck);
+    deck = input;
+    input = NULL;
+    memset(&source, 0, sizeof source);
+    source.name = deck;
+    source.text = deck + name_length;
+    source.length = length;
+    source.design = FOURLINK_ANY_DESIGN;
+    if (list)
+        status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
+    if (status == FOURLINK_OK) {
+        take_deck();
+        fourlink_results_notes(results, MOST_MISTAKES, list, &n);
+    }
+    if ((status == FOURLINK_OK || status == FOURLINK_BAD_DECK) && begin_answer()) {
+        line_put(&l, "{");
+        put_messages(list, n, results ? "note" : "error");
+        if (results)
+            put_deck();
+        line_put(&l, "}\n");
+        if (!end_answer())
+            status = FOURLINK_NO_MEMORY;
+    }
+    free(list);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------- drawing, curves */
+
+/* Answer with the rows of the drawing, of all branches or of one, at `at` too, a crank angle or NaN. */
+CALLED(web_scene) int web_scene(int branch, double at)
+{
+    fourlink_branch one = (fourlink_branch)branch;
+    rows *t = malloc(sizeof *t);
+    int done = 0;
+
+    if (t && rows_open(t, &source, at) && begin_answer()) {
+        done = interactive_write(out, t, branch ? &one : branches, branch ? 1 : n_branches, at);
+        done &= end_answer();
+    }
+    if (t)
+        rows_close(t);
+    free(t);
+    return done;
+}
+
+static void put_curve(const rows *t, unsigned long column)
+{
+    unsigned long i;
+
+    line_put(&l, "[");
+    for (i = 0; i < t->n; i++) {
+        line_put(&l, i ? "," : "");
+        json_text_number(&l, t->table[i * t->n_columns + column], CURVE_DIGITS);
+    }
+    line_put(&l, "]");
+}
+
+/* Answer with two columns over the rows of the drawing; the room has "table.columns=X,Y". */
+CALLED(web_curve) int web_curve(void)
+{
+    fourlink_source chosen = source;
+    rows *t = malloc(sizeof *t);
+    fourlink_change change;
+    unsigned long j;
+    int i, done = 0;
+
+    change.origin = "columns";
+    change.assignment = input;
+    chosen.changes = &change;
+    chosen.n_changes = 1;
+    if (t && rows_open(t, &chosen, problem.one_instant ? problem.motion.from : GSL_NAN) &&
+        begin_answer()) {
+        done = 1;
+        line_put(&l, "[");
+        for (i = 0; i < n_branches; i++) {
+            done &= rows_compute(t, branches[i]);
+            line_put(&l, "%s{\"name\":\"%s\",\"columns\":[", i ? "," : "",
+                     fourlink_branch_text((int)branches[i]));
+            for (j = 0; j < t->n_columns; j++) {
+                line_put(&l, j ? ",\n" : "");
+                put_curve(t, j);
+            }
+            line_put(&l, "]}");
+        }
+        line_put(&l, "]\n");
+        done &= end_answer();
+    }
+    if (t)
+        rows_close(t);
+    free(t);
+    return done;
+}
+
+/* ------------------------------------------------------------------------------------- numbers, sheets, report */
+
+/* Rows of the deck's columns: for each its values and then its status.  Null without memory. */
+CALLED(web_rows) const double *web_rows(int branch, unsigned long first, unsigned long n)
+{
+    const fourlink_value *list;
+    unsigned long width, i;
+
+    fourlink_results_list(results, FOURLINK_COLUMNS, &list, &width);
+    free(numbers);
+    numbers = malloc((n + 1) * (width + 1) * sizeof *numbers);
+    for (i = 0; numbers && i < n; i++) {
+        double *row = numbers + i * (width + 1);
+
+        row[width] =
+            fourlink_results_row(results, (fourlink_branch)branch, first + i, row, NULL, NULL);
+    }
+    return numbers;
+}
+
+CALLED(web_status_text) const char *web_status_text(int status)
+{
+    return fourlink_status_text(status);
+}
+
+/* Answer with a sheet in a format, by its number in sheet_formats.  Returns 0 without memory. */
+CALLED(web_sheet) int web_sheet(int format, int content)
+{
+    int done;
+    sheet *s = calloc(1, sizeof *s);
+
+    if (!s || !begin_answer()) {
+        free(s);
+        return 0;
+    }
+    s->format = sheet_formats[format];
+    s->content = (sheet_content)content;
+    s->n_decks = 1;
+    fourlink_results_list(results, FOURLINK_COLUMNS, &s->header, &s->n_header);
+    sheet_begin(s, out, 1);
+    sheet_write(s, results, source.name, NULL);
+    done = !s->out_of_memory;
+    free(s);
+    return end_answer() && done;
+}
+
+/* Answer with the report; the room has the crank angle of its sample calculation, or nothing. */
+CALLED(web_report) int web_report(void)
+{
+    report_outcome outcome;
+    fourlink_mistake mistake;
+    report_request request;
+    int done;
+
+    if (!begin_answer())
+        return 0;
+    request.at = *input ? input : NULL;
+    done = report_write(out, &source, &request, &outcome, &mistake);
+    return end_answer() && done > 0;
+}
+
+/* The value in SI units of the quantity in the room, such as "40 mm", read as the deck reads it; NaN if it is none. */
+CALLED(web_quantity) double web_quantity(int is_angle)
+{
+    quantity q = is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;
+    char message[MESSAGE_SIZE];
+    fourlink_unit named;
+    quantity_value value;
+    text t = flk_text_of(input);
+    unit bare;
+
+    if (!results)
+        return GSL_NAN;
+    fourlink_deck_unit(fourlink_results_deck(results), flk_quantities[q].name, &named);
+    bare.up = named.up;
+    bare.down = named.down;
+    bare.dim = flk_quantities[q].dim;
+    return flk_quantity_read(t, t, q, bare, &value, message) ? value.si : GSL_NAN;
+}
