@@ -334,5 +334,6 @@ const char *picture_columns(picture *p, fourlink_branch branch)
     (void)branch;
     if (picture_has_outputs(p))
         return picture_outputs(p);
-    return put_groups(p, groups, make_groups(p, groups)) ? NULL : PANEL_NO_REACH;
+    return put_groups(p, groups, make_groups(p, groups)) ? NULL
+                                                         : picture_no_rows(p, p->branches[0]);
 }

@@ -36,7 +36,7 @@ const char *picture_motion(picture *p, fourlink_branch branch)
         put_panel(p, i);
         drawn += p->on.curves;
     }
-    return drawn ? NULL : PANEL_NO_REACH;
+    return drawn ? NULL : picture_no_rows(p, p->branches[0]);
 }
 
 /* Draw columns of one unit in one panel. */
@@ -76,5 +76,5 @@ const char *picture_forces(picture *p, fourlink_branch branch)
             put_columns(p, branch, torque);
             return NULL;
         }
-    return PANEL_NO_REACH;
+    return picture_no_rows(p, branch);
 }

@@ -10,8 +10,6 @@
 
 #define PANEL_CURVES 5
 
-#define PANEL_NO_REACH "the linkage cannot be assembled at any angle of the motion"
-
 /* The curves of a panel, and the places of its texts. */
 typedef struct panel {
     int x_column;      /* of the picture's columns */

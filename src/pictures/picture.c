@@ -117,6 +117,15 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
                : 0;
 }
 
+const char *picture_no_rows(const picture *p, fourlink_branch branch)
+{
+    double angle;
+    int status = fourlink_results_end(p->results, branch, &angle);
+
+    return status == FOURLINK_OK ? "the linkage cannot be assembled at any angle of the motion"
+                                 : fourlink_status_text(status);
+}
+
 double picture_angle(const picture *p, int k, int steps)
 {
     double from = p->problem.motion.from;

@@ -197,6 +197,9 @@ char *picture_words(const picture *p, const char *name, double si, quantity q,
 /* rad/s, of the crank at the first row; of the actual motion its mean over the last cycle, or 0 if it has none. */
 double picture_speed_of(const picture *p, fourlink_branch branch);
 
+/* Why there is nothing to draw: no row of the motion can be computed on a branch. */
+const char *picture_no_rows(const picture *p, fourlink_branch branch);
+
 /* The last crank angle of a motion, in its unit. */
 double picture_end(const fourlink_motion *motion);
 

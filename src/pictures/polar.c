@@ -391,5 +391,5 @@ const char *picture_polar(picture *p, fourlink_branch branch)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
     if (picture_has_balance(p))
         drawn += put_balance(p);
-    return drawn ? NULL : "the linkage cannot be assembled at any angle of the motion";
+    return drawn ? NULL : picture_no_rows(p, p->branches[0]);
 }

@@ -72,7 +72,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     int status = fourlink_results_value(p->results, "mean_speed", branch, 0, &mean);
 
     if (!put_panel(p, branch, "theta2", speed, status == FOURLINK_OK ? mean.value : GSL_NAN))
-        return PANEL_NO_REACH;
+        return picture_no_rows(p, branch);
     put_panel(p, branch, "omega2", torques, GSL_NAN);
     put_panel(p, branch, "theta2", energy, GSL_NAN);
     return NULL;

@@ -58,17 +58,14 @@
       "coefficient of fluctuation of speed")                                                       \
     X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the last cycle")        \
     X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
-      "(largest + smallest speed) / 2 of that cycle")                                              \
+      "(largest + smallest speed) / 2")                                                            \
     X(PERIOD, "period", TIME, MOTION, "duration of that cycle")                                    \
     X(FLUCTUATION_EXACT, "fluctuation_exact", NUMBER, MOTION,                                      \
       "(largest - smallest speed) / mean_speed")                                                   \
-    X(STEADY_RATE, "steady_rate", NUMBER, MOTION,                                                  \
-      "by which a difference from the steady motion shrinks in a cycle")                           \
-    X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "crank angle at which the machine comes to rest") \
-    X(RUN_UP_TIME, "run_up_time", TIME, MOTION,                                                    \
-      "until the speed reaches the mean of the steady motion")                                     \
-    X(MOTOR_TORQUE, "motor_torque", TORQUE, MOTION,                                                \
-      "of a motor that balances the loads, at the crank")
+    X(STEADY_RATE, "steady_rate", NUMBER, MOTION, "what a cycle leaves of a difference")           \
+    X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "where the machine comes to rest")                \
+    X(RUN_UP_TIME, "run_up_time", TIME, MOTION, "until omega2 is the steady mean speed")           \
+    X(MOTOR_TORQUE, "motor_torque", TORQUE, MOTION, "of a motor that balances, at the crank")
 
 #define FACT_CODE(code, name, q, group, meaning) FACT_##code,
 typedef enum fact_code { FACT_LIST(FACT_CODE) FACT_COUNT } fact_code;
