@@ -518,6 +518,8 @@ static const char *missing(const picture *p)
 {
     int needs = plot_table[p->request->kind].needs;
 
+    if (p->problem.by_time)
+        return "rows by time have no pictures; [motion] rows = angle has";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)

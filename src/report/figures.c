@@ -126,6 +126,8 @@ void report_put_curves(report *r)
                "The motion over the crank angle.");
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
                "The pin forces and the driving torque over the crank angle.");
+    put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",
+               "The actual motion: speed with its mean, torques over the speed, energy.");
     put_figure(r, PLOT_TURNING, NULL, "Turning moment, its mean, and the areas between them",
                "The turning moment.");
     put_figure(r, PLOT_POLAR, NULL, "Pin forces as vectors, drawn from one origin",

@@ -393,8 +393,8 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
 
 static int draws_all(const rows *t)
 {
-    return t->problem.n_points <= ROWS_POINTS && t->problem.n_loads <= ROWS_LOADS &&
-           t->problem.n_springs <= ROWS_LOADS;
+    return !t->problem.by_time && t->problem.n_points <= ROWS_POINTS &&
+           t->problem.n_loads <= ROWS_LOADS && t->problem.n_springs <= ROWS_LOADS;
 }
 
 int rows_open(rows *t, const fourlink_source *source, double at)

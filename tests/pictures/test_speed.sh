@@ -31,6 +31,16 @@ run 2 --plot=p.svg --plot-kind=speed "$alvi"
 says 'this picture needs [motion] mode = free, run-up or steady; the motion is given'
 run 1 --plot-script=s.gp --plot-kind=speed --branch=open --set='motor.stall_torque=60 N m' "$pump"
 says 'stalls'
+run 2 --plot-script=s.gp --plot-kind=speed --branch=open --set='motor.stall_torque=20 N m' $steady "$pump"
+says 'no steady motion'
+sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 0.1 s\nduration = 1 s/' "$pump" >time.deck
+for kind in speed motion mechanism; do
+    run 2 --plot-script=s.gp --plot-kind=$kind time.deck
+    says 'rows by time have no pictures'
+done
+run 0 --report=r.html time.deck
+says 'rows by time have none'
+check 'its report has the sample calculation' grep -q 'Sample calculation' r.html
 
 # The turning moment is that of the mean speed.
 run 0 --plot-script=s.gp --plot-kind=turning-moment $steady "$pump"
