@@ -6,6 +6,7 @@
 #
 # In each root: the two set-up commands of README.md, in the source archive, without git and sudo; the packages
 # that cpack makes, and lintian.  In a second root: the packages installed, used, and removed without trace.
+# The page is in the archive and in the package if it was built before, by tests/web.sh or web/build.sh.
 # ROOTS names a folder with SUITE.tar of bare roots, which saves debootstrap.
 set -u
 [ "$(id -u)" -eq 0 ] || { echo 'packages.sh: must be root, for debootstrap and chroot' >&2 && exit 2; }
@@ -103,6 +104,7 @@ use() {
     check "$1: it draws" in_root target 'fourlink --plot=/tmp/a.svg /usr/share/fourlink/data/alvi-5.1.deck && test -s /tmp/a.svg'
     check "$1: manuals and completion" in_root target 'dpkg -L fourlink | grep -q man1/fourlink.1.gz &&
         dpkg -L fourlink | grep -q man5/fourlink-deck.5.gz && dpkg -L fourlink | grep -q completions/fourlink'
+    [ ! -e "$top/web/fourlink.html" ] || check "$1: the page" in_root target 'grep -q "</html>" /usr/share/fourlink/fourlink.html'
     check "$1: the library" in_root target 'apt-get install -y --no-install-recommends ./libfourlink*.deb gcc libc6-dev pkg-config cmake make'
     check "$1: a caller, shared" in_root target 'cc c90.c $(pkg-config --cflags --libs fourlink) -lm -o shared && ldd shared | grep -q libfourlink.so && ./shared <me3491-matrix.deck'
     check "$1: its answer" grep -q 'theta4 *= 103.820765 deg' log
@@ -117,11 +119,12 @@ use() {
 
 echo 'the source archive'
 git clone -q "$top" clone && cmake -S clone -B clone/build -DFOURLINK_TESTS=OFF >log 2>&1 || { cat log && exit 1; }
+[ ! -e "$top/web/fourlink.html" ] || cp "$top/web/fourlink.html" clone/web
 check 'package_source' cmake --build clone/build --target package_source
 cp clone/build/fourlink-*.tar.gz . || exit 1
 tar tzf fourlink-*.tar.gz | sed 's,^[^/]*/,,; /\/$/d; /^$/d' | sort >packed
-git -C clone ls-files | grep -v '^\.\(ci/\|git\)' | sort >listed
-check "all $(wc -l <listed) files of git, and no others" diff listed packed
+(cd clone && git ls-files && find web -name fourlink.html) | grep -v '^\.\(ci/\|git\)' | sort >listed
+check "all $(wc -l <listed) files of git, the page if there is one, and no others" diff listed packed
 
 [ $# -gt 0 ] || set -- bookworm testing
 for suite; do
