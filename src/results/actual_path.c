@@ -177,15 +177,14 @@ const flk_node *flk_path_end(const flk_path *p)
     return &p->node[p->n - 1];
 }
 
-/* The last node at or before s. */
-static const flk_node *node_before(const flk_path *p, double s)
+const flk_node *flk_path_before(const flk_path *p, int i, double value)
 {
     size_t low = 0, high = p->n;
 
     while (high - low > 1) {
         size_t middle = (low + high) / 2;
 
-        if (p->node[middle].s <= s)
+        if ((i ? p->node[middle].t : p->node[middle].s) <= value)
             low = middle;
         else
             high = middle;
@@ -221,7 +220,7 @@ int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
 {
     flk_node at;
 
-    flk_actual_within(node_before(p, s), 0, s, &at);
+    flk_actual_within(flk_path_before(p, 0, s), 0, s, &at);
     at.s = s;
     return flk_path_row(p, &at, row);
 }

@@ -14,6 +14,9 @@ int flk_path_run(flk_path *p, double speed, double length);
 /* The last node: where it ends. */
 const flk_node *flk_path_end(const flk_path *p);
 
+/* The last node at or before a value: i 0, of s; 1, of the time. */
+const flk_node *flk_path_before(const flk_path *p, int i, double value);
+
 /* The crank after it has passed s, within the path: FOURLINK_OK, or why there is no position. */
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
 

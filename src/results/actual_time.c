@@ -106,27 +106,11 @@ int flk_time_run(flk_path *p, double speed, double duration)
     return p->status == FOURLINK_OK;
 }
 
-/* The step at a time. */
-static const flk_node *step_at(const flk_path *p, double t)
-{
-    size_t low = 0, high = p->n;
-
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-
-        if (p->node[middle].t <= t)
-            low = middle;
-        else
-            high = middle;
-    }
-    return &p->node[low];
-}
-
 int flk_time_at(const flk_path *p, double t, flk_actual_row *row)
 {
     flk_node at;
 
-    flk_actual_within(step_at(p, t), 1, t, &at);
+    flk_actual_within(flk_path_before(p, 1, t), 1, t, &at);
     return flk_path_row(p, &at, row);
 }
 
