@@ -5,7 +5,10 @@
 # every report is a sound page.  Without gnuplot, whose pictures take most of the time.
 . "$(dirname "$0")/../harness.sh"
 tests=$(dirname "$decks")/report
-python=$(command -v python3 || echo /usr/bin/python3)
+command -v python3 >/dev/null || { # a bare machine has none
+    echo 'skipped: python3 is not there'
+    finish
+}
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 mkdir empty
@@ -22,7 +25,7 @@ for deck in "$data"/*.deck "$decks"/*.deck; do
     case $deck in */bad.deck | */mistakes.deck | */reach.deck) continue ;; esac
     sample "$deck" --branch=crossed
     sample "$deck" --branch=open
-    "$python" "$tests/page.py" r-$n.html "$deck" >wrong 2>&1
+    python3 "$tests/page.py" r-$n.html "$deck" >wrong 2>&1
     check "$deck: $(tail -n 3 wrong)" test ! -s wrong
 done
 
@@ -69,17 +72,17 @@ for deck in norton.deck offset.deck "$matrix" "$alvi" "$decks/engine.deck" "$dec
         done
     done
 done
-"$python" "$tests/sample.py" r-*.html >checked 2>&1
+python3 "$tests/sample.py" r-*.html >checked 2>&1
 check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
 
 # the results are those of the table
 PATH=$work/empty "$fourlink" --report=r.html "$data/me3491-matrix.deck" --plot-at='40 deg' -b open
-check 'results of the reference' "$python" "$tests/sample.py" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
+check 'results of the reference' python3 "$tests/sample.py" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
     alpha4=56.4558 Ts=0.0313823 theta3=0.680440 theta4=1.81201
 
 # an error is found
 fails() { ! "$@"; }
 sed 's|<mn>0.0732971</mn>|<mn>0.0733971</mn>|' r.html >wrong.html
-check "a wrong number is found" fails "$python" "$tests/sample.py" wrong.html
+check "a wrong number is found" fails python3 "$tests/sample.py" wrong.html
 
 finish
