@@ -39,14 +39,21 @@ char *rows_name(const char *before, unsigned long i, const char *after, char nam
                          (char *)NULL);
 }
 
-const rows_track *rows_find(const rows *t, const char *name)
+/* The number of a track; that of tracks if there is none of this name. */
+static int number_of(const rows *t, const char *name)
 {
     int i;
 
-    for (i = 0; i < t->n_tracks; i++)
-        if (strcmp(t->tracks[i].name, name) == 0)
-            return &t->tracks[i];
-    return NULL;
+    for (i = 0; i < t->n_tracks && strcmp(t->tracks[i].name, name) != 0; i++)
+        ;
+    return i;
+}
+
+const rows_track *rows_find(const rows *t, const char *name)
+{
+    int i = number_of(t, name);
+
+    return i < t->n_tracks ? &t->tracks[i] : NULL;
 }
 
 /* -------------------------------------------------------------------------------------- the crank angles */
@@ -121,13 +128,12 @@ static int choose_angles(rows *t, double at)
 /* The track of a name, made if there is none; null without memory. */
 static rows_track *track_of(rows *t, const char *name)
 {
-    rows_track *x = &t->tracks[t->n_tracks];
+    int number = number_of(t, name);
+    rows_track *x = &t->tracks[number];
     unsigned long i;
-    int j;
 
-    for (j = 0; j < t->n_tracks; j++)
-        if (strcmp(t->tracks[j].name, name) == 0)
-            return &t->tracks[j];
+    if (number < t->n_tracks)
+        return x;
     if (t->n_tracks == ROWS_TRACKS)
         return NULL;
     x->values = malloc(t->n * sizeof *x->values);

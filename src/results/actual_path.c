@@ -20,7 +20,6 @@
 #define SHORTEST 1e-13 /* of the angle passed */
 #define CLOSEST 1e-9   /* rad, to where there is no position */
 #define ITERATIONS 60
-#define WORST 1e8       /* of the errors of steps, in parts of the tolerance */
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 
 /* Begin the next step: over time, if the crank is near to rest. */
@@ -74,7 +73,7 @@ static double first_length(const flk_node *node, const flk_step *step, double h)
 static int go_on(flk_path *p, double *h, flk_node *after)
 {
     flk_node *node = &p->node[p->n - 1];
-    double length, size;
+    double length, factor;
     flk_equations e;
     flk_step step;
     int status = choose(p, node, &e, &step);
@@ -85,16 +84,12 @@ static int go_on(flk_path *p, double *h, flk_node *after)
         return FOURLINK_DOES_NOT_START;
     length = first_length(node, &step, *h);
     for (; p->budget > 0; p->budget--) {
-        status = flk_actual_try(
-            p, node, &step,
-            node->by_time ? flk_actual_time_of(step.y[1], step.k[0][1], length) : length, &size);
-        if (status == FOURLINK_OK && size <= 1)
-            status = flk_actual_fill(&step, &node->within);
-        if (status == FOURLINK_OK && size <= 1)
+        if (flk_actual_attempt(p, node, &step,
+                               node->by_time ? flk_actual_time_of(step.y[1], step.k[0][1], length)
+                                             : length,
+                               &factor, &status))
             break;
-        if (status != FOURLINK_OK || !(size < WORST))
-            size = WORST;
-        length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+        length *= factor;
         if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
             return status > 0 ? status : FOURLINK_TOO_LONG;
     }
@@ -109,7 +104,7 @@ static int go_on(flk_path *p, double *h, flk_node *after)
         after->s = node->high;
     if (node->by_time && after->speed <= 0)
         after->E = 0;
-    *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+    *h = length * factor;
     return status;
 }
 

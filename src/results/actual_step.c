@@ -315,6 +315,26 @@ int flk_actual_fill(flk_step *step, flk_curve_of_step *within)
     return status == FOURLINK_OK ? flk_step_within(step, within) : status;
 }
 
+#define WORST 1e8 /* of the errors of steps, in parts of the tolerance */
+
+int flk_actual_attempt(const flk_path *p, flk_node *node, flk_step *step, double h, double *factor,
+                       int *status)
+{
+    double size;
+
+    *status = flk_actual_try(p, node, step, h, &size);
+    if (*status == FOURLINK_OK && size <= 1)
+        *status = flk_actual_fill(step, &node->within);
+    if (*status == FOURLINK_OK && size <= 1) {
+        *factor = GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+        return 1;
+    }
+    if (*status != FOURLINK_OK || !(size < WORST))
+        size = WORST;
+    *factor = GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+    return 0;
+}
+
 void flk_actual_end_step(const flk_node *node, double h, const double *next, flk_node *after)
 {
     after->low = node->low;

@@ -64,6 +64,11 @@ int flk_actual_begin(const flk_path *p, flk_node *node, flk_equations *e, flk_st
 int flk_actual_try(const flk_path *p, const flk_node *node, flk_step *step, double h, double *size);
 int flk_actual_fill(flk_step *step, flk_curve_of_step *within);
 
+/* Both, of a step whose length is not settled: 1 if its error is within the tolerance; 0 if it is to be shorter, and
+** the status.  Returned as well: the factor by which the next try, or the next step, is longer. */
+int flk_actual_attempt(const flk_path *p, flk_node *node, flk_step *step, double h, double *factor,
+                       int *status);
+
 /* The part of a step at which unknown i, which passes it, has changed by this much. */
 double flk_actual_part(const flk_curve_of_step *within, int i, double change);
 

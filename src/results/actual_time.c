@@ -15,7 +15,6 @@
 #define LONGEST 0.2    /* rad, of a step */
 #define SHORTEST 1e-15 /* of the duration */
 #define CLOSEST 1e-9   /* ... to where there is no position */
-#define WORST 1e8      /* of the errors of steps, in parts of the tolerance */
 #define ROUNDING 1e-9  /* rad */
 #define FAR 1e30       /* rad: no corner */
 
@@ -45,7 +44,7 @@ static int shorten(const flk_path *p, flk_node *node, flk_step *step)
 static int go_on(flk_path *p, double duration, double *h, flk_node *after)
 {
     flk_node *node = &p->node[p->n - 1];
-    double left = duration - node->t, length, size;
+    double left = duration - node->t, length, factor;
     flk_equations e;
     flk_step step;
     int status;
@@ -58,21 +57,16 @@ static int go_on(flk_path *p, double duration, double *h, flk_node *after)
         return status;
     length = GSL_MIN(GSL_MIN(*h, time_for(&step, LONGEST)), left);
     for (; p->budget > 0; p->budget--) {
-        status = flk_actual_try(p, node, &step, length, &size);
-        if (status == FOURLINK_OK && size <= 1)
-            status = flk_actual_fill(&step, &node->within);
-        if (status == FOURLINK_OK && size <= 1)
+        if (flk_actual_attempt(p, node, &step, length, &factor, &status))
             break;
-        if (status != FOURLINK_OK || !(size < WORST))
-            size = WORST;
-        length *= GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+        length *= factor;
         if (length < (status == FOURLINK_OK ? SHORTEST : CLOSEST) * duration)
             return status == FOURLINK_OK ? FOURLINK_TOO_LONG : status;
     }
     if (p->budget == 0)
         return FOURLINK_TOO_LONG;
     p->budget--;
-    *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+    *h = length * factor;
     status = shorten(p, node, &step);
     node->h = step.h;
     flk_actual_end_step(node, step.h, step.next, after);
