@@ -587,8 +587,8 @@ static void note_size(const flk_search *x, flk_tracked *t, const double *values)
         return;
     while (x->s[i] < middle)
         i++;
-    if (fabs(values[i]) > t->size_inside) /* not where there is no row */
-        t->size_inside = fabs(values[i]);
+    if (fabs(values[i]) > t->size_middle) /* not where there is no row */
+        t->size_middle = fabs(values[i]);
 }
 
 /* Offer what a column has at an end of the piece: its limit, or a pole. */
@@ -610,7 +610,7 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
         return;
     }
-    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order, t->size_inside);
+    sign = t->turn > 0 ? 0 : pole_sign(e, y, x->pole_order, t->size_middle);
     if (sign != 0) {
         offer_pole(x, t, e, sign > 0 ? 0 : 1);
         return;

@@ -32,7 +32,7 @@ typedef struct flk_tracked {
     double first;       /* value at the first row */
     int restarts;       /* 1: it started anew after that */
     double size;        /* largest magnitude of the samples */
-    double size_inside; /* largest in the middle of long pieces */
+    double size_middle; /* largest in the middle of long pieces */
     double bound;       /* magnitude beyond which it is infinite */
     int is_noise;       /* 1: a measure of rounding */
     int has_pole[2];    /* 1: unbounded at the begin, the end of the piece */
