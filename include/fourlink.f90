@@ -293,6 +293,7 @@ module fourlink
     integer(c_long) :: n_expected, n_designs, design
     integer(c_int) :: has_outputs, has_statistics
     integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
+    real(c_double) :: time_step, duration ! s, of rows by time
   end type fourlink_problem
 
   type, bind(c) :: fourlink_unit

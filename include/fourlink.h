@@ -614,6 +614,8 @@ typedef struct fourlink_problem {
     int mode;           /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
                            speed, acceleration and time are those of fourlink_results_row */
     int by_time;        /* 1: rows by time, whose angles are those of fourlink_results_row */
+    double time_step;   /* s, of rows by time; else 0 */
+    double duration;    /* s, of rows by time: the last one is then; else 0 */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------

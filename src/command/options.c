@@ -40,7 +40,7 @@ const char *const options_help[] = {
     "                                    columns: those of the table, or outputs of a [sweep];",
     "                                    of a [sweep]: histogram",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
-    "      --plot-x=NAME                 draw columns over this one (default: theta2)",
+    "      --plot-x=NAME                 draw columns over this one (default: theta2 or time)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
     "                                    sample calculation, pictures and tables",

@@ -170,6 +170,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->has_statistics = d->sweep.has_statistics;
     problem->mode = d->drive.mode;
     problem->by_time = d->drive.by_time;
+    problem->time_step = d->drive.by_time ? d->drive.time_step : 0;
+    problem->duration = d->drive.by_time ? d->drive.duration : 0;
     return FOURLINK_OK;
 }
 

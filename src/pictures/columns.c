@@ -84,7 +84,7 @@ static int is_rounding(const picture *p, unsigned long column)
 
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake)
 {
-    const char *x = p->request->x ? p->request->x : "theta2";
+    const char *x = p->request->x ? p->request->x : picture_over(p);
     unsigned long i, drawn = 0;
 
     if (!check_x(p, x, mistake))
@@ -174,12 +174,12 @@ static int is_unbounded(const picture *p, int column, int i)
 /* Cut an axis where its values are unbounded. */
 static void cut(panel *q, graph_extent *e, int of_x)
 {
-    double values[PANEL_CURVES * (GRAPH_STEPS + 1)], low, high;
+    double values[PANEL_CURVES * (PICTURE_STEPS + 1)], low, high;
     size_t n = 0;
     int i, k;
 
     for (i = 0; i < q->n; i++)
-        for (k = 0; k <= GRAPH_STEPS; k++)
+        for (k = 0; k <= PICTURE_STEPS; k++)
             if (!gsl_isnan(q->line[i].y[k]))
                 values[n++] = of_x ? q->line[i].x[k] : q->line[i].y[k];
     if (n == 0 || graph_is_cut(e))
@@ -199,7 +199,7 @@ static void put_curve(const picture *p, const panel *q, int i, fourlink_branch b
     int k;
 
     canvas_print(&p->on, "$c%d_%s << EOD\n", column, fourlink_branch_text((int)branch));
-    for (k = 0; k <= GRAPH_STEPS; k++) {
+    for (k = 0; k <= PICTURE_STEPS; k++) {
         if (gsl_isnan(line->y[k])) {
             canvas_print(&p->on, "\n");
             continue;
@@ -207,8 +207,8 @@ static void put_curve(const picture *p, const panel *q, int i, fourlink_branch b
         to = sketch_at(line->x[k], line->y[k]);
         if (k > 0 && !gsl_isnan(line->y[k - 1])) {
             from = sketch_at(line->x[k - 1], line->y[k - 1]);
-            if (graph_find_jump(p, branch, 0, column, size, picture_angle(p, k - 1, GRAPH_STEPS),
-                                picture_angle(p, k, GRAPH_STEPS), &from, &to))
+            if (graph_find_jump(p, branch, 0, column, size, picture_angle(p, k - 1, PICTURE_STEPS),
+                                picture_angle(p, k, PICTURE_STEPS), &from, &to))
                 canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
         }
         canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
@@ -219,12 +219,8 @@ static void put_curve(const picture *p, const panel *q, int i, fourlink_branch b
 /* Sample curve i of a panel. */
 static void sample(picture *p, panel *q, int i, int branch, int column)
 {
-    int k;
-
     graph_follow(p, p->branches[branch], 0, column, &q->e, &q->line[i]);
-    for (k = 0; k <= GRAPH_STEPS; k++)
-        if (!gsl_isnan(q->line[i].x[k]))
-            graph_extend(&q->x, q->line[i].x[k], q->line[i].mu[k]);
+    graph_extend_x(&q->x, &q->line[i]);
     q->n = i + 1;
 }
 
@@ -288,11 +284,11 @@ static void sample_all(picture *p, panel *q, const curves *c)
 /* Draw a panel; returns 0 if it has nothing to draw. */
 static int put_panel(picture *p, const group *g, int branch)
 {
-    int has_extremes = g->n == 1 && p->columns[0].flags & FOURLINK_CRANK_ANGLE, i;
     const char *branch_name;
     char words[200];
     curves c;
     panel q;
+    int i;
 
     choose(p, g, branch, &c);
     panel_begin(p, &q, c.n);
@@ -302,7 +298,7 @@ static int put_panel(picture *p, const group *g, int branch)
     put_titles(p, g, branch);
     panel_range(p, &q);
     for (i = 0; i < c.n; i++)
-        if (q.line[i].n_points && has_extremes)
+        if (q.line[i].n_points && g->n == 1)
             panel_extremes(p, &q, c.column[i], i, i);
     for (i = 0; i < c.n; i++) {
         branch_name = fourlink_branch_text((int)p->branches[c.branch[i]]);

@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curves.c - motion and forces over the crank angle.
+** curves.c - motion and forces over the crank angle or over time.
 */
 #include "panel.h"
 
-/* Draw a column over the crank angle, for all branches, with its extremes. */
+static void put_line(picture *p, panel *q, fourlink_branch branch, int y)
+{
+    graph_put(p, branch, p->columns[y].name, 0, y, &q->e, &q->line[q->n]);
+    graph_extend_x(&q->x, &q->line[q->n++]);
+}
+
+/* Draw a column, for all branches, with its extremes. */
 static void put_panel(picture *p, int y)
 {
     const char *name = p->columns[y].name;
@@ -13,8 +19,8 @@ static void put_panel(picture *p, int y)
 
     panel_begin(p, &q, 1);
     for (i = 0; i < p->n_branches; i++)
-        graph_put(p, p->branches[i], name, 0, y, &q.e, &q.line[q.n++]);
-    canvas_titles(&p->on, "", "theta2", p->columns[0].unit, name, p->columns[y].unit);
+        put_line(p, &q, p->branches[i], y);
+    canvas_titles(&p->on, "", p->columns[0].name, p->columns[0].unit, name, p->columns[y].unit);
     panel_range(p, &q);
     for (i = 0; i < p->n_branches; i++)
         if (q.line[i].n_points)
@@ -48,9 +54,9 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     panel_begin(p, &q, 1);
     for (i = 0; names[i]; i++)
         if ((y = graph_column(p, names[i])) > 0) {
-            graph_put(p, branch, names[i], 0, y, &q.e, &q.line[q.n++]);
-            canvas_titles(&p->on, fourlink_branch_text(branch), "theta2", p->columns[0].unit,
-                          names[1] ? "force" : names[i], p->columns[y].unit);
+            put_line(p, &q, branch, y);
+            canvas_titles(&p->on, fourlink_branch_text(branch), p->columns[0].name,
+                          p->columns[0].unit, names[1] ? "force" : names[i], p->columns[y].unit);
         }
     panel_range(p, &q);
     for (i = 0; names[i]; i++)
@@ -70,7 +76,7 @@ const char *picture_forces(picture *p, fourlink_branch branch)
     fourlink_instant now;
     int k;
 
-    for (k = 0; k <= GRAPH_STEPS; k++)
+    for (k = 0; k <= PICTURE_STEPS; k++)
         if (graph_sample(p, branch, k, values, &now)) {
             put_columns(p, branch, pins);
             put_columns(p, branch, torque);

@@ -420,9 +420,8 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 
 /* Draw the path of tracer point i over the motion; C comes after the last of them. */
 static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsigned long i,
-                     const double *until)
+                     int until)
 {
-    double from = p->problem.motion.from;
     int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
@@ -434,10 +433,8 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
         fourlink_deck_point(p->deck, i, &name, &link, &at);
     flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
     sketch_curve(s, (pen)p_of, title);
-    for (k = 0; k <= STEPS; k++) {
+    for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++) {
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK) {
-            if (until && fabs(now.row.angle - from) > fabs(*until - from) * (1 + 1e-12))
-                break;
             sketch_point(s, is_tracer ? tracer(p, &now.state, i, &name, &link)
                                       : figure_place(p, &now.state).C);
         } else {
@@ -447,7 +444,7 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
     sketch_end(s);
 }
 
-void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const double *until)
+void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until)
 {
     unsigned long i;
 
@@ -461,9 +458,12 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const dou
 
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before)
 {
-    char title[200 + PICTURE_MARK], number[PICTURE_MARK];
+    char title[200 + PICTURE_MARK], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
+    if (p->problem.by_time)
+        picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
-                  ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number), (char *)NULL);
+                  ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
+                  time[0] ? ", " : "", time, (char *)NULL);
     sketch_close(s, title, p->units[QUANTITY_LENGTH].name);
 }

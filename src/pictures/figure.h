@@ -58,9 +58,8 @@ void figure_slope(sketch *s, const picture *p);
 /* Draw the direction of gravity, if a link has weight, and the x axis, if it rises. */
 void figure_gravity(sketch *s, const picture *p);
 
-/* Draw the paths of C and of the tracer points over the motion, up to the crank angle `until`, in the deck's
-** unit. */
-void figure_paths(sketch *s, const picture *p, fourlink_branch branch, const double *until);
+/* Draw the paths of C and of the tracer points over the motion, up to sample `until` of PICTURE_STEPS. */
+void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until);
 
 /* End a drawing, with a title for its position: "open, theta2 = 40 deg" after some words. */
 void figure_close(sketch *s, const picture *p, const fourlink_instant *now, const char *before);

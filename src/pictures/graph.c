@@ -35,6 +35,15 @@ void graph_extend(graph_extent *e, double value, double mu)
     }
 }
 
+void graph_extend_x(graph_extent *e, const graph_line *line)
+{
+    int k;
+
+    for (k = 0; k <= PICTURE_STEPS; k++)
+        if (!gsl_isnan(line->x[k]))
+            graph_extend(e, line->x[k], line->mu[k]);
+}
+
 int graph_is_cut(const graph_extent *e)
 {
     return e->mu < NEAR && e->sound_high > e->sound_low &&
@@ -68,8 +77,7 @@ int graph_column(const picture *p, const char *name)
 int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
                  fourlink_instant *now)
 {
-    return fourlink_results_at(p->results, branch, picture_angle(p, k, GRAPH_STEPS), values, now,
-                               NULL) == FOURLINK_OK;
+    return picture_sample(p, branch, k, PICTURE_STEPS, values, now, NULL) == FOURLINK_OK;
 }
 
 /* The same if a curve can be drawn there. */
@@ -107,7 +115,7 @@ static int behind_gap(const picture *p, fourlink_branch branch, int y, double tu
     if (!(turn > 0) || !is_periodic(p) || !sound_sample(p, branch, 0, values, &now))
         return -1;
     *last = values[y];
-    for (k = GRAPH_STEPS; k >= 0; k--) {
+    for (k = PICTURE_STEPS; k >= 0; k--) {
         if (!sound_sample(p, branch, k, values, &now)) {
             if (++gap > 1)
                 return k + 2;
@@ -183,7 +191,7 @@ void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_
     follow(p, branch, x, &along);
     follow(p, branch, y, &up);
     line->n_points = 0;
-    for (k = 0; k <= GRAPH_STEPS; k++) {
+    for (k = 0; k <= PICTURE_STEPS; k++) {
         line->x[k] = line->y[k] = GSL_NAN;
         if (!sound_sample(p, branch, k, values, &now) || !gsl_finite(values[x]) ||
             !gsl_finite(values[y])) {
@@ -207,7 +215,7 @@ void graph_put(const picture *p, fourlink_branch branch, const char *name, int x
 
     graph_follow(p, branch, x, y, e, line);
     fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
-    for (k = 0; k <= GRAPH_STEPS; k++)
+    for (k = 0; k <= PICTURE_STEPS; k++)
         if (gsl_isnan(line->y[k]))
             putc('\n', p->on.out);
         else
@@ -229,7 +237,7 @@ int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, four
     fourlink_vector at;
     int k;
 
-    if (step < LARGE)
+    if (p->problem.by_time || step < LARGE)
         return 0;
     for (k = 0; k < HALVINGS; k++) {
         middle = (low + high) / 2;

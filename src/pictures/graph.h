@@ -7,8 +7,6 @@
 
 #include "picture.h"
 
-#define GRAPH_STEPS 720
-
 /* The smallest and the largest value of curves: of all, and away from dead positions. */
 typedef struct graph_extent {
     double low, high;
@@ -32,16 +30,19 @@ double graph_span(const graph_extent *e);
 /* The index of one of the picture's columns; -1 if the deck does not have it. */
 int graph_column(const picture *p, const char *name);
 
-/* Sample k of GRAPH_STEPS + 1 over the motion; 0 if the linkage cannot be assembled there. */
+/* Sample k of PICTURE_STEPS + 1 over the motion; 0 if the linkage cannot be assembled there. */
 int graph_sample(const picture *p, fourlink_branch branch, int k, double values[PICTURE_COLUMNS],
                  fourlink_instant *now);
 
 /* A curve as it is drawn: x and y are NaN in its gaps. */
 typedef struct graph_line {
-    double x[GRAPH_STEPS + 1], y[GRAPH_STEPS + 1];
-    double mu[GRAPH_STEPS + 1]; /* rad, the transmission angle */
-    int n_points;               /* that are not in a gap */
+    double x[PICTURE_STEPS + 1], y[PICTURE_STEPS + 1];
+    double mu[PICTURE_STEPS + 1]; /* rad, the transmission angle */
+    int n_points;                 /* that are not in a gap */
 } graph_line;
+
+/* Extend by x of all points of a curve. */
+void graph_extend_x(graph_extent *e, const graph_line *line);
 
 /* Sample column y over column x, with gaps where the linkage cannot be assembled or one of them has no number.
 ** Angles are followed past half a turn; what is rounding becomes 0. */
@@ -53,7 +54,7 @@ void graph_put(const picture *p, fourlink_branch branch, const char *name, int x
                graph_extent *e, graph_line *line);
 
 /* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
-** there is one, returns 1 and the ends of the jump.  `size` is that of the curve. */
+** there is one, and not over time, returns 1 and the ends of the jump.  `size` is that of the curve. */
 int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
                     double low, double high, fourlink_vector *from, fourlink_vector *to);
 

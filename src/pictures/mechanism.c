@@ -92,7 +92,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     figure_open(&s, p, branch, 0);
     if (p->n_angles == 0 && p->request->file != PLOT_TXT)
         draw_ghosts(&s, p, branch);
-    figure_paths(&s, p, branch, NULL);
+    figure_paths(&s, p, branch, PICTURE_STEPS);
     figure_frame(&s, p, &r.now.state);
     draw_others(&s, p, branch);
     figure_draw(&s, p, &r.now.state, 1);
@@ -116,7 +116,7 @@ const char *picture_animation(picture *p, fourlink_branch branch)
             continue;
         figure_open(&s, p, branch, 1);
         canvas_heading(&p->on);
-        figure_paths(&s, p, branch, &now.row.angle);
+        figure_paths(&s, p, branch, k * (PICTURE_STEPS / FRAMES));
         figure_frame(&s, p, &now.state);
         figure_draw(&s, p, &now.state, 0);
         spring_draw(&s, p, &now.state, 0);

@@ -14,12 +14,6 @@
 #define X_BORDER 0.03 /* of the range, at its ends */
 #define X_LETTERS 7   /* between the numbers of the x axis */
 
-/* 1 if the crank angle is on the x axis. */
-static int over_crank(const picture *p, const panel *q)
-{
-    return (p->columns[q->x_column].flags & FOURLINK_CRANK_ANGLE) != 0;
-}
-
 /* The step of the numbers on the x axis of another column. */
 static double x_step(const picture *p, const panel *q, double span)
 {
@@ -58,7 +52,7 @@ static void put_instants(const picture *p, panel *q)
     if (!p->has_instant || cycle == 0)
         return;
     part = (p->instant - from) / cycle;
-    k = (int)(GRAPH_STEPS * (part - floor(part)) + 0.5);
+    k = (int)(PICTURE_STEPS * (part - floor(part)) + 0.5);
     for (i = 0; i < q->n; i++)
         if (!gsl_isnan(q->line[i].y[k]))
             canvas_print(&p->on,
@@ -111,7 +105,7 @@ static void keep_clear(panel *q)
 
     for (i = 0; i < q->n; i++) {
         room_break(&q->r);
-        for (k = 0; k <= GRAPH_STEPS; k++)
+        for (k = 0; k <= PICTURE_STEPS; k++)
             if (gsl_isnan(q->line[i].y[k]))
                 room_break(&q->r);
             else
@@ -126,15 +120,15 @@ void panel_range(const picture *p, panel *q)
     if (q->e.low > q->e.high)
         return;
     find_range(p, q, &low, &high);
-    if (!over_crank(p, q))
+    if (!picture_is_over_angle(p, q->x_column))
         find_x_range(q, &from, &to);
     if (q->to_scale)
         find_scale(&p->on, &from, &to, &low, &high);
-    if (!over_crank(p, q))
+    if (!picture_is_over_angle(p, q->x_column))
         canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, to,
                      x_step(p, q, to - from));
     canvas_print(&p->on, "set yrange [%.8g:%.8g]\n", low, high);
-    if (graph_is_cut(&q->e) || (!over_crank(p, q) && graph_is_cut(&q->x)))
+    if (graph_is_cut(&q->e) || (!picture_is_over_angle(p, q->x_column) && graph_is_cut(&q->x)))
         canvas_print(&p->on,
                      "set label '%s' at graph 0.5, graph 1 center front boxed offset 0,-0.8\n",
                      q->is_unbounded ? "beyond the frame where a value is unbounded"
@@ -142,7 +136,7 @@ void panel_range(const picture *p, panel *q)
     room_open(&q->r, &p->on, from, to, low, high);
     q->r.rings = RINGS;
     keep_clear(q);
-    if (over_crank(p, q))
+    if (picture_is_over_angle(p, q->x_column))
         put_instant(p, q);
     else
         put_instants(p, q);
@@ -164,7 +158,7 @@ void panel_begin_over(picture *p, panel *q, int x, int n)
     canvas_panel(&p->on, n > KEY_LINE ? 4 : 3, 2 * CANVAS_LETTER);
     canvas_key(&p->on);
     canvas_grid(&p->on);
-    if (over_crank(p, q))
+    if (picture_is_over_angle(p, q->x_column))
         canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
                      graph_angle_step(p, fabs(p->end - from)));
 }
@@ -175,7 +169,7 @@ static double on_curve(const graph_line *line, fourlink_value value, double turn
     double nearest = GSL_POSINF, y = value.value;
     int k;
 
-    for (k = 0; k <= GRAPH_STEPS; k++)
+    for (k = 0; k <= PICTURE_STEPS; k++)
         if (fabs(line->x[k] - value.angle) < nearest) {
             nearest = fabs(line->x[k] - value.angle);
             y = line->y[k];
@@ -207,7 +201,7 @@ void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
     fourlink_value found;
     char extreme[80];
 
-    for (k = 0; k < 2; k++) {
+    for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
         flk_text_join(extreme, sizeof extreme, k ? "min(" : "max(", column->name, ")",
                       (char *)NULL);
         if (fourlink_results_value(p->results, extreme, p->branches[branch], 0, &found) !=

@@ -126,6 +126,16 @@ const char *picture_no_rows(const picture *p, fourlink_branch branch)
                                  : fourlink_status_text(status);
 }
 
+const char *picture_over(const picture *p)
+{
+    return p->problem.by_time ? "time" : "theta2";
+}
+
+int picture_is_over_angle(const picture *p, int column)
+{
+    return !p->problem.by_time && (p->columns[column].flags & FOURLINK_CRANK_ANGLE) != 0;
+}
+
 double picture_angle(const picture *p, int k, int steps)
 {
     double from = p->problem.motion.from;
@@ -133,8 +143,20 @@ double picture_angle(const picture *p, int k, int steps)
     return from + (p->end - from) * k / steps;
 }
 
+/* A deck with rows by time is open with PICTURE_STEPS of them. */
+int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
+                   fourlink_instant *now, fourlink_load *loads)
+{
+    if (p->problem.by_time)
+        return fourlink_results_row(p->results, branch, (unsigned long)(k * PICTURE_STEPS / steps),
+                                    values, now, loads);
+    return fourlink_results_at(p->results, branch, picture_angle(p, k, steps), values, now, loads);
+}
+
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fourlink_instant *now)
 {
+    if (p->problem.by_time)
+        return picture_sample(p, branch, k, steps, NULL, now, NULL);
     now->branch = branch;
     fourlink_motion_at(&p->problem.motion, picture_angle(p, k, steps), &now->row);
     return fourlink_analyse(p->mechanism, branch, &now->row.crank, NULL, 0, &now->state, NULL);
@@ -143,8 +165,10 @@ int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fo
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads)
 {
-    double angle = p->n_angles ? p->angles[0] : picture_angle(p, 1, 6);
-    int first = fourlink_results_at(p->results, branch, angle, NULL, now, loads), status = first;
+    int first = p->n_angles
+                    ? fourlink_results_at(p->results, branch, p->angles[0], NULL, now, loads)
+                    : picture_sample(p, branch, 1, 6, NULL, now, loads);
+    int status = first;
     unsigned long i;
 
     for (i = 0; status != FOURLINK_OK && !p->n_angles && i < p->range.n_rows; i++)
@@ -325,6 +349,7 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     if (p->problem.crossed)
         p->branches[p->n_branches++] = FOURLINK_CROSSED;
     fourlink_motion_range(&p->problem.motion, &p->range);
+    p->range.n_rows = p->problem.n_rows;
     p->end = picture_end(&p->problem.motion);
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
@@ -375,12 +400,12 @@ static int has_column(const picture *p, text name)
     return 0;
 }
 
-/* Those columns of a kind's list that the deck has. */
+/* The column to draw over, and those columns of a kind's list that the deck has. */
 static void choose_columns(const picture *p, const char *columns, char out[PICTURE_NAMES])
 {
     text rest = flk_text_of(columns), either, name;
 
-    out[0] = '\0';
+    flk_text_join(out, PICTURE_NAMES, picture_over(p), " ", (char *)NULL);
     while (flk_text_split(&rest, ',', &either)) {
         while (flk_text_split(&either, '|', &name) && !has_column(p, name))
             ;
@@ -460,6 +485,11 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
         if (status == FOURLINK_OK)
             return 1;
     }
+    if (status == FOURLINK_NO_SUCH_ANGLE && p->problem.by_time) {
+        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the crank does not pass it", angle,
+                    unit_name);
+        return 0;
+    }
     if (status == FOURLINK_NO_SUCH_ANGLE) {
         flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the motion goes from %.6g to %.6g %s",
                     angle, unit_name, p->problem.motion.from, p->end, unit_name);
@@ -518,8 +548,8 @@ static const char *missing(const picture *p)
 {
     int needs = plot_table[p->request->kind].needs;
 
-    if (p->problem.by_time)
-        return "rows by time have no pictures; [motion] rows = angle has";
+    if ((needs & PLOT_BY_ANGLE) && p->problem.by_time)
+        return "this picture needs [motion] rows = angle; the deck has rows by time";
     if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)
@@ -581,13 +611,16 @@ static void name_columns(const picture *p, char *out, size_t size)
 
 static void write_caption(const picture *p, const char *deck_name, plot_caption *caption)
 {
-    const char *shows = plot_table[p->request->kind].shows;
+    const struct plot_info *info = &plot_table[p->request->kind];
+    const char *shows = info->shows, *over = "";
     int all = p->n_branches > 1 && shows_all_branches(p);
     char names[PICTURE_NAMES];
 
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
         name_columns(p, names, sizeof names);
         shows = names;
+    } else if (info->needs & PLOT_OVER) {
+        over = p->problem.by_time ? " over time" : " over the crank angle";
     }
     caption->n_lines = p->n_lines;
     caption->n_missing = p->n_missing;
@@ -595,7 +628,7 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
                   p->problem.title[0] ? p->problem.title : deck_name, (char *)NULL);
     flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
                   all ? "open and crossed branches" : fourlink_branch_text((int)p->branches[0]),
-                  all ? ": " : " branch: ", shows, (char *)NULL);
+                  all ? ": " : " branch: ", shows, over, (char *)NULL);
 }
 
 /* Write the script of an open deck. */
@@ -603,8 +636,8 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
                         fourlink_mistake *mistake)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
-    const char *why = missing(p), *held = "", *chosen = NULL;
-    char names[PICTURE_NAMES];
+    const char *why = missing(p), *held = "", *chosen = NULL, *steps = NULL;
+    char names[PICTURE_NAMES], time_step[100], number[FORMAT_SIZE];
 
     if (why)
         return picture_refuse(mistake, "--plot-kind", why, "");
@@ -625,7 +658,11 @@ static int write_script(picture *p, FILE *out, const fourlink_source *source,
     if (p->has_instant)
         held =
             p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-    if ((chosen || held[0]) && !reopen(p, source, chosen, NULL, mistake))
+    if (p->problem.by_time && !picture_has_outputs(p))
+        steps = flk_text_join(time_step, sizeof time_step, "motion.time_step=",
+                              format_general(p->problem.duration / PICTURE_STEPS, 17, number), " s",
+                              (char *)NULL);
+    if ((chosen || held[0] || steps) && !reopen(p, source, chosen, steps, mistake))
         return 0;
     lay_out(p, out);
     put_head(p, source->name, held);

@@ -11,21 +11,22 @@
 #include "fourlink.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
-** needs from the deck; the function that draws it; the columns it uses, if the deck has them, of
-** A|B the first; what it shows */
+** needs from the deck; the function that draws it; the columns it draws over the crank angle or over time, if
+** the deck has them, of A|B the first; what it shows */
 #define PLOT_LIST(X)                                                                               \
     X(MECHANISM, "mechanism", 1, 0, 900, 500, PLOT_DRAWING | PLOT_FILLED, picture_mechanism, NULL, \
       "mechanism with its loads and pin forces")                                                   \
-    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_motion,              \
-      "theta2,slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",              \
-      "positions, velocities and accelerations over the crank angle")                              \
-    X(FORCES, "forces", 2, 0, 500, 380, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS,        \
-      picture_forces, "theta2,F12,F23,F34,F14,N,Ts",                                               \
-      "pin forces and driving torque over the crank angle")                                        \
+    X(MOTION, "motion", 2, 3, 500, 320, PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_motion,  \
+      "slide|theta3,theta4,x,slide_v|omega3,omega4,v,slide_a|alpha3,alpha4,a",                     \
+      "positions, velocities and accelerations")                                                   \
+    X(FORCES, "forces", 2, 0, 500, 380,                                                            \
+      PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_ANGLE_AXIS | PLOT_OVER, picture_forces,              \
+      "F12,F23,F34,F14,N,Ts", "pin forces and driving torque")                                     \
     X(TURNING, "turning-moment", 1, 0, 1000, 420, PLOT_FORCES_OF_DECK | PLOT_ANGLE_AXIS,           \
       picture_turning, NULL, "turning moment over a cycle, with its mean")                         \
-    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE, picture_polar,             \
-      "theta2,F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"           \
+    X(POLAR, "polar", 3, 2, 430, 430, PLOT_FORCES_OF_DECK | PLOT_RANGE | PLOT_BY_ANGLE,            \
+      picture_polar,                                                                               \
+      "F12_along,F12_across,F32_along,F32_across,F23_along,F23_across,F43_along,"                  \
       "F43_across,F34_along,F34_across,F34x,F34y,F14_along,F14_across,Fsx,Fsy",                    \
       "polar diagrams of the pin forces")                                                          \
     X(VECTORS, "vectors", 3, 3, 500, 350, PLOT_DRAWING, picture_vectors, NULL,                     \
@@ -35,7 +36,7 @@
     X(ANIMATION, "animation", 1, 1, 860, 540, PLOT_DRAWING | PLOT_RANGE | PLOT_FILLED,             \
       picture_animation, NULL, "mechanism in motion")                                              \
     X(SPEED, "speed", 3, 0, 430, 360, PLOT_ACTUAL | PLOT_RANGE | PLOT_ANGLE_AXIS, picture_speed,   \
-      "theta2,omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")    \
+      "omega2,T_motor,Ts,energy", "speed with its mean, torques over the speed, energy")           \
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
       NULL, "histograms of the outputs of the sweep")                                              \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
@@ -47,9 +48,11 @@ enum {
     PLOT_DRAWING = 4,
     PLOT_RANGE = 8,
     PLOT_ANGLE_AXIS = 16,
-    PLOT_SWEEP = 32,  /* a panel for each output of the sweep */
-    PLOT_FILLED = 64, /* as high as its drawing */
-    PLOT_ACTUAL = 128 /* a motion that is not given */
+    PLOT_SWEEP = 32,    /* a panel for each output of the sweep */
+    PLOT_FILLED = 64,   /* as high as its drawing */
+    PLOT_ACTUAL = 128,  /* a motion that is not given */
+    PLOT_OVER = 256,    /* over the crank angle or over time */
+    PLOT_BY_ANGLE = 512 /* not over time */
 };
 
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
@@ -97,6 +100,8 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
 #define PICTURE_LOADS 40
 #define PICTURE_POINTS 24
 #define PICTURE_POSITIONS 24
+
+#define PICTURE_STEPS 720 /* of a motion */
 
 #define PICTURE_COLUMNS 25
 #define PICTURE_NAMES 2000 /* of columns */
@@ -203,8 +208,19 @@ const char *picture_no_rows(const picture *p, fourlink_branch branch);
 /* The last crank angle of a motion, in its unit. */
 double picture_end(const fourlink_motion *motion);
 
-/* The crank angle after k of so many equal steps of the motion, in the deck's unit. */
+/* The column over which the motion is drawn: theta2, or time if the deck has rows by time. */
+const char *picture_over(const picture *p);
+
+/* 1 if a column is a crank angle on which the samples lie at equal steps. */
+int picture_is_over_angle(const picture *p, int column);
+
+/* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);
+
+/* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time, PICTURE_STEPS
+** is a multiple of `steps`.  As fourlink_results_row. */
+int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
+                   fourlink_instant *now, fourlink_load *loads);
 
 /* The position there, without forces; returns a status. */
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,

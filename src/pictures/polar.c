@@ -75,7 +75,7 @@ static void find_box(bearing *b)
     int i, k, cut;
 
     for (i = 0; i < b->n; i++)
-        for (k = 0; k <= GRAPH_STEPS; k++)
+        for (k = 0; k <= PICTURE_STEPS; k++)
             if (graph_sample(b->of[i].p, b->of[i].branch, k, values, &now)) {
                 graph_extend(&ex, values[b->x], now.state.mu);
                 graph_extend(&ey, values[b->y], now.state.mu);
@@ -148,8 +148,8 @@ static void put_step(bearing *b, course *c, int k, fourlink_vector last, fourlin
 
     found.from = last;
     found.to = F;
-    if (c->n_jumps < MOST_JUMPS && find_jump(b, c->i, picture_angle(b->p, k - 1, GRAPH_STEPS),
-                                             picture_angle(b->p, k, GRAPH_STEPS), &found)) {
+    if (c->n_jumps < MOST_JUMPS && find_jump(b, c->i, picture_angle(b->p, k - 1, PICTURE_STEPS),
+                                             picture_angle(b->p, k, PICTURE_STEPS), &found)) {
         put_point(b, found.from);
         put_gap(b);
         put_point(b, found.to);
@@ -171,8 +171,8 @@ static void put_curve(bearing *b, int i, course *c)
     c->n_jumps = c->n_points = 0;
     c->longest = 0;
     fprintf(b->p->on.out, "$%s_%s << EOD\n", b->name, b->of[i].title);
-    for (k = 0; k <= GRAPH_STEPS; k++) {
-        if (!force_at(b, i, picture_angle(b->p, k, GRAPH_STEPS), &F)) {
+    for (k = 0; k <= PICTURE_STEPS; k++) {
+        if (!force_at(b, i, picture_angle(b->p, k, PICTURE_STEPS), &F)) {
             put_gap(b);
             was_there = 0;
             continue;

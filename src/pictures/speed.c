@@ -7,15 +7,6 @@
 
 #include "panel.h"
 
-static void widen(graph_extent *e, const graph_line *line)
-{
-    int k;
-
-    for (k = 0; k <= GRAPH_STEPS; k++)
-        if (!gsl_isnan(line->x[k]))
-            graph_extend(e, line->x[k], line->mu[k]);
-}
-
 /* The branch, and the mean if there is one. */
 static void put_branch(const picture *p, fourlink_branch branch, double mean, char *title,
                        size_t size)
@@ -43,7 +34,7 @@ static int put_panel(picture *p, fourlink_branch branch, const char *over, const
     for (i = 0; names[i]; i++)
         if ((y = graph_column(p, names[i])) > 0) {
             graph_put(p, branch, names[i], x, y, &q.e, &q.line[n]);
-            widen(&q.x, &q.line[n]);
+            graph_extend_x(&q.x, &q.line[n]);
             canvas_titles(&p->on, title, over, p->columns[x].unit, names[1] ? "torque" : names[0],
                           p->columns[y].unit);
             drawn[n++] = names[i];
@@ -52,8 +43,7 @@ static int put_panel(picture *p, fourlink_branch branch, const char *over, const
     if (!n || !q.line[0].n_points)
         return 0;
     panel_range(p, &q);
-    if (x == 0)
-        panel_extremes(p, &q, graph_column(p, drawn[0]), branch != p->branches[0], 0);
+    panel_extremes(p, &q, graph_column(p, drawn[0]), branch != p->branches[0], 0);
     for (i = 0; i < n; i++) {
         graph_plot(p, branch, drawn[i], i + 1);
         canvas_print(&p->on, "%q", drawn[i]);
@@ -71,9 +61,9 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     fourlink_value mean;
     int status = fourlink_results_value(p->results, "mean_speed", branch, 0, &mean);
 
-    if (!put_panel(p, branch, "theta2", speed, status == FOURLINK_OK ? mean.value : GSL_NAN))
+    if (!put_panel(p, branch, picture_over(p), speed, status == FOURLINK_OK ? mean.value : GSL_NAN))
         return picture_no_rows(p, branch);
     put_panel(p, branch, "omega2", torques, GSL_NAN);
-    put_panel(p, branch, "theta2", energy, GSL_NAN);
+    put_panel(p, branch, picture_over(p), energy, GSL_NAN);
     return NULL;
 }

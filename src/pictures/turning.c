@@ -23,7 +23,7 @@ typedef struct diagram {
     fourlink_turning t;
     int sense; /* -1: clockwise */
     double cycle, mean, low, high;
-    double moment[GRAPH_STEPS + 1]; /* NaN if the linkage cannot be assembled there */
+    double moment[PICTURE_STEPS + 1]; /* NaN if the linkage cannot be assembled there */
     room r;
 } diagram;
 
@@ -73,8 +73,8 @@ static void sample(diagram *d)
     int k;
 
     d->low = d->high = d->mean;
-    for (k = 0; k <= GRAPH_STEPS; k++) {
-        double T = d->moment[k] = moment_at(d, d->cycle * k / GRAPH_STEPS);
+    for (k = 0; k <= PICTURE_STEPS; k++) {
+        double T = d->moment[k] = moment_at(d, d->cycle * k / PICTURE_STEPS);
 
         if (T < d->low)
             d->low = T;
@@ -96,11 +96,11 @@ static void put_axes(diagram *d)
                  d->cycle, d->low - border, d->high + border, graph_angle_step(d->p, d->cycle),
                  d->mean);
     room_open(&d->r, on, 0, d->cycle, d->low - border, d->high + border);
-    for (k = 0; k <= GRAPH_STEPS; k++)
+    for (k = 0; k <= PICTURE_STEPS; k++)
         if (gsl_isnan(d->moment[k]))
             room_break(&d->r);
         else
-            room_point(&d->r, d->cycle * k / GRAPH_STEPS, d->moment[k]);
+            room_point(&d->r, d->cycle * k / PICTURE_STEPS, d->moment[k]);
     room_break(&d->r);
     room_point(&d->r, 0, d->mean);
     room_point(&d->r, d->cycle, d->mean);
@@ -251,9 +251,9 @@ static void plot_moment(const diagram *d)
     int k;
 
     fprintf(on->out, "$turning_%s << EOD\n", branch);
-    for (k = 0; k <= GRAPH_STEPS; k++)
+    for (k = 0; k <= PICTURE_STEPS; k++)
         if (!gsl_isnan(d->moment[k]))
-            canvas_print(on, "%.8g %.8g\n", d->cycle * k / GRAPH_STEPS, d->moment[k]);
+            canvas_print(on, "%.8g %.8g\n", d->cycle * k / PICTURE_STEPS, d->moment[k]);
     fprintf(on->out, "EOD\nplot $turning_%s using 1:2 ", branch);
     if (!on->is_text)
         fputs("with filledcurves above y=mean fs solid 0.35 lc rgb '#56B4E9' "

@@ -34,13 +34,36 @@ says 'stalls'
 run 2 --plot-script=s.gp --plot-kind=speed --branch=open --set='motor.stall_torque=20 N m' $steady "$pump"
 says 'no steady motion'
 sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 0.1 s\nduration = 1 s/' "$pump" >time.deck
-for kind in speed motion mechanism; do
-    run 2 --plot-script=s.gp --plot-kind=$kind time.deck
-    says 'rows by time have no pictures'
-done
-run 0 --report=r.html time.deck
-says 'rows by time have none'
-check 'its report has the sample calculation' grep -q 'Sample calculation' r.html
+
+# Rows by time: curves over time, of which those at the times of the rows are the rows; positions by time.
+"$fourlink" -f csv -c time,theta2,omega2,F12,v --branch=open time.deck | tr -d '\r' | tail -n +2 >rows
+curve() { # NAME COLUMN BLOCK: a curve of the script has the values of this column, at its 72nd, 144th ... step
+    points "$3" >curve
+    check "the curve of $1 over time" awk -F '[, ]' -v column="$2" '
+        FNR == NR {t[FNR] = $2; y[FNR] = $column; n = FNR; next}
+        (FNR - 1) % 72 == 0 {
+            i = 1 + (FNR - 1) / 72; dt = $1 - t[i]; dy = $2 - y[i]
+            if (dt * dt > 1e-14 || dy * dy > 1e-14 * y[i] * y[i]) bad++
+        }
+        END {exit bad || n != 11 || FNR != 721}' rows curve
+}
+check 'eleven rows' test "$(wc -l <rows)" -eq 11
+run 0 --plot-script=s.gp --plot-kind=motion --branch=open time.deck
+curve v 6 v_open
+check 'no extremes, which belong to angles' test "$(grep -c 'point pt 7' s.gp)" -eq 0
+run 0 --plot-script=s.gp --plot-kind=forces --branch=open time.deck
+curve F12 5 F12_open
+run 0 --plot-script=s.gp --plot-kind=speed --branch=open time.deck
+curve omega2 4 omega2_open
+run 0 --plot-script=s.gp --plot-kind=columns --columns=theta2 --branch=open time.deck
+curve theta2 3 c1_open
+run 0 --plot-script=s.gp --plot-kind=animation --branch=open time.deck
+check 'a frame for each sixtieth of the time' test "$(grep -c ', t = .* s"' s.gp)" -eq 60
+run 0 --plot-script=s.gp --plot-kind=mechanism --plot-at='40 deg' --branch=open time.deck
+run 2 --plot-script=s.gp --plot-kind=mechanism --plot-at='4000 deg' --branch=open time.deck
+says 'theta2 = 4000 deg: the crank does not pass it'
+run 2 --plot-script=s.gp --plot-kind=polar time.deck
+says 'this picture needs [motion] rows = angle; the deck has rows by time'
 
 # The turning moment is that of the mean speed.
 run 0 --plot-script=s.gp --plot-kind=turning-moment $steady "$pump"
