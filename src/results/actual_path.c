@@ -236,8 +236,10 @@ static int growth_at(const flk_path *p, const flk_node *node, double s, double *
     status = flk_actual_push(p, &place, speed * (1 - DIFFERENCE), &slower);
     if (status == FOURLINK_OK)
         status = flk_actual_push(p, &place, speed * (1 + DIFFERENCE), &faster);
+    if (status != FOURLINK_OK)
+        return status;
     *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
-    return status;
+    return FOURLINK_OK;
 }
 
 /* By Gauss's rule of four points within each step. */
