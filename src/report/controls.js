@@ -39,7 +39,7 @@ function controls(find, seen) {
     function go(i) {
         drawing.show(i);
         slider.value = drawing.row();
-        shown.textContent = fourlink.angleText(data, data.angles[drawing.row()]);
+        shown.textContent = fourlink.stepText(data, drawing.row());
         slider.setAttribute("aria-valuetext", drawing.name());
         status.textContent = drawing.reason(drawing.row()); /* read aloud when it changes */
         if (seen)
@@ -99,7 +99,9 @@ function controls(find, seen) {
         });
     }
     function setRange() {
-        last = data.angles.length - 1;
+        const theta2 = fourlink.html("span", {class: "theta"}, "θ", fourlink.html("sub", {}, "2"));
+        slider.labels[0].replaceChildren(...(data.over === "time" ? ["Time"] : ["Crank angle ", theta2]));
+        last = data.steps.length - 1;
         slider.max = last;
         button.disabled = last === 0;
     }

@@ -2,14 +2,14 @@
 **
 ** drawing.js - the interactive drawing of a report.
 **
-** It does no mechanics.  The program computes rows, one for each crank angle, and this script draws them: the
+** It does no mechanics.  The program computes rows, one for each step, and this script draws them: the
 ** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it
 ** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in
 ** the same data, from scene.c.
 */
 fourlink.draw = (function () {
 
-const {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+const {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
        makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
        reached, present, pairs, digits} = fourlink;
 
@@ -173,7 +173,7 @@ function mechanism(data, panel) {
                 way += at ? (broken ? "M" : "L") + pairs([at]) : "";
                 broken = !at;
             }
-            if (way && data.angles.length > 1)
+            if (way && data.steps.length > 1)
                 group.append(svg("path", {class: kind, d: way}));
         }
         return group;
@@ -199,7 +199,7 @@ function mechanism(data, panel) {
     function drawAngle(i) {
         const A = place("A", i), B = minus(place("B", i), A), x = tracks.x;
         const cross = x[0] * B[1] - x[1] * B[0], dot = x[0] * B[0] + x[1] * B[1];
-        const radius = Math.min(30, 0.55 * size(B)), sign = data.angles[i] < 0 ? -1 : 1, turn = 2 * Math.PI;
+        const radius = Math.min(30, 0.55 * size(B)), sign = data.over === "theta2" && data.steps[i] < 0 ? -1 : 1, turn = 2 * Math.PI;
         const angle = (sign * Math.atan2(-cross, dot) + turn) % turn, points = [];
         for (let k = 0; k <= 32; k++) {
             const at = Math.atan2(x[1], x[0]) - sign * angle * k / 32;
@@ -598,7 +598,7 @@ function keyOf(data) {
 
 /* What the drawing consists of, whatever its numbers. */
 function structure(data) {
-    return JSON.stringify([data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
+    return JSON.stringify([data.over, data.units, data.gravity, data.forced, data.supports, data.links, data.points, data.polygons,
                            data.forces, data.torques, data.columns.map((c) => [c.name, c.unit]),
                            data.branches.map((b) => b.name)]);
 }
@@ -617,10 +617,10 @@ function draw(data, place) {
     place.replaceChildren(grid);
     main.shape();
 
-    const name = () => (data.branches.length > 1 ? branch.name + ", " : "") + "θ₂ = " +
-        angleText(data, data.angles[now]);
+    const name = () => (data.branches.length > 1 ? branch.name + ", " : "") +
+        (data.over === "time" ? "t = " : "θ₂ = ") + stepText(data, now);
     function show(i) {
-        now = Math.max(0, Math.min(data.angles.length - 1, i));
+        now = Math.max(0, Math.min(data.steps.length - 1, i));
         for (const view of views)
             view.show(now, name());
         row.show(branch, now);

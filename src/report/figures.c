@@ -93,7 +93,7 @@ static const char *at_angle(const report *r, const char *name, char out[200])
 
 void report_put_mechanism(report *r)
 {
-    const char *at = r->request->at;
+    const char *at = r->drawn_at;
     char caption[200], alt[200];
 
     page_section(&r->page, "mechanism", "Mechanism");
@@ -113,7 +113,8 @@ void report_put_mechanism(report *r)
 
 void report_put_curves(report *r)
 {
-    const char *at = r->request->at;
+    const char *at = r->drawn_at;
+    const char *over = r->problem.by_time ? "over time." : "over the crank angle.";
     char caption[200];
 
     page_section(&r->page, "curves", "Polygons and curves");
@@ -123,9 +124,10 @@ void report_put_curves(report *r)
                "Klein's construction: lengths that stand for velocity and acceleration",
                at_angle(r, "Klein's construction", caption));
     put_figure(r, PLOT_MOTION, NULL, "Curves of angles, angular velocities and accelerations",
-               "The motion over the crank angle.");
+               flk_text_join(caption, sizeof caption, "The motion ", over, (char *)NULL));
     put_figure(r, PLOT_FORCES, NULL, "Curves of pin forces and of the driving torque",
-               "The pin forces and the driving torque over the crank angle.");
+               flk_text_join(caption, sizeof caption, "The pin forces and the driving torque ",
+                             over, (char *)NULL));
     put_figure(r, PLOT_SPEED, NULL, "Curves of the crank's speed, of torques, and of the energy",
                "The actual motion: speed with its mean, torques over the speed, energy.");
     put_figure(r, PLOT_TURNING, NULL, "Turning moment, its mean, and the areas between them",

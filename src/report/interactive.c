@@ -17,9 +17,9 @@
 #include "tables/json_text.h"
 #include "tables/style.h"
 
-#define DIGITS 5        /* of what is drawn: a tenth of a pixel in 2000 */
-#define ANGLE_DIGITS 10 /* of a crank angle */
-#define ROUNDING 1e-9   /* of the largest value: 0 */
+#define DIGITS 5       /* of what is drawn: a tenth of a pixel in 2000 */
+#define STEP_DIGITS 10 /* of a crank angle or a time */
+#define ROUNDING 1e-9  /* of the largest value: 0 */
 
 static void put_lines(page *p, const char *const *lines)
 {
@@ -90,7 +90,7 @@ static void put_cell(line *l, double x, const fourlink_value *c, const style *ho
     if (!gsl_finite(x))
         json_text_number(l, x, DIGITS);
     else if (c->flags & FOURLINK_CRANK_ANGLE)
-        line_number(l, x, ANGLE_DIGITS);
+        line_number(l, x, STEP_DIGITS);
     else if (how->exponent)
         line_put(l, "%s", format_exponent(x, how->decimals, number));
     else
@@ -192,15 +192,15 @@ static void put_branch(line *l, const rows *t, const style *styles)
     line_put(l, "}");
 }
 
-static void put_angles(line *l, const rows *t, double start)
+static void put_steps(line *l, const rows *t, double start)
 {
     unsigned long i, first = 0;
 
-    line_put(l, "\"angles\":[");
+    line_put(l, "\"over\":\"%s\",\n\"steps\":[", t->problem.by_time ? "time" : "theta2");
     for (i = 0; i < t->n; i++) {
         line_put(l, i ? "," : "");
-        line_number(l, t->angles[i], ANGLE_DIGITS);
-        if (fabs(t->angles[i] - start) < fabs(t->angles[first] - start))
+        line_number(l, t->steps[i], STEP_DIGITS);
+        if (fabs(t->steps[i] - start) < fabs(t->steps[first] - start))
             first = i;
     }
     line_put(l, "],\n\"start\":%lu,\n", first);
@@ -215,7 +215,7 @@ static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, do
     for (i = 0; done && i < n; i++) {
         done = rows_compute(t, branches[i]);
         if (done && i == 0) {
-            put_angles(l, t, start);
+            put_steps(l, t, start);
             scene_write(l, t);
             line_put(l, "\"branches\":[\n");
         }
@@ -265,6 +265,8 @@ void report_put_interactive(report *r)
         return;
     }
     if (rows_open(t, r->source, start)) {
+        if (r->now.status == FOURLINK_OK)
+            start = rows_step_of(t, &r->now);
         page_print(p, "<div id=\"fourlink-drawing\" class=\"drawing\" hidden=\"hidden\">\n");
         put_lines(p, controls);
         page_print(p, "<div id=\"fourlink-panels\"></div>\n"

@@ -58,10 +58,10 @@ function quantityText(value, unit, precision) {
     return (text.replace("-", "−") + end + " " + unitText(unit)).trim();
 }
 
-/* An angle in the deck's unit. */
-function angleText(data, angle) {
-    const text = String(angle).replace("-", "−");
-    return data.units.angle === "deg" ? text + "°" : text + " " + unitText(data.units.angle);
+/* Step i of the motion, in the deck's unit: its crank angle, or its time if the deck has rows by time. */
+function stepText(data, i) {
+    const text = String(data.steps[i]).replace("-", "−"), unit = data.units[data.over === "time" ? "time" : "angle"];
+    return unit === "deg" ? text + "°" : text + " " + unitText(unit);
 }
 
 /* A label is [name, subscript, superscript].  A short name of the program's own is a variable, in italics. */
@@ -134,7 +134,7 @@ function tracksOf(data, branch) {
         const x = track ? pick(track[0], i) : null, y = track ? pick(track[1], i) : null;
         return typeof x === "number" && typeof y === "number" ? [c * x - s * y, -s * x - c * y] : null;
     }
-    return {number, vector, reason: (i) => branch.reasons[i] || "", count: data.angles.length,
+    return {number, vector, reason: (i) => branch.reasons[i] || "", count: data.steps.length,
             x: [c, -s]};
 }
 
@@ -320,7 +320,7 @@ function present(list, tracks, rows) {
     }));
 }
 
-return {html, svg, unitText, angleText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
+return {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,
         makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,
         reached, present, pairs, digits};
 }());

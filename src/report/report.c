@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/format.h"
 #include "base/text.h"
 #include "pictures/picture.h"
 #include "report.h"
@@ -101,15 +100,20 @@ static int find_sample(report *r, fourlink_mistake *mistake)
 
     if (r->request->at && !read_angle(r, &angle, mistake))
         return 0;
-    if (r->problem.by_time)
+    if (r->problem.by_time && !r->request->at &&
         fourlink_results_row(r->results, r->branches[0], r->problem.n_rows / 6, NULL, &r->now,
-                             r->loads);
-    else
-        fourlink_results_at(r->results, r->branches[0], angle, NULL, &r->now, r->loads);
+                             NULL) == FOURLINK_OK)
+        angle = r->now.row.angle;
+    fourlink_results_at(r->results, r->branches[0], angle, NULL, &r->now, r->loads);
     for (i = 0; r->now.status != FOURLINK_OK && !r->request->at && i < r->problem.n_rows; i++)
         fourlink_results_row(r->results, r->branches[0], i, NULL, &r->now, r->loads);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
                   r->units[QUANTITY_ANGLE].name, (char *)NULL);
+    r->drawn_at = r->request->at;
+    if (r->problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
+        r->drawn_at =
+            flk_text_join(r->exact, sizeof r->exact, format_general(r->now.row.angle, 17, number),
+                          " ", r->units[QUANTITY_ANGLE].name, (char *)NULL);
     return 1;
 }
 
@@ -127,8 +131,6 @@ static int open_deck(report *r, fourlink_mistake *mistake)
         r->branches[r->n_branches++] = FOURLINK_OPEN;
     if (r->problem.crossed)
         r->branches[r->n_branches++] = FOURLINK_CROSSED;
-    if (r->problem.by_time)
-        r->gnuplot = "rows by time have none";
     fourlink_results_notes(r->results, REPORT_MISTAKES, r->notes, &r->n_notes);
     r->loads = malloc((r->problem.n_loads + 1) * sizeof *r->loads);
     r->row_loads = malloc((r->problem.n_loads + 1) * sizeof *r->row_loads);

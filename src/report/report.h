@@ -7,6 +7,7 @@
 #ifndef FOURLINK_REPORT_H
 #define FOURLINK_REPORT_H
 
+#include "base/format.h"
 #include "base/units.h"
 #include "fourlink.h"
 #include "page.h"
@@ -44,6 +45,8 @@ typedef struct report {
     fourlink_instant now; /* its status says why there is none */
     fourlink_load *loads; /* at its crank angle */
     char at[60];          /* its crank angle, with its unit */
+    const char *drawn_at; /* --plot-at of the pictures; null: they choose the same angle */
+    char exact[FORMAT_SIZE + 40];
 } report;
 
 /* What became of a report that was written. */

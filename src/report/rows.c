@@ -56,16 +56,13 @@ const rows_track *rows_find(const rows *t, const char *name)
     return i < t->n_tracks ? &t->tracks[i] : NULL;
 }
 
-/* -------------------------------------------------------------------------------------- the crank angles */
+/* ----------------------------------------------------------------------------------------------- the steps */
 
-/* In how many steps an interval of the deck is divided. */
-static unsigned long steps_of(const rows *t, const fourlink_range *range)
+/* In how many parts so many intervals of the deck are divided, to have so many steps as wanted. */
+static unsigned long parts_of(unsigned long intervals, double wanted)
 {
     static const unsigned long parts[] = {1, 2, 5, 10, 20, 50, 100, 200, 360};
-    const fourlink_motion *motion = &t->problem.motion;
-    unsigned long intervals = range->n_rows - 1, i;
-    double revolutions = (double)intervals * motion->interval * motion->angle_unit / (2 * M_PI);
-    double wanted = FEWEST_STEPS * GSL_MAX_DBL(revolutions, 1);
+    unsigned long i;
 
     if (intervals == 0)
         return 1;
@@ -79,48 +76,75 @@ static unsigned long steps_of(const rows *t, const fourlink_range *range)
 static void insert(rows *t, double at)
 {
     double turn = 2 * M_PI / t->problem.motion.angle_unit;
-    double sign = t->angles[t->n - 1] < t->angles[0] ? -1 : 1;
+    double sign = t->steps[t->n - 1] < t->steps[0] ? -1 : 1;
     unsigned long i;
 
     for (i = 0; i < t->n; i++)
-        if (fabs(t->angles[i] - at) < 1e-9 * turn)
+        if (fabs(t->steps[i] - at) < 1e-9 * turn)
             return;
-    for (i = 0; i < t->n && sign * t->angles[i] < sign * at; i++)
+    for (i = 0; i < t->n && sign * t->steps[i] < sign * at; i++)
         ;
     if (i == 0 || i == t->n)
         return;
-    memmove(t->angles + i + 1, t->angles + i, (t->n - i) * sizeof *t->angles);
-    t->angles[i] = at;
+    memmove(t->steps + i + 1, t->steps + i, (t->n - i) * sizeof *t->steps);
+    t->steps[i] = at;
     t->n++;
 }
 
-static int choose_angles(rows *t, double at)
+/* The step from row to row of the deck that is drawn: every row, or every so many of them. */
+static unsigned long stride_of(unsigned long n_rows)
+{
+    unsigned long stride = (n_rows - 1 + MOST_ROWS - 2) / (MOST_ROWS - 1);
+
+    return stride ? stride : 1;
+}
+
+static void choose_angles(rows *t, double at)
 {
     const fourlink_motion *motion = &t->problem.motion;
-    unsigned long stride, steps, row, k;
+    unsigned long stride, parts, row, k;
     fourlink_range range;
     fourlink_row here, next;
+    double turns;
 
     fourlink_motion_range(motion, &range);
-    stride = (range.n_rows - 1 + MOST_ROWS - 2) / (MOST_ROWS - 1);
-    stride = stride ? stride : 1;
-    steps = stride > 1 ? 1 : steps_of(t, &range);
-    t->angles = malloc((MOST_ROWS * 2 + 2) * sizeof *t->angles);
-    if (!t->angles) {
-        t->out_of_memory = 1;
-        return 0;
-    }
+    stride = stride_of(range.n_rows);
+    turns = (double)(range.n_rows - 1) * motion->interval * motion->angle_unit / (2 * M_PI);
+    parts = stride > 1 ? 1 : parts_of(range.n_rows - 1, FEWEST_STEPS * GSL_MAX_DBL(turns, 1));
     for (row = 0; row + 1 < range.n_rows; row += stride) {
         fourlink_motion_row(motion, &range, row, &here);
         fourlink_motion_row(motion, &range, row + 1, &next);
-        for (k = 0; k < steps; k++)
-            t->angles[t->n++] = here.angle + (next.angle - here.angle) * (double)k / (double)steps;
+        for (k = 0; k < parts; k++)
+            t->steps[t->n++] = here.angle + (next.angle - here.angle) * (double)k / (double)parts;
     }
     fourlink_motion_row(motion, &range, range.n_rows - 1, &here);
-    t->angles[t->n++] = here.angle;
+    t->steps[t->n++] = here.angle;
     if (!gsl_isnan(at))
         insert(t, at);
-    return 1;
+}
+
+/* The rows of a deck with rows by time, opened with the time step of the drawing. */
+static void choose_times(rows *t)
+{
+    const fourlink_problem *p = &t->problem;
+
+    for (t->n = 0; t->n < p->n_rows; t->n++)
+        t->steps[t->n] =
+            rows_value(t, QUANTITY_TIME, GSL_MIN_DBL((double)t->n * p->time_step, p->duration));
+}
+
+/* The time step of the drawing, s. */
+static double time_step_of(const fourlink_problem *p)
+{
+    unsigned long stride = stride_of(p->n_rows);
+
+    return stride > 1 ? p->time_step * (double)stride
+                      : p->time_step / (double)parts_of(p->n_rows - 1, MOST_ROWS);
+}
+
+double rows_step_of(const rows *t, const fourlink_instant *now)
+{
+    return t->problem.by_time ? rows_value(t, QUANTITY_TIME, now->row.time) : now->row.angle;
 }
 
 /* ----------------------------------------------------------------------------------------------- tracks */
@@ -399,35 +423,73 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
 
 static int draws_all(const rows *t)
 {
-    return !t->problem.by_time && t->problem.n_points <= ROWS_POINTS &&
-           t->problem.n_loads <= ROWS_LOADS && t->problem.n_springs <= ROWS_LOADS;
+    return t->problem.n_points <= ROWS_POINTS && t->problem.n_loads <= ROWS_LOADS &&
+           t->problem.n_springs <= ROWS_LOADS;
+}
+
+/* Open the deck; 0 without memory or if it has mistakes. */
+static int open_deck(rows *t, const fourlink_source *source)
+{
+    int status = fourlink_results_open(source, 0, &t->results, NULL, NULL);
+
+    t->out_of_memory |= status == FOURLINK_NO_MEMORY;
+    if (status != FOURLINK_OK)
+        return 0;
+    t->deck = fourlink_results_deck(t->results);
+    fourlink_deck_problem(t->deck, &t->problem);
+    return 1;
+}
+
+/* Open a deck with rows by time again, with the time step of the drawing. */
+static int reopen(rows *t, const fourlink_source *source)
+{
+    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
+    fourlink_source other = *source;
+    char assignment[FORMAT_SIZE + 40], number[FORMAT_SIZE];
+    int opened;
+
+    t->out_of_memory |= !changes;
+    if (!changes)
+        return 0;
+    if (source->n_changes)
+        memcpy(changes, source->changes, source->n_changes * sizeof *changes);
+    changes[other.n_changes].origin = "--report";
+    changes[other.n_changes++].assignment =
+        flk_text_join(assignment, sizeof assignment,
+                      "motion.time_step=", format_general(time_step_of(&t->problem), 17, number),
+                      " s", (char *)NULL);
+    other.changes = changes;
+    fourlink_results_free(t->results);
+    t->results = NULL;
+    opened = open_deck(t, &other);
+    free(changes);
+    return opened;
 }
 
 int rows_open(rows *t, const fourlink_source *source, double at)
 {
     fourlink_source whole = *source;
-    int q, status;
+    int q;
 
     memset(t, 0, sizeof *t);
     whole.whole_cycle = 1;
-    status = fourlink_results_open(&whole, 0, &t->results, NULL, NULL);
-    t->out_of_memory = status == FOURLINK_NO_MEMORY;
-    if (status != FOURLINK_OK)
+    if (!open_deck(t, &whole) || !draws_all(t) || (t->problem.by_time && !reopen(t, &whole)))
         return 0;
-    t->deck = fourlink_results_deck(t->results);
-    fourlink_deck_problem(t->deck, &t->problem);
     t->design = &t->problem.mechanism.design;
     t->slides = fourlink_slides((int)t->design->kind, FOURLINK_FOLLOWER);
     t->slot = fourlink_slides((int)t->design->kind, FOURLINK_COUPLER);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(t->deck, flk_quantities[q].name, &t->units[q]);
     fourlink_results_list(t->results, FOURLINK_COLUMNS, &t->columns, &t->n_columns);
-    if (!draws_all(t) || !choose_angles(t, at))
-        return 0;
-    t->status = malloc(t->n * sizeof *t->status);
-    t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
+    t->steps = malloc((MOST_ROWS * 2 + 2) * sizeof *t->steps);
     t->loads = malloc((t->problem.n_loads + 1) * sizeof *t->loads);
-    t->out_of_memory |= !t->status || !t->table || !t->loads;
+    if (t->steps && t->problem.by_time)
+        choose_times(t);
+    else if (t->steps)
+        choose_angles(t, at);
+    t->status = malloc((t->n + 1) * sizeof *t->status);
+    t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
+    t->out_of_memory |= !t->steps || !t->status || !t->table || !t->loads;
     if (t->out_of_memory)
         return 0;
     fourlink_deck_loads(t->deck, FOURLINK_OPEN, 0, t->loads, NULL);
@@ -444,7 +506,7 @@ void rows_close(rows *t)
 {
     close_branch(t);
     fourlink_results_free(t->results);
-    free(t->angles);
+    free(t->steps);
     free(t->status);
     free(t->table);
     free(t->loads);
@@ -453,10 +515,13 @@ void rows_close(rows *t)
 static void compute_row(rows *t, unsigned long i)
 {
     fourlink_instant now;
-    double r = t->design->link[FOURLINK_CRANK].length, theta;
+    double r = t->design->link[FOURLINK_CRANK].length, theta, *values = t->table + i * t->n_columns;
 
-    t->status[i] = fourlink_results_at(t->results, t->branch, t->angles[i],
-                                       t->table + i * t->n_columns, &now, t->loads);
+    if (t->problem.by_time)
+        t->status[i] = fourlink_results_row(t->results, t->branch, i, values, &now, t->loads);
+    else
+        t->status[i] =
+            fourlink_results_at(t->results, t->branch, t->steps[i], values, &now, t->loads);
     if (t->status[i] != FOURLINK_OK) { /* the crank can still be drawn */
         theta = now.row.crank.theta2;
         put(t, i, "A", QUANTITY_LENGTH, zero);

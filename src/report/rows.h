@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** rows.h - the numbers of the interactive drawing: tracks, each a vector or a number at every crank angle of a
-** row, in the deck's units.
+** rows.h - the numbers of the interactive drawing: tracks, each a vector or a number at every step of the motion, in
+** the deck's units.  Steps are crank angles, or times if the deck has rows by time.
 */
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H
@@ -29,7 +29,7 @@ typedef struct rows {
     const fourlink_value *columns;
     unsigned long n_columns;
     unsigned long n;
-    double *angles; /* in the deck's unit */
+    double *steps; /* crank angles or times, in the deck's unit */
 
     /* one branch */
     fourlink_branch branch;
@@ -40,10 +40,13 @@ typedef struct rows {
     fourlink_load *loads; /* at one crank angle */
 } rows;
 
-/* Open the deck and choose the crank angles: every row of the deck if there are not too many, with steps
-** between them if there are few, and the crank angle `at`, which may be NaN.  Returns 0 without memory, or if the
-** deck has more loads or points than a drawing shows. */
+/* Open the deck and choose the steps: every row of the deck if there are not too many, with others between them if
+** there are few, and the crank angle `at`, which may be NaN.  Returns 0 without memory, or if the deck has more loads
+** or points than a drawing shows. */
 int rows_open(rows *t, const fourlink_source *source, double at);
+
+/* Where an instant lies among the steps, in their unit. */
+double rows_step_of(const rows *t, const fourlink_instant *now);
 void rows_close(rows *t);
 
 /* Compute a branch; 0 without memory. */

@@ -365,11 +365,12 @@ static void put_torques(line *l, const rows *t)
 static void put_units(line *l, const rows *t)
 {
     static const quantity used[] = {QUANTITY_LENGTH, QUANTITY_SPEED,  QUANTITY_ACCELERATION,
-                                    QUANTITY_FORCE,  QUANTITY_TORQUE, QUANTITY_ANGLE};
+                                    QUANTITY_FORCE,  QUANTITY_TORQUE, QUANTITY_ANGLE,
+                                    QUANTITY_TIME};
     int i;
 
     line_put(l, "\"units\":{");
-    for (i = 0; i < 6; i++) {
+    for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++) {
         line_put(l, "%s\"%s\":", i ? "," : "", flk_quantities[used[i]].name);
         put_string(l, t->units[used[i]].name);
     }

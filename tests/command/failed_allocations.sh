@@ -110,6 +110,7 @@ all() {
 cp "$decks"/*.deck "$data"/alvi-5.1.* "$data/steam-engine-240.deck" "$data/me3491-example-1.deck" .
 sed 's/^indicator.*/indicator = file card.csv deg bar/' gas-engine.deck >card.deck
 printf 'angle,pressure\n0,1\n20,30\n90,6\n540,1\n' >card.csv
+sed "s/^duration.*/duration = 40 ms/" "$decks/../fuzz/decks/free.deck" >time.deck # rows by time
 sed 's/^cg = 0 mm//' single.deck >note.deck # point masses: notes
 few='-i 90deg'
 
@@ -160,10 +161,12 @@ for kind in mechanism motion forces turning-moment polar vectors; do
 done
 all 0 --plot=files/plot.svg --plot-kind=klein -o files/result $few steam-engine-240.deck
 all 0 --plot=files/plot.svg --plot-kind=turning-moment -o files/result $few gas-engine.deck
+all 0 --plot-script=files/plot.svg --plot-kind=motion -o files/result -b open time.deck
 
 rm files/plot.svg
 picture=report.html
 all 0 --report=files/report.html -o files/result $few single.deck
+all 0 --report=files/report.html -o files/result -b open time.deck
 all 2 --report=files/report.html -o files/result mistakes.deck
 
 echo "$tries allocations failed: $refused runs ended with exit status 3, $((tries - refused - failed)) as usual"

@@ -13,7 +13,7 @@
     const lines = [];
     const find = (id) => document.getElementById("fourlink-" + id);
     const data = JSON.parse(find("rows").textContent);
-    const slider = find("angle"), last = data.angles.length - 1;
+    const slider = find("angle"), last = data.steps.length - 1;
     const sheet = document.querySelector(".panel.whole svg");
     const check = (what, is) => lines.push((is ? "ok " : "failed ") + what);
     const circle = (name) => sheet.querySelector("circle[data-name='" + name + "']");
@@ -35,11 +35,11 @@
                 broken.push(i);
             for (const name of ["A", "B", "C", "D"].concat(data.points.map((p) => p.of)))
                 if (circle(name))
-                    lines.push(["place", branch, data.angles[i], name, circle(name).getAttribute("cx"),
+                    lines.push(["place", branch, data.steps[i], name, circle(name).getAttribute("cx"),
                                 circle(name).getAttribute("cy"), sheet.dataset.scale, sheet.dataset.x,
                                 sheet.dataset.y].join(" "));
             for (const cell of document.querySelectorAll("[data-column]"))
-                lines.push(["cell", branch, data.angles[i], cell.dataset.column, cell.textContent].join(" "));
+                lines.push(["cell", branch, data.steps[i], cell.dataset.column, cell.textContent].join(" "));
         }
         check("no number is missing in the drawing, " + branch + ": " + broken.slice(0, 5), broken.length === 0);
     }
@@ -114,6 +114,8 @@
     check("width " + window.innerWidth + ": " + document.documentElement.scrollWidth,
           document.documentElement.scrollWidth <= window.innerWidth);
     check("the drawing has its room", sheet.clientWidth > 200 && sheet.clientHeight > 150);
+    check("the slider is named " + slider.labels[0].textContent,
+          slider.labels[0].textContent === (data.over === "time" ? "Time" : "Crank angle θ2"));
     check("names are texts", !document.querySelector("script.evil, b.evil") && window.evil === undefined);
     const radios = [...document.querySelectorAll("#fourlink-branches input")];
     compare(data.branches[0].name);

@@ -136,6 +136,14 @@ drive crusher
 places crusher 'B C P0' 0
 narrow crusher
 
+# Rows by time: half a turn and more of a motor that starts.
+sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 10 ms\nduration = 0.4 s/' \
+    "$data/../doc/motor-pump.deck" >motor.deck
+run 0 -b open --report=motor.html motor.deck
+run 0 -b open -f csv -c time,B.x,B.y,C.x,C.y -o motor.csv motor.deck
+drive motor
+places motor 'B C' 0
+
 # A vertical engine stands upright; its one instant has become a cycle.
 run 0 --report=engine.html "$data/me3491-example-2.deck"
 sed 's/^at  *= .*/interval = 10 deg/' "$data/me3491-example-2.deck" >cycle.deck

@@ -19,12 +19,12 @@ rows() {
     check "$*: not JSON" true_of_rows .
 }
 # that FILTER: jq finds it true.
-that() { check "$1: $(jq -c '[(.angles | length), .start]' rows)" true_of_rows "$1"; }
+that() { check "$1: $(jq -c '[(.steps | length), .start]' rows)" true_of_rows "$1"; }
 true_of_rows() { jq -e "$1" rows >/dev/null; }
 
 rows "$alvi"
 that '.branches | map(.name) == ["open", "crossed"]'
-that '(.angles | length) == 181 and .angles[20] == 40 and .angles[.start] == 60 and .turn == 0'
+that '(.steps | length) == 181 and .steps[20] == 40 and .steps[.start] == 60 and .turn == 0'
 that '.units.length == "m" and .forces == [] and .torques == []'
 that '.branches[0].reasons == {} and .branches[0].tracks.A == [0, 0] and .branches[0].tracks.D == [0.08, 0]'
 that '[.branches[].table | length] == [181, 181]'
@@ -32,7 +32,7 @@ that '[.branches[].table | length] == [181, 181]'
 # Numbers and the table are those of the program.
 run 0 -f csv -c theta2,C.x,C.y,theta4 "$alvi"
 awk -F, 'NR > 1 {printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' out >wanted
-jq -r '. as $all | .branches[] | . as $b | range(0; 361; 40) | . as $angle | ($all.angles | index($angle)) as $i |
+jq -r '. as $all | .branches[] | . as $b | range(0; 361; 40) | . as $angle | ($all.steps | index($angle)) as $i |
     "\($b.name) \($angle) \($b.tracks.C[0][$i]) \($b.tracks.C[1][$i])"' rows | awk '{printf "%s %s %.5g %.5g\n", $1, $2, $3, $4}' >found
 same found wanted
 check 'too few rows' test "$(wc -l <found)" -eq 20
@@ -43,14 +43,29 @@ check 'the row of the table at 120 deg' test "$(awk '$1 == 120 {print $5; exit}'
 # Steps: they divide the deck's interval; there are at most 361 of them, and the angle of the sample calculation; a cycle of 720 deg has 2 deg.
 for case in '15 deg:121' '10 deg:181' '1 deg:361' '0.1 deg:361' '7 deg:262'; do
     rows --set motion.interval="${case%:*}" "$alvi"
-    that "(.angles | length) == ${case#*:}"
+    that "(.steps | length) == ${case#*:}"
 done
 rows "$decks/gas-engine.deck"
-that '.angles[-1] == 720 and (.angles | length) == 361'
+that '.steps[-1] == 720 and (.steps | length) == 361'
+
+# Rows by time: each row of the deck, and steps between them; every so many of more than 361.
+pump=$data/../doc/motor-pump.deck
+sed '/^turns/d; /^interval/d; s/^mode .*/mode = run-up\nrows = time\ntime_step = 0.1 s\nduration = 0.75 s/' "$pump" >time.deck
+rows -b open time.deck
+that '.over == "time" and .units.time == "s" and (.steps | length) == 151 and .steps[20] == 0.1 and .steps[-1] == 0.75'
+that '.steps[.start] == 0.1'
+run 0 -b open -f csv -c time,C.x,omega2 time.deck
+awk -F, 'NR > 1 {printf "%g %.5g\n", $2, $3}' out >wanted
+jq -r '. as $all | .steps | to_entries[] | select(.key % 20 == 0 or .value == 0.75) | "\(.value) \($all.branches[0].tracks.C[0][.key])"' rows |
+    awk '{printf "%g %.5g\n", $1, $2}' >found
+same found wanted
+check 'nine rows' test "$(wc -l <found)" -eq 9
+rows -b open --set 'motion.time_step=1 ms' time.deck
+that '(.steps | length) == 251 and .steps[1] == 0.003 and .steps[-1] == 0.75'
 
 # One instant is a row of its cycle; a drawing is turned as the machine stands.
 rows --set motion.at='33.3 deg' "$data/me3491-example-2.deck"
-that '.angles[.start] == 33.3 and .angles[-1] == 360 and (.turn - 1.5707963 | fabs) < 1e-6'
+that '.steps[.start] == 33.3 and .steps[-1] == 360 and (.turn - 1.5707963 | fabs) < 1e-6'
 that '.branches[0].table[.start][0] == 33.3'
 that '(.forces | map(select(.of == "F14")) | .[0].label[0]) == "N"'
 
@@ -62,10 +77,10 @@ that '.links[2].points == ["P0"] and .points[0].label[0] == "E"'
 
 # Rows without a position have a reason, and the crank.
 rows --set coupler.length='20 mm' "$alvi"
-that '.angles as $a | .branches[0].reasons | keys | map($a[tonumber]) | (min > 0 and max < 360 and length > 10)'
-that '(.angles | index(180)) as $i | .branches[0].tracks.B[0][$i] == -0.02 and .branches[0].tracks.C[0][$i] == null'
-that '(.angles | index(180)) as $i | .branches[0].reasons["\($i)"] | test("too far apart")'
-that '(.angles | index(180)) as $i | .branches[0].table[$i][1] == null'
+that '.steps as $a | .branches[0].reasons | keys | map($a[tonumber]) | (min > 0 and max < 360 and length > 10)'
+that '(.steps | index(180)) as $i | .branches[0].tracks.B[0][$i] == -0.02 and .branches[0].tracks.C[0][$i] == null'
+that '(.steps | index(180)) as $i | .branches[0].reasons["\($i)"] | test("too far apart")'
+that '(.steps | index(180)) as $i | .branches[0].table[$i][1] == null'
 
 # Names cannot end the element.
 rows --set title='</script><!--&]]>' "$alvi"

@@ -61,12 +61,12 @@ function showMessages(list, more, others) {
     place.append(...others.map((words) => html("li", {class: "page"}, words)));
 }
 
-/* The row of the drawing that is nearest to the angle now shown. */
+/* The row of the drawing that is nearest to the angle or the time now shown. */
 function sameRow(next) {
-    const angle = data && drawing ? data.angles[drawing.row()] : undefined;
+    const now = data && drawing && data.over === next.over ? data.steps[drawing.row()] : undefined;
     let best = next.start;
-    if (angle !== undefined)
-        next.angles.forEach((x, i) => { best = Math.abs(x - angle) < Math.abs(next.angles[best] - angle) ? i : best; });
+    if (now !== undefined)
+        next.steps.forEach((x, i) => { best = Math.abs(x - now) < Math.abs(next.steps[best] - now) ? i : best; });
     return best;
 }
 
@@ -293,7 +293,7 @@ const actions = {
     async report() {
         if (!deck || !deck.usable)
             return tell("The deck has mistakes.");
-        const at = data ? data.angles[drawing.row()] + " " + data.units.angle : "";
+        const at = data && data.over === "theta2" ? data.steps[drawing.row()] + " " + data.units.angle : "";
         const {text} = await program.ask("report", {angle: at});
         const end = text.lastIndexOf("@SCRIPT@\n"); /* the deck may have such a line too, before it */
         save(stem() + ".html", "text/html", text.slice(0, end).replace("@STYLE@\n", () => own("report-style")) +
