@@ -227,6 +227,23 @@ async function tryCrank() {
         `document.querySelector(".panel.whole svg").getAttribute("aria-label")`)).includes("crossed"));
 }
 
+/* Rows by time: the slider is the time, at whose end the row is the command's last. */
+async function tryTime() {
+    const words = fs.readFileSync(path.join(root, "tests/fuzz/decks/free.deck"), "utf8");
+    const label = () => b.evaluate(`document.getElementById("fourlink-angle").labels[0].textContent`);
+    await put("free.deck", words);
+    check("the slider is the time: " + await label(), await label() === "Time");
+    await b.evaluate(`document.getElementById("fourlink-angle").focus()`);
+    await b.key("End");
+    check("to its end: " + await text("fourlink-shown"), await text("fourlink-shown") === "0.5 s");
+    const rows = command("free.deck", words, "--branch=open", "--columns=theta2", "--format=csv").out.trim().split(/\r?\n/);
+    const wanted = Number(rows[rows.length - 1].split(",")[1]);
+    const found = await b.evaluate(`parseFloat(document.querySelector('[data-column="theta2"]').textContent)`);
+    check("the row at its end: " + found + ", not " + wanted, Math.abs(found - wanted) < 1e-6);
+    await load("alvi-5.1.deck");
+    check("the slider is the angle: " + await label(), await label() === "Crank angle θ2");
+}
+
 /* Each knob is dragged: these lines of the deck change, and it goes where the pointer is. */
 async function tryKnobs(name, wanted) {
     await load(name);
@@ -485,8 +502,8 @@ async function main() {
     await b.size(1280, 900);
     await b.go(address);
     await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
-    for (const [what, run] of [["typing", tryTyping], ["crank", tryCrank], ["dragging", tryDragging], ["exercises", tryExercises],
-                               ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
+    for (const [what, run] of [["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
+                               ["exercises", tryExercises], ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
                                ["layout", tryLayout], ["times", tryTimes],
                                ["decks", async () => {
                                    await compareAll(path.join(root, "data"));
