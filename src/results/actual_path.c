@@ -91,10 +91,10 @@ static int go_on(flk_path *p, double *h, flk_node *after)
             break;
         length *= factor;
         if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
-            return status > 0 ? status : FOURLINK_TOO_LONG;
+            return status > 0 ? status : flk_actual_no_step(p, node->s);
     }
     if (p->budget == 0)
-        return FOURLINK_TOO_LONG;
+        return flk_actual_no_step(p, node->s);
     p->budget--;
     if (node->by_time)
         status = shorten(p, node, &step);

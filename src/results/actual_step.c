@@ -21,9 +21,10 @@
 
 #include "actual_step.h"
 
-#define INSIDE 1e-11 /* of a cycle: corners are not touched, for torques may jump there */
-#define BESIDE 5e-3  /* rad, of a change point: nearer, values are those through angles about it */
-#define SHORT 1e-2   /* rad: in a motion that swings back, errors of this at least */
+#define INSIDE 1e-11  /* of a cycle: corners are not touched, for torques may jump there */
+#define BESIDE 5e-3   /* rad, of a change point: nearer, values are those through angles about it */
+#define SHORT 1e-2    /* rad: in a motion that swings back, errors of this at least */
+#define AT_LIMIT 1e-6 /* rad, from an angle that the links do not reach */
 #define ITERATIONS 60
 
 static double inside(const flk_equations *e, double s)
@@ -182,6 +183,16 @@ int flk_actual_whole(const flk_path *p, double s, double *whole)
     }
     *whole = sum;
     return FOURLINK_OK;
+}
+
+int flk_actual_no_step(const flk_path *p, double s)
+{
+    double whole;
+
+    return flk_actual_whole(p, s - AT_LIMIT, &whole) == FOURLINK_OK &&
+                   flk_actual_whole(p, s + AT_LIMIT, &whole) == FOURLINK_OK
+               ? FOURLINK_TOO_LONG
+               : FOURLINK_DEAD_POSITION;
 }
 
 /* Set the flk_equations and the beginning of a step at a node. */

@@ -52,6 +52,9 @@ double flk_actual_theta2(const flk_path *p, double s);
 /* J + I_f there; of a change point beside it. */
 int flk_actual_whole(const flk_path *p, double s, double *whole);
 
+/* Why no step from s is short enough: a dead position is there, where J is unbounded; otherwise too many steps. */
+int flk_actual_no_step(const flk_path *p, double s);
+
 /* What turns the machine at a speed; speed, push and alpha2 are those in the sense of the motion. */
 int flk_actual_push(const flk_path *p, const flk_machine_place *place, double speed,
                     flk_machine_push *push);

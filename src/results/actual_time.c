@@ -61,10 +61,10 @@ static int go_on(flk_path *p, double duration, double *h, flk_node *after)
             break;
         length *= factor;
         if (length < (status == FOURLINK_OK ? SHORTEST : CLOSEST) * duration)
-            return status == FOURLINK_OK ? FOURLINK_TOO_LONG : status;
+            return status == FOURLINK_OK ? flk_actual_no_step(p, node->s) : status;
     }
     if (p->budget == 0)
-        return FOURLINK_TOO_LONG;
+        return flk_actual_no_step(p, node->s);
     p->budget--;
     *h = length * factor;
     status = shorten(p, node, &step);

@@ -57,6 +57,20 @@ done
 run 2 "$alvi" -c T_motor
 says "the column 'T_motor' needs [motion] mode = free, run-up or steady; the motion is given"
 
+# A motion ends at a dead position, at the end of the crank's range: by angle, and by time, where the last row that it
+# has is near that angle.
+sed 's/^length = 100 mm/length = 260 mm/; s/^length = 250 mm/length = 120 mm/; s/^speed.*/speed = -1 rad\/s\nfrom = 40 deg/' \
+    "$decks/../fuzz/decks/free.deck" >dead.deck
+run 1 -b open -c theta2 dead.deck
+check 'a dead position by time' grep -q '^# dead position' out
+limit=$("$fourlink" -S -f csv -b open dead.deck 2>err | awk -F, '$1 == "theta2_from" {print $2; exit}')
+run 1 -b open -c theta2 -f csv -s 'motion.time_step=0.1 ms' dead.deck
+check "it is at the limit of the crank, $limit" awk -F, -v limit="$limit" '
+    NR > 1 && $2 != "" {d = $2 - limit} END {exit !(d > -1e-9 && d < 1e-4)}' out
+sed '/^rows/d; /^time_step/d; s/^duration.*/to = 30 deg\ninterval = 1 deg/' dead.deck >angle.deck
+run 1 -b open -c theta2 angle.deck
+check 'a dead position by angle' grep -q '^# dead position' out
+
 # A sweep over motor and flywheel.
 {
     cat "$pump"
