@@ -17,8 +17,9 @@
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
-#define TOLERANCE 1e-12 /* of a step: 1e-11 over many */
-#define MOST_STEPS 200000UL
+#define TOLERANCE 1e-12   /* of a step: 1e-11 over many */
+#define MOST_STEPS 200000 /* of 20 turns */
+#define MOST_TURNS 200    /* with more steps */
 
 struct flk_actual {
     const deck *d;
@@ -68,13 +69,17 @@ static int run_by_time(flk_path *p, const deck *d)
     return p->status == FOURLINK_OK && flk_time_run(p, speed, d->drive.duration);
 }
 
-static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
+static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
 {
     const deck *d = p->d;
 
     if (d->drive.by_time)
         return run_by_time(p, d);
-    if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
+    if (d->drive.mode == DRIVE_STEADY && winds) {
+        p->status = FOURLINK_NO_STEADY;
+        return 0;
+    }
+    if (d->drive.mode == DRIVE_RUN_UP && !winds && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
         return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
@@ -92,6 +97,14 @@ static double angle_of(const flk_path *p, double s)
     return motion->from + p->sense * s / motion->angle_unit;
 }
 
+/* Trials of steps.  One with friction takes longer. */
+static unsigned long budget_of(const deck *d, double turns)
+{
+    double budget = MOST_STEPS * GSL_MAX(1, GSL_MIN(turns, MOST_TURNS) / 20);
+
+    return (unsigned long)(d->has_friction ? budget / 4 : budget);
+}
+
 static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
 {
     flk_path *p = &m->path[index_of(branch)];
@@ -102,10 +115,10 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
     p->jumps = course->jumps;
     flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
-    p->budget = course->d->has_friction ? MOST_STEPS / 4 : MOST_STEPS;
+    p->budget = budget_of(course->d, m->length / (2 * M_PI));
     p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
-    found = find(m, p, f);
+    found = find(m, p, course->winds, f);
     f->inertia = p->machine.inertia;
     f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
     if (!found) {

@@ -17,6 +17,7 @@ typedef struct flk_course {
     const flk_jumps *jumps;
     double last;          /* the crank angle of the last row, in the deck's unit; unused by time */
     double period;        /* rad, of a steady motion */
+    int winds;            /* 1: a spring is wound up by each cycle: there is no steady motion */
     fourlink_load *loads; /* memory for the loads of a row */
     unsigned long n_loads;
 } flk_course;

@@ -19,6 +19,7 @@
 #define LONGEST 0.5    /* rad, of a step */
 #define SHORTEST 1e-13 /* of the angle passed */
 #define CLOSEST 1e-9   /* rad, to where there is no position */
+#define AT_REST 1e-16  /* of the largest energy */
 #define ITERATIONS 60
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 
@@ -69,6 +70,18 @@ static double first_length(const flk_node *node, const flk_step *step, double h)
     return length >= left ? left : length > 0.5 * left ? 0.5 * left : length;
 }
 
+/* Why no step is short enough.  Where friction or a motor changes its torque at rest, none reaches it. */
+static int why_not(const flk_path *p, const flk_node *node, const flk_step *step)
+{
+    double alpha = step->k[0][1];
+    int status = flk_actual_no_step(p, node->s);
+
+    return status == FOURLINK_TOO_LONG && node->by_time && alpha < 0 &&
+                   gsl_pow_2(node->speed) < -2 * alpha * CLOSEST
+               ? FOURLINK_STALLS
+               : status;
+}
+
 /* One step from the last node, of at most *h in angle; *h is the length for the next. */
 static int go_on(flk_path *p, double *h, flk_node *after)
 {
@@ -91,7 +104,7 @@ static int go_on(flk_path *p, double *h, flk_node *after)
             break;
         length *= factor;
         if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
-            return status > 0 ? status : flk_actual_no_step(p, node->s);
+            return status > 0 ? status : why_not(p, node, &step);
     }
     if (p->budget == 0)
         return flk_actual_no_step(p, node->s);
@@ -108,6 +121,13 @@ static int go_on(flk_path *p, double *h, flk_node *after)
     return status;
 }
 
+/* A crank may creep into an equilibrium, or torques change where it comes to rest, friction for one: it is at rest
+** when nothing is left of its energy. */
+static int comes_to_rest(const flk_path *p, const flk_node *before, const flk_node *after)
+{
+    return after->E <= 0 || (after->E < before->E && after->E <= AT_REST * p->largest);
+}
+
 static int run_piece(flk_path *p, double *h)
 {
     flk_node after;
@@ -116,7 +136,7 @@ static int run_piece(flk_path *p, double *h)
         p->status = go_on(p, h, &after);
         if (p->status != FOURLINK_OK || !flk_actual_keep(p, &after))
             return 0;
-        if (after.E <= 0 && after.s < after.high) {
+        if (after.s < after.high && comes_to_rest(p, &p->node[p->n - 2], &after)) {
             p->status = FOURLINK_STALLS;
             return 0;
         }

@@ -25,6 +25,10 @@
 #define BESIDE 5e-3   /* rad, of a change point: nearer, values are those through angles about it */
 #define SHORT 1e-2    /* rad: in a motion that swings back, errors of this at least */
 #define AT_LIMIT 1e-6 /* rad, from an angle that the links do not reach */
+#define NO_INERTIA 1e-9 /* of that at the first row */
+#define SHORTER 1e-4    /* ... and in another */
+#define SLOW 1e-2       /* of speed and energy at FIRST, and of the speed with the largest energy */
+#define FIRST 0.01      /* rad, from rest */
 #define ITERATIONS 60
 
 static double inside(const flk_equations *e, double s)
@@ -187,18 +191,20 @@ int flk_actual_whole(const flk_path *p, double s, double *whole)
 
 int flk_actual_no_step(const flk_path *p, double s)
 {
-    double whole;
+    double before, here, after;
 
-    return flk_actual_whole(p, s - AT_LIMIT, &whole) == FOURLINK_OK &&
-                   flk_actual_whole(p, s + AT_LIMIT, &whole) == FOURLINK_OK
-               ? FOURLINK_TOO_LONG
-               : FOURLINK_DEAD_POSITION;
+    if (flk_actual_whole(p, s - AT_LIMIT, &before) != FOURLINK_OK ||
+        flk_actual_whole(p, s + AT_LIMIT, &after) != FOURLINK_OK)
+        return FOURLINK_DEAD_POSITION;
+    if (flk_actual_whole(p, 0, &here) == FOURLINK_OK && GSL_MIN(before, after) < NO_INERTIA * here)
+        return FOURLINK_NO_INERTIA;
+    return FOURLINK_TOO_LONG;
 }
 
 /* Set the flk_equations and the beginning of a step at a node. */
 int flk_actual_begin(const flk_path *p, flk_node *node, flk_equations *e, flk_step *step)
 {
-    double whole;
+    double whole = 1;
     int status;
 
     e->p = p;
@@ -223,7 +229,12 @@ int flk_actual_begin(const flk_path *p, flk_node *node, flk_equations *e, flk_st
         step->y[1] = node->t;
         step->y[2] = node->u;
     }
-    return step->f(e, step->x, step->y, step->k[0]);
+    status = step->f(e, step->x, step->y, step->k[0]);
+    if (node->by_time && status == FOURLINK_OK) {
+        e->slow = SLOW * sqrt(2 * (p->largest / whole + FIRST * fabs(step->k[0][1])));
+        e->little = SLOW * FIRST * whole * fabs(step->k[0][1]);
+    }
+    return status;
 }
 
 /* The time in which the crank turns through an angle from a speed, if its acceleration is constant. */
@@ -292,9 +303,11 @@ static double error_of(const flk_path *p, const flk_node *node, const flk_step *
     int i;
 
     if (node->by_time) {
-        scale[0] = GSL_MAX(fabs(next[0] - y[0]), p->by_time ? SHORT : 0);
-        scale[1] = GSL_MAX(fabs(next[1]), fabs(y[1]));
-        scale[2] = GSL_MAX(p->largest, fabs(next[2]));
+        const flk_equations *e = step->context;
+
+        scale[0] = GSL_MAX(fabs(next[0] - y[0]), p->by_time ? SHORT : SHORTER);
+        scale[1] = GSL_MAX(GSL_MAX(fabs(next[1]), fabs(y[1])), e->slow);
+        scale[2] = GSL_MAX(GSL_MAX(p->largest, fabs(next[2])), e->little);
     } else {
         scale[0] = GSL_MAX(0.01 * p->largest, next[0]);
         scale[1] = next[1];

@@ -44,6 +44,7 @@ typedef struct flk_path {
 typedef struct flk_equations {
     const flk_path *p;
     double low, high;
+    double slow, little; /* rad/s, J, of a step over time: of less, errors count as of this */
 } flk_equations;
 
 /* The crank angle, rad, after s. */
@@ -52,7 +53,8 @@ double flk_actual_theta2(const flk_path *p, double s);
 /* J + I_f there; of a change point beside it. */
 int flk_actual_whole(const flk_path *p, double s, double *whole);
 
-/* Why no step from s is short enough: a dead position is there, where J is unbounded; otherwise too many steps. */
+/* Why no step from s is short enough: a dead position is there, where J is unbounded; nothing that moves there has
+** mass; otherwise too many steps. */
 int flk_actual_no_step(const flk_path *p, double s);
 
 /* What turns the machine at a speed; speed, push and alpha2 are those in the sense of the motion. */

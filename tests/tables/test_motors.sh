@@ -71,6 +71,42 @@ sed '/^rows/d; /^time_step/d; s/^duration.*/to = 30 deg\ninterval = 1 deg/' dead
 run 1 -b open -c theta2 angle.deck
 check 'a dead position by angle' grep -q '^# dead position' out
 
+# Stalls: the crank creeps into an equilibrium, by angle and by time; the torque of the motor has a corner at rest;
+# friction turns round there.
+sed '/^\[flywheel\]/,/^inertia/d' "$pump" >bare.deck
+run 1 -b open -s 'motor.stall_torque=60 N m' bare.deck
+prints '# stalls at 252.568 deg'
+sed '/^turns/d; s/^interval.*/rows = time\ntime_step = 1 s\nduration = 5 s/' bare.deck >creep.deck
+run 0 -b open -c theta2 -f csv -s 'motor.stall_torque=60 N m' creep.deck
+check 'it stays there' awk -F, '$1 == "open" {d = $2 - 252.5680; n++} END {exit !(n == 6 && d * d < 1e-6)}' out
+sed 's/^stall_torque.*/curve = 0 rad\/s 16 N m, 14 rad\/s 0 N m/; /^no_load/d; s/^inertia = 0.5.*/inertia = 1 kg m2/' "$pump" >curve.deck
+run 1 -b open curve.deck
+prints '# stalls at 266.917 deg'
+run 1 -b open -s 'motor.stall_torque=16 N m' -s 'flywheel.inertia=1 kg m2' "$pump"
+prints '# stalls at 266.917 deg'
+{ sed 's/^stall_torque.*/torque = 30 N m/; /^no_load/d' bare.deck; printf '[friction]\nguide = 0.001\n'; } >rubs.deck
+run 1 -b open rubs.deck
+prints '# stalls at 225.609 deg'
+run 1 -b open -s friction.guide=0.0001 rubs.deck # without friction 225.615 deg
+prints '# stalls at 225.614 deg'
+
+# A load that grows less than with the speed; many turns; an inertia that vanishes.
+sed 's/^stall_torque.*/torque = 30 N m/; /^no_load/d; s/^exponent.*/exponent = 0.5/' "$pump" >root.deck
+run 0 -b open -c theta2 root.deck
+run 0 -b open -c theta2,omega2 -f csv -i 3600deg -s motion.turns=70 bare.deck
+check 'the speed has settled' awk -F, '$1 == "open" && $2 > 0 {if (n++ && ($3 - last) ^ 2 > 1e-16) bad++; last = $3} END {exit bad || n != 7}' out
+sed 's/^mass = .*/mass = 0 kg/; /^uniform/d; s/^speed.*/speed = 3 rad\/s\nfrom = 3 deg/' "$decks/../fuzz/decks/free.deck" |
+    sed '/^\[rocker\]/a mass = 1 kg\ninertia = 0.01 kg m2' | sed '/^mass = 0 kg/d; /^rows/d; /^time_step/d; s/^duration.*/interval = 5 deg/' >light.deck
+run 1 -b open -c theta2 light.deck
+prints '# nothing that moves has a mass'
+
+# A spring that each turn winds up: no motion is steady.
+{ cat "$pump"; printf '[spring V]\nlink = crank\nto = ground\nstiffness = 0.01 N m/rad\n'; } >wound.deck
+run 1 -b open -s motion.mode=steady wound.deck
+prints '# no steady motion'
+run 0 -b open -S wound.deck
+check 'nor are its facts known' test "$(grep -c '^mean_speed\|^steady_rate\|^run_up_time' out)" -eq 0
+
 # A sweep over motor and flywheel.
 {
     cat "$pump"
