@@ -10,6 +10,8 @@
 #include "mechanics/mechanics.h"
 #include "schema.h"
 
+#define STANDSTILL 1e-12 /* of a unit crank speed: what is slower turns round */
+
 int flk_deck_needs_motion(const deck *d)
 {
     return d->n_springs || d->has_friction || d->has_law;
@@ -37,14 +39,18 @@ double flk_deck_argument(const fourlink_state *state, int over)
     }
 }
 
-/* 1 if the argument of a load falls; of a crank at rest, if it would in the sense in which that is about to turn. */
+/* 1 if the argument of a load falls; of a crank at rest, if it would in the sense in which that is about to turn.  Where
+** it turns round it does not fall. */
 static int falls(const deck *d, const fourlink_state *state, int over)
 {
+    double r = over == OVER_X || over == OVER_SLIDE ? d->design.link[FOURLINK_CRANK].length : 1;
     fourlink_state moved = *state;
+    int rate = over + (OVER_OMEGA2 - OVER_THETA2);
 
     if (state->link[FOURLINK_CRANK].omega == 0)
         fourlink_velocity(&d->mechanism, d->friction.direction < 0 ? -1 : 1, &moved);
-    return flk_deck_argument(&moved, over + (OVER_OMEGA2 - OVER_THETA2)) < 0;
+    return flk_deck_argument(&moved, rate) <
+           -STANDSTILL * r * fabs(moved.link[FOURLINK_CRANK].omega);
 }
 
 /* A value over a speed: value sign(w) (|w| / at_speed)^exponent. */

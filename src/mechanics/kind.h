@@ -139,6 +139,11 @@ int flk_friction_sense(const fourlink_state *state, const fourlink_friction *fri
 /* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 
+/* 1 if a torsional spring is wound up: after this angle of the crank, a period of the linkage, its own is another
+** (spring.c). */
+int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring *spring,
+                     double period);
+
 /* The reciprocating mass of a slider-crank, kg: piston and its part of the rod (balance.c). */
 double flk_balance_reciprocating(const fourlink_design *design);
 

@@ -132,6 +132,8 @@ int fourlink_spring_at(const fourlink_mechanism *mechanism, const fourlink_state
     return FOURLINK_OK;
 }
 
+static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+
 static int check_spring(const fourlink_spring *spring)
 {
     if (spring->link < FOURLINK_GROUND || spring->link > FOURLINK_FOLLOWER ||
@@ -171,7 +173,6 @@ static double first_reached(const fourlink_mechanism *mechanism)
 
 int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring *spring)
 {
-    static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
     const flk_kind *kind;
     fourlink_state state;
     int status = flk_kind_find(mechanism, spring, &kind), i;
@@ -189,4 +190,19 @@ int fourlink_spring_prepare(const fourlink_mechanism *mechanism, fourlink_spring
         }
     }
     return status;
+}
+
+int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring *spring,
+                     double period)
+{
+    double theta2 = first_reached(mechanism);
+    fourlink_state first, last;
+    int i, winds = 0;
+
+    for (i = 0; i < 2 && spring->is_torsional && spring->stiffness != 0; i++)
+        winds |= fourlink_position(mechanism, branches[i], theta2, &first) == FOURLINK_OK &&
+                 fourlink_position(mechanism, branches[i], theta2 + period, &last) == FOURLINK_OK &&
+                 fabs(angle_between(mechanism, &last, spring) -
+                      angle_between(mechanism, &first, spring)) > 1;
+    return winds;
 }

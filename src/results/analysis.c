@@ -40,18 +40,23 @@ static int find_actual(flk_analysis *a)
     course.period = flk_analysis_period(a->d);
     course.loads = a->loads;
     course.n_loads = a->n_loads;
+    course.winds = a->winds;
     a->actual = flk_actual_find(&course);
     return a->actual != NULL;
 }
 
 int flk_analysis_open(flk_analysis *a, const deck *d)
 {
+    unsigned long i;
+
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
     flk_deck_range(d, &a->range); /* the deck's reader has checked it */
     a->n_loads = flk_deck_all_loads(d);
     a->needs_motion = flk_deck_needs_motion(d);
+    for (i = 0; i < d->n_springs; i++)
+        a->winds |= flk_spring_winds(&d->mechanism, &d->springs[i].spring, flk_analysis_period(d));
     a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
     return a->loads != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
 }
@@ -124,6 +129,8 @@ void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
         flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces && a->needs_motion)
         add_on_ground(a, at, &row->derived);
+    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
+        flk_derive_shaking(&at->forces, at->gas_force, &row->derived);
     if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
         at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
                                               &at->forces, &row->derived);
@@ -199,7 +206,8 @@ int flk_analysis_repeats(const flk_analysis *a)
 
     if (a->actual)
         return a->d->drive.mode == DRIVE_STEADY;
-    return motion->run_up <= 0 && !a->range.stops && (motion->acceleration == 0 || motion->hold);
+    return !a->winds && motion->run_up <= 0 && !a->range.stops &&
+           (motion->acceleration == 0 || motion->hold);
 }
 
 int flk_analysis_is_periodic(const flk_analysis *a)

@@ -52,6 +52,7 @@ typedef struct flk_analysis {
     flk_jumps jumps;
     flk_actual *actual;     /* null: the motion is given */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
+    int winds;              /* 1: a spring is wound up, so that no cycle is as the one before */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
 } flk_analysis;

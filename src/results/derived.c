@@ -10,6 +10,8 @@
 #include "derived.h"
 #include "mechanics/kind.h"
 
+#define ROUNDING 1e-13 /* of the parts of the shaking force */
+
 /* x / y, or infinite where y is 0 but for rounding. */
 static double ratio(double x, double y)
 {
@@ -163,6 +165,14 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
     e->F14 = in_axes(f->F14x, f->F14y, &state->link[4]);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         e->inertia[i] = inertia_of(mechanism, state, i);
+}
+
+void flk_derive_shaking(const fourlink_forces *f, double gas_force, flk_derived *e)
+{
+    double parts = gsl_hypot(f->F12x, f->F12y) + gsl_hypot(f->F14x, f->F14y) + fabs(gas_force);
+
+    if (gsl_hypot(e->Fsx, e->Fsy) <= ROUNDING * parts)
+        e->Fsx = e->Fsy = 0;
 }
 
 /* All as forces: couples are divided by a length. */

@@ -46,6 +46,9 @@ void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             const fourlink_forces *forces, double gas_force, flk_derived *e);
 
+/* After all parts of the shaking force are in it: what is only the rounding of its parts becomes 0. */
+void flk_derive_shaking(const fourlink_forces *forces, double gas_force, flk_derived *e);
+
 /* Primary and secondary shaking force of a slider-crank. */
 void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,
                         double reciprocating, flk_derived *e);

@@ -217,6 +217,47 @@ check 'at rest all is static' awk -F, '{d = $2 - $3; e = $2 - $4; if (d * d + e 
     awk -F, '{printf "%.17g\n", $3 + $4}' >sum
 check 'loads and inertia separately make the whole' close whole sum
 
+# A torsional spring that is wound up is another in each of three turns: its means, by integrals of
+# T = k phi and k phi^2 / 2 over phi = theta2 - 180 deg, from -350 to 730 deg.
+cat >wound.deck <<'END'
+mechanism = slider-crank
+[crank]
+length = 50 mm
+[rod]
+length = 200 mm
+[spring V]
+link       = crank
+to         = ground
+stiffness  = 0.1 N m/rad
+free_angle = 180 deg
+[motion]
+speed    = 10 rad/s
+from     = -350 deg
+to       = 730 deg
+interval = 90 deg
+END
+{ cat wound.deck; printf '[sweep]\nspring V.stiffness = 0.1 N m/rad, 0.2 N m/rad\n'; printf 'output = mean(V.torque), mean(V.energy), min(V.energy)\n'; } >means.deck
+"$fourlink" -f csv -b open means.deck >out 2>err
+check 'means and extremes of a spring that is wound up' awk -F, '
+    NR > 1 {
+        pi = atan2(0, -1); a = -530 * pi / 180; b = 550 * pi / 180; k = $2
+        T = k * (a + b) / 2; U = k * (b * b * b - a * a * a) / 6 / (b - a)
+        if (($4 - T) ^ 2 > 1e-24 || ($5 - U) ^ 2 > 1e-22 || $6 > 1e-15) bad++
+    }
+    END {exit bad || NR != 3}' out
+
+# Where a position turns round, its load is that of the way forward, whatever the rounding of its speed.
+{
+    printf 'mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = 1 kg\n[load L]\nlink = piston\n'
+    printf 'over = x\nforce = 0 mm -50 N, 50 mm -30 N\nback = 10 N\n[gravity]\nacceleration = 0 m/s2\n'
+    printf '[motion]\nspeed = 10 rad/s\nfrom = -360 deg\nto = 720 deg\ninterval = 180 deg\n'
+} >turns.deck
+"$fourlink" -f csv -b open -c theta2,F34x,a turns.deck 2>err | tr -d '\r' >out
+check 'the load where the piston turns round' awk -F, '
+    NR > 1 {w = NR % 2 ? 30 : 50; F = $3 + $4 # a points to the crank
+        if ((F - w) ^ 2 > 1e-18) bad++}
+    END {exit bad || NR != 8}' out
+
 # A dead position is flagged before it is reached.
 "$fourlink" -b open -i 0.1 "$data/me3491-exercise-1.deck" -s 'motion.from=110.48 deg' -s 'motion.to=110.6 deg' \
     -s 'motion.speed=100 rpm' >near
