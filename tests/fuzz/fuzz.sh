@@ -48,9 +48,9 @@ cp "$work"/seeds/decks/*.deck "$work/seeds/library" # any bytes do
 fuzz() {
     corpus=${CORPUS:-$work}/$1
     mkdir -p "$corpus" "$work/tmp"
-    hide=0
-    [ "$1" = runs ] && hide=3
-    TMPDIR=$work/tmp "$build/tests/fuzz/fuzz_$1" -seed=1 -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 \
+    hide=0 slow=60
+    [ "$1" = runs ] && hide=3 slow=180 # a run opens its decks several times
+    TMPDIR=$work/tmp "$build/tests/fuzz/fuzz_$1" -seed=1 -max_total_time="$seconds" -timeout=$slow -rss_limit_mb=2048 \
         -max_len="$2" -dict="$work/words" -close_fd_mask=$hide -print_final_stats=1 \
         -artifact_prefix="$build/findings/$1-" "$corpus" "$work/seeds/$1" >"$work/$1.log" 2>&1 </dev/null &&
         status=ok || status=FAILED
