@@ -141,7 +141,7 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
-                    "the load's 'from' must be less than its 'to', not  %t and %t",
+                    "the load's 'from' must be less than its 'to', not %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))

@@ -81,7 +81,7 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative:  %t", what, key->name,
+        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative: %t", what, key->name,
                     s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))

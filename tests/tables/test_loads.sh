@@ -86,7 +86,7 @@ mistake() { # DECK-TEXT MESSAGE
     check "message '$2': $(cat err)" grep -qF "$2" err
 }
 mistake '[load]\nlink = rocker\ntorque = 1 N m\nfrom = 200 deg\nto = 100 deg\n' \
-    "<stdin>:16: error: the load's 'from' must be less than its 'to', not  200 deg and 100 deg"
+    "<stdin>:16: error: the load's 'from' must be less than its 'to', not 200 deg and 100 deg"
 mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar linkage has no piston'
 mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank, coupler or rocker, not 'wheel'"
 mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
