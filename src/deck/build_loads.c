@@ -114,7 +114,7 @@ void flk_build_gas(parser *p)
     build_curves(p, card, 1, p->d->cycle, &gas->indicator);
 }
 
-void flk_build_check_link(parser *p, const section_use *use, const setting *link)
+int flk_build_check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
@@ -123,9 +123,10 @@ void flk_build_check_link(parser *p, const section_use *use, const setting *link
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
-        flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
-                    flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
-                    own[4]);
+        return flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
+                           flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
+                           own[4]);
+    return 1;
 }
 
 /* Build the range of crank angles in which a load acts. */
@@ -139,6 +140,8 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     variation->is_windowed = 1;
     variation->from = from->si[0]; /* 0 if not given */
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
+    if (from->is_mistaken || to->is_mistaken)
+        return;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be less than its 'to', not %t and %t",
@@ -179,10 +182,9 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
                   *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
-    flk_build_check_link(p, use, link);
+    new->link = flk_build_check_link(p, use, link) ? link->word : 0;
     flk_build_check_name(p, use, "NAME.x, NAME.y ...");
-    new->link = link->word;
-    flk_build_place(p, at, link->word, &new->at);
+    flk_build_place(p, at, new->link, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
@@ -284,7 +286,8 @@ static void build_back(parser *p, const section_use *use, deck_law *law)
 }
 
 /* A value over a speed needs the speed at which it is reached. */
-static void build_power_law(parser *p, const section_use *use, int has_curve, deck_law *law)
+static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
+                            deck_law *law)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
@@ -293,13 +296,15 @@ static void build_power_law(parser *p, const section_use *use, int has_curve, de
 
     law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
     law->at_speed = speed->si[0];
+    if (!is_clear)
+        return;
     if (IS_SET(first) && !OVER_IS_SPEED(law->over))
         flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
                     IS_SET(speed) ? "at_speed" : "exponent");
     else if (IS_SET(first) && has_curve)
         flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
                     IS_SET(speed) ? "at_speed" : "exponent");
-    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed) && !use->has_unknown)
+    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed))
         flk_mistake(p->mistakes, over->place,
                     "a load over a speed needs 'at_speed', the speed at which it has its value, or "
                     "a curve");
@@ -308,21 +313,23 @@ static void build_power_law(parser *p, const section_use *use, int has_curve, de
 static void build_law(parser *p, const section_use *use, deck_load *variation)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
     deck_law *law = &variation->law;
-    int has_curve = flk_setting_of(use, KEY_LOAD_FORCE)->curve != NULL ||
-                    flk_setting_of(use, KEY_LOAD_TORQUE)->curve != NULL;
+    int has_curve = force->curve || torque->curve;
+    int is_clear = !over->is_mistaken && !force->is_mistaken && !torque->is_mistaken &&
+                   !use->has_unknown && (IS_SET(force) || IS_SET(torque));
 
     law->over = over->word;
     check_over(p, over);
     build_back(p, use, law);
-    build_power_law(p, use, has_curve, law);
+    build_power_law(p, use, is_clear, has_curve, law);
     if (!FLK_DECK_FOLLOWS(law))
         return;
     p->d->has_law = 1;
-    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back &&
-        !use->has_unknown)
+    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back && is_clear)
         flk_mistake(p->mistakes, over->place,
                     "'over' needs a curve: a force or torque that varies");
     if (IS_SET(from) || IS_SET(to))
@@ -337,13 +344,12 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    flk_build_check_link(p, use, link);
+    load->link = flk_build_check_link(p, use, link) ? link->word : 0;
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     build_force(p, use, load, variation);
-    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), link->word, &load->at);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), load->link, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
     build_curves(p, torque, 1, period_of(p, use), &variation->torque);
