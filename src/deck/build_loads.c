@@ -20,10 +20,16 @@ static int repeats(const point *c, const point *first)
            1e-9 * gsl_hypot(first->y[0], first->y[1]);
 }
 
-/* Check the points of a curve over the crank angle.  Its angles increase, over at most one cycle.  A last
-** point at the end of the cycle repeats the first.  The number of points without that one; 0 if they make no
+/* The period of a curve: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
+static double period_of(const parser *p, int over)
+{
+    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+}
+
+/* Check the points of a curve.  Its arguments increase, angles over at most one period.  A last point at the
+** end of the period repeats the first.  The number of points without that one; 0 if they make no
 ** curve. */
-static size_t check_curve(parser *p, const setting *s, double period)
+static size_t check_curve(parser *p, const setting *s, int over, double period)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
@@ -44,9 +50,10 @@ static size_t check_curve(parser *p, const setting *s, double period)
     if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
-            flk_mistake(
-                p->mistakes, c[n].place,
-                "the curve is not periodic: one cycle after its first point it has another value");
+            flk_mistake(p->mistakes, c[n].place,
+                        "the curve is not periodic: one %s after its first point it has another "
+                        "value",
+                        over == OVER_THETA2 ? "cycle" : "turn");
             return 0;
         }
     }
@@ -54,18 +61,20 @@ static size_t check_curve(parser *p, const setting *s, double period)
         flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
     else if (period > 0 && c[n - 1].x - c[0].x > period - LEAST_STEP)
         flk_mistake(p->mistakes, c[n - 1].place,
-                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
-                    "one of four strokes");
+                    over == OVER_THETA2
+                        ? "the curve is longer than the cycle; give [motion] a cycle of 720 deg if "
+                          "it is one of four strokes"
+                        : "the curve is longer than a turn of theta4, 360 deg");
     else
         return n;
     return 0;
 }
 
 /* Build the curves of a setting's components. */
-static void build_curves(parser *p, const setting *s, int n_components, double period,
-                         curve *results)
+static void build_curves(parser *p, const setting *s, int n_components, int over, curve *results)
 {
-    size_t n = check_curve(p, s, period), i;
+    double period = period_of(p, over);
+    size_t n = check_curve(p, s, over, period), i;
     double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
     int k;
 
@@ -111,7 +120,7 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curves(p, card, 1, p->d->cycle, &gas->indicator);
+    build_curves(p, card, 1, OVER_THETA2, &gas->indicator);
 }
 
 int flk_build_check_link(parser *p, const section_use *use, const setting *link)
@@ -215,12 +224,10 @@ static int is_piston(const parser *p, int link)
     return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
 }
 
-/* The period of a load's curves: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
-static double period_of(const parser *p, const section_use *use)
+/* What the curves of a load are over. */
+static int over_of(const section_use *use)
 {
-    int over = flk_setting_of(use, KEY_LOAD_OVER)->word;
-
-    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+    return flk_setting_of(use, KEY_LOAD_OVER)->word;
 }
 
 /* Build the force of a load, and check its point. */
@@ -244,7 +251,7 @@ static void build_force(parser *p, const section_use *use, fourlink_load *load,
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    build_curves(p, force, 2, period_of(p, use), variation->force);
+    build_curves(p, force, 2, over_of(use), variation->force);
 }
 
 /* Refuse to follow what the mechanism does not have. */
@@ -278,10 +285,10 @@ static void build_back(parser *p, const section_use *use, deck_law *law)
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
         law->back.force.x = back->si[0];
         law->back.force.y = back->si[1];
-        build_curves(p, back, 2, period_of(p, use), law->back_force);
+        build_curves(p, back, 2, over_of(use), law->back_force);
     } else {
         law->back.torque = back->si[0];
-        build_curves(p, back, 1, period_of(p, use), &law->back_torque);
+        build_curves(p, back, 1, over_of(use), &law->back_torque);
     }
 }
 
@@ -352,7 +359,7 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
     flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), load->link, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
-    build_curves(p, torque, 1, period_of(p, use), &variation->torque);
+    build_curves(p, torque, 1, over_of(use), &variation->torque);
     build_window(p, use, variation);
     build_law(p, use, variation);
 }

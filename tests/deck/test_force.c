@@ -144,6 +144,25 @@ static void test_refused(void **unused)
                   NULL, 10, "a curve has no parts that can be varied");
 }
 
+/* A curve over theta4 has the period of a turn, whatever the cycle. */
+static void test_longer_than_a_turn(void **unused)
+{
+#define CURVE(angle) \
+    FOUR_BAR "link = rocker\nover = theta4\ntorque = 0 deg 5 N m, " angle " deg 7 N m\n"
+    static const char longer[] = "the curve is longer than a turn of theta4, 360 deg";
+
+    (void)unused;
+    check_mistake(CURVE("400"), NULL, 13, longer);
+    check_mistake(CURVE("400") "[motion]\ncycle = 720 deg\n", NULL, 13, longer);
+    check_mistake(CURVE("360"), NULL, 13,
+                  "the curve is not periodic: one turn after its first point it has another value");
+    check_mistake(
+        FOUR_BAR "link = rocker\ntorque = 0 deg 5 N m, 400 deg 7 N m\n", NULL, 12,
+        "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is one "
+        "of four strokes");
+#undef CURVE
+}
+
 /* What follows from a mistake of a key is no mistake of its own. */
 static void test_alone(void **unused)
 {
@@ -207,8 +226,11 @@ static void test_springs_alone(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bare_on_a_piston), cmocka_unit_test(test_curves),
-        cmocka_unit_test(test_refused),          cmocka_unit_test(test_alone),
+        cmocka_unit_test(test_bare_on_a_piston),
+        cmocka_unit_test(test_curves),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_longer_than_a_turn),
+        cmocka_unit_test(test_alone),
         cmocka_unit_test(test_springs_alone),
     };
 
