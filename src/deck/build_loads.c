@@ -20,10 +20,16 @@ static int repeats(const point *c, const point *first)
            1e-9 * gsl_hypot(first->y[0], first->y[1]);
 }
 
-/* Check the points of a curve over the crank angle.  Its angles increase, over at most one cycle.  A last
-** point at the end of the cycle repeats the first.  The number of points without that one; 0 if they make no
+/* The period of a curve: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
+static double period_of(const parser *p, int over)
+{
+    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+}
+
+/* Check the points of a curve.  Its arguments increase, angles over at most one period.  A last point at the
+** end of the period repeats the first.  The number of points without that one; 0 if they make no
 ** curve. */
-static size_t check_curve(parser *p, const setting *s, double period)
+static size_t check_curve(parser *p, const setting *s, int over, double period)
 {
     const point *c = s->curve;
     size_t n = s->n_points, i;
@@ -44,9 +50,10 @@ static size_t check_curve(parser *p, const setting *s, double period)
     if (period > 0 && n > 1 && fabs(c[n - 1].x - c[0].x - period) < LEAST_STEP) {
         n--;
         if (!repeats(&c[n], &c[0])) {
-            flk_mistake(
-                p->mistakes, c[n].place,
-                "the curve is not periodic: one cycle after its first point it has another value");
+            flk_mistake(p->mistakes, c[n].place,
+                        "the curve is not periodic: one %s after its first point it has another "
+                        "value",
+                        over == OVER_THETA2 ? "cycle" : "turn");
             return 0;
         }
     }
@@ -54,18 +61,20 @@ static size_t check_curve(parser *p, const setting *s, double period)
         flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
     else if (period > 0 && c[n - 1].x - c[0].x > period - LEAST_STEP)
         flk_mistake(p->mistakes, c[n - 1].place,
-                    "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is "
-                    "one of four strokes");
+                    over == OVER_THETA2
+                        ? "the curve is longer than the cycle; give [motion] a cycle of 720 deg if "
+                          "it is one of four strokes"
+                        : "the curve is longer than a turn of theta4, 360 deg");
     else
         return n;
     return 0;
 }
 
 /* Build the curves of a setting's components. */
-static void build_curves(parser *p, const setting *s, int n_components, double period,
-                         curve *results)
+static void build_curves(parser *p, const setting *s, int n_components, int over, curve *results)
 {
-    size_t n = check_curve(p, s, period), i;
+    double period = period_of(p, over);
+    size_t n = check_curve(p, s, over, period), i;
     double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
     int k;
 
@@ -111,10 +120,10 @@ void flk_build_gas(parser *p)
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curves(p, card, 1, p->d->cycle, &gas->indicator);
+    build_curves(p, card, 1, OVER_THETA2, &gas->indicator);
 }
 
-void flk_build_check_link(parser *p, const section_use *use, const setting *link)
+int flk_build_check_link(parser *p, const section_use *use, const setting *link)
 {
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
@@ -123,9 +132,10 @@ void flk_build_check_link(parser *p, const section_use *use, const setting *link
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
-        flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
-                    flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
-                    own[4]);
+        return flk_mistake(p->mistakes, link->place, "%s %s has no %t: its links are %s, %s and %s",
+                           flk_text_article(kind->words), kind->words, link->value, own[2], own[3],
+                           own[4]);
+    return 1;
 }
 
 /* Build the range of crank angles in which a load acts. */
@@ -139,9 +149,11 @@ static void build_window(parser *p, const section_use *use, deck_load *variation
     variation->is_windowed = 1;
     variation->from = from->si[0]; /* 0 if not given */
     variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
+    if (from->is_mistaken || to->is_mistaken)
+        return;
     if (variation->to <= variation->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
-                    "the load's 'from' must be less than its 'to', not  %t and %t",
+                    "the load's 'from' must be less than its 'to', not %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
     else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
@@ -179,10 +191,9 @@ static void build_point(parser *p, const section_use *use, deck_point *new)
                   *at = flk_setting_of(use, KEY_POINT_AT);
     size_t i;
 
-    flk_build_check_link(p, use, link);
+    new->link = flk_build_check_link(p, use, link) ? link->word : 0;
     flk_build_check_name(p, use, "NAME.x, NAME.y ...");
-    new->link = link->word;
-    flk_build_place(p, at, link->word, &new->at);
+    flk_build_place(p, at, new->link, &new->at);
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < DECK_POINT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[i]);
@@ -213,12 +224,10 @@ static int is_piston(const parser *p, int link)
     return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
 }
 
-/* The period of a load's curves: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
-static double period_of(const parser *p, const section_use *use)
+/* What the curves of a load are over. */
+static int over_of(const section_use *use)
 {
-    int over = flk_setting_of(use, KEY_LOAD_OVER)->word;
-
-    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+    return flk_setting_of(use, KEY_LOAD_OVER)->word;
 }
 
 /* Build the force of a load, and check its point. */
@@ -242,7 +251,7 @@ static void build_force(parser *p, const section_use *use, fourlink_load *load,
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     load->force.x = force->si[0];
     load->force.y = force->si[1];
-    build_curves(p, force, 2, period_of(p, use), variation->force);
+    build_curves(p, force, 2, over_of(use), variation->force);
 }
 
 /* Refuse to follow what the mechanism does not have. */
@@ -276,15 +285,16 @@ static void build_back(parser *p, const section_use *use, deck_law *law)
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
         law->back.force.x = back->si[0];
         law->back.force.y = back->si[1];
-        build_curves(p, back, 2, period_of(p, use), law->back_force);
+        build_curves(p, back, 2, over_of(use), law->back_force);
     } else {
         law->back.torque = back->si[0];
-        build_curves(p, back, 1, period_of(p, use), &law->back_torque);
+        build_curves(p, back, 1, over_of(use), &law->back_torque);
     }
 }
 
 /* A value over a speed needs the speed at which it is reached. */
-static void build_power_law(parser *p, const section_use *use, int has_curve, deck_law *law)
+static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
+                            deck_law *law)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
@@ -293,13 +303,15 @@ static void build_power_law(parser *p, const section_use *use, int has_curve, de
 
     law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
     law->at_speed = speed->si[0];
+    if (!is_clear)
+        return;
     if (IS_SET(first) && !OVER_IS_SPEED(law->over))
         flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
                     IS_SET(speed) ? "at_speed" : "exponent");
     else if (IS_SET(first) && has_curve)
         flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
                     IS_SET(speed) ? "at_speed" : "exponent");
-    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed) && !use->has_unknown)
+    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed))
         flk_mistake(p->mistakes, over->place,
                     "a load over a speed needs 'at_speed', the speed at which it has its value, or "
                     "a curve");
@@ -308,21 +320,23 @@ static void build_power_law(parser *p, const section_use *use, int has_curve, de
 static void build_law(parser *p, const section_use *use, deck_load *variation)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
+                  *force = flk_setting_of(use, KEY_LOAD_FORCE),
+                  *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
     deck_law *law = &variation->law;
-    int has_curve = flk_setting_of(use, KEY_LOAD_FORCE)->curve != NULL ||
-                    flk_setting_of(use, KEY_LOAD_TORQUE)->curve != NULL;
+    int has_curve = force->curve || torque->curve;
+    int is_clear = !over->is_mistaken && !force->is_mistaken && !torque->is_mistaken &&
+                   !use->has_unknown && (IS_SET(force) || IS_SET(torque));
 
     law->over = over->word;
     check_over(p, over);
     build_back(p, use, law);
-    build_power_law(p, use, has_curve, law);
+    build_power_law(p, use, is_clear, has_curve, law);
     if (!FLK_DECK_FOLLOWS(law))
         return;
     p->d->has_law = 1;
-    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back &&
-        !use->has_unknown)
+    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back && is_clear)
         flk_mistake(p->mistakes, over->place,
                     "'over' needs a curve: a force or torque that varies");
     if (IS_SET(from) || IS_SET(to))
@@ -337,16 +351,15 @@ static void build_load(parser *p, const section_use *use, fourlink_load *load, d
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    flk_build_check_link(p, use, link);
+    load->link = flk_build_check_link(p, use, link) ? link->word : 0;
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    load->link = link->word;
     load->frame = (fourlink_frame)frame->word;
     build_force(p, use, load, variation);
-    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), link->word, &load->at);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), load->link, &load->at);
     load->torque = torque->si[0];
     variation->name = flk_reader_copy(p, use->name, "");
-    build_curves(p, torque, 1, period_of(p, use), &variation->torque);
+    build_curves(p, torque, 1, over_of(use), &variation->torque);
     build_window(p, use, variation);
     build_law(p, use, variation);
 }

@@ -9,13 +9,21 @@
 
 /* ------------------------------------------------------------------------------------------ springs */
 
+/* 1 if a mistake leaves open of which sort a spring is. */
+static int lacks_sort(const section_use *use)
+{
+    return !flk_spring_is_torsional(use) &&
+           (use->has_unknown || flk_setting_of(use, KEY_SPRING_STIFFNESS)->is_mistaken ||
+            flk_setting_of(use, KEY_SPRING_DAMPING)->is_mistaken);
+}
+
 /* Refuse a key that springs of the other sort have. */
 static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
 {
     const setting *s = flk_setting_of(use, key),
                   *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
 
-    if (!IS_SET(s))
+    if (!IS_SET(s) || lacks_sort(use))
         return;
     if (is_torsional)
         flk_mistake(p->mistakes, s->place, "a torsional spring has no %s", flk_key_table[key].name);
@@ -28,31 +36,54 @@ static void check_sort(parser *p, const section_use *use, key_code key, int is_t
                     stiffness->value);
 }
 
-/* An end of a spring: its link, and its point there. */
-static int build_end(parser *p, const section_use *use, key_code link_key, key_code at_key,
-                     int is_torsional, fourlink_vector *at)
+/* The link of an end of a spring; 0 and a mistake if there is none. */
+static int build_link(parser *p, const section_use *use, key_code key)
 {
-    const setting *link = flk_setting_of(use, link_key), *place = flk_setting_of(use, at_key);
-    int number = link->word;
+    const setting *link = flk_setting_of(use, key);
 
-    if (!IS_SET(link) && link_key == KEY_SPRING_TO) {
+    if (!IS_SET(link) && key == KEY_SPRING_TO) {
         if (!use->has_unknown)
             flk_mistake(p->mistakes, use->place,
                         "[spring] has no 'to': the ground or another link");
-    } else if (number != FOURLINK_GROUND) {
-        flk_build_check_link(p, use, link);
+        return 0;
     }
-    if (is_torsional) {
-        check_sort(p, use, at_key, 1);
-        return number;
-    }
-    if (number && !IS_SET(place) && !use->has_unknown &&
-        !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
-        (number == FOURLINK_GROUND || fourlink_slides((int)p->d->design.kind, number) == 0))
+    return link->word == FOURLINK_GROUND || flk_build_check_link(p, use, link) ? link->word : 0;
+}
+
+/* The point of an end of a spring. */
+static void build_point(parser *p, const section_use *use, key_code key, int link,
+                        fourlink_vector *at)
+{
+    const setting *place = flk_setting_of(use, key);
+    int kind = (int)p->d->design.kind;
+
+    if (!link)
+        return;
+    if (!IS_SET(place) && !lacks_sort(use) && !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
+        (link == FOURLINK_GROUND || fourlink_slides(kind, link) == 0))
         flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
-                    flk_key_table[at_key].name, fourlink_link_text((int)p->d->design.kind, number));
-    flk_build_place(p, place, number, at);
-    return number;
+                    flk_key_table[key].name, fourlink_link_text(kind, link));
+    flk_build_place(p, place, link, at);
+}
+
+/* The links of a spring, and its ends on them. */
+static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
+{
+    const setting *to = flk_setting_of(use, KEY_SPRING_TO);
+
+    s->link = build_link(p, use, KEY_SPRING_LINK);
+    s->to = build_link(p, use, KEY_SPRING_TO);
+    if (s->is_torsional) {
+        check_sort(p, use, KEY_SPRING_AT, 1);
+        check_sort(p, use, KEY_SPRING_TO_AT, 1);
+    }
+    if (s->link && s->link == s->to) {
+        flk_mistake(p->mistakes, to->place, "a spring from the %t to itself does nothing",
+                    to->value);
+    } else if (!s->is_torsional) {
+        build_point(p, use, KEY_SPRING_AT, s->link, &s->at);
+        build_point(p, use, KEY_SPRING_TO_AT, s->to, &s->to_at);
+    }
 }
 
 /* Refuse a spring between the two sides of a pin: its length is 0 at every position. */
@@ -87,7 +118,6 @@ static void build_spring(parser *p, const section_use *use, deck_spring *new)
     const setting *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS),
                   *damping = flk_setting_of(use, KEY_SPRING_DAMPING),
                   *preload = flk_setting_of(use, KEY_SPRING_PRELOAD),
-                  *to = flk_setting_of(use, KEY_SPRING_TO),
                   *free_length = flk_setting_of(use, KEY_SPRING_FREE_LENGTH),
                   *free_angle = flk_setting_of(use, KEY_SPRING_FREE_ANGLE);
     fourlink_spring *s = &new->spring;
@@ -95,11 +125,7 @@ static void build_spring(parser *p, const section_use *use, deck_spring *new)
 
     flk_build_check_name(p, use, "NAME.length, NAME.force ...");
     s->is_torsional = flk_spring_is_torsional(use);
-    s->link = build_end(p, use, KEY_SPRING_LINK, KEY_SPRING_AT, s->is_torsional, &s->at);
-    s->to = build_end(p, use, KEY_SPRING_TO, KEY_SPRING_TO_AT, s->is_torsional, &s->to_at);
-    if (s->link && s->link == s->to)
-        flk_mistake(p->mistakes, to->place, "a spring from the %t to itself does nothing",
-                    to->value);
+    build_ends(p, use, s);
     check_sort(p, use, s->is_torsional ? KEY_SPRING_FREE_LENGTH : KEY_SPRING_FREE_ANGLE,
                s->is_torsional);
     if (!IS_SET(stiffness) && !IS_SET(damping) && !IS_SET(preload) && !use->has_unknown)

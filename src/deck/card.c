@@ -402,11 +402,33 @@ static const char *load(parser *p, text name, unsigned long *length)
                : NULL;
 }
 
+/* Refuse what follows the name of a file that exists, if it is no units of the two columns; 1 if it is refused. */
+static int refuse_units(parser *p, const setting *s, const quantity q[2], text t)
+{
+    unsigned long length;
+    text name = t, units[2];
+    unit u;
+    int i;
+
+    for (name.length = 1; name.length < t.length; name.length++) {
+        text rest = flk_text_from(t, name.length);
+
+        if (!flk_text_blank(rest) || !load(p, name, &length))
+            continue;
+        rest = flk_reader_plain(p, flk_text_trim(rest));
+        units[1] = rest;
+        for (i = !flk_text_cut(rest, " ", &units[0], &units[1]); i < 2; i++)
+            if (!flk_quantity_unit(units[i], units[i], q[i], p->d->units[q[i]].unit, &u, p->why))
+                return !flk_mistake(p->mistakes, s->place, "%s", p->why);
+    }
+    return 0;
+}
+
 int flk_card_read(parser *p, setting *s, quantity q, text name)
 {
     size_t before = p->mistakes->count, rows;
     unsigned long length;
-    text contents = {NULL, 0}, units[2];
+    text whole = name, contents = {NULL, 0}, units[2];
     card c;
     int i;
 
@@ -421,6 +443,8 @@ int flk_card_read(parser *p, setting *s, quantity q, text name)
         flk_text_copy(units[i], c.unit[i], UNIT_SIZE);
     }
     contents.start = load(p, name, &length);
+    if (!contents.start && refuse_units(p, s, c.q, whole))
+        return 0;
     if (!contents.start)
         return flk_mistake(p->mistakes, s->place, "cannot read the file '%t'%s",
                            flk_text_unquoted(name),

@@ -24,6 +24,7 @@ typedef struct setting {
     double si[2];     /* the value in SI units and radians, or the two components */
     int of_length;    /* 1: a point, as a part of the length of its link */
     int is_bare;      /* 1: a force without a direction */
+    int is_mistaken;  /* 1: its value cannot be read, so that no mistake follows from it */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -235,9 +236,9 @@ int flk_build_sense(parser *p);
 /* 1 if the mechanism can have a stroke instead of the length of its crank. */
 int flk_build_has_stroke(const parser *p);
 
-/* Check the link of a load or a point; allocate room for each section of a kind; check that a name of columns
+/* Check the link of a load or a point (0 and a mistake if the mechanism has none of that name); allocate room for each section of a kind; check that a name of columns
 ** is one word, not too long. */
-void flk_build_check_link(parser *p, const section_use *use, const setting *link);
+int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 void *flk_build_keep_each(parser *p, section_code section, size_t size);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
 

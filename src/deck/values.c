@@ -51,6 +51,19 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si)
     return is_one;
 }
 
+/* The value of a key's word; 0 if it is none of the key's. */
+static int find_word(key_code key, text t, int *value)
+{
+    size_t i;
+
+    for (i = 0; flk_word_table[i].word; i++)
+        if (flk_word_table[i].key == key && flk_text_equal(t, flk_word_table[i].word)) {
+            *value = flk_word_table[i].value;
+            return 1;
+        }
+    return 0;
+}
+
 static void read_word(parser *p, key_code key, setting *s)
 {
     const flk_kind *kind = flk_kind_of((fourlink_kind)flk_setting_find(p, KEY_TOP_MECHANISM)->word);
@@ -58,14 +71,11 @@ static void read_word(parser *p, key_code key, setting *s)
     char list[WORDS_SIZE];
     size_t i, n = 0;
 
+    if (find_word(key, s->value, &s->word))
+        return;
     for (i = 0; flk_word_table[i].word; i++)
-        if (flk_word_table[i].key == key) {
-            if (flk_text_equal(s->value, flk_word_table[i].word)) {
-                s->word = flk_word_table[i].value;
-                return;
-            }
+        if (flk_word_table[i].key == key)
             known[n++] = flk_word_table[i].word;
-        }
     known[n] = NULL;
     flk_mistake(p->mistakes, s->place, "expected %s, not '%t'%h",
                 flk_list_words(key, kind ? kind->link : NULL, "", "", list), s->value,
@@ -81,7 +91,7 @@ static void check_sign(parser *p, const key_info *key, const setting *s)
     if (key->sign == SIGN_POSITIVE && !(s->si[0] > 0))
         flk_mistake(p->mistakes, s->place, "the %s must be positive, not %t", key->name, s->value);
     else if (key->sign == SIGN_NOT_NEGATIVE && s->si[0] < 0)
-        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative:  %t", what, key->name,
+        flk_mistake(p->mistakes, s->place, "the %s%s must not be negative: %t", what, key->name,
                     s->value);
     else if (key->q == QUANTITY_LENGTH && key->sign == SIGN_POSITIVE &&
              (s->si[0] < FOURLINK_LENGTH_MIN || s->si[0] > FOURLINK_LENGTH_MAX))
@@ -169,19 +179,28 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
+/* What a load is over; 0 if its 'over' is none of the words. */
+static int read_over(const section_use *use, int *over)
+{
+    const setting *s = flk_setting_of(use, KEY_LOAD_OVER);
+
+    *over = OVER_THETA2;
+    return !IS_SET(s) || find_word(KEY_LOAD_OVER, s->value, over);
+}
+
 /* The quantity of what a load, or the torque of a motor, is over. */
 static quantity argument_of(const section_use *use)
 {
-    text over =
-        use->section == SECTION_LOAD ? flk_setting_of(use, KEY_LOAD_OVER)->value : flk_text_of("");
+    static const quantity quantities[] = {
+        QUANTITY_ANGLE,         QUANTITY_ANGLE,         QUANTITY_LENGTH, QUANTITY_LENGTH,
+        QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_SPEED, QUANTITY_SPEED,  QUANTITY_SPEED};
+    int over = OVER_THETA2;
 
     if (use->section == SECTION_MOTOR)
         return QUANTITY_ANGULAR_SPEED;
-    return flk_text_equal(over, "v") || flk_text_equal(over, "slide_v") ? QUANTITY_SPEED
-           : flk_text_equal(over, "x") || flk_text_equal(over, "slide") ? QUANTITY_LENGTH
-           : flk_text_equal(over, "omega2") || flk_text_equal(over, "omega4")
-               ? QUANTITY_ANGULAR_SPEED
-               : QUANTITY_ANGLE;
+    if (use->section == SECTION_LOAD)
+        read_over(use, &over);
+    return quantities[over];
 }
 
 quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
@@ -211,6 +230,25 @@ static int has_unit(parser *p, key_code key, const setting *s)
                        flk_key_table[key].name,
                        key == KEY_SPRING_STIFFNESS ? "N/m, or N m/rad of a torsional spring"
                                                    : "N s/m, or N m s/rad of a torsional spring");
+}
+
+/* 0 if a mistake of another key of the section leaves open what quantity this key has. */
+static int has_meaning(const section_use *use, key_code key)
+{
+    value_form form = flk_key_table[key].form;
+    int over;
+
+    if (key == KEY_SPRING_PRELOAD)
+        return !flk_setting_of(use, KEY_SPRING_STIFFNESS)->is_mistaken;
+    if (use->section != SECTION_LOAD ||
+        (form != FORM_VECTOR && form != FORM_CURVE && key != KEY_LOAD_AT_SPEED))
+        return 1;
+    if (!read_over(use, &over))
+        return 0;
+    if (key == KEY_LOAD_BACK)
+        return !OVER_IS_SPEED(over) && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) !=
+                                           IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE));
+    return key != KEY_LOAD_AT_SPEED || OVER_IS_SPEED(over);
 }
 
 static void read_value(parser *p, const section_use *use, key_code code, setting *s)
@@ -271,8 +309,13 @@ void flk_values_read_section(parser *p, const section_use *use)
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
         setting *s = flk_setting_of(use, k);
 
-        if (IS_SET(s) && s->value.length)
-            read_value(p, use, k, s);
+        if (IS_SET(s) && s->value.length) {
+            size_t before = p->mistakes->count + p->mistakes->left_out;
+
+            if (has_meaning(use, k))
+                read_value(p, use, k, s);
+            s->is_mistaken = p->mistakes->count + p->mistakes->left_out > before;
+        }
     }
 }
 

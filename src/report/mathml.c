@@ -34,10 +34,10 @@ void math_close(page *p)
 
 static const struct {
     const char *name, *letter;
-} letters[] = {{"theta", "\316\270"}, {"omega", "\317\211"},    {"alpha", "\316\261"},
-               {"beta", "\316\262"},  {"gamma", "\316\263"},    {"psi", "\317\210"},
-               {"rho", "\317\201"},   {"sdot", "\341\271\241"}, {"sddot", "s\314\210"},
-               {NULL, NULL}};
+} letters[] = {{"theta", "\316\270"},  {"omega", "\317\211"}, {"alpha", "\316\261"},
+               {"beta", "\316\262"},   {"gamma", "\316\263"}, {"psi", "\317\210"},
+               {"rho", "\317\201"},    {"mu", "\316\274"},    {"sdot", "\341\271\241"},
+               {"sddot", "s\314\210"}, {NULL, NULL}};
 
 void math_symbol(page *p, const char *name)
 {

@@ -20,4 +20,7 @@ void sample_put_motion(report *r, math *m);
 /* The nine equations, their solution, and virtual work. */
 void sample_put_forces(report *r, math *m);
 
+/* What friction adds to the loads, from the forces; nothing without friction. */
+void sample_put_friction(report *r, math *m);
+
 #endif

@@ -343,6 +343,7 @@ void sample_put_forces(report *r, math *m)
     put_sides(r, bodies, b);
     put_matrix(r, A, b);
     put_solution(r, m);
+    sample_put_friction(r, m);
     put_virtual_work(r, m, bodies);
     math_let(m, "P", "Ts * omega2", r->now.forces.Ts * r->now.row.crank.omega2, "W");
 }

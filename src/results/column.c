@@ -459,7 +459,7 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a moving crank";
     if (info->need == NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
-    if (info->need & NEED_LOSSES)
+    if ((info->need & NEED_LOSSES) && !d->has_friction)
         return "needs a [friction] section; the deck has none";
     if (info->need & NEED_ACTUAL)
         return "needs [motion] mode = free, run-up or steady; the motion is given";
@@ -486,12 +486,15 @@ static void note_missing(const flk_analysis *a, const deck *d, text name, mistak
 
     for (i = 0; i < TABLE_COUNT; i++)
         if (flk_text_same(name, table[i].name)) {
-            int kinds = table[i].kinds & ALL, is_other = !(kinds & (int)d->design.kind);
+            int kinds = table[i].kinds & ALL, first = kinds & -kinds, second = kinds & ~first;
 
-            /* of several kinds, the first */
-            flk_mistake(m, d->columns.place, "the column '%t' %s%s", name,
-                        is_other ? "belongs to the " : why_missing(d, &table[i]),
-                        is_other ? fourlink_kind_text(kinds & -kinds) : "");
+            if (kinds & (int)d->design.kind)
+                flk_mistake(m, d->columns.place, "the column '%t' %s", name,
+                            why_missing(d, &table[i]));
+            else /* at most two of the three kinds */
+                flk_mistake(m, d->columns.place, "the column '%t' belongs to the %s%s%s", name,
+                            fourlink_kind_text(first), second ? " and the " : "",
+                            second ? fourlink_kind_text(second) : "");
             return;
         }
     flk_mistake(m, d->columns.place, "unknown column '%t'%h", name, flk_column_nearest(a, name));

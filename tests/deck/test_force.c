@@ -144,12 +144,94 @@ static void test_refused(void **unused)
                   NULL, 10, "a curve has no parts that can be varied");
 }
 
+/* A curve over theta4 has the period of a turn, whatever the cycle. */
+static void test_longer_than_a_turn(void **unused)
+{
+#define CURVE(angle) \
+    FOUR_BAR "link = rocker\nover = theta4\ntorque = 0 deg 5 N m, " angle " deg 7 N m\n"
+    static const char longer[] = "the curve is longer than a turn of theta4, 360 deg";
+
+    (void)unused;
+    check_mistake(CURVE("400"), NULL, 13, longer);
+    check_mistake(CURVE("400") "[motion]\ncycle = 720 deg\n", NULL, 13, longer);
+    check_mistake(CURVE("360"), NULL, 13,
+                  "the curve is not periodic: one turn after its first point it has another value");
+    check_mistake(
+        FOUR_BAR "link = rocker\ntorque = 0 deg 5 N m, 400 deg 7 N m\n", NULL, 12,
+        "the curve is longer than the cycle; give [motion] a cycle of 720 deg if it is one "
+        "of four strokes");
+#undef CURVE
+}
+
+/* What follows from a mistake of a key is no mistake of its own. */
+static void test_alone(void **unused)
+{
+    static const char comma[] = "a load over a speed needs 'at_speed', the speed at which it has "
+                                "its value, or a curve";
+    static const char bare[] = "expected a force with its direction, such as 50 N at 30 deg or "
+                               "(43, 25) N, not '-10 N'";
+
+    (void)unused;
+    check_mistake(ENGINE "over = x\nforce = 20 deg -100 N, 50 deg -300 N\n", NULL, 9,
+                  "'20 deg -100 N, 50 deg -300 N' is an angle; expected a length, such as 80 mm");
+    check_mistake(ENGINE "over = x\nforce = file none.csv mm N\n", NULL, 9,
+                  "cannot read the file 'none.csv'");
+    check_mistake(ENGINE "over = x\nforce = file card.csv mm N\n", "1 2\n2 three\n", 2,
+                  "expected points of an argument and a value, such as 20 mm (43, 25) N, not "
+                  "'2 three'");
+    check_mistake(FOUR_BAR "link = rocker\nover = omega4\ntorque = file none.csv rpm N m\n", NULL,
+                  13, "cannot read the file 'none.csv'");
+    check_mistake(FOUR_BAR "link = rocker\nover = omega4\ntorque = 3 N m\n", NULL, 12, comma);
+    check_mistake(FOUR_BAR "link = rocker\nover = omega5\ntorque = 1 rpm 3 N m, 9 rpm 1 N m\n"
+                           "at_speed = 3 rpm\n",
+                  NULL, 12,
+                  "expected theta2, theta4, x, slide, omega2, omega4, v or slide_v, not 'omega5'; "
+                  "did you mean 'omega2'?");
+    check_mistake(ENGINE "back = 10 N\n", NULL, 6, "[load] has neither a force nor a torque");
+    check_mistake(ENGINE "force = 3 N\ntorque = 3 N m\nback = 10 N m\n", NULL, 10,
+                  "'back' of a force or of a torque? give them in two loads");
+    check_mistake(ENGINE "force = -10 N\nat_speed = 2 m/s\n", NULL, 9,
+                  "'at_speed' needs 'over', the speed that the load follows");
+    check_mistake(ENGINE "force = -10 N\novr = v\nat_speed = 2 m/s\n", NULL, 9,
+                  "unknown key 'ovr' in [load]; did you mean 'over'?");
+    check_mistake(ENGINE "force = 3 N\nfrom = 20 foo\nto = -5 deg\n", NULL, 9,
+                  "unknown unit 'foo' in '20 foo'");
+    check_mistake(FOUR_BAR "link = piston\nforce = -10 N\n", NULL, 11,
+                  "a four-bar linkage has no piston: its links are crank, coupler and rocker");
+    check_mistake(FOUR_BAR "link = rocker\nat = mid\nforce = -10 N\n", NULL, 13, bare);
+}
+
+/* The same of a spring. */
+static void test_springs_alone(void **unused)
+{
+#define INVERTED                                                                           \
+    "mechanism = inverted-slider-crank\n[ground]\nlength = 240 mm\n[crank]\nlength = 120 " \
+    "mm\n[spring S]\n"
+
+    (void)unused;
+    check_mistake(
+        INVERTED "link = piston\nto = lever\nstiffness = 9 N/m\nat = 5 mm\nto_at = 9 mm\n", NULL, 7,
+        "an inverted slider-crank has no piston: its links are crank, slider and lever");
+    check_mistake(INVERTED "link = piston\nto = lever\nstiffness = 9 N/m\nto_at = 9 mm\n", NULL, 7,
+                  "an inverted slider-crank has no piston: its links are crank, slider and lever");
+    check_mistake(INVERTED "link = lever\nto = lever\nstiffness = 9 N/m\n", NULL, 8,
+                  "a spring from the lever to itself does nothing");
+    check_mistake(INVERTED "link = lever\nto = ground\nstiffness = 9\npreload = 3 N m\n", NULL, 9,
+                  "the stiffness of a spring needs a unit: N/m, or N m/rad of a torsional spring");
+    check_mistake(INVERTED "link = lever\nto = ground\nstifness = 9 N m/rad\nfree_angle = 5 deg\n",
+                  NULL, 9, "unknown key 'stifness' in [spring]; did you mean 'stiffness'?");
+#undef INVERTED
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bare_on_a_piston),
         cmocka_unit_test(test_curves),
         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_longer_than_a_turn),
+        cmocka_unit_test(test_alone),
+        cmocka_unit_test(test_springs_alone),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

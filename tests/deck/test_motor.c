@@ -141,7 +141,7 @@ static const struct {
      "the power must be positive, not -3 kW"},
     {RUN_UP "[motor]\npower = 3 kW\nmax_torque = 0 N m\n", 11, "the max_torque must not be 0"},
     {RUN_UP LINE "ratio = 0\n", 12, "the ratio must not be 0"},
-    {RUN_UP LINE "inertia = -1 kg m2\n", 12, "the inertia must not be negative:  -1 kg m2"},
+    {RUN_UP LINE "inertia = -1 kg m2\n", 12, "the inertia must not be negative: -1 kg m2"},
     {RUN_UP "[motor]\ntorque = 3 N\n", 10, "'3 N' is a force; expected a torque, such as 0.5 N m"},
     {RUN_UP "[motor]\ntorque = steady\n", 10, "expected a torque, such as 0.5 N m, not 'steady'"},
     {RUN_UP "[motor]\nstall_torque = 3 N m\nno_load_speed = 100 m/s\n", 11,

@@ -417,7 +417,7 @@ static const struct {
     {"crank.length = 20 mm +- 1 mm\nsamples = -1", 17, "the samples must be positive, not -1"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 1.5", 17, "expected a whole number, not '1.5'"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = -1", 18,
-     "the seed must not be negative:  -1"},
+     "the seed must not be negative: -1"},
     {"crank.length = 20 mm +- 1 mm\nsamples = 3\nseed = 1.5", 18,
      "expected a whole number, not '1.5'"},
     {GOOD "[sweep]\n" GOOD, 17, "[sweep] is given twice; first at line 15"},

@@ -72,6 +72,20 @@ for deck in norton.deck offset.deck "$matrix" "$alvi" "$decks/engine.deck" "$dec
         done
     done
 done
+# friction: the moments of pins, the force of a guide, also of one whose couple presses its edges
+for deck in norton.deck offset.deck; do
+    { cat $deck; printf '[friction]\nA = 0.1\nradius_A = 15 mm\nB = 8 %%\nradius_B = 10 mm\nD = 0.1\nradius_D = 9 mm\nguide = 0.1\nguide_length = 50 mm\n'; } >rubbed-$deck
+done
+{ cat crank.deck; printf '[load P]\nlink = piston\nforce = -900 N\n[friction]\nA = 0.1\nradius_A = 15 mm\nC = 0.08\nradius_C = 10 mm\nguide = 0.1\n'; } >rubbed-crank.deck
+{ cat "$data/me3491-matrix.deck"; printf '[friction]\nA = 0.1\nradius_A = 5 mm\nB = 0.08\nradius_B = 4 mm\nC = 0.1\nradius_C = 3 mm\nD = 0.1\nradius_D = 2 mm\n'; } >rubbed-linkage.deck
+for deck in rubbed-*.deck; do
+    for branch in open crossed; do
+        for angle in 10 95 200 275 359; do
+            sample $deck --branch=$branch --plot-at="$angle deg" --set='motion.acceleration=7.5 rad/s2'
+            check "friction of $deck" grep -q '<h3>Friction</h3>' r-$n.html
+        done
+    done
+done
 python3 "$tests/sample.py" r-*.html >checked 2>&1
 check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
 
@@ -80,8 +94,16 @@ PATH=$work/empty "$fourlink" --report=r.html "$data/me3491-matrix.deck" --plot-a
 check 'results of the reference' python3 "$tests/sample.py" r.html omega3=-3.15487 omega4=0.0732971 alpha3=20.9565 \
     alpha4=56.4558 Ts=0.0313823 theta3=0.680440 theta4=1.81201
 
-# an error is found
+# friction is that of the columns
 fails() { ! "$@"; }
+check 'no friction without its section' fails grep -q '<h3>Friction</h3>' r.html
+sample rubbed-norton.deck --plot-at='95 deg' --branch=open
+run 0 -f csv -b open -s 'motion.at=95 deg' -c friction_A,friction_B,friction_D,friction_guide rubbed-norton.deck
+set -- $(tail -n 1 out | tr -d '\r' | tr ',' ' ')
+check "friction of the columns: $*" python3 "$tests/sample.py" r-$n.html MA=$2 MB=$3 MD=$4 Fguide=$5
+check 'the loads of friction are written' grep -q 'guide, on the lever</th><td>[-0-9.]*</td>' r-$n.html
+
+# an error is found
 sed 's|<mn>0.0732971</mn>|<mn>0.0733971</mn>|' r.html >wrong.html
 check "a wrong number is found" fails python3 "$tests/sample.py" wrong.html
 

@@ -163,6 +163,9 @@ static void test_columns_that_cannot_be_chosen(void **unused)
         {"thta4", "unknown column 'thta4'; did you mean 'theta4'?"},
         {"xyzzy", "unknown column 'xyzzy'"},
         {"theta4, x", "the column 'x' belongs to the slider-crank"},
+        {"friction_guide",
+         "the column 'friction_guide' belongs to the slider-crank and the inverted slider-crank"},
+        {"friction_D", "the column 'friction_D' needs a [friction] section; the deck has none"},
         {"B.x, G3.vx", "the column 'G3.vx' needs a mass of that link"},
         {"C.x, G5.x", "unknown column 'G5.x'"},
         {"B.x, B.z", "unknown column 'B.z'"},
@@ -184,6 +187,17 @@ static void test_columns_that_cannot_be_chosen(void **unused)
         assert_int_equal(n, 1);
         assert_string_equal(mistake.message, cases[i].message);
         assert_int_equal(mistake.line, 13);
+    }
+    {
+        fourlink_source source = deck_source(
+            four_bar(0.020, 0.066, 0.056, 0.080,
+                     "[friction]\nA = 0.1\nradius_A = 3 mm\n[table]\ncolumns = friction_A\n"));
+        fourlink_results *r;
+        fourlink_mistake mistake;
+
+        assert_int_equal(fourlink_results_open(&source, 1, &r, &mistake, NULL), FOURLINK_BAD_DECK);
+        assert_string_equal(mistake.message, "the column 'friction_A' needs masses, loads or gas; "
+                                             "the deck has none");
     }
 }
 

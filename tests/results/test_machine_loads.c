@@ -383,7 +383,7 @@ static void test_mistakes(void **unused)
         const char *message;
     } cases[] = {
         {"[friction]\nA = -0.1\nradius_A = 5 mm\n", 11,
-         "the coefficient of friction A must not be negative:  -0.1"},
+         "the coefficient of friction A must not be negative: -0.1"},
         {"[friction]\nA = 0.1\n", 11, "the friction of A needs 'radius_A', that of its pin"},
         {"[friction]\nguide = 0.1\n", 11, "the friction of a four-bar linkage has no guide"},
         {"[friction]\n", 10, "[friction] has no coefficient of friction"},
@@ -394,7 +394,7 @@ static void test_mistakes(void **unused)
         {"[spring S]\nlink = crank\nto = coupler\nat = 20 mm\nto_at = 1 mm\ndamping = 10\n", 15,
          "the damping of a spring needs a unit: N s/m, or N m s/rad of a torsional spring"},
         {"[spring S]\nlink = crank\nto = coupler\nat = 20 mm\nto_at = 1 mm\ndamping = -1 N s/m\n",
-         15, "the damping must not be negative:  -1 N s/m"},
+         15, "the damping must not be negative: -1 N s/m"},
         {"[spring S]\nlink = crank\nto = coupler\nfree_angle = 20 deg\nstiffness = 10 N/m\n", 13,
          "a free_angle needs a torsional spring, with its stiffness in N m/rad, not '10 N/m'"},
         {"[spring S]\nlink = crank\nto = coupler\nfree_angle = 2 deg\nstiffness = 9 N m/rad\n"

@@ -86,7 +86,7 @@ mistake() { # DECK-TEXT MESSAGE
     check "message '$2': $(cat err)" grep -qF "$2" err
 }
 mistake '[load]\nlink = rocker\ntorque = 1 N m\nfrom = 200 deg\nto = 100 deg\n' \
-    "<stdin>:16: error: the load's 'from' must be less than its 'to', not  200 deg and 100 deg"
+    "<stdin>:16: error: the load's 'from' must be less than its 'to', not 200 deg and 100 deg"
 mistake '[load]\nlink = piston\ntorque = 1 N m\n' '<stdin>:14: error: a four-bar linkage has no piston'
 mistake '[load]\nlink = wheel\ntorque = 1 N m\n' "<stdin>:14: error: expected crank, coupler or rocker, not 'wheel'"
 mistake '[load]\nlink = rocker\nframe = world\ntorque = 1 N m\n' '<stdin>:15: error: expected ground or link'
@@ -184,6 +184,12 @@ engine_mistake() { # LINES MESSAGE
 engine_mistake 'indicator = 0 1\n' 'engines/bad.deck:17: error: a curve needs at least two points'
 engine_mistake 'indicator = 0 1, 50 2, 50 3\n' 'engines/bad.deck:17: error: the angles of a curve must increase'
 engine_mistake 'indicator = file nothing.txt\n' "engines/bad.deck:17: error: cannot read the file 'nothing.txt'"
+# units of other quantities after the name of a file that exists
+engine_mistake 'indicator = file card.txt rpm bar\n' "engines/bad.deck:17: error: 'rpm' is an angular speed; expected an angle"
+engine_mistake 'indicator = file card.txt deg mm\n' "engines/bad.deck:17: error: 'mm' is a length; expected a pressure"
+engine_mistake 'indicator = file card.txt deg baar\n' "engines/bad.deck:17: error: unknown unit 'baar' in 'baar'; did you mean 'bar'?"
+engine_mistake 'indicator = file "card.txt" N\n' "engines/bad.deck:17: error: 'N' is a force; expected a pressure"
+engine_mistake 'indicator = file nothing.txt rpm bar\n' "engines/bad.deck:17: error: cannot read the file 'nothing.txt rpm'"
 printf '0 1\n90 x\n' >engines/broken.txt
 engine_mistake 'indicator = file broken.txt\n' 'broken.txt:2: error:'
 printf '0 1\n90 2\n80 3\n' >engines/falling.txt

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** sample_friction.c - the friction of the sample calculation: moments of pins, force of the guide.
+*/
+#include <math.h>
+
+#include "sample.h"
+
+#define PINS 4
+
+/* Of the pins A, B, C and D: radius of the friction circle, moment, pin force. */
+static const struct {
+    const char *pin, *radius, *moment, *force, *product;
+} pins[PINS] = {{"A", "rhoA", "MA", "F12", "rhoA * F12"},
+                {"B", "rhoB", "MB", "F23", "rhoB * F23"},
+                {"C", "rhoC", "MC", "F34", "rhoC * F34"},
+                {"D", "rhoD", "MD", "F14", "rhoD * F14"}};
+
+/* 1 if a pin is there: C and D may be sliders. */
+static int is_pin(const report *r, int i)
+{
+    int kind = (int)r->design->kind;
+
+    return i < 2 || !fourlink_slides(kind, i == 2 ? FOURLINK_COUPLER : FOURLINK_FOLLOWER);
+}
+
+/* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
+static void put_pin(const report *r, math *m, const fourlink_friction *friction, int i)
+{
+    if (!(r->now.losses.pin[i] > 0)) {
+        page_print(m->p,
+                   "<p>Pin %s has none here: its links do not turn on each other, or it "
+                   "has no force.</p>\n",
+                   pins[i].pin);
+        return;
+    }
+    math_set(m, pins[i].radius, friction->circle[i]);
+    math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i], SAMPLE_NM);
+}
+
+/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l). */
+static void put_guide(const report *r, math *m, const fourlink_friction *friction)
+{
+    int is_slot = fourlink_slides((int)r->design->kind, FOURLINK_COUPLER) != 0;
+    const fourlink_forces *f = &r->now.forces;
+    double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
+    double l = friction->guide_length;
+    int has_edges = l > 0 && 2 * fabs(M) > fabs(N) * l;
+
+    if (!(r->now.losses.guide > 0)) {
+        page_print(m->p, "<p>The guide has none here: nothing slides or presses in it.</p>\n");
+        return;
+    }
+    math_set(m, "mu", friction->guide);
+    math_set(m, "lguide", l);
+    math_set(m, is_slot ? "N34" : "N", fabs(N));
+    math_set(m, is_slot ? "M34" : "M14", fabs(M));
+    math_let(m, "Fguide",
+             has_edges ? is_slot ? "mu * { 2 * M34 | lguide }" : "mu * { 2 * M14 | lguide }"
+             : is_slot ? "mu * N34"
+                       : "mu * N",
+             r->now.losses.guide, "N");
+}
+
+/* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the link that
+** slides. */
+static void put_loads(report *r)
+{
+    static const char *const joints[FOURLINK_FRICTION_LOADS] = {"B", "B", "C", "C", "D", "A"};
+    int kind = (int)r->design->kind, k;
+    page *p = &r->page;
+
+    page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
+    if (r->now.losses.guide > 0)
+        page_print(p, "; the force of the guide acts at %s",
+                   fourlink_slides(kind, FOURLINK_COUPLER) ? "B" : "C");
+    page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
+                  "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
+                  "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"
+                  "</tr></thead>\n<tbody>\n");
+    for (k = 0; k < FOURLINK_FRICTION_LOADS; k++) {
+        int i = (k + FOURLINK_FRICTION_LOADS - 1) % FOURLINK_FRICTION_LOADS; /* A is the last */
+        const fourlink_load *load = &r->now.losses.load[i];
+
+        if (load->torque == 0 && load->force.x == 0 && load->force.y == 0)
+            continue;
+        page_print(p,
+                   "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
+                   "<td>%.6g</td></tr>\n",
+                   load->torque != 0 ? joints[i] : "guide", fourlink_link_text(kind, load->link),
+                   load->force.x, load->force.y, load->torque);
+    }
+    page_print(p, "</tbody>\n</table></div>\n");
+}
+
+void sample_put_friction(report *r, math *m)
+{
+    fourlink_friction friction;
+    int i;
+
+    if (!r->problem.n_friction_loads || fourlink_deck_friction(r->deck, &friction) != FOURLINK_OK)
+        return;
+    page_print(m->p,
+               "<h3>Friction</h3>\n<p>Friction is among the loads above, and depends on the "
+               "forces that they give: both are found together.  A pin has the moment \317\201 F, "
+               "where \317\201 = \316\274 r is the radius of its friction circle%s%s.</p>\n",
+               friction.guide > 0 ? "; the guide has the force \316\274 |N|" : "",
+               friction.guide > 0 && friction.guide_length > 0
+                   ? ", or \316\274 2 |M| / l if the couple presses its edges more"
+                   : "");
+    for (i = 0; i < PINS; i++)
+        if (friction.circle[i] > 0 && is_pin(r, i))
+            put_pin(r, m, &friction, i);
+    if (friction.guide > 0)
+        put_guide(r, m, &friction);
+    put_loads(r);
+}
