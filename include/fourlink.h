@@ -1577,8 +1577,9 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 ** Returned:
 **    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why a column has no value; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
-**    FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
+**    FOURLINK_OK; 1 to 19, why a column has no value, or the actual motion ends before it has a
+**    fact; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT,
+**    FOURLINK_NO_SUCH_ANGLE
 ** Notes:
 ** 1) Extremes are taken over the deck's motion, refined between its rows.
 ** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar

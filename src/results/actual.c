@@ -74,8 +74,12 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 
     if (d->drive.by_time)
         return run_by_time(p, d);
-    if (d->drive.mode == DRIVE_RUN_UP && flk_steady_find(p, m->cycle, 0, 0))
-        flk_facts_of_cycle(p, m->cycle, f);
+    if (d->drive.mode == DRIVE_RUN_UP) {
+        if (flk_steady_find(p, m->cycle, 0, 0))
+            flk_facts_of_cycle(p, m->cycle, f);
+        else
+            f->no_cycle = p->status;
+    }
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
         return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)

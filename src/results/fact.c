@@ -284,6 +284,42 @@ static void tell_limits(teller *t)
     }
 }
 
+/* Why the actual motion ends early, or FOURLINK_OK. */
+static int end_of_motion(flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+
+    return f ? f->status : FOURLINK_OK;
+}
+
+/* 1 if the motion of a deck, as it is asked for, can have a fact. */
+static int is_of_motion(const deck *d, int i)
+{
+    switch (i) {
+    case FACT_RUN_UP_TIME:
+        return d->drive.mode == DRIVE_RUN_UP;
+    case FACT_STEADY_RATE:
+        return d->drive.mode != DRIVE_FREE;
+    case FACT_MOTOR_TORQUE:
+        return d->drive.motor.kind == FOURLINK_MOTOR_BALANCE;
+    case FACT_EFFICIENCY_CYCLE:
+        return d->has_friction;
+    default:
+        return fact_table[i].group != FOURLINK_FACTS_LIMITS;
+    }
+}
+
+int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+    int i = find(name), status;
+
+    if (!f || i == FACT_COUNT || !is_of_motion(a->d, i))
+        return FOURLINK_NO_SUCH_FACT;
+    status = f->status == FOURLINK_OK && i != FACT_STALL_ANGLE ? f->no_cycle : f->status;
+    return status == FOURLINK_OK ? FOURLINK_NO_SUCH_FACT : status;
+}
+
 static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
                         fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
 {
@@ -313,6 +349,8 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     status = statistic == FLK_MAX || statistic == FLK_MIN
                  ? find_extreme(a, x, c, branch, statistic, &v)
                  : flk_mean_find(a, c, branch, statistic, &v.value);
+    if (status == FOURLINK_NOT_REACHED && end_of_motion(a, branch) != FOURLINK_OK)
+        status = end_of_motion(a, branch);
     if (status == FOURLINK_OK)
         *f = v;
     return status;
@@ -348,6 +386,8 @@ static void tell_turning(teller *t, flk_analysis *a)
     if (m->inertia > 0) {
         tell(t, FACT_FLYWHEEL_INERTIA, m->inertia);
         tell(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
+    } else if (t->d->drive.fluctuation > 0) {
+        tell(t, FACT_FLYWHEEL_INERTIA, 0); /* it fluctuates less without one */
     }
 }
 

@@ -502,7 +502,7 @@ static int value_of_fact(fourlink_results *r, text name, int group, fourlink_bra
             *value = r->facts[i];
             return FOURLINK_OK;
         }
-    return FOURLINK_NO_SUCH_FACT;
+    return flk_fact_lack(&r->a, name, branch);
 }
 
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,

@@ -77,11 +77,42 @@ check 'a dead position by angle' grep -q '^# dead position' out
     printf '[sweep]\nmotor.stall_torque = 60 N m, 120 N m\nflywheel.inertia = 0.1 kg m2 to 0.5 kg m2 step 0.4 kg m2\n'
     printf 'output = max(omega2), run_up_time, fluctuation_exact, stall_angle\n'
 } >sweep.deck
-run 0 sweep.deck -f csv -b open
+run 1 sweep.deck -f csv -b open
 check 'four designs' test "$(grep -c ',open,' out)" -eq 4
 check 'each output is a number in some design' awk -F, '
     NR > 1 {for (i = 5; i <= 8; i++) n[i] += $i > 0}
     END {exit !(n[5] == 4 && n[6] > 0 && n[7] > 0 && n[8] > 0)}' out
+
+# sweep EDIT LINES: the pump changed by sed, with a sweep, in sweep.deck.
+sweep() { sed -e "$1" "$pump" >sweep.deck && printf '[sweep]\n%s\n' "$2" >>sweep.deck; }
+
+# A design that lacks an output because its motion ends says why.
+sweep 's/^mode.*/mode = steady/; s/^turns.*/turns = 1/; s/^inertia = 0.5.*/inertia = 0.1 kg m2/' \
+    'motor.stall_torque = 60 N m, 120 N m
+output = period, max(omega2), mean(Ts), flywheel_inertia'
+run 1 sweep.deck -f csv
+check 'no steady motion' test "$(grep -c '^1,60,[a-z]*,,,,,no steady motion: ' out)" -eq 2
+check 'a steady motion' test "$(grep -c '^2,120,.*,ok' out)" -eq 2
+run 1 sweep.deck -f json
+prints '"period":null,"max(omega2)":null,"mean(Ts)":null,"flywheel_inertia":null,"status":"no steady motion: '
+sweep '' 'motor.stall_torque = 60 N m, 120 N m
+output = run_up_time, mean_speed'
+run 1 sweep.deck -f csv -b open
+check 'a run-up that stalls' grep -q '^1,60,open,,,stalls: the crank comes to rest' out
+check 'a run-up that does not' grep -q '^2,120,open,[0-9.]*,[0-9.]*,ok' out
+run 1 sweep.deck -b open --statistics
+sweep '' 'motor.stall_torque = 60 N m, 100 N m
+output = stall_angle'
+run 0 sweep.deck -f csv -b open
+check 'its angle is a number' grep -q '^1,60,open,290.5[0-9]*,ok' out
+check 'another has none' grep -q '^2,100,open,,ok' out
+sweep 's/^stall_torque.*/torque = constant/; /^no_load/d; s/^mode.*/mode = steady/; s/^turns.*/turns = 1/
+       s/^inertia = 0.5.*/exact = yes/' 'motion.mean_speed = 12 rad/s, 40 rad/s
+flywheel.fluctuation = 10 %, 190 %
+output = flywheel_inertia'
+run 1 sweep.deck -f csv -b open
+check 'three flywheels' test "$(grep -c 'open,[0-9.]*,ok' out)" -eq 3
+check 'and none' grep -q '^4,40,1.[89]*,open,,no steady motion: ' out
 
 # Answers agree with the deck they are of.
 run 0 "$pump" --expect -b open
