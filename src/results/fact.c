@@ -56,12 +56,12 @@
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, TURNING,                               \
       "coefficient of fluctuation of speed")                                                       \
-    X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the last cycle")        \
+    X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the steady motion")     \
     X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
-      "(largest + smallest speed) / 2")                                                            \
-    X(PERIOD, "period", TIME, MOTION, "duration of that cycle")                                    \
+      "steady: (largest + smallest speed) / 2")                                                    \
+    X(PERIOD, "period", TIME, MOTION, "duration of its cycle")                                     \
     X(FLUCTUATION_EXACT, "fluctuation_exact", NUMBER, MOTION,                                      \
-      "(largest - smallest speed) / mean_speed")                                                   \
+      "steady: (max - min speed) / mean_speed")                                                    \
     X(STEADY_RATE, "steady_rate", NUMBER, MOTION, "what a cycle leaves of a difference")           \
     X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "where the machine comes to rest")                \
     X(RUN_UP_TIME, "run_up_time", TIME, MOTION, "until omega2 is the steady mean speed")           \
@@ -78,6 +78,27 @@ static const struct {
     int group; /* FOURLINK_FACTS_LIMITS ... */
     const char *meaning;
 } fact_table[] = {FACT_LIST(FACT_INFO)};
+
+/* The meanings in a free motion, which need not be steady. */
+static const struct {
+    fact_code code;
+    const char *meaning;
+} meanings_if_free[] = {
+    {FACT_MEAN_SPEED, "mean over time, of the last cycle"},
+    {FACT_MEAN_SPEED_TEXTBOOK, "(largest + smallest speed) / 2"},
+    {FACT_PERIOD, "duration of that cycle"},
+    {FACT_FLUCTUATION_EXACT, "(largest - smallest speed) / mean_speed"},
+};
+
+static const char *meaning_of(const deck *d, int code)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof meanings_if_free / sizeof meanings_if_free[0]; i++)
+        if (d->drive.mode == DRIVE_FREE && (int)meanings_if_free[i].code == code)
+            return meanings_if_free[i].meaning;
+    return fact_table[code].meaning;
+}
 
 static int find(text name)
 {
@@ -110,7 +131,7 @@ void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
 {
     int i = find(flk_text_of(name));
 
-    flk_list_describe(d, fact_table[i].q, fact_table[i].meaning, f);
+    flk_list_describe(d, fact_table[i].q, meaning_of(d, i), f);
     f->name = name;
 }
 

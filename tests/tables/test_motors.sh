@@ -50,6 +50,11 @@ for name in T_motor J energy energy_residual mean_speed mean_speed_textbook peri
 done
 run 0 "$alvi" --list
 check 'not of a given motion' test "$(grep -c '^T_motor\|^mean_speed\|^energy_residual' out)" -eq 0
+run 0 "$pump" -S
+check 'the mean of a run-up is that of the steady motion' \
+    grep -q '^mean_speed .*mean over time, of the steady motion' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -S
+check 'that of a free motion is of its last cycle' grep -q '^mean_speed .*mean over time, of the last cycle' out
 run 0 "$pump" -S -f csv
 for input in motion.mode motor.stall_torque motor.no_load_speed flywheel.inertia; do
     check "$input is an input" grep -q "^$input," out
