@@ -224,7 +224,7 @@ const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branc
     if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
         if (m->d->drive.mode == DRIVE_RUN_UP)
             flk_facts_of_run_up(&m->path[i], &m->facts[i]);
-        else
+        else if (m->d->drive.mode == DRIVE_STEADY || m->length >= m->cycle * (1 - 1e-12))
             flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);
     }
     m->is_known[i] = 1;

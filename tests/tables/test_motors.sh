@@ -55,6 +55,10 @@ check 'the mean of a run-up is that of the steady motion' \
     grep -q '^mean_speed .*mean over time, of the steady motion' out
 run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -S
 check 'that of a free motion is of its last cycle' grep -q '^mean_speed .*mean over time, of the last cycle' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -s motion.turns=0.5 -S
+check 'half a turn has no mean speed and no period' none '^mean_speed\|^period\|^fluctuation_exact' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -s motion.turns=1 -S -b open
+check 'a whole one has' test "$(grep -c '^mean_speed \|^period' out)" -eq 2
 run 0 "$pump" -S -f csv
 for input in motion.mode motor.stall_torque motor.no_load_speed flywheel.inertia; do
     check "$input is an input" grep -q "^$input," out
