@@ -116,6 +116,13 @@ int flk_fact_group(text name)
     return i == FACT_COUNT ? 0 : fact_table[i].group;
 }
 
+int flk_fact_needs_angles(text name)
+{
+    int i = find(name);
+
+    return i < FACT_COUNT && fact_table[i].group != FOURLINK_FACTS_LIMITS;
+}
+
 const char *flk_fact_nearest(text name)
 {
     const char *known[FACT_COUNT + 1];

@@ -13,6 +13,9 @@
 /* The group of a fact, FOURLINK_FACTS_LIMITS ...; 0 if no deck has this fact. */
 int flk_fact_group(text name);
 
+/* 1 if a fact is one of a motion that goes forwards, which rows by time do not have. */
+int flk_fact_needs_angles(text name);
+
 /* The most similar name of a fact, or null. */
 const char *flk_fact_nearest(text name);
 

@@ -123,6 +123,19 @@ run 1 sweep.deck -f csv -b open
 check 'three flywheels' test "$(grep -c 'open,[0-9.]*,ok' out)" -eq 3
 check 'and none' grep -q '^4,40,1.[89]*,open,,no steady motion: ' out
 
+# Rows by time have no facts of a cycle.
+by_time='s/^turns.*/rows = time\ntime_step = 10 ms\nduration = 0.5 s/; /^interval/d'
+for fact in run_up_time mean_speed period stall_angle mean_torque; do
+    sweep "$by_time" "motor.stall_torque = 60 N m, 120 N m
+output = max(omega2), $fact"
+    run 2 sweep.deck -f csv
+    nothing
+    says "sweep.deck:49: error: '$fact' needs rows by angle; [motion] has rows = time"
+done
+sweep "$by_time" 'motor.stall_torque = 60 N m, 120 N m
+output = max(omega2), theta2_from'
+run 0 sweep.deck -f csv
+
 # Answers agree with the deck they are of.
 run 0 "$pump" --expect -b open
 mv out answers
