@@ -37,6 +37,17 @@ prints '# stalls at 290.539 deg'
 run 1 "$pump" -s "$stall" --expect -b open
 run 0 "$pump" -s "$stall" -S -b open
 check 'the angle as a fact' grep -q '^stall_angle  *290.539 deg' out
+check 'the end of a summary' grep -q '^end  *stalls at 290.539 deg, open$' out
+run 0 "$pump" -s "$stall" -S
+check 'on both branches' test "$(grep -c '^end  *stalls at [0-9.]* deg, [a-z]*$' out)" -eq 2
+run 0 "$pump" -s "$stall" -S -f csv -b open
+prints 'end,stalls at 290.539 deg,,,open'
+run 0 "$pump" -s "$stall" -S -f json -b open
+prints '"value":"stalls at 290.539 deg","theta2":null,"branch":"open"}'
+run 0 "$pump" -S
+check 'a machine that goes on has none' none '^end ' out
+run 0 "$pump" -s motion.mode=steady -s 'motor.stall_torque=20 N m' -S -b open
+check 'no steady motion in a summary' grep -q '^end  *no steady motion: .*, open$' out
 
 run 1 "$pump" -s 'motor.stall_torque=-20 N m' -s 'motor.no_load_speed=-10 rad/s' -s motion.turns=1 -b open
 prints '# does not start: the torque does not turn the crank'
