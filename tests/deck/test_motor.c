@@ -199,6 +199,8 @@ static const struct {
     {RUN_UP LINE "[flywheel]\nfluctuation = 2 %\n", 13,
      "the actual motion needs the inertia of the flywheel, or exact = yes to find it from the "
      "fluctuation"},
+    {RUN_UP LINE FLYWHEEL "fluctuation = 2 %\n", 13,
+     "give either the fluctuation or the inertia: the other follows"},
     {RUN_UP LINE "[flywheel]\nfluctuation = 2 %\nexact = yes\n", 14,
      "an exact fluctuation is one of the actual motion: [motion] needs mode = steady"},
     {STEADY LINE FLYWHEEL "exact = yes\n", 14,
