@@ -69,7 +69,7 @@ extern "C" {
     X(FOURLINK_NO_DIRECTION, 11, "the ends of a spring meet: its force has no direction")         \
     X(FOURLINK_DOES_NOT_START, 12, "does not start: the torque does not turn the crank")          \
     X(FOURLINK_STALLS, 13, "stalls: the crank comes to rest")                                     \
-    X(FOURLINK_NO_STEADY, 14, "no steady motion: no speed repeats after a cycle")                 \
+    X(FOURLINK_NO_STEADY, 14, "no steady motion: none was found that repeats and is stable")      \
     X(FOURLINK_NO_INERTIA, 15, "nothing that moves has a mass or a moment of inertia")            \
     X(FOURLINK_TOO_LONG, 16, "the motion takes too many steps")                                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \

@@ -52,7 +52,7 @@ check 'no steady motion in a summary' grep -q '^end  *no steady motion: .*, open
 run 1 "$pump" -s 'motor.stall_torque=-20 N m' -s 'motor.no_load_speed=-10 rad/s' -s motion.turns=1 -b open
 prints '# does not start: the torque does not turn the crank'
 run 1 "$pump" -s motion.mode=steady -s 'motor.stall_torque=20 N m' -b open
-prints '# no steady motion: no speed repeats after a cycle'
+prints '# no steady motion: none was found that repeats and is stable'
 
 # Lists and summaries.
 run 0 "$pump" --list
