@@ -69,7 +69,7 @@ extern "C" {
     X(FOURLINK_NO_DIRECTION, 11, "the ends of a spring meet: its force has no direction")         \
     X(FOURLINK_DOES_NOT_START, 12, "does not start: the torque does not turn the crank")          \
     X(FOURLINK_STALLS, 13, "stalls: the crank comes to rest")                                     \
-    X(FOURLINK_NO_STEADY, 14, "no steady motion: no speed repeats after a cycle")                 \
+    X(FOURLINK_NO_STEADY, 14, "no steady motion: none was found that repeats and is stable")      \
     X(FOURLINK_NO_INERTIA, 15, "nothing that moves has a mass or a moment of inertia")            \
     X(FOURLINK_TOO_LONG, 16, "the motion takes too many steps")                                   \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
@@ -1577,8 +1577,9 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 ** Returned:
 **    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why a column has no value; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
-**    FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
+**    FOURLINK_OK; 1 to 19, why a column has no value, or the actual motion ends before it has a
+**    fact; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT,
+**    FOURLINK_NO_SUCH_ANGLE
 ** Notes:
 ** 1) Extremes are taken over the deck's motion, refined between its rows.
 ** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar

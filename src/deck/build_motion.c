@@ -228,6 +228,19 @@ static text_place place_of_end(parser *p)
     return IS_SET(to) ? to->place : IS_SET(turns) ? turns->place : flk_reader_end(p);
 }
 
+/* The name of what turns a steady motion against its range; null: nothing does. */
+static const char *against_range(parser *p)
+{
+    const deck_drive *drive = &p->d->drive;
+
+    if (drive->mode != DRIVE_STEADY ||
+        (p->d->motion.to - p->d->motion.from) * flk_build_sense(p) >= 0)
+        return NULL;
+    return drive->mean_speed != 0                       ? "mean_speed"
+           : drive->motor.kind == FOURLINK_MOTOR_LINEAR ? "motor"
+                                                        : NULL;
+}
+
 static void check_range(parser *p)
 {
     const fourlink_motion *motion = &p->d->motion;
@@ -248,6 +261,10 @@ static void check_range(parser *p)
     else if (p->d->drive.mode == DRIVE_FREE && (motion->to - motion->from) * motion->speed < 0)
         flk_mistake(p->mistakes, place_of_end(p),
                     "the range runs against the speed at its beginning: swap 'from' and 'to'");
+    else if (against_range(p))
+        flk_mistake(p->mistakes, place_of_end(p),
+                    "the range runs against the %s: change the sign of one of them",
+                    against_range(p));
 }
 
 void flk_build_motion(parser *p)

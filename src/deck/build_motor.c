@@ -209,7 +209,8 @@ static void build_exact(parser *p, const setting *exact, const setting *fluctuat
                     "mode = steady");
     else if (exact->word)
         p->d->drive.fluctuation = fluctuation->si[0];
-    else if (IS_SET(fluctuation) && mode != DRIVE_GIVEN)
+    else if (IS_SET(fluctuation) && mode != DRIVE_GIVEN &&
+             !IS_SET(flk_setting_find(p, KEY_FLYWHEEL_INERTIA)))
         flk_mistake(p->mistakes, fluctuation->place,
                     "the actual motion needs the inertia of the flywheel, or exact = yes to find "
                     "it from the fluctuation");

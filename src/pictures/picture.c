@@ -110,11 +110,9 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
 {
     fourlink_value mean;
 
-    if (p->problem.mode == FOURLINK_MODE_GIVEN)
-        return p->problem.motion.speed;
     return fourlink_results_value(p->results, "mean_speed", branch, 0, &mean) == FOURLINK_OK
                ? mean.value * mean.to_si
-               : 0;
+               : p->problem.motion.speed;
 }
 
 const char *picture_no_rows(const picture *p, fourlink_branch branch)

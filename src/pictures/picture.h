@@ -199,7 +199,7 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
-/* rad/s, of the crank at the first row; of the actual motion its mean over the last cycle, or 0 if it has none. */
+/* rad/s, of the crank at the first row; of the actual motion its mean over a cycle, if it has one. */
 double picture_speed_of(const picture *p, fourlink_branch branch);
 
 /* Why there is nothing to draw: no row of the motion can be computed on a branch. */

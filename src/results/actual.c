@@ -75,12 +75,16 @@ static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
 
     if (d->drive.by_time)
         return run_by_time(p, d);
-    if (d->drive.mode == DRIVE_STEADY && winds) {
+    if (winds)
         p->status = FOURLINK_NO_STEADY;
+    if (d->drive.mode == DRIVE_STEADY && winds)
         return 0;
+    if (d->drive.mode == DRIVE_RUN_UP) {
+        if (!winds && flk_steady_find(p, m->cycle, 0, 0))
+            flk_facts_of_cycle(p, m->cycle, f);
+        else
+            f->no_cycle = p->status;
     }
-    if (d->drive.mode == DRIVE_RUN_UP && !winds && flk_steady_find(p, m->cycle, 0, 0))
-        flk_facts_of_cycle(p, m->cycle, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
         return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
@@ -233,7 +237,7 @@ const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branc
     if (!m->d->drive.by_time && !m->is_known[i] && m->facts[i].status == FOURLINK_OK) {
         if (m->d->drive.mode == DRIVE_RUN_UP)
             flk_facts_of_run_up(&m->path[i], &m->facts[i]);
-        else
+        else if (m->d->drive.mode == DRIVE_STEADY || m->length >= m->cycle * (1 - 1e-12))
             flk_facts_of_cycle(&m->path[i], m->cycle, &m->facts[i]);
     }
     m->is_known[i] = 1;

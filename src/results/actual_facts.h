@@ -10,8 +10,8 @@
 /* None is known. */
 void flk_facts_forget(flk_actual_facts *f);
 
-/* Those of the last cycle of a path, or of all of it if it is shorter: mean speeds, period, fluctuation; of a path
-** that is the steady cycle its rate too. */
+/* Those of the last cycle of a path, which has one: mean speeds, period, fluctuation; of a path that is the steady
+** cycle its rate too. */
 void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f);
 
 /* The time of a run-up to the mean speed, which is known. */

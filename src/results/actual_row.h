@@ -20,10 +20,10 @@ typedef struct flk_actual_row {
 
 /* What is known of the motion of one branch; NaN: not defined for it. */
 typedef struct flk_actual_facts {
-    int status;       /* FOURLINK_OK, or why the motion ends before the last row, or has none */
-    double end_angle; /* in the deck's unit: where it ends, if the status is not FOURLINK_OK */
-    double
-        mean_speed; /* rad/s, the time mean over the last cycle, or the whole motion if shorter */
+    int status;   /* FOURLINK_OK, or why the motion ends before the last row, or has none */
+    int no_cycle; /* FOURLINK_OK, or why the facts of the steady motion of a run-up are missing */
+    double end_angle;  /* in the deck's unit: where it ends, if the status is not FOURLINK_OK */
+    double mean_speed; /* rad/s, the time mean over the last cycle */
     double mean_speed_textbook; /* rad/s, (largest + smallest) / 2 there */
     double period;              /* s, of that cycle */
     double fluctuation_exact;   /* 1, (largest - smallest) / mean speed */

@@ -56,12 +56,12 @@
     X(FLYWHEEL_INERTIA, "flywheel_inertia", INERTIA, TURNING, "moment of inertia of the flywheel") \
     X(FLYWHEEL_FLUCTUATION, "flywheel_fluctuation", NUMBER, TURNING,                               \
       "coefficient of fluctuation of speed")                                                       \
-    X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the last cycle")        \
+    X(MEAN_SPEED, "mean_speed", ANGULAR_SPEED, MOTION, "mean over time, of the steady motion")     \
     X(MEAN_SPEED_TEXTBOOK, "mean_speed_textbook", ANGULAR_SPEED, MOTION,                           \
-      "(largest + smallest speed) / 2")                                                            \
-    X(PERIOD, "period", TIME, MOTION, "duration of that cycle")                                    \
+      "steady: (largest + smallest speed) / 2")                                                    \
+    X(PERIOD, "period", TIME, MOTION, "duration of its cycle")                                     \
     X(FLUCTUATION_EXACT, "fluctuation_exact", NUMBER, MOTION,                                      \
-      "(largest - smallest speed) / mean_speed")                                                   \
+      "steady: (max - min speed) / mean_speed")                                                    \
     X(STEADY_RATE, "steady_rate", NUMBER, MOTION, "what a cycle leaves of a difference")           \
     X(STALL_ANGLE, "stall_angle", ANGLE, MOTION, "where the machine comes to rest")                \
     X(RUN_UP_TIME, "run_up_time", TIME, MOTION, "until omega2 is the steady mean speed")           \
@@ -79,6 +79,27 @@ static const struct {
     const char *meaning;
 } fact_table[] = {FACT_LIST(FACT_INFO)};
 
+/* The meanings in a free motion, which need not be steady. */
+static const struct {
+    fact_code code;
+    const char *meaning;
+} meanings_if_free[] = {
+    {FACT_MEAN_SPEED, "mean over time, of the last cycle"},
+    {FACT_MEAN_SPEED_TEXTBOOK, "(largest + smallest speed) / 2"},
+    {FACT_PERIOD, "duration of that cycle"},
+    {FACT_FLUCTUATION_EXACT, "(largest - smallest speed) / mean_speed"},
+};
+
+static const char *meaning_of(const deck *d, int code)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof meanings_if_free / sizeof meanings_if_free[0]; i++)
+        if (d->drive.mode == DRIVE_FREE && (int)meanings_if_free[i].code == code)
+            return meanings_if_free[i].meaning;
+    return fact_table[code].meaning;
+}
+
 static int find(text name)
 {
     int i;
@@ -93,6 +114,13 @@ int flk_fact_group(text name)
     int i = find(name);
 
     return i == FACT_COUNT ? 0 : fact_table[i].group;
+}
+
+int flk_fact_needs_angles(text name)
+{
+    int i = find(name);
+
+    return i < FACT_COUNT && fact_table[i].group != FOURLINK_FACTS_LIMITS;
 }
 
 const char *flk_fact_nearest(text name)
@@ -110,7 +138,7 @@ void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
 {
     int i = find(flk_text_of(name));
 
-    flk_list_describe(d, fact_table[i].q, fact_table[i].meaning, f);
+    flk_list_describe(d, fact_table[i].q, meaning_of(d, i), f);
     f->name = name;
 }
 
@@ -284,6 +312,42 @@ static void tell_limits(teller *t)
     }
 }
 
+/* Why the actual motion ends early, or FOURLINK_OK. */
+static int end_of_motion(flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+
+    return f ? f->status : FOURLINK_OK;
+}
+
+/* 1 if the motion of a deck, as it is asked for, can have a fact. */
+static int is_of_motion(const deck *d, int i)
+{
+    switch (i) {
+    case FACT_RUN_UP_TIME:
+        return d->drive.mode == DRIVE_RUN_UP;
+    case FACT_STEADY_RATE:
+        return d->drive.mode != DRIVE_FREE;
+    case FACT_MOTOR_TORQUE:
+        return d->drive.motor.kind == FOURLINK_MOTOR_BALANCE;
+    case FACT_EFFICIENCY_CYCLE:
+        return d->has_friction;
+    default:
+        return fact_table[i].group != FOURLINK_FACTS_LIMITS;
+    }
+}
+
+int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+    int i = find(name), status;
+
+    if (!f || i == FACT_COUNT || !is_of_motion(a->d, i))
+        return FOURLINK_NO_SUCH_FACT;
+    status = f->status == FOURLINK_OK && i != FACT_STALL_ANGLE ? f->no_cycle : f->status;
+    return status == FOURLINK_OK ? FOURLINK_NO_SUCH_FACT : status;
+}
+
 static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
                         fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
 {
@@ -313,6 +377,8 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     status = statistic == FLK_MAX || statistic == FLK_MIN
                  ? find_extreme(a, x, c, branch, statistic, &v)
                  : flk_mean_find(a, c, branch, statistic, &v.value);
+    if (status == FOURLINK_NOT_REACHED && end_of_motion(a, branch) != FOURLINK_OK)
+        status = end_of_motion(a, branch);
     if (status == FOURLINK_OK)
         *f = v;
     return status;
@@ -348,6 +414,8 @@ static void tell_turning(teller *t, flk_analysis *a)
     if (m->inertia > 0) {
         tell(t, FACT_FLYWHEEL_INERTIA, m->inertia);
         tell(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
+    } else if (t->d->drive.fluctuation > 0) {
+        tell(t, FACT_FLYWHEEL_INERTIA, 0); /* it fluctuates less without one */
     }
 }
 

@@ -13,14 +13,20 @@
 /* The group of a fact, FOURLINK_FACTS_LIMITS ...; 0 if no deck has this fact. */
 int flk_fact_group(text name);
 
+/* 1 if a fact is one of a motion that goes forwards, which rows by time do not have. */
+int flk_fact_needs_angles(text name);
+
 /* The most similar name of a fact, or null. */
 const char *flk_fact_nearest(text name);
 
 /* Describe a fact by name and unit, without its value. */
 void flk_fact_describe(const deck *d, const char *name, fourlink_value *f);
 
-/* A statistic of a column, as a fact of this name; returns FOURLINK_OK, FOURLINK_NOT_REACHED, or
-** FOURLINK_NO_MEAN. */
+/* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or 1 to 19, why the actual motion ends before it has it. */
+int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch);
+
+/* A statistic of a column, as a fact of this name; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
+** does not begin, or FOURLINK_NO_MEAN. */
 int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
                           fourlink_branch branch, flk_statistic statistic, fourlink_value *f);
 

@@ -28,6 +28,8 @@ static void check_output(fourlink_results *r, text name, text_place place, mista
     const char *column;
     flk_column c;
 
+    if (r->d.drive.by_time && flk_fact_needs_angles(name))
+        flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
     if (flk_column_find(&r->a, of, &c) ? statistic || r->d.one_instant
                                        : !statistic && flk_fact_group(name))
         return;
@@ -502,7 +504,7 @@ static int value_of_fact(fourlink_results *r, text name, int group, fourlink_bra
             *value = r->facts[i];
             return FOURLINK_OK;
         }
-    return FOURLINK_NO_SUCH_FACT;
+    return flk_fact_lack(&r->a, name, branch);
 }
 
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,

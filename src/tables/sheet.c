@@ -159,38 +159,59 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
         s->format->row(s, &stretch);
 }
 
-/* Write why there are no further rows, with the crank angle if it has one: BEFORE ANGLE UNIT AFTER. */
-static void write_end(sheet *s, fourlink_branch branch, const char *before, double angle,
-                      int digits, const char *after)
-{
-    char words[2 * FORMAT_SIZE + 200], number[FORMAT_SIZE];
-    sheet_row row;
+#define STOP_SIZE (FORMAT_SIZE + 100)
 
-    memset(&row, 0, sizeof row);
-    row.branch = branch;
-    row.status = flk_text_join(words, sizeof words, before, format_general(angle, digits, number),
-                               " ", s->angle_unit, after, (char *)NULL);
-    if (!before[0])
-        row.status = after;
-    s->failed++;
-    s->format->row(s, &row);
+/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all rows. */
+static const char *find_stop(const sheet *s, fourlink_branch branch, char words[STOP_SIZE])
+{
+    int is_given = s->problem.mode == FOURLINK_MODE_GIVEN, status = FOURLINK_OK;
+    double angle = s->range.stop_angle;
+    char number[FORMAT_SIZE];
+
+    if (!is_given)
+        status = fourlink_results_end(s->results, branch, &angle);
+    if (is_given ? !s->range.stops : status == FOURLINK_OK)
+        return NULL;
+    if (!is_given && status != FOURLINK_STALLS)
+        return fourlink_status_text(status);
+    return flk_text_join(words, STOP_SIZE, is_given ? "the crank comes to rest at " : "stalls at ",
+                         format_general(angle, is_given ? 12 : 6, number), " ", s->angle_unit,
+                         (char *)NULL);
 }
 
 void sheet_write_stop(sheet *s, fourlink_branch branch)
 {
-    int status;
-    double angle;
+    char words[STOP_SIZE];
+    sheet_row row;
 
-    if (s->problem.mode == FOURLINK_MODE_GIVEN) {
-        if (s->range.stops)
-            write_end(s, branch, "the crank comes to rest at ", s->range.stop_angle, 12, "");
+    memset(&row, 0, sizeof row);
+    row.branch = branch;
+    row.status = find_stop(s, branch, words);
+    if (!row.status)
         return;
+    s->failed++;
+    s->format->row(s, &row);
+}
+
+/* The same in a summary, of a motion that is not given. */
+static void write_ends(sheet *s)
+{
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+    char words[STOP_SIZE];
+    fourlink_value end;
+
+    memset(&end, 0, sizeof end);
+    end.name = "end";
+    end.unit = end.source = "";
+    end.quantity = "number";
+    end.meaning = "why the machine goes no further";
+    for (i = 0; i < n && s->problem.mode != FOURLINK_MODE_GIVEN; i++) {
+        end.branch = (int)branches[i];
+        end.words = find_stop(s, branches[i], words);
+        if (end.words)
+            s->format->fact(s, &end);
     }
-    status = fourlink_results_end(s->results, branch, &angle);
-    if (status == FOURLINK_STALLS)
-        write_end(s, branch, "stalls at ", angle, 6, "");
-    else if (status != FOURLINK_OK)
-        write_end(s, branch, "", angle, 6, fourlink_status_text(status));
 }
 
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
@@ -393,6 +414,7 @@ static void write_content(sheet *s)
         write_facts(s, 0,
                     FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
                         FOURLINK_FACTS_MOTION);
+        write_ends(s);
         break;
     case SHEET_CHECK:
         write_checks(s);

@@ -50,7 +50,8 @@ static size_t put_value(sheet *s, const fourlink_value *f)
 static void put_words(sheet *s, const fourlink_value *f)
 {
     put_left(s, f->name, NAME);
-    line_put(&s->l, "  %s\n", f->words);
+    line_put(&s->l, "  %s%s%s\n", f->words, f->branch ? ", " : "",
+             f->branch ? fourlink_branch_text(f->branch) : "");
 }
 
 /* A meaning for which the line has no room is left out: --list has it. */

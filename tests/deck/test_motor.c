@@ -109,6 +109,7 @@ static void test_exact_flywheel(void **unused)
     flk_deck_free(&d);
 }
 
+#define AGAINST(what) "the range runs against the " what ": change the sign of one of them"
 #define NOT_GIVEN(key, mode) "'" key "' is for a given motion: mode = " mode " computes it"
 
 static const struct {
@@ -177,6 +178,12 @@ static const struct {
     {RUN_UP "turns = 2\nto = 90 deg\n" LINE, 9, "give either 'to' or 'turns', not both"},
     {PUMP "mode = free\nspeed = 3 rad/s\nturns = -2\n", 10,
      "the range runs against the speed at its beginning: swap 'from' and 'to'"},
+    {STEADY "to = 360 deg\n[motor]\nstall_torque = -120 N m\nno_load_speed = -14 rad/s\n", 9,
+     AGAINST("motor")},
+    {STEADY "turns = -1\n" LINE, 9, AGAINST("motor")},
+    {STEADY "turns = 1\n" LINE "ratio = -2\n", 9, AGAINST("motor")},
+    {STEADY "mean_speed = 3 rad/s\nturns = -1\n[motor]\ntorque = constant\n", 10,
+     AGAINST("mean_speed")},
     {PUMP "speed = 3 rad/s\nrows = time\ntime_step = 1 s\nduration = 3 s\n", 9,
      "rows by time need mode = free or run-up"},
     {STEADY "rows = time\ntime_step = 1 s\nduration = 3 s\n" LINE, 9,
@@ -199,6 +206,8 @@ static const struct {
     {RUN_UP LINE "[flywheel]\nfluctuation = 2 %\n", 13,
      "the actual motion needs the inertia of the flywheel, or exact = yes to find it from the "
      "fluctuation"},
+    {RUN_UP LINE FLYWHEEL "fluctuation = 2 %\n", 13,
+     "give either the fluctuation or the inertia: the other follows"},
     {RUN_UP LINE "[flywheel]\nfluctuation = 2 %\nexact = yes\n", 14,
      "an exact fluctuation is one of the actual motion: [motion] needs mode = steady"},
     {STEADY LINE FLYWHEEL "exact = yes\n", 14,

@@ -37,11 +37,22 @@ prints '# stalls at 290.539 deg'
 run 1 "$pump" -s "$stall" --expect -b open
 run 0 "$pump" -s "$stall" -S -b open
 check 'the angle as a fact' grep -q '^stall_angle  *290.539 deg' out
+check 'the end of a summary' grep -q '^end  *stalls at 290.539 deg, open$' out
+run 0 "$pump" -s "$stall" -S
+check 'on both branches' test "$(grep -c '^end  *stalls at [0-9.]* deg, [a-z]*$' out)" -eq 2
+run 0 "$pump" -s "$stall" -S -f csv -b open
+prints 'end,stalls at 290.539 deg,,,open'
+run 0 "$pump" -s "$stall" -S -f json -b open
+prints '"value":"stalls at 290.539 deg","theta2":null,"branch":"open"}'
+run 0 "$pump" -S
+check 'a machine that goes on has none' none '^end ' out
+run 0 "$pump" -s motion.mode=steady -s 'motor.stall_torque=20 N m' -S -b open
+check 'no steady motion in a summary' grep -q '^end  *no steady motion: .*, open$' out
 
 run 1 "$pump" -s 'motor.stall_torque=-20 N m' -s 'motor.no_load_speed=-10 rad/s' -s motion.turns=1 -b open
 prints '# does not start: the torque does not turn the crank'
 run 1 "$pump" -s motion.mode=steady -s 'motor.stall_torque=20 N m' -b open
-prints '# no steady motion: no speed repeats after a cycle'
+prints '# no steady motion: none was found that repeats and is stable'
 
 # Lists and summaries.
 run 0 "$pump" --list
@@ -50,6 +61,15 @@ for name in T_motor J energy energy_residual mean_speed mean_speed_textbook peri
 done
 run 0 "$alvi" --list
 check 'not of a given motion' test "$(grep -c '^T_motor\|^mean_speed\|^energy_residual' out)" -eq 0
+run 0 "$pump" -S
+check 'the mean of a run-up is that of the steady motion' \
+    grep -q '^mean_speed .*mean over time, of the steady motion' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -S
+check 'that of a free motion is of its last cycle' grep -q '^mean_speed .*mean over time, of the last cycle' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -s motion.turns=0.5 -S
+check 'half a turn has no mean speed and no period' none '^mean_speed\|^period\|^fluctuation_exact' out
+run 0 "$pump" -s motion.mode=free -s 'motion.speed=9 rad/s' -s motion.turns=1 -S -b open
+check 'a whole one has' test "$(grep -c '^mean_speed \|^period' out)" -eq 2
 run 0 "$pump" -S -f csv
 for input in motion.mode motor.stall_torque motor.no_load_speed flywheel.inertia; do
     check "$input is an input" grep -q "^$input," out
@@ -113,11 +133,55 @@ check 'nor are its facts known' test "$(grep -c '^mean_speed\|^steady_rate\|^run
     printf '[sweep]\nmotor.stall_torque = 60 N m, 120 N m\nflywheel.inertia = 0.1 kg m2 to 0.5 kg m2 step 0.4 kg m2\n'
     printf 'output = max(omega2), run_up_time, fluctuation_exact, stall_angle\n'
 } >sweep.deck
-run 0 sweep.deck -f csv -b open
+run 1 sweep.deck -f csv -b open
 check 'four designs' test "$(grep -c ',open,' out)" -eq 4
 check 'each output is a number in some design' awk -F, '
     NR > 1 {for (i = 5; i <= 8; i++) n[i] += $i > 0}
     END {exit !(n[5] == 4 && n[6] > 0 && n[7] > 0 && n[8] > 0)}' out
+
+# sweep EDIT LINES: the pump changed by sed, with a sweep, in sweep.deck.
+sweep() { sed -e "$1" "$pump" >sweep.deck && printf '[sweep]\n%s\n' "$2" >>sweep.deck; }
+
+# A design that lacks an output because its motion ends says why.
+sweep 's/^mode.*/mode = steady/; s/^turns.*/turns = 1/; s/^inertia = 0.5.*/inertia = 0.1 kg m2/' \
+    'motor.stall_torque = 60 N m, 120 N m
+output = period, max(omega2), mean(Ts), flywheel_inertia'
+run 1 sweep.deck -f csv
+check 'no steady motion' test "$(grep -c '^1,60,[a-z]*,,,,,no steady motion: ' out)" -eq 2
+check 'a steady motion' test "$(grep -c '^2,120,.*,ok' out)" -eq 2
+run 1 sweep.deck -f json
+prints '"period":null,"max(omega2)":null,"mean(Ts)":null,"flywheel_inertia":null,"status":"no steady motion: '
+sweep '' 'motor.stall_torque = 60 N m, 120 N m
+output = run_up_time, mean_speed'
+run 1 sweep.deck -f csv -b open
+check 'a run-up that stalls' grep -q '^1,60,open,,,stalls: the crank comes to rest' out
+check 'a run-up that does not' grep -q '^2,120,open,[0-9.]*,[0-9.]*,ok' out
+run 1 sweep.deck -b open --statistics
+sweep '' 'motor.stall_torque = 60 N m, 100 N m
+output = stall_angle'
+run 0 sweep.deck -f csv -b open
+check 'its angle is a number' grep -q '^1,60,open,290.5[0-9]*,ok' out
+check 'another has none' grep -q '^2,100,open,,ok' out
+sweep 's/^stall_torque.*/torque = constant/; /^no_load/d; s/^mode.*/mode = steady/; s/^turns.*/turns = 1/
+       s/^inertia = 0.5.*/exact = yes/' 'motion.mean_speed = 12 rad/s, 40 rad/s
+flywheel.fluctuation = 10 %, 190 %
+output = flywheel_inertia'
+run 1 sweep.deck -f csv -b open
+check 'three flywheels' test "$(grep -c 'open,[0-9.]*,ok' out)" -eq 3
+check 'and none' grep -q '^4,40,1.[89]*,open,,no steady motion: ' out
+
+# Rows by time have no facts of a cycle.
+by_time='s/^turns.*/rows = time\ntime_step = 10 ms\nduration = 0.5 s/; /^interval/d'
+for fact in run_up_time mean_speed period stall_angle mean_torque; do
+    sweep "$by_time" "motor.stall_torque = 60 N m, 120 N m
+output = max(omega2), $fact"
+    run 2 sweep.deck -f csv
+    nothing
+    says "sweep.deck:49: error: '$fact' needs rows by angle; [motion] has rows = time"
+done
+sweep "$by_time" 'motor.stall_torque = 60 N m, 120 N m
+output = max(omega2), theta2_from'
+run 0 sweep.deck -f csv
 
 # Answers agree with the deck they are of.
 run 0 "$pump" --expect -b open
