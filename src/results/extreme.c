@@ -109,6 +109,7 @@ static void search_parts(flk_search *x)
         rest.to = flk_search_passed(x, x->high);
         rest.end = FLK_END_PLAIN;
     }
+    x->is_cut = 1;
     for (k = 0; k < MOST_PARTS; k++) {
         is_locked = flk_search_find_lock(x, &edge);
         if (!(edge < rest.to))
@@ -124,6 +125,7 @@ static void search_parts(flk_search *x)
     }
     x->piece = rest;
     search_part(x, is_locked);
+    x->is_cut = 0;
     x->piece = whole;
 }
 
@@ -172,6 +174,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     x->needs = 0;
     x->n = 0;
     x->a->is_fast = 1;
+    x->is_cut = 0;
     x->has_noise = 0;
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];

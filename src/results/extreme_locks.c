@@ -22,11 +22,15 @@ static int is_locked(const flk_search *x, double passed)
 
 int flk_search_find_lock(const flk_search *x, double *edge)
 {
-    double low = flk_search_passed(x, x->s[0]), high = low, middle;
-    int first = is_locked(x, low), k;
+    double low, high, middle;
+    int first, k;
     size_t i;
 
     *edge = GSL_POSINF;
+    if (!x->n)
+        return 0;
+    low = high = flk_search_passed(x, x->s[0]);
+    first = is_locked(x, low);
     for (i = 1; i < x->n && high == low; i++) {
         double at = flk_search_passed(x, x->s[i]);
 

@@ -249,7 +249,7 @@ void flk_search_insert(flk_search *x, size_t i, double s)
         if (behind)
             memmove(place + 1, place, behind);
         *place = sample_of(x, t, s, &row);
-        if (fabs(*place) > t->size)
+        if (fabs(*place) > t->size && !x->is_cut)
             t->size = fabs(*place);
     }
     x->n++;

@@ -73,6 +73,7 @@ typedef struct flk_search {
         closest_line; /* the least |sin(mu)| of the samples: near 0 columns change within 1e-5 rad */
     int pole_order;   /* of the poles that columns can have at the end at hand */
     int has_lock;     /* 1: friction locks the mechanism in a sample */
+    int is_cut;       /* 1: the piece is a part of such a stretch, whose size is known */
     size_t n;         /* number of samples */
     int halved[FLK_SEARCH_MOST_STEPS + 1]; /* samples added within each first step */
     double *s;                             /* their parameters */
