@@ -65,7 +65,7 @@ static size_t steps_of(const flk_search *x, double angle)
 static void sample_part(flk_search *x)
 {
     double length = x->piece.to - x->piece.from;
-    size_t i;
+    size_t i, steps = GSL_MIN(steps_of(x, length), FLK_SEARCH_MOST_STEPS);
 
     for (i = 0; i < x->n_columns; i++)
         reset(&x->columns[i]);
@@ -75,7 +75,7 @@ static void sample_part(flk_search *x)
         x->piece.begin = x->piece.end = FLK_END_PLAIN;
     x->low = length < SHORT && x->piece.from > 0 ? 1 : 0;
     x->high = length < SHORT ? x->low : 1;
-    flk_search_sample(x, length < SHORT ? 0 : steps_of(x, length));
+    flk_search_sample(x, length < SHORT ? 0 : steps);
 }
 
 /* Where there are no rows beyond an end, there are limits; in a locked part there are none. */
@@ -118,7 +118,7 @@ static void search_parts(flk_search *x)
         x->piece.to = edge;
         x->piece.end = FLK_END_DEAD;
         search_part(x, is_locked);
-        rest.from = edge;
+        rest.from = GSL_MAX_DBL(edge, rest.from + SHORT / 10); /* a first row can stand alone */
         rest.begin = FLK_END_DEAD;
         x->piece = rest;
         sample_part(x);
