@@ -28,9 +28,10 @@
 #define COUPLED 3 /* all but A */
 #define MOST_STEPS 50
 #define CONTINUATION_STEPS 20
-#define EXACT 1e-13      /* of the largest y: Newton's method has ended */
-#define ROUNDED 1e-12    /* ... if it does not come closer */
-#define SQUARED 1e-7     /* ... a step that leaves an error of its square, where Phi S is small */
+#define EXACT 1e-13   /* of the largest y: Newton's method has ended */
+#define ROUNDED 1e-12 /* ... if it does not come closer */
+#define NEARLY 1e-8   /* ... or does not end, as where two solutions meet: the steps are rounding */
+#define SQUARED 1e-7  /* ... a step that leaves an error of its square, where Phi S is small */
 #define STANDSTILL 1e-12 /* of a unit crank speed: joints slower than this do not move */
 
 /* A joint with friction. */
@@ -337,12 +338,11 @@ static int is_small(const equations *e)
 ** determinant.  `matrix` is then that of the solution but for the last step. */
 static int converge(equations *e, double share)
 {
-    double d[COUPLED], before = HUGE_VAL;
+    double d[COUPLED], before = HUGE_VAL, most = 0, largest = 0, determinant = 0;
     int step, i;
 
     for (step = 0; step < MOST_STEPS; step++) {
-        double most = 0, largest = 0, determinant;
-
+        most = largest = 0;
         evaluate(e, share);
         determinant = newton_step(e, d);
         if (determinant == 0)
@@ -359,7 +359,7 @@ static int converge(equations *e, double share)
             return determinant > 0;
         before = most;
     }
-    return 0;
+    return determinant > 0 && most <= NEARLY * largest;
 }
 
 /* 1 if the spectral radius of Phi S is below 1, as it is if a power of it has a norm below 1. */

@@ -8,7 +8,8 @@
 ** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
 ** is refined by a polynomial through its neighbours; the row at the peak of the polynomial is computed, and if
 ** it is not what the polynomial says, there are new samples about it, ever closer.  Where there is no row, at
-** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.
+** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.  A piece
+** in which friction locks the mechanism is cut further, where that begins and ends.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -22,11 +23,10 @@
 #define LEAST_SAMPLES 12 /* of a piece */
 #define MOST_STEPS 1e6   /* of all of the motion */
 
-static void search_stretch(flk_search *x, size_t steps)
+static void search_samples(flk_search *x)
 {
     size_t c;
 
-    flk_search_sample(x, steps);
     flk_search_resolve_leaps(x);
     for (c = 0; c < x->n_columns; c++)
         if (x->columns[c].turn > 0)
@@ -50,21 +50,103 @@ static void reset(flk_tracked *t)
     t->has_pole[0] = t->has_pole[1] = 0;
 }
 
+/* The even steps of an angle, rad. */
+static size_t steps_of(const flk_search *x, double angle)
+{
+    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
+    size_t steps = (size_t)ceil(angle / step - 1e-9);
+
+    return GSL_MAX(steps, LEAST_SAMPLES);
+}
+
+/* Sample the piece; of one that is too short for more, a row. */
+#define SHORT 1e-9 /* rad */
+
+static void sample_part(flk_search *x)
+{
+    double length = x->piece.to - x->piece.from;
+    size_t i, steps = GSL_MIN(steps_of(x, length), FLK_SEARCH_MOST_STEPS);
+
+    for (i = 0; i < x->n_columns; i++)
+        reset(&x->columns[i]);
+    x->piece.motion_from = x->piece.from;
+    x->piece.motion_to = x->piece.to;
+    if (length < SHORT)
+        x->piece.begin = x->piece.end = FLK_END_PLAIN;
+    x->low = length < SHORT && x->piece.from > 0 ? 1 : 0;
+    x->high = length < SHORT ? x->low : 1;
+    flk_search_sample(x, length < SHORT ? 0 : steps);
+}
+
+/* Where there are no rows beyond an end, there are limits; in a locked part there are none. */
+static void search_part(flk_search *x, int is_locked)
+{
+    if (is_locked && flk_search_has_limit(x->piece.begin))
+        x->piece.begin = FLK_END_PLAIN;
+    if (is_locked && flk_search_has_limit(x->piece.end))
+        x->piece.end = FLK_END_PLAIN;
+    sample_part(x);
+    search_samples(x);
+}
+
+/* A stretch in whose samples friction locks the mechanism, in parts that are locked or are not. */
+#define MOST_PARTS 100
+
+static void search_parts(flk_search *x)
+{
+    flk_piece whole = x->piece, rest = whole;
+    int is_locked, k;
+    double edge;
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++)
+        x->columns[c].last = x->columns[c].before;
+    if (x->low > 0) {
+        rest.from = flk_search_passed(x, x->low);
+        rest.begin = FLK_END_PLAIN;
+    }
+    if (x->high < 1) {
+        rest.to = flk_search_passed(x, x->high);
+        rest.end = FLK_END_PLAIN;
+    }
+    x->is_cut = 1;
+    for (k = 0; k < MOST_PARTS; k++) {
+        is_locked = flk_search_find_lock(x, &edge);
+        if (!(edge < rest.to))
+            break;
+        x->piece = rest;
+        x->piece.to = edge;
+        x->piece.end = FLK_END_DEAD;
+        search_part(x, is_locked);
+        rest.from = GSL_MAX_DBL(edge, rest.from + SHORT / 10); /* a first row can stand alone */
+        rest.begin = FLK_END_DEAD;
+        x->piece = rest;
+        sample_part(x);
+    }
+    x->piece = rest;
+    search_part(x, is_locked);
+    x->is_cut = 0;
+    x->piece = whole;
+}
+
 /* A piece in stretches. */
 static void search_piece(flk_search *x, int is_reached)
 {
-    double length = x->piece.to - x->piece.from;
-    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
-    size_t steps = is_reached ? (size_t)ceil(length / step - 1e-9) : 1, stretches, i;
+    size_t steps = is_reached ? steps_of(x, x->piece.to - x->piece.from) : LEAST_SAMPLES,
+           stretches = (steps + FLK_SEARCH_MOST_STEPS - 1) / FLK_SEARCH_MOST_STEPS, i, c;
 
-    steps = steps > LEAST_SAMPLES ? steps : LEAST_SAMPLES;
-    stretches = (steps + FLK_SEARCH_MOST_STEPS - 1) / FLK_SEARCH_MOST_STEPS;
-    for (i = 0; i < x->n_columns; i++)
-        reset(&x->columns[i]);
+    for (c = 0; c < x->n_columns; c++)
+        reset(&x->columns[c]);
     for (i = 0; i < stretches; i++) {
+        for (c = 0; c < x->n_columns; c++)
+            x->columns[c].before = x->columns[c].last;
         x->low = (double)i / (double)stretches;
         x->high = (double)(i + 1) / (double)stretches;
-        search_stretch(x, (steps + stretches - 1) / stretches);
+        flk_search_sample(x, (steps + stretches - 1) / stretches);
+        if (!x->has_lock)
+            search_samples(x);
+        if (x->has_lock)
+            search_parts(x);
     }
 }
 
@@ -92,6 +174,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
     x->needs = 0;
     x->n = 0;
     x->a->is_fast = 1;
+    x->is_cut = 0;
     x->has_noise = 0;
     for (c = 0; c < x->n_columns; c++) {
         flk_tracked *t = &x->columns[c];
@@ -202,7 +285,8 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
     start(&x, pairs, memory);
     if (x.length <= 0) {
         x.low = x.high = 0;
-        search_stretch(&x, 0);
+        flk_search_sample(&x, 0);
+        search_samples(&x);
     }
     while (flk_pieces_next(a, x.length, x.period, &x.piece)) {
         int reached = flk_search_is_reached(&x);

@@ -242,13 +242,14 @@ void flk_search_insert(flk_search *x, size_t i, double s)
     x->s[i] = s;
     if (row.at.status == FOURLINK_OK)
         x->closest_line = GSL_MIN_DBL(x->closest_line, fabs(row.at.state.sine));
+    x->has_lock |= row.at.status == FOURLINK_LOCKED;
     for (c = 0; c < x->n_columns; c++, place += FLK_SEARCH_MOST_SAMPLES) {
         flk_tracked *t = &x->columns[c];
 
         if (behind)
             memmove(place + 1, place, behind);
         *place = sample_of(x, t, s, &row);
-        if (fabs(*place) > t->size)
+        if (fabs(*place) > t->size && !x->is_cut)
             t->size = fabs(*place);
     }
     x->n++;
@@ -271,6 +272,7 @@ void flk_search_sample(flk_search *x, size_t steps)
 
     x->n = 0;
     x->closest_line = 1;
+    x->has_lock = 0;
     memset(x->halved, 0, sizeof x->halved);
     x->step = step;
     x->a->is_fast = !x->has_noise;

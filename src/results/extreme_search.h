@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** extreme_search.h - the search for extremes: what extreme.c, extreme_samples.c, extreme_narrow.c,
-** extreme_peaks.c and extreme_limits.c share.  mean.c follows columns in the same way.
+** extreme_peaks.c, extreme_limits.c and extreme_locks.c share.  mean.c follows columns in the same way.
 */
 #ifndef FOURLINK_EXTREME_SEARCH_H
 #define FOURLINK_EXTREME_SEARCH_H
@@ -29,6 +29,7 @@ typedef struct flk_tracked {
     const flk_column *c;
     double turn;        /* of an angle: a turn in its unit; else 0 */
     double last;        /* value from which an angle goes on; NaN: it starts anew */
+    double before;      /* the same at the begin of the stretch */
     double first;       /* value at the first row */
     int restarts;       /* 1: it started anew after that */
     double size;        /* largest magnitude of the samples */
@@ -71,6 +72,8 @@ typedef struct flk_search {
     double
         closest_line; /* the least |sin(mu)| of the samples: near 0 columns change within 1e-5 rad */
     int pole_order;   /* of the poles that columns can have at the end at hand */
+    int has_lock;     /* 1: friction locks the mechanism in a sample */
+    int is_cut;       /* 1: the piece is a part of such a stretch, whose size is known */
     size_t n;         /* number of samples */
     int halved[FLK_SEARCH_MOST_STEPS + 1]; /* samples added within each first step */
     double *s;                             /* their parameters */
@@ -179,5 +182,11 @@ void flk_search_find_limits(flk_search *x, int at_end);
 
 /* Offer the poles of a column between samples and at corners. */
 void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values);
+
+/* ---- extreme_locks.c */
+
+/* 1 if friction locks the mechanism in the first sample.  `edge`: the angle passed at which this ends, rad, on the side
+** with rows; infinite if no sample is beyond it. */
+int flk_search_find_lock(const flk_search *x, double *edge);
 
 #endif

@@ -14,25 +14,34 @@
 
 #include "fourlink.h"
 
-static double extreme(const char *deck, fourlink_branch branch, const char *name)
+static fourlink_results *open_results(const char *deck)
 {
     fourlink_results *results;
     fourlink_source source;
-    fourlink_value value;
 
     memset(&source, 0, sizeof source);
     source.text = deck;
     source.length = strlen(deck);
     assert_int_equal(fourlink_results_open(&source, 0, &results, NULL, NULL), FOURLINK_OK);
+    return results;
+}
+
+static double extreme(const char *deck, fourlink_branch branch, const char *name, double *angle)
+{
+    fourlink_results *results = open_results(deck);
+    fourlink_value value;
+
     assert_int_equal(fourlink_results_value(results, name, branch, 0, &value), FOURLINK_OK);
     fourlink_results_free(results);
+    if (angle)
+        *angle = value.angle;
     return value.value;
 }
 
 static void check(const char *deck, fourlink_branch branch, const char *name, double right,
                   double tolerance)
 {
-    double value = extreme(deck, branch, name);
+    double value = extreme(deck, branch, name, NULL);
 
     if (!(fabs(value - right) <= tolerance) && value != right)
         fail_msg("%s is %.12g, not %.12g", name, value, right);
@@ -335,15 +344,121 @@ static void test_narrow(void **state)
     check(tracer, FOURLINK_OPEN, "max(P.x)", 0.330205256025, 1e-9);
 }
 
+/* No row is beyond the extremes of its column. */
+#define COLUMNS 8
+
+static void check_rows(const char *deck, fourlink_branch branch)
+{
+    fourlink_results *results = open_results(deck);
+    const fourlink_value *columns;
+    fourlink_value max[COLUMNS], min[COLUMNS];
+    double values[COLUMNS];
+    unsigned long n, rows = 0, i, c;
+    char name[64];
+
+    assert_int_equal(fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n), FOURLINK_OK);
+    assert_true(n <= COLUMNS);
+    for (c = 0; c < n; c++) {
+        snprintf(name, sizeof name, "max(%s)", columns[c].name);
+        assert_int_equal(fourlink_results_value(results, name, branch, 0, &max[c]), FOURLINK_OK);
+        memcpy(name, "min", 3);
+        assert_int_equal(fourlink_results_value(results, name, branch, 0, &min[c]), FOURLINK_OK);
+    }
+    for (i = 0; i <= 36000; i++) {
+        if (fourlink_results_row(results, branch, i, values, NULL, NULL) != FOURLINK_OK)
+            continue;
+        rows++;
+        for (c = 0; c < n; c++) {
+            double close = 1e-10 * fabs(values[c]);
+
+            if (!(values[c] <= max[c].value + close && values[c] >= min[c].value - close))
+                fail_msg("row %lu: %.12g of %s is not within %.12g and %.12g", i, values[c],
+                         columns[c].name, min[c].value, max[c].value);
+        }
+    }
+    assert_in_range(rows, 1000, 35000); /* the mechanism locks */
+    fourlink_results_free(results);
+}
+
+static double angle_of(const char *deck, const char *name)
+{
+    double angle;
+
+    extreme(deck, FOURLINK_OPEN, name, &angle);
+    return angle;
+}
+
+#define PISTON                                                                    \
+    "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n" \
+    "[load P]\nlink = piston\nforce = 500 N\n[motion]\nspeed = 10 rad/s\n"        \
+    "interval = 0.01 deg\n[table]\ncolumns = Ts, N, friction_guide, power_friction\n"
+
+/* Friction in the guide locks the engine where tan(phi) = 1 / mu; towards that angle forces are unbounded. */
+static void test_lock(void **state)
+{
+    static const char deck[] = PISTON "[friction]\nguide = 5\n";
+    static const char narrow[] = PISTON "[friction]\nguide = 3.8731\n";
+    static const char *const unbounded[] = {"max(Ts)", "max(friction_guide)",
+                                            "max(power_friction)"};
+    double right = asin(4 / sqrt(26)) * 45 / atan(1);
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < 3; i++) {
+        check(deck, FOURLINK_OPEN, unbounded[i], HUGE_VAL, 0);
+        assert_true(fabs(angle_of(deck, unbounded[i]) - right) < 1e-6);
+    }
+    check(deck, FOURLINK_OPEN, "min(N)", -HUGE_VAL, 0);
+    check(deck, FOURLINK_OPEN, "max(N)", 56.3508326897, 1e-9);
+    check_rows(deck, FOURLINK_OPEN);
+    check(narrow, FOURLINK_OPEN, "max(Ts)", HUGE_VAL, 0); /* from 89.7 to 90.3 deg */
+}
+
+/* Where the friction of pins locks a linkage forces end at a finite value, with an infinite slope. */
+static void test_lock_of_pins(void **state)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[crank]\nlength = 20 mm\n"
+        "[coupler]\nlength = 66 mm\nmass = 0.3 kg\ngyration = 25 mm\ncg = 30 mm\n"
+        "[rocker]\nlength = 56 mm\nmass = 0.25 kg\nuniform = yes\n[ground]\nlength = 80 mm\n"
+        "[friction]\nB = 1\nC = 1\nD = 1\n"
+        "radius_B = 30 mm\nradius_C = 30 mm\nradius_D = 30 mm\n"
+        "[motion]\nspeed = 10 rad/s\ninterval = 0.01 deg\n"
+        "[table]\ncolumns = Ts, F23, F34, F14, power_friction\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "max(Ts)", 0.3277405, 2e-6);
+    assert_true(fabs(angle_of(deck, "max(Ts)") - 14.52918) < 1e-4);
+    check_rows(deck, FOURLINK_OPEN);
+}
+
+/* Beyond the locked range small extremes are found as ever. */
+static void test_behind_lock(void **state)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[crank]\nlength = 44.34 mm\nmass = 0.193 kg\ncg = 41.71 mm\n"
+        "[rod]\nlength = 127.11 mm\nmass = 0.153 kg\ngyration = 16.54 mm\ncg = 19 mm\n"
+        "[piston]\nmass = 0.424 kg\n[load P]\nlink = piston\nforce = 629.6 N\n"
+        "[friction]\nguide = 2.771\nB = 0.59\nradius_B = 12.84 mm\nC = 0.64\n"
+        "radius_C = 7.17 mm\n[motion]\nspeed = -2.2 rad/s\ninterval = 0.01 deg\n"
+        "[table]\ncolumns = Ts, N, F34, Fsx, power_friction\n";
+
+    (void)state;
+    check(deck, FOURLINK_CROSSED, "max(power_friction)", HUGE_VAL, 0);
+    check_rows(deck, FOURLINK_OPEN);
+    check_rows(deck, FOURLINK_CROSSED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_turns),  cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_deltoid),     cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_constant),    cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_short_reach), cmocka_unit_test(test_pole_at_sample),
-        cmocka_unit_test(test_half_turns),  cmocka_unit_test(test_time_and_edge),
-        cmocka_unit_test(test_narrow),
+        cmocka_unit_test(test_full_turns),   cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_deltoid),      cmocka_unit_test(test_parallelogram),
+        cmocka_unit_test(test_constant),     cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_short_reach),  cmocka_unit_test(test_pole_at_sample),
+        cmocka_unit_test(test_half_turns),   cmocka_unit_test(test_time_and_edge),
+        cmocka_unit_test(test_narrow),       cmocka_unit_test(test_lock),
+        cmocka_unit_test(test_lock_of_pins), cmocka_unit_test(test_behind_lock),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

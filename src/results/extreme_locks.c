@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** extreme_locks.c - where friction begins and ends to lock the mechanism.
+**
+** No formula gives these angles: samples show them, and halving finds them to rounding.  Towards them friction grows
+** as the inverse of the distance, or, where two solutions meet, ends as its root; so they are treated as dead
+** positions are.
+*/
+#include <gsl/gsl_math.h>
+
+#include "extreme_search.h"
+
+#define HALVINGS 60
+
+static int is_locked(const flk_search *x, double passed)
+{
+    flk_row row;
+
+    flk_search_compute(x, x->needs, passed, &row);
+    return row.at.status == FOURLINK_LOCKED;
+}
+
+int flk_search_find_lock(const flk_search *x, double *edge)
+{
+    double low, high, middle;
+    int first, k;
+    size_t i;
+
+    *edge = GSL_POSINF;
+    if (!x->n)
+        return 0;
+    low = high = flk_search_passed(x, x->s[0]);
+    first = is_locked(x, low);
+    for (i = 1; i < x->n && high == low; i++) {
+        double at = flk_search_passed(x, x->s[i]);
+
+        if (is_locked(x, at) == first)
+            low = high = at;
+        else
+            high = at;
+    }
+    if (high == low)
+        return first;
+    for (k = 0; k < HALVINGS; k++) {
+        middle = 0.5 * (low + high);
+        if (is_locked(x, middle) == first)
+            low = middle;
+        else
+            high = middle;
+    }
+    *edge = first ? high : low;
+    return first;
+}
