@@ -227,23 +227,39 @@ static int solve_problem(const problem *q, double *x)
     return is_there && broyden(q, x, B, CLOSE, ROUNDED) && (q->has_torque || B[0][0] < 0);
 }
 
-/* A quantity that rises with an unknown; -infinite if that is too small for a motion. */
+/* A quantity that rises with an unknown; -infinite if the crank stalls. */
 typedef double rising(const problem *q, double *x);
+
+/* The energy that a cycle gains, by the torque. */
+static double gain(const problem *q, double *x)
+{
+    double r[2];
+
+    return miss(q, x, r) ? r[0] : GSL_NEGINF;
+}
+
+/* 1 if the gain jumps over 0 at a torque with which the crank stalls: a torque adds its work to the energy of a cycle, and
+** little more. */
+static int is_jump(const problem *q, double range, double f_low, double f_high)
+{
+    return !gsl_finite(f_low) && f_high * q->p->node[0].E > 10 * q->torque_unit * q->cycle * range;
+}
 
 /* Find x[i] where it is 0: by steps that double, then between values of both signs by false position that halves the
 ** value of an end that stays (the Illinois method), and by halves while the crank stalls at the lower.  0 if there is
 ** none. */
-static int find_zero(const problem *q, double *x, int i, rising *of)
+static int find_zero(const problem *q, double *x, int i, rising *of, double close)
 {
-    double low = x[i], high = x[i], f_low = GSL_POSINF, f_high = GSL_NEGINF, f = of(q, x), h = 0.2;
+    double low = x[i], high = x[i], f_low = GSL_POSINF, f_high = GSL_NEGINF, f = of(q, x);
+    double h = GSL_MIN(2 * fabs(f), 0.2);
     int k, side = 0;
 
-    for (k = 0; k < DOUBLINGS + STEPS && fabs(f) > NEAR && q->p->budget > 0; k++) {
+    for (k = 0; k < DOUBLINGS + STEPS && fabs(f) > close && q->p->budget > 0; k++) {
         if (f < 0) {
             low = x[i];
             f_low = f;
             f_high *= side == -1 ? 0.5 : 1;
-            side = -1;
+            side = gsl_finite(f) ? -1 : 0;
         } else {
             high = x[i];
             f_high = f;
@@ -254,7 +270,8 @@ static int find_zero(const problem *q, double *x, int i, rising *of)
             x[i] = high - h;
         else if (!(f_high > 0))
             x[i] = low + h;
-        else if (high - low <= NEAR * (1 + fabs(high)))
+        else if (high - low <= NEAR * (1 + fabs(high)) ||
+                 (of == gain && is_jump(q, high - low, f_low, f_high)))
             return gsl_finite(f_low);
         else
             x[i] = gsl_finite(f_low) ? low - f_low * (high - low) / (f_high - f_low)
@@ -262,41 +279,33 @@ static int find_zero(const problem *q, double *x, int i, rising *of)
         h *= 2;
         f = of(q, x);
     }
-    return fabs(f) <= NEAR;
-}
-
-/* The energy that a cycle gains, by the torque. */
-static double gain(const problem *q, double *x)
-{
-    double r[2];
-
-    return miss(q, x, r) ? r[0] : GSL_NEGINF;
+    return fabs(f) <= close;
 }
 
 /* The mean speed of the motion that repeats itself, by the speed at the first row. */
 static double pace(const problem *q, double *x)
 {
-    return find_zero(q, x, 1, gain) ? -log(q->mean_speed * flk_path_end(q->p)->t / q->cycle)
-                                    : GSL_NEGINF;
+    return find_zero(q, x, 1, gain, NEAR) ? -log(q->mean_speed * flk_path_end(q->p)->t / q->cycle)
+                                          : GSL_NEGINF;
 }
 
-/* By brackets, coarsely, and then by Broyden's method, which begins with differences. */
+/* Both unknowns by brackets, coarsely, and then by Broyden's method, which begins with differences. */
 static int solve_in_brackets(const problem *q, double *x)
 {
     double tolerance = q->p->tolerance, B[2][2], r[2], next[2], at[2];
-    int n = q->has_speed + q->has_torque, i, j, is_there;
+    int i, j, is_there;
 
     q->p->tolerance = COARSE;
-    is_there = find_zero(q, x, 0, q->has_speed ? pace : gain);
+    is_there = find_zero(q, x, 0, pace, COARSE);
     q->p->tolerance = tolerance;
-    for (j = 0; j < n && is_there; j++) {
+    for (j = 0; j < 2 && is_there; j++) {
         double h = DIFFERENCE * (1 + fabs(x[j]));
 
         at[0] = x[0];
-        at[n - 1] = x[n - 1];
+        at[1] = x[1];
         at[j] += h;
         is_there = miss(q, x, r) && miss(q, at, next);
-        for (i = 0; i < n && is_there; i++)
+        for (i = 0; i < 2 && is_there; i++)
             B[i][j] = (next[i] - r[i]) / h;
     }
     return is_there && broyden(q, x, B, CLOSE, SENSITIVE);
@@ -327,10 +336,8 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
         return 0;
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     start[0] = x[0] = log(speed);
-    start[q.has_speed] = x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x);
-    if (!p->is_steady && balances)
-        p->is_steady = solve_in_brackets(&q, start);
+    start[1] = x[q.has_speed] = -mean / q.torque_unit;
+    p->is_steady = solve_problem(&q, x) || (q.mean_speed > 0 && solve_in_brackets(&q, start));
     if (p->is_steady)
         return 1;
     if (p->status == FOURLINK_OK)
