@@ -124,8 +124,9 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
     flk_facts_forget(f);
     found = find(m, p, course->winds, f);
     f->inertia = p->machine.inertia;
-    f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
-    if (!found) {
+    if (found)
+        f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
+    else {
         f->status = p->status;
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;

@@ -16,6 +16,7 @@
 
 #define TRIES 200
 #define CLOSE 1e-10      /* of the fluctuation wanted */
+#define ROUNDED 1e-7     /* ... if it does not come closer */
 #define NO_FLYWHEEL 1e12 /* 1/(kg m2) */
 
 typedef struct search {
@@ -35,6 +36,13 @@ static double fluctuation_at(const search *s, double x)
         return GSL_POSINF;
     flk_facts_of_cycle(s->path, s->cycle, &f);
     return gsl_finite(f.fluctuation_exact) ? f.fluctuation_exact : GSL_POSINF;
+}
+
+static int is_found(double y, double y_last, double wanted)
+{
+    double off = fabs(y - wanted);
+
+    return off <= CLOSE * wanted || (off <= ROUNDED * wanted && off > 0.5 * fabs(y_last - wanted));
 }
 
 /* The next x by the secant through this point and the last; 0 if there is none. */
@@ -59,9 +67,9 @@ int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluct
     s.cycle = cycle;
     s.mean_speed = mean_speed;
     s.rotor = p->machine.inertia;
-    for (k = 0; k < TRIES && !p->no_memory; k++) {
+    for (k = 0; k < TRIES && p->budget > 0 && !p->no_memory; k++) {
         y = fluctuation_at(&s, x);
-        if (fabs(y - fluctuation) <= CLOSE * fluctuation || (x >= NO_FLYWHEEL && y < fluctuation))
+        if (is_found(y, y_last, fluctuation) || (x >= NO_FLYWHEEL && y < fluctuation))
             return 1;
         if (y < fluctuation)
             low = x;
@@ -76,7 +84,7 @@ int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluct
             next = !gsl_finite(high) ? 16 * x : low > 0 ? sqrt(low * high) : high / 16;
         x = GSL_MIN(next, NO_FLYWHEEL);
     }
-    if (p->status == FOURLINK_OK)
+    if (p->status == FOURLINK_OK || p->budget == 0)
         p->status = FOURLINK_NO_STEADY;
     return 0;
 }

@@ -12,6 +12,11 @@
 ** They are solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965), which with one unknown
 ** is the secant.  It starts from the lowest speed above which the mean torque of a cycle at constant speed is negative:
 ** there a run-up ends, for below it the machine gains speed.
+**
+** Of a motor that balances the loads, Broyden's method may lose its way where the crank nearly comes to rest, with a
+** small flywheel.  But two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and with the
+** same T not at all.  So the energy after a cycle grows with T, there is one T at most for each v, and the motions of
+** larger v are faster at every angle: both unknowns lie in brackets, T for each v, and v.
 */
 #include <math.h>
 
@@ -24,9 +29,14 @@
 #define FACTOR 1.4
 #define STEPS 60
 #define HALVINGS 30
-#define COARSE 1e-6   /* tolerance of the steps of first solutions, and their error */
-#define CLOSE 1e-13   /* of the energy, the cycle: solved */
-#define ROUNDED 1e-11 /* ... if it does not come closer */
+#define DOUBLINGS 40
+#define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
+#define NEAR \
+    1e-10 /* of what lies in a bracket, and the bracket: the error of its steps is larger */
+#define DIFFERENCE 1e-7 /* of an unknown, for a derivative */
+#define CLOSE 1e-13     /* of the energy, the cycle: solved */
+#define ROUNDED 1e-11   /* ... if it does not come closer */
+#define SENSITIVE 1e-9  /* ... and the period depends on the last digits of the speed */
 
 /* The equations in one or two unknowns. */
 typedef struct problem {
@@ -217,10 +227,94 @@ static int solve_problem(const problem *q, double *x)
     return is_there && broyden(q, x, B, CLOSE, ROUNDED) && (q->has_torque || B[0][0] < 0);
 }
 
+/* A quantity that rises with an unknown; -infinite if the crank stalls. */
+typedef double rising(const problem *q, double *x);
+
+/* The energy that a cycle gains, by the torque. */
+static double gain(const problem *q, double *x)
+{
+    double r[2];
+
+    return miss(q, x, r) ? r[0] : GSL_NEGINF;
+}
+
+/* 1 if the gain jumps over 0 at a torque with which the crank stalls: a torque adds its work to the energy of a cycle, and
+** little more. */
+static int is_jump(const problem *q, double range, double f_low, double f_high)
+{
+    return !gsl_finite(f_low) && f_high * q->p->node[0].E > 10 * q->torque_unit * q->cycle * range;
+}
+
+/* Find x[i] where it is 0: by steps that double, then between values of both signs by false position that halves the
+** value of an end that stays (the Illinois method), and by halves while the crank stalls at the lower.  0 if there is
+** none. */
+static int find_zero(const problem *q, double *x, int i, rising *of, double close)
+{
+    double low = x[i], high = x[i], f_low = GSL_POSINF, f_high = GSL_NEGINF, f = of(q, x);
+    double h = GSL_MIN(2 * fabs(f), 0.2);
+    int k, side = 0;
+
+    for (k = 0; k < DOUBLINGS + STEPS && fabs(f) > close && q->p->budget > 0; k++) {
+        if (f < 0) {
+            low = x[i];
+            f_low = f;
+            f_high *= side == -1 ? 0.5 : 1;
+            side = gsl_finite(f) ? -1 : 0;
+        } else {
+            high = x[i];
+            f_high = f;
+            f_low *= side == 1 ? 0.5 : 1;
+            side = 1;
+        }
+        if (!(f_low < 0))
+            x[i] = high - h;
+        else if (!(f_high > 0))
+            x[i] = low + h;
+        else if (high - low <= NEAR * (1 + fabs(high)) ||
+                 (of == gain && is_jump(q, high - low, f_low, f_high)))
+            return gsl_finite(f_low);
+        else
+            x[i] = gsl_finite(f_low) ? low - f_low * (high - low) / (f_high - f_low)
+                                     : 0.5 * (low + high);
+        h *= 2;
+        f = of(q, x);
+    }
+    return fabs(f) <= close;
+}
+
+/* The mean speed of the motion that repeats itself, by the speed at the first row. */
+static double pace(const problem *q, double *x)
+{
+    return find_zero(q, x, 1, gain, NEAR) ? -log(q->mean_speed * flk_path_end(q->p)->t / q->cycle)
+                                          : GSL_NEGINF;
+}
+
+/* Both unknowns by brackets, coarsely, and then by Broyden's method, which begins with differences. */
+static int solve_in_brackets(const problem *q, double *x)
+{
+    double tolerance = q->p->tolerance, B[2][2], r[2], next[2], at[2];
+    int i, j, is_there;
+
+    q->p->tolerance = COARSE;
+    is_there = find_zero(q, x, 0, pace, COARSE);
+    q->p->tolerance = tolerance;
+    for (j = 0; j < 2 && is_there; j++) {
+        double h = DIFFERENCE * (1 + fabs(x[j]));
+
+        at[0] = x[0];
+        at[1] = x[1];
+        at[j] += h;
+        is_there = miss(q, x, r) && miss(q, at, next);
+        for (i = 0; i < 2 && is_there; i++)
+            B[i][j] = (next[i] - r[i]) / h;
+    }
+    return is_there && broyden(q, x, B, CLOSE, SENSITIVE);
+}
+
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
 {
     int balances = p->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
-    double x[2], mean = 0;
+    double x[2], start[2], mean = 0;
     flk_machine_place place;
     problem q;
 
@@ -241,9 +335,9 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     if (!(speed > 0) || (balances && !mean_push(p, cycle, speed, &mean)))
         return 0;
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
-    x[0] = log(speed);
-    x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x);
+    start[0] = x[0] = log(speed);
+    start[1] = x[q.has_speed] = -mean / q.torque_unit;
+    p->is_steady = solve_problem(&q, x) || (q.mean_speed > 0 && solve_in_brackets(&q, start));
     if (p->is_steady)
         return 1;
     if (p->status == FOURLINK_OK)

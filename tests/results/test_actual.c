@@ -299,6 +299,74 @@ static void test_rate(void **unused)
     fourlink_results_free(steady);
 }
 
+/* ------------------------------------------------------------------------------------ small flywheels */
+
+#define BALANCED "[motor]\ntorque = constant\n"
+#define TEN "[motion]\nmode = steady\nmean_speed = 10 rad/s\ninterval = 45 deg\n"
+
+/* A motor that balances the loads has a steady motion with any flywheel, though the crank nearly comes to rest; two
+** values are those of an independent integration. */
+static void test_small_flywheels(void **unused)
+{
+    static const struct {
+        double inertia, fluctuation, torque;
+    } sample[] = {{0.3, 2.04222, 20.8519},
+                  {0.2, 2.61882, 23.3634},
+                  {0.17, 2.85589, 24.6997},
+                  {0.15, 0, 0},
+                  {0.1, 0, 0}};
+    double last = 0, fluctuation;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof sample / sizeof sample[0]; i++) {
+        fourlink_results *r = opened(print("%s[flywheel]\ninertia = %g kg m2\n%s",
+                                           PUMP FORCE FAN BALANCED, sample[i].inertia, TEN));
+
+        assert_close(value_at(r, "omega2", 0), value_at(r, "omega2", 360), 1e-9);
+        assert_close(2 * M_PI / value_at(r, "time", 360), 10.0, 1e-9);
+        assert_close(value_at(r, "mean_speed", 0), 10.0, 1e-9);
+        check_rows(r, sample[i].inertia);
+        fluctuation = value_at(r, "fluctuation_exact", 0);
+        assert_true(fluctuation > last);
+        last = fluctuation;
+        if (sample[i].torque > 0) {
+            assert_close(fluctuation, sample[i].fluctuation, 1e-5);
+            assert_close(value_at(r, "motor_torque", 0), sample[i].torque, 1e-5);
+        }
+        fourlink_results_free(r);
+    }
+}
+
+/* The flywheel for a fluctuation that only a small one has. */
+static void test_wanted_fluctuation(void **unused)
+{
+    fourlink_results *r =
+        opened(PUMP FORCE FAN BALANCED "[flywheel]\nfluctuation = 240 %\nexact = yes\n" TEN);
+    double inertia = value_at(r, "flywheel_inertia", 0);
+
+    (void)unused;
+    fourlink_results_free(r);
+    r = opened(
+        print("%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP FORCE FAN BALANCED, inertia, TEN));
+    assert_near(value_at(r, "fluctuation_exact", 0), 2.4, 1e-6);
+    fourlink_results_free(r);
+}
+
+/* With a flywheel so small that the crank stands still, but for rounding, none is found, and no torque is told. */
+static void test_no_flywheel(void **unused)
+{
+    fourlink_results *r = opened(PUMP FORCE FAN BALANCED "[flywheel]\ninertia = 0.001 kg m2\n" TEN);
+    fourlink_value v;
+    double angle;
+
+    (void)unused;
+    assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_NO_STEADY);
+    assert_int_not_equal(fourlink_results_value(r, "motor_torque", FOURLINK_OPEN, 0, &v),
+                         FOURLINK_OK);
+    fourlink_results_free(r);
+}
+
 /* ------------------------------------------------------------------------------------ symmetries */
 
 /* A machine seen from behind: the mirror image turns clockwise. */
@@ -449,12 +517,14 @@ static void test_pendulum(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_energy),         cmocka_unit_test(test_shaft),
-        cmocka_unit_test(test_second_opinion), cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_large_flywheel), cmocka_unit_test(test_fluctuation),
-        cmocka_unit_test(test_rate),           cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_any_angle),      cmocka_unit_test(test_positions),
-        cmocka_unit_test(test_time_and_angle), cmocka_unit_test(test_pendulum)};
+        cmocka_unit_test(test_energy),          cmocka_unit_test(test_shaft),
+        cmocka_unit_test(test_second_opinion),  cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_large_flywheel),  cmocka_unit_test(test_fluctuation),
+        cmocka_unit_test(test_small_flywheels), cmocka_unit_test(test_wanted_fluctuation),
+        cmocka_unit_test(test_no_flywheel),     cmocka_unit_test(test_rate),
+        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_any_angle),
+        cmocka_unit_test(test_positions),       cmocka_unit_test(test_time_and_angle),
+        cmocka_unit_test(test_pendulum)};
 
     return cmocka_run_group_tests(tests, watch_gsl, NULL);
 }
