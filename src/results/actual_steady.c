@@ -311,6 +311,12 @@ static int solve_in_brackets(const problem *q, double *x)
     return is_there && broyden(q, x, B, CLOSE, SENSITIVE);
 }
 
+/* 1 if this is no end of the motion, but one of the search. */
+static int is_lost(int status)
+{
+    return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG;
+}
+
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
 {
     int balances = p->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
@@ -337,7 +343,12 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     start[0] = x[0] = log(speed);
     start[1] = x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x) || (q.mean_speed > 0 && solve_in_brackets(&q, start));
+    p->is_steady = solve_problem(&q, x);
+    if (!p->is_steady && q.mean_speed > 0 && is_lost(p->status)) {
+        p->is_steady = solve_in_brackets(&q, start);
+        if (!p->is_steady && is_lost(p->status))
+            p->status = FOURLINK_NO_STEADY;
+    }
     if (p->is_steady)
         return 1;
     if (p->status == FOURLINK_OK)
