@@ -41,6 +41,8 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
 /* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l). */
 static void put_guide(const report *r, math *m, const fourlink_friction *friction)
 {
+    static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
+                                               {"mu * N34", "mu * { 2 * M34 | lguide }"}};
     int is_slot = fourlink_slides((int)r->design->kind, FOURLINK_COUPLER) != 0;
     const fourlink_forces *f = &r->now.forces;
     double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
@@ -55,11 +57,7 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
     math_set(m, "lguide", l);
     math_set(m, is_slot ? "N34" : "N", fabs(N));
     math_set(m, is_slot ? "M34" : "M14", fabs(M));
-    math_let(m, "Fguide",
-             has_edges ? is_slot ? "mu * { 2 * M34 | lguide }" : "mu * { 2 * M14 | lguide }"
-             : is_slot ? "mu * N34"
-                       : "mu * N",
-             r->now.losses.guide, "N");
+    math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide, "N");
 }
 
 /* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the link that
