@@ -127,13 +127,28 @@ static int behind_gap(const picture *p, fourlink_branch branch, int y, double tu
     return -1;
 }
 
-/* What is smaller is rounding: a motion of the crank alone is the measure. */
+/* N m, the largest rounding of a torque on a branch. */
+static double rounding_of_torques(const picture *p, fourlink_branch branch)
+{
+    double values[PICTURE_COLUMNS], largest = 0;
+    fourlink_instant now;
+    int k;
+
+    for (k = 0; k <= PICTURE_STEPS && p->problem.mode != FOURLINK_MODE_GIVEN; k++)
+        if (graph_sample(p, branch, k, values, &now))
+            largest = GSL_MAX_DBL(largest, picture_torque_rounding(p, &now.forces));
+    return largest;
+}
+
+/* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it. */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
     double length = p->design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch);
     const char *of = p->columns[y].quantity;
     double size;
 
+    if (strcmp(of, "torque") == 0)
+        return picture_value(p, QUANTITY_TORQUE, rounding_of_torques(p, branch));
     if (strcmp(of, "angular_speed") == 0)
         size = picture_value(p, QUANTITY_ANGULAR_SPEED, omega);
     else if (strcmp(of, "angular_acceleration") == 0)

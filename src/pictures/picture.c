@@ -115,6 +115,20 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
                : p->problem.motion.speed;
 }
 
+double picture_torque_rounding(const picture *p, const fourlink_forces *forces)
+{
+    double length = p->design->link[FOURLINK_CRANK].length;
+
+    return p->problem.mode == FOURLINK_MODE_GIVEN
+               ? 0
+               : 1e-12 * length * gsl_hypot(forces->F12x, forces->F12y);
+}
+
+double picture_driving_torque(const picture *p, const fourlink_forces *forces)
+{
+    return fabs(forces->Ts) < picture_torque_rounding(p, forces) ? 0 : forces->Ts;
+}
+
 const char *picture_no_rows(const picture *p, fourlink_branch branch)
 {
     double angle;

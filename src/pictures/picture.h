@@ -199,6 +199,12 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
+/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is 0. */
+double picture_torque_rounding(const picture *p, const fourlink_forces *forces);
+
+/* N m, Ts, or 0 if it is rounding. */
+double picture_driving_torque(const picture *p, const fourlink_forces *forces);
+
 /* rad/s, of the crank at the first row; of the actual motion its mean over a cycle, if it has one. */
 double picture_speed_of(const picture *p, fourlink_branch branch);
 

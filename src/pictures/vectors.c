@@ -386,7 +386,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     }
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     if (b->link == FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, r->now.forces.Ts);
+        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, picture_driving_torque(p, &r->now.forces));
     if (p->slot && b->link != FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
                           b->slides ? -r->now.forces.M34 : r->now.forces.M34);

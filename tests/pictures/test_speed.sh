@@ -27,6 +27,18 @@ check 'that on the crank makes a loop' awk '
 points energy_open >energy
 near 'the largest energy' "$(awk '{print $2}' energy | sort -g | tail -n 1)" "$(fact 'max(energy)')" 1e-4
 
+# Without a motor the torque on the crank is rounding, and drawn as 0.
+sed '/^\[motor/,/^$/d; /^\[flywheel/,/^$/d; s/^mode .*/mode = free\nspeed = 30 rad\/s/; s/^turns .*/turns = 0.5/' "$pump" >free.deck
+run 0 -f csv -c Ts --branch=open free.deck
+check 'its table has the rounding' awk -F, 'NR > 1 && $2 != 0 {n++} END {exit !n}' out
+for kind in speed forces; do
+    run 0 --plot-script=s.gp --plot-kind=$kind --branch=open free.deck
+    points Ts_open >crank
+    check "$kind: a torque of 0" awk '$2 != 0 {bad++} END {exit bad || NR < 100}' crank
+done
+run 0 --plot-script=s.gp --plot-kind=mechanism --branch=open free.deck
+check 'mechanism: no torque' none 'Ts' s.gp
+
 run 2 --plot=p.svg --plot-kind=speed "$alvi"
 says 'this picture needs [motion] mode = free, run-up or steady; the motion is given'
 run 1 --plot-script=s.gp --plot-kind=speed --branch=open --set='motor.stall_torque=60 N m' "$pump"
