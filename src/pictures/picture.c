@@ -117,11 +117,9 @@ double picture_speed_of(const picture *p, fourlink_branch branch)
 
 double picture_torque_rounding(const picture *p, const fourlink_forces *forces)
 {
-    double length = p->design->link[FOURLINK_CRANK].length;
-
-    return p->problem.mode == FOURLINK_MODE_GIVEN
-               ? 0
-               : 1e-12 * length * gsl_hypot(forces->F12x, forces->F12y);
+    if (p->problem.mode == FOURLINK_MODE_GIVEN)
+        return 0;
+    return 1e-12 * p->design->link[FOURLINK_CRANK].length * gsl_hypot(forces->F12x, forces->F12y);
 }
 
 double picture_driving_torque(const picture *p, const fourlink_forces *forces)
