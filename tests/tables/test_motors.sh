@@ -166,9 +166,8 @@ sweep 's/^stall_torque.*/torque = constant/; /^no_load/d; s/^mode.*/mode = stead
        s/^inertia = 0.5.*/exact = yes/' 'motion.mean_speed = 12 rad/s, 40 rad/s
 flywheel.fluctuation = 10 %, 190 %
 output = flywheel_inertia'
-run 1 sweep.deck -f csv -b open
-check 'three flywheels' test "$(grep -c 'open,[0-9.]*,ok' out)" -eq 3
-check 'and none' grep -q '^4,40,1.[89]*,open,,no steady motion: ' out
+run 0 sweep.deck -f csv -b open
+check 'four flywheels' test "$(grep -c 'open,[0-9.]*,ok' out)" -eq 4
 
 # Rows by time have no facts of a cycle.
 by_time='s/^turns.*/rows = time\ntime_step = 10 ms\nduration = 0.5 s/; /^interval/d'
