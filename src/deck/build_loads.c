@@ -378,3 +378,87 @@ void flk_build_loads(parser *p)
             d->has_forces = 1;
         }
 }
+
+/* ------------------------------------------------------------------------------------- curves that are left */
+
+#define PLACES 180    /* of the motion */
+#define ROUNDING 1e-9 /* of the curve */
+
+/* The least and the largest argument of a load over the motion; of a motion that is not given speeds are not known. */
+static void find_range(const deck *d, int over, double *low, double *high)
+{
+    double end = d->one_instant ? d->motion.from : d->motion.to;
+    fourlink_state state;
+    fourlink_row row;
+    int i, branch;
+
+    *low = GSL_POSINF;
+    *high = GSL_NEGINF;
+    for (i = 0; i <= PLACES; i++)
+        for (branch = FOURLINK_CROSSED; branch <= FOURLINK_OPEN; branch += 2) {
+            double angle = d->motion.from + (end - d->motion.from) * i / PLACES;
+
+            if (!(branch == FOURLINK_OPEN ? d->open : d->crossed) ||
+                fourlink_motion_at(&d->motion, angle, &row) != FOURLINK_OK ||
+                flk_mechanism_move(&d->mechanism, (fourlink_branch)branch, &row.crank, 0, &state) !=
+                    FOURLINK_OK)
+                continue;
+            *low = GSL_MIN(*low, flk_deck_argument(&state, over));
+            *high = GSL_MAX(*high, flk_deck_argument(&state, over));
+        }
+}
+
+static quantity quantity_over(int over)
+{
+    return over == OVER_X || over == OVER_SLIDE         ? QUANTITY_LENGTH
+           : over == OVER_OMEGA2 || over == OVER_OMEGA4 ? QUANTITY_ANGULAR_SPEED
+                                                        : QUANTITY_SPEED;
+}
+
+/* Note that the motion goes beyond a curve. */
+static void check_ends(parser *p, const setting *s, const setting *over, const curve *c)
+{
+    const deck_unit *u = &p->d->units[quantity_over(over->word)];
+    double low, high, first, last;
+
+    if (!c->n || c->period > 0)
+        return;
+    find_range(p->d, over->word, &low, &high);
+    first = c->x[0];
+    last = c->x[c->n - 1];
+    if (low >= first - ROUNDING * (last - first) && high <= last + ROUNDING * (last - first))
+        return;
+    flk_mistake(NOTES(p), s->place,
+                "%t goes from %.6g to %.6g %s: before %.6g and after %.6g %s the value of the "
+                "nearest point holds",
+                over->value, flk_unit_from_si(low, u->unit), flk_unit_from_si(high, u->unit),
+                u->name, flk_unit_from_si(first, u->unit), flk_unit_from_si(last, u->unit),
+                u->name);
+}
+
+void flk_build_curve_ends(parser *p)
+{
+    unsigned long n = 0;
+    size_t i;
+
+    if (p->mistakes->count)
+        return;
+    for (i = 0; i < p->n_uses; i++) {
+        const setting *over;
+
+        if (p->uses[i].section != SECTION_LOAD)
+            continue;
+        over = flk_setting_of(&p->uses[i], KEY_LOAD_OVER);
+        if (over->word > OVER_THETA4 &&
+            (p->d->drive.mode == DRIVE_GIVEN || !OVER_IS_SPEED(over->word))) {
+            const deck_load *load = &p->d->variations[n];
+
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_FORCE), over, &load->force[0]);
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_TORQUE), over, &load->torque);
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_BACK), over,
+                       &load->law.back_force[0]);
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_BACK), over, &load->law.back_torque);
+        }
+        n++;
+    }
+}

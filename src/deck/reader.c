@@ -98,6 +98,7 @@ static void build(parser *p)
     flk_build_motion(p);
     flk_build_flywheel(p);
     flk_build_table(p);
+    flk_build_curve_ends(p);
     flk_build_expectations(p);
 }
 

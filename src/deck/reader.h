@@ -219,6 +219,9 @@ void flk_build_balance(parser *p);
 void flk_build_points(parser *p);
 void flk_build_series(parser *p);
 void flk_build_motion(parser *p);
+
+/* After all else: note the curves over positions and speeds that the motion leaves. */
+void flk_build_curve_ends(parser *p);
 void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);

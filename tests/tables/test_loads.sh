@@ -264,6 +264,17 @@ check 'the load where the piston turns round' awk -F, '
         if ((F - w) ^ 2 > 1e-18) bad++}
     END {exit bad || NR != 8}' out
 
+# A curve that the motion leaves says which value holds there; of speeds too, if the motion is given.
+sed 's/^force = .*/force = 20 mm -100 N, 50 mm -300 N/; /^back/d' turns.deck >left.deck
+"$fourlink" -b open -c theta2 left.deck >out 2>err
+check 'a curve over x that is left' grep -qxF 'left.deck:11: note: x goes from 0 to 0.1 m: before 0.02 and after 0.05 m the value of the nearest point holds' err
+sed 's/^force = .*/force = 0 mm -100 N, 100 mm -300 N/' left.deck >kept.deck
+"$fourlink" -b open -c theta2 kept.deck >out 2>err
+check 'one that is not' test "$(grep -c 'nearest point' err)" -eq 0
+sed 's/^over = x/over = v/; s/^force = .*/force = -1 m\/s 100 N, 0.5 m\/s -300 N/' left.deck >fast.deck
+"$fourlink" -b open -c theta2 -s motion.interval=10deg fast.deck >out 2>err
+check 'a curve over v that is left' grep -q '^fast.deck:11: note: v goes from -0.515[0-9]* to 0.515[0-9]* m/s: before -1 and after 0.5 m/s the value' err
+
 # A dead position is flagged before it is reached.
 "$fourlink" -b open -i 0.1 "$data/me3491-exercise-1.deck" -s 'motion.from=110.48 deg' -s 'motion.to=110.6 deg' \
     -s 'motion.speed=100 rpm' >near
