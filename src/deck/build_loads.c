@@ -408,17 +408,10 @@ static void find_range(const deck *d, int over, double *low, double *high)
         }
 }
 
-static quantity quantity_over(int over)
-{
-    return over == OVER_X || over == OVER_SLIDE         ? QUANTITY_LENGTH
-           : over == OVER_OMEGA2 || over == OVER_OMEGA4 ? QUANTITY_ANGULAR_SPEED
-                                                        : QUANTITY_SPEED;
-}
-
 /* Note that the motion goes beyond a curve. */
 static void check_ends(parser *p, const setting *s, const setting *over, const curve *c)
 {
-    const deck_unit *u = &p->d->units[quantity_over(over->word)];
+    const deck_unit *u = &p->d->units[flk_values_quantity_over(over->word)];
     double low, high, first, last;
 
     if (!c->n || c->period > 0)

@@ -159,6 +159,9 @@ void flk_lines_read(parser *p, text rest, char *copy);
 /* Second pass: the units, which bare numbers need; the assignments of a design of the [sweep]; the values. */
 void flk_values_read_section(parser *p, const section_use *use);
 void flk_values_read(parser *p, int units_only);
+
+/* What a load over OVER_THETA2 ... is over. */
+quantity flk_values_quantity_over(int over);
 void flk_sweep_read(parser *p, unsigned long design);
 
 /* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */

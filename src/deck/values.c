@@ -188,19 +188,25 @@ static int read_over(const section_use *use, int *over)
     return !IS_SET(s) || find_word(KEY_LOAD_OVER, s->value, over);
 }
 
-/* The quantity of what a load, or the torque of a motor, is over. */
-static quantity argument_of(const section_use *use)
+quantity flk_values_quantity_over(int over)
 {
     static const quantity quantities[] = {
         QUANTITY_ANGLE,         QUANTITY_ANGLE,         QUANTITY_LENGTH, QUANTITY_LENGTH,
         QUANTITY_ANGULAR_SPEED, QUANTITY_ANGULAR_SPEED, QUANTITY_SPEED,  QUANTITY_SPEED};
+
+    return quantities[over];
+}
+
+/* The quantity of what a load, or the torque of a motor, is over. */
+static quantity argument_of(const section_use *use)
+{
     int over = OVER_THETA2;
 
     if (use->section == SECTION_MOTOR)
         return QUANTITY_ANGULAR_SPEED;
     if (use->section == SECTION_LOAD)
         read_over(use, &over);
-    return quantities[over];
+    return flk_values_quantity_over(over);
 }
 
 quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
