@@ -929,6 +929,14 @@ static void test_bad_designs(void **unused)
     assert_int_equal(fourlink_prepare(&bad, &mechanism), FOURLINK_OK);
 }
 
+/* In all numbers that are used; other bytes have no value. */
+static void assert_same_state(const fourlink_state *state, const fourlink_state *other)
+{
+    assert_memory_equal(&state->link[2], &other->link[2], 3 * sizeof state->link[2]);
+    assert_int_equal(state->branch, other->branch);
+    assert_memory_equal(&state->sine, &other->sine, sizeof *state - offsetof(fourlink_state, sine));
+}
+
 static void test_bad_calls(void **unused)
 {
     fourlink_mechanism m = four_bar(1, 3, 2.5, 3.5);
@@ -942,15 +950,15 @@ static void test_bad_calls(void **unused)
     for (i = 0; i < NO_NUMBERS; i++) {
         assert_no_position(&m, FOURLINK_OPEN, no_numbers[i], FOURLINK_BAD_NUMBER);
         assert_int_equal(fourlink_velocity(&m, no_numbers[i], &state), FOURLINK_BAD_NUMBER);
-        assert_memory_equal(&state, &pattern, sizeof state);
+        assert_same_state(&state, &pattern);
         assert_int_equal(fourlink_acceleration(&m, no_numbers[i], &state), FOURLINK_BAD_NUMBER);
-        assert_memory_equal(&state, &pattern, sizeof state);
+        assert_same_state(&state, &pattern);
         assert_int_equal(analyse(&m, FOURLINK_OPEN, 1, no_numbers[i], 0, &state),
                          FOURLINK_BAD_NUMBER);
-        assert_memory_equal(&state, &pattern, sizeof state);
+        assert_same_state(&state, &pattern);
         assert_int_equal(analyse(&m, FOURLINK_OPEN, 1, 0, no_numbers[i], &state),
                          FOURLINK_BAD_NUMBER);
-        assert_memory_equal(&state, &pattern, sizeof state);
+        assert_same_state(&state, &pattern);
         bad = where;
         bad.x = no_numbers[i];
         assert_int_equal(fourlink_point(&state, 3, &bad, &p, &p, &p), FOURLINK_BAD_NUMBER);
@@ -973,7 +981,7 @@ static void test_bad_calls(void **unused)
                      FOURLINK_NULL);
     assert_int_equal(fourlink_analyse(&m, FOURLINK_OPEN, &crank, NULL, 0, NULL, NULL),
                      FOURLINK_NULL);
-    assert_memory_equal(&state, &pattern, sizeof state);
+    assert_same_state(&state, &pattern);
 
     assert_int_equal(fourlink_point(NULL, 3, &where, &p, &p, &p), FOURLINK_NULL);
     assert_int_equal(fourlink_point(&state, 3, NULL, &p, &p, &p), FOURLINK_NULL);
