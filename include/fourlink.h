@@ -126,10 +126,12 @@ typedef enum fourlink_kind {
 ** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
 **
 ** If two links are far longer than the other two, positions lose as many digits as the square of
-** the ratio has.  If eight or fewer are left, the status is FOURLINK_LOST_IN_ROUNDING. */
-#define FOURLINK_LENGTH_MIN 1e-15 /* m */
-#define FOURLINK_LENGTH_MAX 1e15  /* m; also of distances such as `cg`, `at` and `offset` */
-#define FOURLINK_NUMBER_MAX 1e30  /* all else, in SI units */
+** the ratio has.  If eight or fewer are left, the status is FOURLINK_LOST_IN_ROUNDING.
+**
+** Without the casts, a compiler for x87 takes 1e30 with more digits than a double has. */
+#define FOURLINK_LENGTH_MIN ((double)1e-15) /* m */
+#define FOURLINK_LENGTH_MAX ((double)1e15)  /* m; also of distances: `cg`, `at`, `offset` */
+#define FOURLINK_NUMBER_MAX ((double)1e30)  /* all else, in SI units */
 
 /* The two assembly modes.
 **

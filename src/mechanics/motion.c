@@ -155,12 +155,14 @@ int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row
 int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *range, unsigned long i,
                         fourlink_row *row)
 {
+    double turned;
+
     if (!motion || !range || !row)
         return FOURLINK_NULL;
     if (i >= range->n_rows)
         return FOURLINK_NO_SUCH_ROW;
     if (i > 0 && i == range->n_rows - 1 && !range->stops)
         return fourlink_motion_at(motion, last_angle(motion), row);
-    return fourlink_motion_at(motion,
-                              motion->from + direction(motion) * (double)i * motion->interval, row);
+    turned = (double)i * motion->interval; /* rounded here, 100 x 0.01 is 1, as it is on paper */
+    return fourlink_motion_at(motion, motion->from + direction(motion) * turned, row);
 }
