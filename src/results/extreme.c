@@ -298,6 +298,8 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
                 flk_search_commit(&x.columns[c], 0);
                 x.columns[c].last = GSL_NAN;
                 x.columns[c].restarts = 1;
+            } else if (a->actual) {
+                flk_search_commit(&x.columns[c], 0);
             }
         has_gap |= !reached;
         if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)

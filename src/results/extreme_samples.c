@@ -15,6 +15,7 @@
 
 #define INSIDE 5e-11         /* rad, from a corner into the piece beside it */
 #define CLOSE_TO_CHANGE 1e-4 /* rad */
+#define CLOSE_TURNS 1e-10    /* of a value: equal in two turns of an integrated motion */
 
 /* Of a motion that repeats the first period and the last are searched. */
 static void skip_periods(flk_search *x)
@@ -146,6 +147,7 @@ void flk_search_track(const flk_search *x, flk_tracked *t, const flk_column *c)
         t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
     t->last = t->first = GSL_NAN;
     t->bound = flk_column_bound(c);
+    t->close = x->a->actual ? CLOSE_TURNS : FLK_SEARCH_CLOSE;
     t->is_noise = (flk_column_flags(c) & FOURLINK_OF_ROUNDING) != 0;
 }
 
@@ -345,19 +347,28 @@ double flk_search_signed(int which, double value)
     return which == 0 ? value : -value;
 }
 
+/* Take the new extreme if there is none, or if it is more than the old one by more than a part of it. */
+static void offer(flk_found *best, int which, const flk_found *found, double part)
+{
+    double close = part * GSL_MAX_DBL(fabs(found->value), fabs(best->value));
+
+    if (gsl_isnan(found->value))
+        return;
+    if (!best->is_there ||
+        flk_search_signed(which, found->value) >
+            flk_search_signed(which, best->value) + (gsl_finite(close) ? close : 0))
+        *best = *found;
+}
+
 void flk_search_offer(flk_found *best, int which, double value, double angle, double corner)
 {
-    double close = FLK_SEARCH_CLOSE * GSL_MAX_DBL(fabs(value), fabs(best->value));
+    flk_found found;
 
-    if (gsl_isnan(value))
-        return;
-    if (!best->is_there || flk_search_signed(which, value) > flk_search_signed(which, best->value) +
-                                                                 (gsl_finite(close) ? close : 0)) {
-        best->is_there = 1;
-        best->value = value;
-        best->angle = angle;
-        best->corner = corner;
-    }
+    found.is_there = 1;
+    found.value = value;
+    found.angle = angle;
+    found.corner = corner;
+    offer(best, which, &found, FLK_SEARCH_CLOSE);
 }
 
 void flk_search_offer_at(const flk_search *x, flk_found *best, int which, double value, double s)
@@ -371,9 +382,10 @@ void flk_search_commit(flk_tracked *t, double shift)
     int which;
 
     for (which = 0; which < 2; which++)
-        if (t->here[which].is_there)
-            flk_search_offer(&t->best[which], which, t->here[which].value + shift,
-                             t->here[which].angle, t->here[which].corner);
+        if (t->here[which].is_there) {
+            t->here[which].value += shift;
+            offer(&t->best[which], which, &t->here[which], t->close);
+        }
     memset(t->here, 0, sizeof t->here);
 }
 
