@@ -171,7 +171,7 @@ random_decks() {
 without_residual() {
     awk '
         /residual\)/ {next}
-        /^# theta2 / {to = match($0, /  +residual/) ? RSTART : 0; from = to + RLENGTH}
+        /^# theta2 / {to = match($0, /  +(energy_)?residual/) ? RSTART : 0; from = to + RLENGTH}
         {print (to && length($0) >= to ? substr($0, 1, to - 1) substr($0, from) : $0)}'
 }
 
