@@ -9,7 +9,7 @@
 # These compile, take an hour when emulated, need signals, links, devices or a terminal of POSIX, names with quotes or
 # control characters, or gnuplot itself.
 others='install|readme|includes|fast_math|brute|interruption|missing_designs|failures|output|files|terminal|readers'
-others="$others|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
+others="$others|speed|test_csv|test_json|test_summary|test_answers|inverted_decks|plot|picture|vectors|klein|kinds"
 others="$others|assets|browser|characters|test_columns|test_report|sample|test_sweeps|curves|scripts|names|odd_decks|readable|scales"
 
 install cmake make gcc libgsl-dev dpkg-dev mingw-w64 wine wine64

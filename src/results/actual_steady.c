@@ -35,8 +35,8 @@
     1e-10 /* of what lies in a bracket, and the bracket: the error of its steps is larger */
 #define DIFFERENCE 1e-7 /* of an unknown, for a derivative */
 #define CLOSE 1e-13     /* of the energy, the cycle: solved */
-#define ROUNDED 1e-11   /* ... if it does not come closer */
-#define SENSITIVE 1e-9  /* ... and the period depends on the last digits of the speed */
+#define ROUNDED \
+    1e-9 /* ... if it does not come closer: corners of friction, or periods that depend on last digits */
 
 /* The equations in one or two unknowns. */
 typedef struct problem {
@@ -200,7 +200,7 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
         last = size(n, r);
         if (!solve(n, B, r, dx) || !step(q, n, x, r, dx, B))
             break;
-        if (last <= rounded && size(n, r) > 0.5 * last)
+        if (last <= rounded && size(n, r) > 0.9 * last)
             break;
     }
     if (is_there && size(n, r) <= rounded)
@@ -224,7 +224,15 @@ static int solve_problem(const problem *q, double *x)
     q->p->tolerance = COARSE;
     is_there = broyden(q, x, B, COARSE, 10 * COARSE);
     q->p->tolerance = tolerance;
-    return is_there && broyden(q, x, B, CLOSE, ROUNDED) && (q->has_torque || B[0][0] < 0);
+    return is_there && broyden(q, x, B, CLOSE, ROUNDED);
+}
+
+/* 1 if a motion that differs a little comes closer in each cycle; a torque that balances takes care of that. */
+static int is_stable(const problem *q)
+{
+    double growth;
+
+    return q->has_torque || (flk_path_growth(q->p, &growth) == FOURLINK_OK && growth < 0);
 }
 
 /* A quantity that rises with an unknown; -infinite if the crank stalls. */
@@ -308,7 +316,7 @@ static int solve_in_brackets(const problem *q, double *x)
         for (i = 0; i < 2 && is_there; i++)
             B[i][j] = (next[i] - r[i]) / h;
     }
-    return is_there && broyden(q, x, B, CLOSE, SENSITIVE);
+    return is_there && broyden(q, x, B, CLOSE, ROUNDED);
 }
 
 /* 1 if this is no end of the motion, but one of the search. */
@@ -343,7 +351,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     start[0] = x[0] = log(speed);
     start[1] = x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x);
+    p->is_steady = solve_problem(&q, x) && is_stable(&q);
     if (!p->is_steady && q.mean_speed > 0 && is_lost(p->status)) {
         p->is_steady = solve_in_brackets(&q, start);
         if (!p->is_steady && is_lost(p->status))
