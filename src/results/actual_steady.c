@@ -9,9 +9,12 @@
 **    g(E0) - E0 = 0,   mean_speed t - cycle = 0    of a motor that balances, for v and T
 **    g(E0) - E0 = 0                                the same from a given speed, for T
 **
-** They are solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965), which with one unknown
-** is the secant.  It starts from the lowest speed above which the mean torque of a cycle at constant speed is negative:
-** there a run-up ends, for below it the machine gains speed.
+** The first is solved by Newton's method in E0, as g' = exp(growth) follows from the path, between speeds at which the
+** machine gains and loses energy in a cycle.  It starts from the lowest speed above which the mean torque of a cycle at
+** constant speed is negative: there a run-up ends, for below it the machine gains speed.  The motion is stable if g' < 1.
+**
+** The others are solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965), which with one
+** unknown is the secant.
 **
 ** Of a motor that balances the loads, Broyden's method may lose its way where the crank nearly comes to rest, with a
 ** small flywheel.  But two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and with the
@@ -29,6 +32,7 @@
 #define FACTOR 1.4
 #define STEPS 60
 #define HALVINGS 30
+#define LEAP 0.3 /* of ln v, without a better step */
 #define DOUBLINGS 40
 #define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
 #define NEAR \
@@ -210,29 +214,73 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
     return 0;
 }
 
-/* Coarsely, then finely.  B begins as if all energy of a cycle came from the torques of this cycle, g' = 0; with a
-** motor that balances, as if torques did not depend on the speed, g' = 1. */
+/* 1 if this is no end of the motion, but one of the search. */
+static int is_lost(int status)
+{
+    return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG;
+}
+
+/* The change of ln v after which E0 = g(E0), by Newton's method:
+**
+**    dE0 / E0 = (g(E0) / E0 - 1) / (1 - g')
+**
+** Where g' >= 1, a leap towards larger or smaller speeds. */
+static double newton(double r, double growth)
+{
+    double relative = growth < 0 ? -gsl_expm1(r) / gsl_expm1(growth) : 0;
+
+    if (growth < 0 && relative > -0.5)
+        return GSL_MIN_DBL(0.5 * log(1 + relative), LEAP);
+    return r > 0 ? LEAP : -LEAP;
+}
+
+/* The stable motion that repeats itself, for ln v.  A cycle from `low` gains energy, or the crank stalls; one from `high`
+** loses energy.  At the end, steps are so small that rounding makes them, or corners of friction. */
+static int solve_speed(const problem *q, double *x, double close, double rounded)
+{
+    double low = GSL_NEGINF, high = GSL_POSINF, growth, r, dx, last = GSL_POSINF;
+    int i;
+
+    for (i = 0; i < STEPS && q->p->budget > 0; i++, *x += dx) {
+        if (!miss(q, x, &r)) {
+            if (!is_lost(q->p->status))
+                return 0;
+            r = GSL_POSINF;
+            growth = 0;
+        } else if (flk_path_growth(q->p, &growth) != FOURLINK_OK) {
+            return 0;
+        }
+        dx = newton(r, growth);
+        if (growth < 0 && (fabs(dx) <= close ||
+                           (fabs(dx) <= rounded && (fabs(r) <= close || fabs(dx) > 0.5 * last))))
+            return 1;
+        last = fabs(dx);
+        if (r > 0)
+            low = *x;
+        else
+            high = *x;
+        if (!(low < *x + dx && *x + dx < high))
+            dx = 0.5 * (low + high) - *x;
+    }
+    return 0;
+}
+
+/* Coarsely, then finely.  B begins as if torques did not depend on the speed, g' = 1. */
 static int solve_problem(const problem *q, double *x)
 {
     double tolerance = q->p->tolerance, B[2][2];
     int is_there;
 
-    B[0][0] = q->has_torque ? q->has_speed ? 0 : 1 : -2;
+    B[0][0] = q->has_speed ? 0 : 1;
     B[0][1] = 1;
     B[1][0] = -1;
     B[1][1] = -0.25;
     q->p->tolerance = COARSE;
-    is_there = broyden(q, x, B, COARSE, 10 * COARSE);
+    is_there =
+        q->has_torque ? broyden(q, x, B, COARSE, 10 * COARSE) : solve_speed(q, x, COARSE, 0.01);
     q->p->tolerance = tolerance;
-    return is_there && broyden(q, x, B, CLOSE, ROUNDED);
-}
-
-/* 1 if a motion that differs a little comes closer in each cycle; a torque that balances takes care of that. */
-static int is_stable(const problem *q)
-{
-    double growth;
-
-    return q->has_torque || (flk_path_growth(q->p, &growth) == FOURLINK_OK && growth < 0);
+    return is_there &&
+           (q->has_torque ? broyden(q, x, B, CLOSE, ROUNDED) : solve_speed(q, x, CLOSE, COARSE));
 }
 
 /* A quantity that rises with an unknown; -infinite if the crank stalls. */
@@ -319,12 +367,6 @@ static int solve_in_brackets(const problem *q, double *x)
     return is_there && broyden(q, x, B, CLOSE, ROUNDED);
 }
 
-/* 1 if this is no end of the motion, but one of the search. */
-static int is_lost(int status)
-{
-    return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG;
-}
-
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
 {
     int balances = p->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
@@ -351,7 +393,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
     start[0] = x[0] = log(speed);
     start[1] = x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x) && is_stable(&q);
+    p->is_steady = solve_problem(&q, x);
     if (!p->is_steady && q.mean_speed > 0 && is_lost(p->status)) {
         p->is_steady = solve_in_brackets(&q, start);
         if (!p->is_steady && is_lost(p->status))
@@ -359,7 +401,7 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     }
     if (p->is_steady)
         return 1;
-    if (p->status == FOURLINK_OK)
+    if (p->status == FOURLINK_OK || p->status == FOURLINK_STALLS)
         p->status = FOURLINK_NO_STEADY;
     return 0;
 }

@@ -127,6 +127,43 @@ static void test_shaft(void **unused)
         }
 }
 
+/* A run-up ends in the steady motion, with flywheels of all sizes: one cycle leaves from hardly any to nearly all of a
+** difference. */
+static void test_ends_of_run_ups(void **unused)
+{
+    uint64_t seed = 18;
+    int i, compared = 0;
+
+    (void)unused;
+    for (i = 0; i < 30; i++) {
+        double w = uniform(&seed, 10, 50), T = uniform(&seed, 20, 200);
+        char machine[2000];
+        fourlink_results *up, *steady;
+        double last, before;
+
+        sprintf(machine,
+                PUMP FORCE "[load F]\nlink = crank\ntorque = %g\nover = omega2\nat_speed = %g\n"
+                           "[motor]\ncurve = 0 rad/s %g, %g rad/s %g, %g rad/s 0\n"
+                           "[flywheel]\ninertia = %g\n[motion]\ninterval = 360 deg\nmode = ",
+                -T * uniform(&seed, 0, 0.5), w, T, 0.7 * w, T * uniform(&seed, 0.5, 1.3), w,
+                T / w * pow(10, uniform(&seed, -1.5, 0.8)));
+        up = opened(print("%srun-up\nturns = 100\n", machine));
+        steady = opened(print("%ssteady\n", machine));
+        if (problem_of(up).n_rows == 101 &&
+            fourlink_results_end(up, FOURLINK_OPEN, &last) == FOURLINK_OK) {
+            before = value_at(up, "omega2", 99 * 360);
+            last = value_at(up, "omega2", 100 * 360);
+            if (fabs(last - before) < 1e-9 * last) {
+                assert_close(value_at(steady, "omega2", 0), last, 1e-7);
+                compared++;
+            }
+        }
+        fourlink_results_free(up);
+        fourlink_results_free(steady);
+    }
+    assert_true(compared > 10);
+}
+
 /* Friction has corners where a force of a joint is zero, at angles that depend on the speed: the energy after a cycle
 ** is known to 1e-10, but the steady motion is found, and closes within that. */
 static void test_friction_of_motors(void **unused)
@@ -537,22 +574,16 @@ static void test_pendulum(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_shaft),
-                                       cmocka_unit_test(test_friction_of_motors),
-                                       cmocka_unit_test(test_second_opinion),
-                                       cmocka_unit_test(test_tolerance),
-                                       cmocka_unit_test(test_large_flywheel),
-                                       cmocka_unit_test(test_fluctuation),
-                                       cmocka_unit_test(test_small_flywheels),
-                                       cmocka_unit_test(test_wanted_fluctuation),
-                                       cmocka_unit_test(test_no_flywheel),
-                                       cmocka_unit_test(test_rate),
-                                       cmocka_unit_test(test_mirror),
-                                       cmocka_unit_test(test_any_angle),
-                                       cmocka_unit_test(test_positions),
-                                       cmocka_unit_test(test_time_and_angle),
-                                       cmocka_unit_test(test_pendulum)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_energy),          cmocka_unit_test(test_shaft),
+        cmocka_unit_test(test_ends_of_run_ups), cmocka_unit_test(test_friction_of_motors),
+        cmocka_unit_test(test_second_opinion),  cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_large_flywheel),  cmocka_unit_test(test_fluctuation),
+        cmocka_unit_test(test_small_flywheels), cmocka_unit_test(test_wanted_fluctuation),
+        cmocka_unit_test(test_no_flywheel),     cmocka_unit_test(test_rate),
+        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_any_angle),
+        cmocka_unit_test(test_positions),       cmocka_unit_test(test_time_and_angle),
+        cmocka_unit_test(test_pendulum)};
 
     return cmocka_run_group_tests(tests, watch_gsl, NULL);
 }
