@@ -24,11 +24,11 @@
 
 #include "digits.h"
 
-/* Only if the compiler says that it computes as written, in double and no wider. */
+/* Only if the compiler says that it computes as written, in double (0; 1: float in double too) and no wider. */
 #if FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && !defined(__FAST_MATH__) && \
     !defined(__ASSOCIATIVE_MATH__) &&                                                         \
-    ((defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ == 0) ||                            \
-     (defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD == 0))
+    ((defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ | 1) == 1) ||                      \
+     (defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD | 1) == 1))
 #define EXACT_ARITHMETIC 1
 #else
 #define EXACT_ARITHMETIC 0
