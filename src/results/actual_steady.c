@@ -238,24 +238,24 @@ static double newton(double r, double growth)
 ** loses energy.  At the end, steps are so small that rounding makes them, or corners of friction. */
 static int solve_speed(const problem *q, double *x, double close, double rounded)
 {
-    double low = GSL_NEGINF, high = GSL_POSINF, growth, r, dx, last = GSL_POSINF;
+    double low = GSL_NEGINF, high = GSL_POSINF, growth, r[2], dx, last = GSL_POSINF;
     int i;
 
     for (i = 0; i < STEPS && q->p->budget > 0; i++, *x += dx) {
-        if (!miss(q, x, &r)) {
+        if (!miss(q, x, r)) {
             if (!is_lost(q->p->status))
                 return 0;
-            r = GSL_POSINF;
+            r[0] = GSL_POSINF;
             growth = 0;
         } else if (flk_path_growth(q->p, &growth) != FOURLINK_OK) {
             return 0;
         }
-        dx = newton(r, growth);
+        dx = newton(r[0], growth);
         if (growth < 0 && (fabs(dx) <= close ||
-                           (fabs(dx) <= rounded && (fabs(r) <= close || fabs(dx) > 0.5 * last))))
+                           (fabs(dx) <= rounded && (fabs(r[0]) <= close || fabs(dx) > 0.5 * last))))
             return 1;
         last = fabs(dx);
-        if (r > 0)
+        if (r[0] > 0)
             low = *x;
         else
             high = *x;
