@@ -3,7 +3,8 @@
 # csv_difference.awk - compares the csv of two machines: awk -f csv_difference.awk FILE OTHER.  Prints "same",
 # "within" or "differs", the number of values, and the largest difference of a value, divided by the largest
 # value of its column.  More than 2e-12 differs, and so do other words.  Angles are compared modulo 360
-# deg; residuals, which are rounding themselves, have the largest value 1.
+# deg; the residual, which is rounding itself, has the largest value 1, and that of the energy,
+# which has the error of the integration, 10.
 function size(x) { return x < 0 ? -x : x }
 
 function is_number(x) { return x ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/ }
@@ -39,7 +40,9 @@ BEGIN {
     if ((getline line2 <ARGV[2]) > 0)
         bad = 1
     for (i in difference) {
-        d = names[i] ~ /residual/ ? difference[i] : difference[i] / (largest[i] > 0 ? largest[i] : 1)
+        if (names[i] ~ /residual/)
+            largest[i] = names[i] ~ /^energy/ ? 10 : 1
+        d = difference[i] / (largest[i] > 0 ? largest[i] : 1)
         if (d > worst) {
             worst = d
             where = names[i]
