@@ -18,8 +18,6 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "digits.h"
@@ -163,8 +161,9 @@ static int nearest(pair p, double margin, integer *n)
     return 1;
 }
 
-/* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain. */
-static int significant(double x, int n, integer *digits, int *power)
+/* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain.  With `either`,
+** either of two neighbours will do, and 0 means out of range. */
+static int significant(double x, int n, int either, integer *digits, int *power)
 {
     int binary;
     double fraction = frexp(x, &binary), margin;
@@ -187,7 +186,7 @@ static int significant(double x, int n, integer *digits, int *power)
         if (p.high < power_of_ten[n] || (p.high == power_of_ten[n] && p.low < 0))
             break;
     }
-    if (!nearest(p, margin, digits))
+    if (!nearest(p, either ? 0 : margin, digits))
         return 0;
     if (n < LOW_DIGITS ? digits->bottom == (long)power_of_ten[n]
                        : digits->top == (long)power_of_ten[n - LOW_DIGITS]) {
@@ -320,7 +319,7 @@ char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE])
     integer digits;
     int power;
 
-    if (!significant(fabs(value), decimals + 1, &digits, &power))
+    if (!significant(fabs(value), decimals + 1, 0, &digits, &power))
         return NULL;
     end = put_long_integer(digits, decimals + 1, start + 1);
     start[0] = start[1]; /* the first digit, to make room for the point */
@@ -364,27 +363,31 @@ char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
     integer digits;
     int power;
 
-    if (!significant(fabs(value), n, &digits, &power))
+    if (!significant(fabs(value), n, 0, &digits, &power))
         return NULL;
     return put_general(digits, n, power, put_power, put_sign(value, out));
 }
 
-/* As `significant`, for any number, by printf: its first digit, the decimal mark of the locale, the others, and
-** the exponent. */
-static void significant_by_printf(double x, int n, integer *digits, int *power)
+/* As `significant`, for any number, but the last digits may be wrong. */
+static void approximate(double x, int n, integer *digits, int *power)
 {
-    char out[DIGITS_SIZE], *c;
+    double whole;
+    int k, half;
 
-    sprintf(out, "%.*e", n - 1, x);
-    digits->top = digits->bottom = 0;
-    for (c = out; *c != 'e'; c++)
-        if ('0' <= *c && *c <= '9') {
-            long first = digits->bottom / (100000000 / 10);
-
-            digits->top = 10 * digits->top + first;
-            digits->bottom = 10 * (digits->bottom - first * (100000000 / 10)) + (*c - '0');
-        }
-    *power = atoi(c + 1);
+    *power = (int)floor(log10(x));
+    k = n - 1 - *power;
+    half = k / 2; /* 10^k may be too large */
+    whole = floor(x * pow(10, half) * pow(10, k - half) + 0.5);
+    if (whole >= pow(10, n)) {
+        whole = floor(whole / 10);
+        ++*power;
+    }
+    digits->top = (long)floor(whole / 1e8);
+    digits->bottom = (long)(whole - (double)digits->top * 1e8);
+    if (digits->bottom < 0) {
+        digits->top--;
+        digits->bottom += 100000000;
+    }
 }
 
 char *flk_digits_short(double value, int n, char out[DIGITS_SIZE])
@@ -395,8 +398,11 @@ char *flk_digits_short(double value, int n, char out[DIGITS_SIZE])
 
     if (!(x <= DBL_MAX))
         return strcpy(out, "inf");
-    if (!significant(x, n, &digits, &power))
-        significant_by_printf(x, n, &digits, &power);
+    if (!significant(x, n, 1, &digits, &power)) {
+        if (x < DBL_MIN)
+            return strcpy(out, "0");
+        approximate(x, n, &digits, &power);
+    }
     put_general(digits, n, power, put_short_power, value < 0 ? put_sign(value, out) : out);
     return out;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** digits.h - numbers to text by exact products, without the locale of the C library.
+** digits.h - numbers to text by exact products, without the C library and its locale.
 */
 #ifndef FOURLINK_DIGITS_H
 #define FOURLINK_DIGITS_H
@@ -17,7 +17,8 @@ char *flk_digits_general(double value, int digits, char out[DIGITS_SIZE]);
 ** characters.  Returns its beginning, or null, with nothing written, if its digits are not certain here. */
 char *flk_digits_fixed_before(double value, int decimals, char *end);
 
-/* Write any number with so many significant digits, at most 17, and a short exponent (1e6), for messages. */
+/* Write any number with so many significant digits, at most 17, and a short exponent (1e6), for messages.
+** The last digits of very large and very small numbers may be wrong. */
 char *flk_digits_short(double value, int digits, char out[DIGITS_SIZE]);
 
 #endif
