@@ -108,8 +108,8 @@ static const char *why_not_one(text t)
 /* The reason why `t` is not a unit; `bad` is the unknown part of it. */
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
-    const char *nearest = flk_unit_nearest(t, bad, flk_quantities[q].dim);
     const char *why = t.start != whole.start ? why_not_one(t) : NULL;
+    const char *nearest = why ? NULL : flk_unit_nearest(t, bad, flk_quantities[q].dim);
 
     if (nearest && flk_text_same(bad, nearest))
         nearest = NULL;
