@@ -32,7 +32,8 @@
 #define FACTOR 1.4
 #define STEPS 60
 #define HALVINGS 30
-#define LEAP 0.3 /* of ln v, without a better step */
+#define LEAP 0.3   /* of ln v, without a better step */
+#define SHORT 1e-3 /* of ln v: the growth is hardly another after it */
 #define DOUBLINGS 40
 #define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
 #define NEAR \
@@ -235,24 +236,25 @@ static double newton(double r, double growth)
 }
 
 /* The stable motion that repeats itself, for ln v.  A cycle from `low` gains energy, or the crank stalls; one from `high`
-** loses energy.  At the end, steps are so small that rounding makes them, or corners of friction. */
-static int solve_speed(const problem *q, double *x, double close, double rounded)
+** loses energy.  At the end, steps are so small that rounding makes them, or corners of friction.  The growth, 0 if it is
+** not known, is found again after a step that is not short. */
+static int solve_speed(const problem *q, double *x, double *growth, double close, double rounded)
 {
-    double low = GSL_NEGINF, high = GSL_POSINF, growth, r[2], dx, last = GSL_POSINF;
-    int i;
+    double low = GSL_NEGINF, high = GSL_POSINF, r[2], dx, last = GSL_POSINF;
+    int i, is_near = *growth < 0;
 
     for (i = 0; i < STEPS && q->p->budget > 0; i++, *x += dx) {
         if (!miss(q, x, r)) {
             if (!is_lost(q->p->status))
                 return 0;
             r[0] = GSL_POSINF;
-            growth = 0;
-        } else if (flk_path_growth(q->p, &growth) != FOURLINK_OK) {
+            *growth = 0;
+        } else if (!is_near && flk_path_growth(q->p, growth) != FOURLINK_OK) {
             return 0;
         }
-        dx = newton(r[0], growth);
-        if (growth < 0 && (fabs(dx) <= close ||
-                           (fabs(dx) <= rounded && (fabs(r[0]) <= close || fabs(dx) > 0.5 * last))))
+        dx = newton(r[0], *growth);
+        if (*growth < 0 && (fabs(dx) <= close || (fabs(dx) <= rounded &&
+                                                  (fabs(r[0]) <= close || fabs(dx) > 0.5 * last))))
             return 1;
         last = fabs(dx);
         if (r[0] > 0)
@@ -261,6 +263,7 @@ static int solve_speed(const problem *q, double *x, double close, double rounded
             high = *x;
         if (!(low < *x + dx && *x + dx < high))
             dx = 0.5 * (low + high) - *x;
+        is_near = *growth < 0 && fabs(dx) < SHORT;
     }
     return 0;
 }
@@ -268,7 +271,7 @@ static int solve_speed(const problem *q, double *x, double close, double rounded
 /* Coarsely, then finely.  B begins as if torques did not depend on the speed, g' = 1. */
 static int solve_problem(const problem *q, double *x)
 {
-    double tolerance = q->p->tolerance, B[2][2];
+    double tolerance = q->p->tolerance, B[2][2], growth = 0;
     int is_there;
 
     B[0][0] = q->has_speed ? 0 : 1;
@@ -276,11 +279,11 @@ static int solve_problem(const problem *q, double *x)
     B[1][0] = -1;
     B[1][1] = -0.25;
     q->p->tolerance = COARSE;
-    is_there =
-        q->has_torque ? broyden(q, x, B, COARSE, 10 * COARSE) : solve_speed(q, x, COARSE, 0.01);
+    is_there = q->has_torque ? broyden(q, x, B, COARSE, 10 * COARSE)
+                             : solve_speed(q, x, &growth, COARSE, 0.01);
     q->p->tolerance = tolerance;
-    return is_there &&
-           (q->has_torque ? broyden(q, x, B, CLOSE, ROUNDED) : solve_speed(q, x, CLOSE, COARSE));
+    return is_there && (q->has_torque ? broyden(q, x, B, CLOSE, ROUNDED)
+                                      : solve_speed(q, x, &growth, CLOSE, COARSE));
 }
 
 /* A quantity that rises with an unknown; -infinite if the crank stalls. */
