@@ -44,8 +44,7 @@ typedef struct flk_tracked {
     flk_polynomial near_end; /* gives its limit there; up to this distance from the end */
     double most_near_end;    /* rows that differ by more than `doubt` are rounding */
     double doubt;
-    double
-        close; /* part of a value: equal but for rounding, or for the integration of the motion */
+    double close;      /* part of a value: equal but for rounding, or for integration */
     flk_found best[2]; /* largest, smallest */
     flk_found here[2]; /* the same since an angle started anew, or in a piece of an actual motion */
 } flk_tracked;
