@@ -42,6 +42,8 @@ module fourlink
     fourlink_no_steady = 14, &
     fourlink_no_inertia = 15, &
     fourlink_too_long = 16, &
+    fourlink_overflow = 17, &
+    fourlink_long_search = 18, &
     fourlink_null = 20, &
     fourlink_bad_number = 21, &
     fourlink_bad_kind = 22, &
@@ -285,7 +287,7 @@ module fourlink
     type(fourlink_mechanism) :: mechanism
     type(fourlink_motion) :: motion
     real(c_double) :: cycle
-    integer(c_int) :: open, crossed, has_forces, approximation
+    integer(c_int) :: open, crossed, asks_for_both, has_forces, approximation
     integer(c_long) :: n_loads, n_spring_loads, n_friction_loads, n_springs, n_gas_loads, n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
     integer(c_long) :: n_rows

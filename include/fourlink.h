@@ -46,7 +46,7 @@ extern "C" {
 #define FOURLINK_API
 #endif
 
-#define FOURLINK_VERSION "0.1.0"
+#define FOURLINK_VERSION "0.2.0"
 
 /* ---------------------------------------------------------------------------------------------
 ** Status codes
@@ -71,7 +71,12 @@ extern "C" {
     X(FOURLINK_STALLS, 13, "stalls: the crank comes to rest")                                     \
     X(FOURLINK_NO_STEADY, 14, "no steady motion: none was found that repeats and is stable")      \
     X(FOURLINK_NO_INERTIA, 15, "nothing that moves has a mass or a moment of inertia")            \
-    X(FOURLINK_TOO_LONG, 16, "the motion takes too many steps")                                   \
+    X(FOURLINK_TOO_LONG, 16,                                                                      \
+      "the motion takes too many steps: give fewer turns or less time, or parts less stiff or "   \
+      "less light")                                                                               \
+    X(FOURLINK_OVERFLOW, 17, "a speed or a torque grows beyond all numbers")                      \
+    X(FOURLINK_LONG_SEARCH, 18,                                                                   \
+      "the search takes too many rows: give fewer turns, less time or fewer columns")             \
     X(FOURLINK_NULL, 20, "a null pointer was passed")                                             \
     X(FOURLINK_BAD_NUMBER, 21, "a number is not finite or out of range")                          \
     X(FOURLINK_BAD_KIND, 22, "there is no such kind of mechanism")                                \
@@ -261,7 +266,7 @@ typedef struct fourlink_load {
 typedef struct fourlink_forces {
     double F12x, F12y; /* N, ground on crank, at A */
     double F23x, F23y; /* N, crank on coupler, at B */
-    double F34x, F34y; /* N, coupler on link 4, at C */
+    double F34x, F34y; /* N, coupler on link 4, at C; slider on lever, at B: with its friction */
     double F14x, F14y; /* N, ground on link 4: at D, or the guide on the piston (then F14x = 0) */
     double M14;        /* N m, slider-crank: couple of the guide on the piston; four-bar: 0 */
     double Ts;         /* N m, ground on crank: the driving torque */
@@ -269,8 +274,8 @@ typedef struct fourlink_forces {
     double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
                           largest term of the balance, F23.v_B and F34.v_B among them, the products
                           of components; 0 if every term is 0 */
-    double N34; /* N, inverted: force of the slider on the lever, at B, to the left of the slide;
-                          F34 is that force */
+    double N34; /* N, inverted: normal force of the slider on the lever, at B, to the left of the
+                          slide; without friction F34 is this force */
     double M34; /* N m, inverted: couple of the slider on the lever */
 } fourlink_forces;
 
@@ -594,6 +599,7 @@ typedef struct fourlink_problem {
     fourlink_motion motion;               /* the rows of the deck; one row for one instant */
     double cycle;                         /* rad, the period of curves and of the turning moment */
     int open, crossed;                    /* 1: this branch is asked for */
+    int asks_for_both;                    /* 1: branch = both is given; 0: one, or none */
     int has_forces;                       /* 1: there are masses, loads or gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
     unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
@@ -700,8 +706,9 @@ typedef struct fourlink_turning {
     double energy_fluctuation; /* J, largest minus smallest energy of the flywheel in a cycle */
     int has_coefficient;       /* 0: the mean is 0 */
     double energy_coefficient; /* 1, energy_fluctuation / work of a cycle */
-    double inertia; /* kg m2, of the flywheel; 0: the deck gives neither this nor the fluctuation */
-    double fluctuation; /* 1, coefficient of fluctuation of speed */
+    double inertia; /* kg m2, of the flywheel without the motor's rotor; 0: none is needed, or the
+                       deck gives neither this nor the fluctuation */
+    double fluctuation; /* 1, coefficient of fluctuation of speed, with the rotor */
     int n_areas;        /* in one cycle from 0; at most FOURLINK_AREAS are kept */
     fourlink_area area[FOURLINK_AREAS];
 } fourlink_turning;
@@ -743,7 +750,7 @@ FOURLINK_API const char *fourlink_status_text(int status);
 /* "open" or "crossed", by fourlink_branch: a constant string, never null. */
 FOURLINK_API const char *fourlink_branch_text(int branch);
 
-/* The version of the library, such as "0.1.0": compare it with FOURLINK_VERSION. */
+/* The version of the library, such as "0.2.0": compare it with FOURLINK_VERSION. */
 FOURLINK_API const char *fourlink_version(void);
 
 /* The words for a kind of mechanism, and for its links, by number: "four-bar linkage", "slider-crank",
@@ -949,7 +956,7 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
 **    closed_form  1: as fourlink_solve_dyad, 0: as fourlink_solve
 ** Returned:
 **    forces       as from fourlink_solve with losses->load as loads besides; slider-crank: F14x is the
-**                 friction of the guide
+**                 friction of the guide; inverted: F34 is N34 with the friction of the guide
 **    losses       friction and power lost
 ** Returned (function value):
 **    as from fourlink_solve; FOURLINK_LOCKED: no torque moves the mechanism; FOURLINK_BAD_FRICTION
@@ -1317,6 +1324,7 @@ FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle,
 ** 3) A deck does not change after it is read: several threads may use it.
 ** 4) For a deck with a [sweep] this is the first design.  Columns and expected values are checked
 **    but not returned.
+** 5) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
 ** Reference:
 **    the manual page fourlink-deck(5)
 */

@@ -12,6 +12,7 @@
 #include "reader.h"
 
 #define MOST_TIMES 1000000 /* rows by time */
+#define MOST_ROWS 10000000 /* rows by angle */
 
 static double angle_or(parser *p, key_code key, double otherwise)
 {
@@ -185,7 +186,10 @@ static void build_rows_by_time(parser *p, int mode)
                     "rows by time allow the machine to swing back, which friction does not: rows "
                     "by angle, or no [friction]");
     if (step->si[0] > 0 && duration->si[0] / step->si[0] > MOST_TIMES)
-        flk_mistake(p->mistakes, duration->place, "more than 1,000,000 rows by time");
+        flk_mistake(p->mistakes, duration->place,
+                    "more than 1,000,000 rows by time (%.6g): give a larger time_step or a shorter "
+                    "duration",
+                    duration->si[0] / step->si[0]);
 }
 
 /* How the crank's speed comes about. */
@@ -228,6 +232,34 @@ static text_place place_of_end(parser *p)
     return IS_SET(to) ? to->place : IS_SET(turns) ? turns->place : flk_reader_end(p);
 }
 
+/* Where the number of rows is given: at the interval, otherwise where the range is. */
+static text_place place_of_rows(parser *p)
+{
+    static const key_code keys[] = {KEY_MOTION_INTERVAL, KEY_MOTION_TO, KEY_MOTION_TURNS,
+                                    KEY_MOTION_RUN_UP, KEY_MOTION_CYCLE};
+    size_t i;
+
+    for (i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        const setting *s = flk_setting_find(p, keys[i]);
+
+        if (IS_SET(s))
+            return s->place;
+    }
+    return flk_reader_end(p);
+}
+
+/* Refuse so many rows by angle; 0: nobody counted them. */
+static void refuse_rows(parser *p, unsigned long n)
+{
+    char count[40] = "";
+
+    if (n)
+        flk_message(count, sizeof count, " (%g)", (double)n);
+    flk_mistake(p->mistakes, place_of_rows(p),
+                "more than 10,000,000 rows by angle%s: give a larger interval or a shorter range",
+                count);
+}
+
 /* The name of what turns a steady motion against its range; null: nothing does. */
 static const char *against_range(parser *p)
 {
@@ -255,6 +287,10 @@ static void check_range(parser *p)
     else if (status == FOURLINK_NO_RUN_UP)
         flk_mistake(p->mistakes, flk_setting_find(p, KEY_MOTION_RUN_UP)->place,
                     "a run-up from rest needs an acceleration");
+    else if (status == FOURLINK_TOO_MANY_ROWS)
+        refuse_rows(p, 0);
+    else if (status == FOURLINK_OK && range.n_rows > MOST_ROWS && !p->d->drive.by_time)
+        refuse_rows(p, range.n_rows);
     else if (status != FOURLINK_OK)
         flk_mistake(p->mistakes, IS_SET(s) ? s->place : flk_reader_end(p), "%s",
                     fourlink_status_text(status));
@@ -310,6 +346,7 @@ void flk_build_table(parser *p)
                   *digits = flk_setting_find(p, KEY_TABLE_DIGITS);
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
+    p->d->asks_for_both = branches == BRANCH_BOTH;
     if (!branches && p->d->gas.area > 0)
         branches = BRANCH_OPEN; /* engines stand on it */
     p->d->open = branches != BRANCH_CROSSED;

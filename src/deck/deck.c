@@ -148,6 +148,7 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->cycle = d->cycle;
     problem->open = d->open;
     problem->crossed = d->crossed;
+    problem->asks_for_both = d->asks_for_both;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
     problem->n_gas_loads = flk_deck_gas_loads(d);
@@ -198,13 +199,24 @@ static double gas_force(const deck_gas *gas, double theta2)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
+/* 1 if a load acts at a crank angle. */
+static int is_on(const deck_load *variation, double cycle, double theta2)
+{
+    double after = theta2 - variation->from;
+
+    if (!variation->is_windowed)
+        return 1;
+    after -= cycle * floor(after / cycle + 1e-12);
+    return !(after > variation->to - variation->from + 1e-12 * cycle);
+}
+
 /* A load at a crank angle: the values of its curves, and 0 outside its range of crank angles. */
 static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
                      double theta2, fourlink_load *now)
 {
     *now = *load;
-    if (FLK_DECK_FOLLOWS(&variation->law)) {
-        now->force.x = now->force.y = now->torque = 0; /* forces.c */
+    if (FLK_DECK_FOLLOWS(&variation->law) /* forces.c */ || !is_on(variation, cycle, theta2)) {
+        now->force.x = now->force.y = now->torque = 0;
         return;
     }
     if (variation->torque.n)
@@ -212,13 +224,6 @@ static void set_load(const fourlink_load *load, const deck_load *variation, doub
     if (variation->force[0].n) {
         now->force.x = flk_curve_value(&variation->force[0], theta2);
         now->force.y = flk_curve_value(&variation->force[1], theta2);
-    }
-    if (variation->is_windowed) {
-        double after = theta2 - variation->from;
-
-        after -= cycle * floor(after / cycle + 1e-12);
-        if (after > variation->to - variation->from + 1e-12 * cycle)
-            now->force.x = now->force.y = now->torque = 0;
     }
 }
 

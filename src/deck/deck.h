@@ -167,6 +167,7 @@ struct fourlink_deck {
     deck_sweep sweep;
     int solver; /* SOLVER_MATRIX, SOLVER_DYAD; 0 if not given */
     int open, crossed;
+    int asks_for_both; /* 1: branch = both is given; 0: one, or none */
     deck_names columns;
     int digits;
     deck_unit units[QUANTITY_COUNT];

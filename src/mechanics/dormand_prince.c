@@ -127,7 +127,7 @@ static double estimate(const flk_step *step, int i)
         three += e3[j] * step->k[j][i];
     }
     size = sqrt(five * five + 0.01 * three * three);
-    return size > 0 ? fabs(step->h) * fabs(five) * (fabs(five) / size) : 0;
+    return size == 0 ? 0 : fabs(step->h) * fabs(five) * (fabs(five) / size); /* NaN stays NaN */
 }
 
 static int derive(flk_step *step, int from, int to)

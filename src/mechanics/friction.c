@@ -489,6 +489,25 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
             clear_loads(&kind->joint[i], &losses->load[places[i]]);
 }
 
+/* What a guide exerts has its friction besides the normal force: on a piston F14, on a lever F34. */
+static void add_guide(const flk_kind *kind, const equations *e, fourlink_forces *forces)
+{
+    int k;
+
+    for (k = 0; k < e->n_coupled; k++) {
+        const joint *j = &e->joint[k];
+
+        if (!j->is_guide)
+            continue;
+        if (kind->joint[j->number].from == FOURLINK_GROUND) {
+            forces->F14x = j->load[0].force.x;
+        } else {
+            forces->F34x += j->load[1].force.x;
+            forces->F34y += j->load[1].force.y;
+        }
+    }
+}
+
 static int check_friction(const fourlink_friction *friction)
 {
     int i, is_negative = friction->guide < 0 || friction->guide_length < 0;
@@ -537,8 +556,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     list_losses(kind, &e, length, omega2, losses);
     losses->Ts0 = Ts0;
     losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(state, friction));
-    if (kind->joint[3].slider && e.n_coupled && e.joint[e.n_coupled - 1].is_guide)
-        found.F14x = e.joint[e.n_coupled - 1].load[0].force.x;
+    add_guide(kind, &e, &found);
     *forces = found;
     return FOURLINK_OK;
 }

@@ -9,6 +9,7 @@
 **    curve      Steffen's interpolation; beyond an end the value there holds
 **    power      T = power / w, at most max_torque, in the sense of max_torque
 */
+#include <float.h>
 #include <math.h>
 
 #include "base/steffen.h"
@@ -60,6 +61,34 @@ static double of_power(const fourlink_motor *motor, double w)
     return motor->max_torque < 0 ? -torque : torque;
 }
 
+/* 1 if the numbers that a motor of its kind has are in range. */
+static int has_numbers(const fourlink_motor *motor)
+{
+    unsigned long i;
+
+    if (motor->kind != FOURLINK_NO_MOTOR && !FLK_WITHIN(motor->ratio, FOURLINK_NUMBER_MAX))
+        return 0;
+    switch (motor->kind) {
+    case FOURLINK_MOTOR_TORQUE:
+    case FOURLINK_MOTOR_BALANCE:
+        return FLK_WITHIN(motor->torque, FOURLINK_NUMBER_MAX);
+    case FOURLINK_MOTOR_LINEAR:
+        return FLK_WITHIN(motor->stall_torque, FOURLINK_NUMBER_MAX) &&
+               FLK_WITHIN(motor->no_load_speed, FOURLINK_NUMBER_MAX);
+    case FOURLINK_MOTOR_POWER:
+        return FLK_WITHIN(motor->power, FOURLINK_NUMBER_MAX) &&
+               FLK_WITHIN(motor->max_torque, FOURLINK_NUMBER_MAX);
+    case FOURLINK_MOTOR_CURVE:
+        for (i = 0; i < motor->n_curve && motor->curve_speed && motor->curve_torque; i++)
+            if (!FLK_WITHIN(motor->curve_speed[i], FOURLINK_NUMBER_MAX) ||
+                !FLK_WITHIN(motor->curve_torque[i], FOURLINK_NUMBER_MAX))
+                return 0;
+        return 1;
+    default:
+        return 1;
+    }
+}
+
 static int is_valid(const fourlink_motor *motor)
 {
     unsigned long i;
@@ -98,12 +127,17 @@ double flk_motor_torque(const fourlink_motor *motor, double omega2)
 
 int fourlink_motor_torque(const fourlink_motor *motor, double omega2, double *torque)
 {
+    double found;
+
     if (!motor || !torque)
         return FOURLINK_NULL;
-    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX))
+    if (!FLK_WITHIN(omega2, FOURLINK_NUMBER_MAX) || !has_numbers(motor))
         return FOURLINK_BAD_NUMBER;
     if (!is_valid(motor))
         return FOURLINK_BAD_MOTOR;
-    *torque = flk_motor_torque(motor, omega2);
+    found = flk_motor_torque(motor, omega2);
+    if (!FLK_WITHIN(found, DBL_MAX))
+        return FOURLINK_BAD_NUMBER;
+    *torque = found;
     return FOURLINK_OK;
 }

@@ -18,8 +18,7 @@
 #include "mechanics/mechanics.h"
 
 #define TOLERANCE 1e-12   /* of a step: 1e-11 over many */
-#define MOST_STEPS 200000 /* of 20 turns */
-#define MOST_TURNS 200    /* with more steps */
+#define MOST_STEPS 300000 /* of a motion and the search for it; each takes 240 bytes */
 
 struct flk_actual {
     const deck *d;
@@ -48,6 +47,34 @@ static int run(flk_path *p, const deck *d, double cycle, double length)
         return 0;
     }
     return flk_path_run(p, speed, length);
+}
+
+/* A run-up that ends never comes to the steady motion, unless it only needs too many steps. */
+static void lose_cycle(const flk_path *p, flk_actual_facts *f)
+{
+    if (p->status == FOURLINK_TOO_LONG)
+        return;
+    flk_facts_forget(f);
+    f->no_cycle = p->status;
+}
+
+/* A run-up, and the facts of the steady motion to which it leads.  Two motions of a machine never have the same energy at
+** the same angle.  One from rest that passes the first cycle has gained energy, so it gains in every later cycle too, and
+** settles at the steady motion.  It stalls in the first cycle, or not at all: rows that end earlier do not tell. */
+static int run_up(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
+{
+    int found;
+
+    if (!winds && flk_steady_find(p, m->cycle, 0, 0))
+        flk_facts_of_cycle(p, m->cycle, f);
+    else
+        f->no_cycle = p->status;
+    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run(p, p->d, m->cycle, m->cycle))
+        lose_cycle(p, f);
+    found = run(p, p->d, m->cycle, m->length);
+    if (!found)
+        lose_cycle(p, f);
+    return found;
 }
 
 /* Rows by time: the sense of the motion is that in which the crank turns at first. */
@@ -79,12 +106,8 @@ static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
         p->status = FOURLINK_NO_STEADY;
     if (d->drive.mode == DRIVE_STEADY && winds)
         return 0;
-    if (d->drive.mode == DRIVE_RUN_UP) {
-        if (!winds && flk_steady_find(p, m->cycle, 0, 0))
-            flk_facts_of_cycle(p, m->cycle, f);
-        else
-            f->no_cycle = p->status;
-    }
+    if (d->drive.mode == DRIVE_RUN_UP)
+        return run_up(m, p, winds, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
         return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
@@ -101,12 +124,12 @@ static double angle_of(const flk_path *p, double s)
     return motion->from + p->sense * s / motion->angle_unit;
 }
 
-/* Trials of steps.  One with friction takes longer. */
-static unsigned long budget_of(const deck *d, double turns)
+/* Trials of steps: fewer of those that take longer, with friction or with many loads. */
+static unsigned long budget_of(const deck *d, unsigned long n_loads)
 {
-    double budget = MOST_STEPS * GSL_MAX(1, GSL_MIN(turns, MOST_TURNS) / 20);
+    unsigned long cost = 1 + n_loads / 16 + (d->has_friction ? 4 + n_loads / 10 : 0);
 
-    return (unsigned long)(d->has_friction ? budget / 4 : budget);
+    return MOST_STEPS / cost;
 }
 
 static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
@@ -119,10 +142,11 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
     p->jumps = course->jumps;
     flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
     p->tolerance = TOLERANCE;
-    p->budget = budget_of(course->d, m->length / (2 * M_PI));
+    p->budget = budget_of(course->d, course->n_loads);
     p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, course->winds, f);
+    f->flywheel = p->machine.flywheel;
     f->inertia = p->machine.inertia;
     if (found)
         f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;

@@ -20,8 +20,8 @@ void flk_facts_forget(flk_actual_facts *f)
 {
     f->status = f->no_cycle = FOURLINK_OK;
     f->end_angle = f->mean_speed = f->mean_speed_textbook = f->period = f->fluctuation_exact =
-        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = f->inertia =
-            FLK_UNDEFINED;
+        f->steady_rate = f->stall_angle = f->run_up_time = f->motor_torque = f->flywheel =
+            f->inertia = FLK_UNDEFINED;
 }
 
 /* Speed and acceleration in the sense of the motion. */

@@ -31,7 +31,8 @@ static double fluctuation_at(const search *s, double x)
     flk_actual_facts f;
 
     flk_facts_forget(&f);
-    s->path->machine.inertia = s->rotor + (x < NO_FLYWHEEL ? 1 / x : 0);
+    s->path->machine.flywheel = x < NO_FLYWHEEL ? 1 / x : 0;
+    s->path->machine.inertia = s->rotor + s->path->machine.flywheel;
     if (!flk_steady_find(s->path, s->cycle, s->mean_speed, 0))
         return GSL_POSINF;
     flk_facts_of_cycle(s->path, s->cycle, &f);
@@ -84,7 +85,9 @@ int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluct
             next = !gsl_finite(high) ? 16 * x : low > 0 ? sqrt(low * high) : high / 16;
         x = GSL_MIN(next, NO_FLYWHEEL);
     }
-    if (p->status == FOURLINK_OK || p->budget == 0)
+    if (p->budget == 0)
+        p->status = FOURLINK_TOO_LONG;
+    else if (p->status == FOURLINK_OK)
         p->status = FOURLINK_NO_STEADY;
     return 0;
 }

@@ -7,8 +7,8 @@
 
 #include "actual_path.h"
 
-/* Find this flywheel, and with it the steady motion, as flk_steady_find does.  The machine's inertia is that of the
-** rotor before, and has the flywheel then; it stays as it is if the motion fluctuates less without a flywheel. */
+/* Find this flywheel, and with it the steady motion, as flk_steady_find does.  The machine has no flywheel before, and
+** then this one; its flywheel is 0 if the motion fluctuates less without one. */
 int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluctuation);
 
 #endif

@@ -26,7 +26,8 @@ void flk_machine_of(const deck *d, fourlink_branch branch, fourlink_load *loads,
     m->loads = loads;
     m->n_loads = n_loads;
     m->motor = d->drive.motor;
-    m->inertia = d->drive.flywheel + m->motor.ratio * m->motor.ratio * m->motor.inertia;
+    m->flywheel = d->drive.flywheel;
+    m->inertia = m->flywheel + m->motor.ratio * m->motor.ratio * m->motor.inertia;
     m->has_angles = 0;
     m->has_speeds = flk_deck_needs_motion(d);
     for (i = 0; i < d->n_springs; i++)

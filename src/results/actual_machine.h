@@ -13,9 +13,10 @@ typedef struct flk_machine {
     fourlink_load *loads; /* memory for all loads of the deck */
     unsigned long n_loads;
     fourlink_motor motor;
-    double inertia; /* kg m2, at the crank: flywheel and rotor */
-    int has_angles; /* 1: loads depend on angles of links 3 and 4 */
-    int has_speeds; /* 1: loads depend on speeds */
+    double flywheel; /* kg m2, alone */
+    double inertia;  /* kg m2, at the crank: flywheel and rotor */
+    int has_angles;  /* 1: loads depend on angles of links 3 and 4 */
+    int has_speeds;  /* 1: loads depend on speeds */
 } flk_machine;
 
 /* The machine at a crank angle. */

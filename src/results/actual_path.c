@@ -39,24 +39,12 @@ static int choose(flk_path *p, flk_node *node, flk_equations *e, flk_step *step)
 /* End a step over time where the crank comes to rest, or at the end of the piece, if it passes them. */
 static int shorten(const flk_path *p, flk_node *node, flk_step *step)
 {
-    double size;
     int status = FOURLINK_OK;
 
-    if (step->next[1] <= 0) {
-        status = flk_actual_try(p, node, step,
-                                step->h * flk_actual_part(&node->within, 1, -step->y[1]), &size);
-        step->next[1] = 0;
-        if (status == FOURLINK_OK)
-            status = flk_actual_fill(step, &node->within);
-    }
-    if (status == FOURLINK_OK && step->next[0] > node->high) {
-        status = flk_actual_try(p, node, step,
-                                step->h * flk_actual_part(&node->within, 0, node->high - node->s),
-                                &size);
-        step->next[0] = node->high;
-        if (status == FOURLINK_OK)
-            status = flk_actual_fill(step, &node->within);
-    }
+    if (step->next[1] <= 0)
+        status = flk_actual_cut(p, node, step, 1, 0);
+    if (status == FOURLINK_OK && step->next[0] > node->high)
+        status = flk_actual_cut(p, node, step, 0, node->high);
     return status;
 }
 
@@ -71,15 +59,32 @@ static double first_length(const flk_node *node, const flk_step *step, double h)
 }
 
 /* Why no step is short enough.  Where friction or a motor changes its torque at rest, none reaches it. */
-static int why_not(const flk_path *p, const flk_node *node, const flk_step *step)
+static int why_not(const flk_path *p, const flk_node *node, const flk_step *step, int of_step)
 {
     double alpha = step->k[0][1];
-    int status = flk_actual_no_step(p, node->s);
+    int status = flk_actual_no_step(p, node->s, of_step);
 
     return status == FOURLINK_TOO_LONG && node->by_time && alpha < 0 &&
                    gsl_pow_2(node->speed) < -2 * alpha * CLOSEST
                ? FOURLINK_STALLS
                : status;
+}
+
+/* Take a step of this length, in angle: 1 and the factor for the next, or 0, the factor for the next try and the
+** status. */
+static int take(const flk_path *p, flk_node *node, flk_step *step, double length, double *factor,
+                int *status)
+{
+    double h = node->by_time ? flk_actual_time_of(step->y[1], step->k[0][1], length) : length;
+
+    if (!flk_actual_attempt(p, node, step, h, factor, status))
+        return 0;
+    if (node->by_time)
+        *status = shorten(p, node, step);
+    if (*status >= 0)
+        return 1;
+    *factor = 0.5;
+    return 0;
 }
 
 /* One step from the last node, of at most *h in angle; *h is the length for the next. */
@@ -97,20 +102,15 @@ static int go_on(flk_path *p, double *h, flk_node *after)
         return FOURLINK_DOES_NOT_START;
     length = first_length(node, &step, *h);
     for (; p->budget > 0; p->budget--) {
-        if (flk_actual_attempt(p, node, &step,
-                               node->by_time ? flk_actual_time_of(step.y[1], step.k[0][1], length)
-                                             : length,
-                               &factor, &status))
+        if (take(p, node, &step, length, &factor, &status))
             break;
         length *= factor;
-        if (length < (status > 0 ? CLOSEST : SHORTEST * (1 + node->s)))
-            return status > 0 ? status : why_not(p, node, &step);
+        if (!(length >= (status > 0 ? CLOSEST : SHORTEST * (1 + node->s))))
+            return status > 0 ? status : why_not(p, node, &step, status);
     }
     if (p->budget == 0)
-        return flk_actual_no_step(p, node->s);
+        return flk_actual_no_step(p, node->s, FOURLINK_OK);
     p->budget--;
-    if (node->by_time)
-        status = shorten(p, node, &step);
     node->h = step.h;
     flk_actual_end_step(node, step.h, step.next, after);
     if (!node->by_time && length == node->high - node->s)

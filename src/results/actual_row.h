@@ -31,7 +31,8 @@ typedef struct flk_actual_facts {
     double stall_angle;  /* in the deck's unit */
     double run_up_time;  /* s, until the speed first reaches the mean speed of the steady cycle */
     double motor_torque; /* N m, of a motor that balances: at the crank */
-    double inertia;      /* kg m2, of flywheel and rotor at the crank; found if wanted */
+    double flywheel;     /* kg m2, of the flywheel alone; found if wanted */
+    double inertia;      /* kg m2, of flywheel and rotor at the crank */
 } flk_actual_facts;
 
 #endif

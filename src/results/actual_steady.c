@@ -218,7 +218,8 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
 /* 1 if this is no end of the motion, but one of the search. */
 static int is_lost(int status)
 {
-    return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG;
+    return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG ||
+           status == FOURLINK_OVERFLOW;
 }
 
 /* The change of ln v after which E0 = g(E0), by Newton's method:
@@ -404,7 +405,9 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     }
     if (p->is_steady)
         return 1;
-    if (p->status == FOURLINK_OK || p->status == FOURLINK_STALLS)
+    if (p->budget == 0)
+        p->status = FOURLINK_TOO_LONG;
+    else if (p->status == FOURLINK_OK || p->status == FOURLINK_STALLS)
         p->status = FOURLINK_NO_STEADY;
     return 0;
 }

@@ -189,7 +189,7 @@ int flk_actual_whole(const flk_path *p, double s, double *whole)
     return FOURLINK_OK;
 }
 
-int flk_actual_no_step(const flk_path *p, double s)
+int flk_actual_no_step(const flk_path *p, double s, int status)
 {
     double before, here, after;
 
@@ -198,7 +198,7 @@ int flk_actual_no_step(const flk_path *p, double s)
         return FOURLINK_DEAD_POSITION;
     if (flk_actual_whole(p, 0, &here) == FOURLINK_OK && GSL_MIN(before, after) < NO_INERTIA * here)
         return FOURLINK_NO_INERTIA;
-    return FOURLINK_TOO_LONG;
+    return status == FLK_NOT_FINITE ? FOURLINK_OVERFLOW : FOURLINK_TOO_LONG;
 }
 
 /* Set the flk_equations and the beginning of a step at a node. */
@@ -318,6 +318,16 @@ static double error_of(const flk_path *p, const flk_node *node, const flk_step *
     return sqrt(sum / FLK_UNKNOWNS) / p->tolerance;
 }
 
+static int are_finite(const double *values, int n)
+{
+    int i;
+
+    for (i = 0; i < n; i++)
+        if (!gsl_finite(values[i]))
+            return 0;
+    return 1;
+}
+
 /* Take a step of this length: its error, or a status. */
 int flk_actual_try(const flk_path *p, const flk_node *node, flk_step *step, double h, double *size)
 {
@@ -326,17 +336,23 @@ int flk_actual_try(const flk_path *p, const flk_node *node, flk_step *step, doub
 
     step->h = h;
     status = flk_step_take(step, error);
-    if (status == FOURLINK_OK)
-        *size = error_of(p, node, step, error);
-    return status;
+    if (status != FOURLINK_OK)
+        return status;
+    *size = error_of(p, node, step, error);
+    return gsl_finite(*size) && are_finite(step->next, FLK_UNKNOWNS) ? FOURLINK_OK : FLK_NOT_FINITE;
 }
 
 /* Values within a step that has been taken. */
 int flk_actual_fill(flk_step *step, flk_curve_of_step *within)
 {
-    int status = flk_step_end(step);
+    int i, status = flk_step_end(step);
 
-    return status == FOURLINK_OK ? flk_step_within(step, within) : status;
+    if (status == FOURLINK_OK)
+        status = flk_step_within(step, within);
+    for (i = 0; i < FLK_UNKNOWNS && status == FOURLINK_OK; i++)
+        if (!are_finite(within->F[i], FLK_POWERS))
+            status = FLK_NOT_FINITE;
+    return status;
 }
 
 #define WORST 1e8 /* of the errors of steps, in parts of the tolerance */
@@ -357,6 +373,19 @@ int flk_actual_attempt(const flk_path *p, flk_node *node, flk_step *step, double
         size = WORST;
     *factor = GSL_MAX(0.2, 0.9 * pow(size, -0.125));
     return 0;
+}
+
+int flk_actual_cut(const flk_path *p, flk_node *node, flk_step *step, int i, double value)
+{
+    double size, part = flk_actual_part(&node->within, i, value - step->y[i]);
+    int status = flk_actual_try(p, node, step, step->h * part, &size);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (size > 1)
+        return FLK_INEXACT;
+    step->next[i] = value;
+    return flk_actual_fill(step, &node->within);
 }
 
 void flk_actual_end_step(const flk_node *node, double h, const double *next, flk_node *after)

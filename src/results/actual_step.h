@@ -9,7 +9,10 @@
 #include "corners.h"
 #include "mechanics/dormand_prince.h"
 
-#define FLK_TO_REST (-1) /* a status: the energy vanishes within a step */
+/* Statuses of a step that is to be shorter. */
+#define FLK_TO_REST (-1)    /* the energy vanishes within it */
+#define FLK_NOT_FINITE (-2) /* it leads to no finite values */
+#define FLK_INEXACT (-3)    /* a part of it, taken again, has an error above the tolerance */
 
 /* Where a step begins. */
 typedef struct flk_node {
@@ -54,8 +57,8 @@ double flk_actual_theta2(const flk_path *p, double s);
 int flk_actual_whole(const flk_path *p, double s, double *whole);
 
 /* Why no step from s is short enough: a dead position is there, where J is unbounded; nothing that moves there has
-** mass; otherwise too many steps. */
-int flk_actual_no_step(const flk_path *p, double s);
+** mass; the shortest, with this status, leads to no finite values; otherwise too many steps. */
+int flk_actual_no_step(const flk_path *p, double s, int status);
 
 /* What turns the machine at a speed; speed, push and alpha2 are those in the sense of the motion. */
 int flk_actual_push(const flk_path *p, const flk_machine_place *place, double speed,
@@ -65,7 +68,7 @@ int flk_actual_push(const flk_path *p, const flk_machine_place *place, double sp
 int flk_actual_begin(const flk_path *p, flk_node *node, flk_equations *e, flk_step *step);
 
 /* Take a step of this length: FOURLINK_OK and its error in parts of the tolerance, or a status.  Then find the values
-** within it. */
+** within it.  What is FOURLINK_OK is finite. */
 int flk_actual_try(const flk_path *p, const flk_node *node, flk_step *step, double h, double *size);
 int flk_actual_fill(flk_step *step, flk_curve_of_step *within);
 
@@ -73,6 +76,9 @@ int flk_actual_fill(flk_step *step, flk_curve_of_step *within);
 ** the status.  Returned as well: the factor by which the next try, or the next step, is longer. */
 int flk_actual_attempt(const flk_path *p, flk_node *node, flk_step *step, double h, double *factor,
                        int *status);
+
+/* Take a part of a step again, at whose end unknown i has a value. */
+int flk_actual_cut(const flk_path *p, flk_node *node, flk_step *step, int i, double value);
 
 /* The part of a step at which unknown i, which passes it, has changed by this much. */
 double flk_actual_part(const flk_curve_of_step *within, int i, double change);

@@ -29,15 +29,20 @@ static double time_for(const flk_step *step, double angle)
 /* End a step where the crank comes to rest, if it passes that. */
 static int shorten(const flk_path *p, flk_node *node, flk_step *step)
 {
-    double size;
-    int status;
+    return step->y[1] * step->next[1] < 0 ? flk_actual_cut(p, node, step, 1, 0) : FOURLINK_OK;
+}
 
-    if (!(step->y[1] * step->next[1] < 0))
-        return FOURLINK_OK;
-    status = flk_actual_try(p, node, step, step->h * flk_actual_part(&node->within, 1, -step->y[1]),
-                            &size);
-    step->next[1] = 0;
-    return status == FOURLINK_OK ? flk_actual_fill(step, &node->within) : status;
+/* Take a step of this length: 1 and the factor for the next, or 0, the factor for the next try and the status. */
+static int take(const flk_path *p, flk_node *node, flk_step *step, double length, double *factor,
+                int *status)
+{
+    if (!flk_actual_attempt(p, node, step, length, factor, status))
+        return 0;
+    *status = shorten(p, node, step);
+    if (*status >= 0)
+        return 1;
+    *factor = 0.5;
+    return 0;
 }
 
 /* One step from the last node, of at most *h in time; *h is the length for the next. */
@@ -57,17 +62,16 @@ static int go_on(flk_path *p, double duration, double *h, flk_node *after)
         return status;
     length = GSL_MIN(GSL_MIN(*h, time_for(&step, LONGEST)), left);
     for (; p->budget > 0; p->budget--) {
-        if (flk_actual_attempt(p, node, &step, length, &factor, &status))
+        if (take(p, node, &step, length, &factor, &status))
             break;
         length *= factor;
-        if (length < (status == FOURLINK_OK ? SHORTEST : CLOSEST) * duration)
-            return status == FOURLINK_OK ? flk_actual_no_step(p, node->s) : status;
+        if (!(length >= (status > 0 ? CLOSEST : SHORTEST) * duration))
+            return status > 0 ? status : flk_actual_no_step(p, node->s, status);
     }
     if (p->budget == 0)
-        return flk_actual_no_step(p, node->s);
+        return flk_actual_no_step(p, node->s, FOURLINK_OK);
     p->budget--;
     *h = length * factor;
-    status = shorten(p, node, &step);
     node->h = step.h;
     flk_actual_end_step(node, step.h, step.next, after);
     if (step.h == left)

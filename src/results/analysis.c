@@ -200,6 +200,13 @@ double flk_analysis_period(const deck *d)
     return d->cycle > turns * 2 * M_PI ? d->cycle : turns * 2 * M_PI;
 }
 
+int flk_analysis_stops(const flk_analysis *a, fourlink_branch branch)
+{
+    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+
+    return f && f->status == FOURLINK_TOO_LONG;
+}
+
 int flk_analysis_repeats(const flk_analysis *a)
 {
     const fourlink_motion *motion = &a->d->motion;

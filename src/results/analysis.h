@@ -55,6 +55,7 @@ typedef struct flk_analysis {
     int winds;              /* 1: a spring is wound up, so that no cycle is as the one before */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */
     flk_turning turning[2]; /* open, crossed */
+    double rows_left;       /* that a search may compute, as rows without loads */
 } flk_analysis;
 
 /* Set up an analysis; 0 if out of memory. */
@@ -81,6 +82,9 @@ double flk_analysis_end(const flk_analysis *a);
 /* The crank angle, rad, after which a motion that repeats is the same: the cycle, at least one turn, and two
 ** turns if the mechanism has one change point, after which the links return on the other side. */
 double flk_analysis_period(const deck *d);
+
+/* 1 if the actual motion of a branch took too many steps: what is known of it depends on where the budget ended. */
+int flk_analysis_stops(const flk_analysis *a, fourlink_branch branch);
 
 /* 1 if speed and acceleration are the same in every period. */
 int flk_analysis_repeats(const flk_analysis *a);

@@ -175,10 +175,20 @@ void flk_derive_shaking(const fourlink_forces *f, double gas_force, flk_derived 
         e->Fsx = e->Fsy = 0;
 }
 
-/* All as forces: couples are divided by a length. */
-static void list_forces(const fourlink_forces *forces, double length, double list[10])
+/* All as forces: couples are divided by a length.  The friction of a guide is among the loads, and not taken here. */
+static void list_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                        const fourlink_forces *forces, double list[10])
 {
+    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
+    double length = mechanism->design.link[FOURLINK_CRANK].length;
+
     flk_list_forces(forces, list);
+    if (fourlink_slides((int)mechanism->design.kind, FOURLINK_COUPLER)) {
+        list[4] = -forces->N34 * u->y;
+        list[5] = forces->N34 * u->x;
+    }
+    if (fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER))
+        list[6] = 0;
     list[8] /= length;
     list[9] /= length;
 }
@@ -190,7 +200,7 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
     fourlink_mechanism weightless = *mechanism;
     fourlink_state rest = *state;
     fourlink_forces of_loads, of_inertia;
-    double length = mechanism->design.link[FOURLINK_CRANK].length, largest = 0, difference = 0;
+    double largest = 0, difference = 0;
     double whole[10], part[10], other[10];
     int status, i;
 
@@ -205,9 +215,9 @@ int flk_derive_superposition(const fourlink_mechanism *mechanism, const fourlink
         status = fourlink_solve(&weightless, state, NULL, 0, &of_inertia);
     if (status != FOURLINK_OK)
         return status;
-    list_forces(forces, length, whole);
-    list_forces(&of_loads, length, part);
-    list_forces(&of_inertia, length, other);
+    list_forces(mechanism, state, forces, whole);
+    list_forces(mechanism, state, &of_loads, part);
+    list_forces(mechanism, state, &of_inertia, other);
     for (i = 0; i < 10; i++) {
         difference = GSL_MAX(difference, fabs(part[i] + other[i] - whole[i]));
         largest = GSL_MAX(largest, GSL_MAX(fabs(part[i]), fabs(other[i])));

@@ -21,7 +21,7 @@
 #include "extreme_search.h"
 
 #define LEAST_SAMPLES 12 /* of a piece */
-#define MOST_STEPS 1e6   /* of all of the motion */
+#define MOST_STEPS 1e5   /* of all of the motion: over more than 555 turns they are longer */
 
 static void search_samples(flk_search *x)
 {
@@ -137,7 +137,7 @@ static void search_piece(flk_search *x, int is_reached)
 
     for (c = 0; c < x->n_columns; c++)
         reset(&x->columns[c]);
-    for (i = 0; i < stretches; i++) {
+    for (i = 0; i < stretches && !flk_search_is_over(x); i++) {
         for (c = 0; c < x->n_columns; c++)
             x->columns[c].before = x->columns[c].last;
         x->low = (double)i / (double)stretches;
@@ -163,6 +163,34 @@ static void skip_turns(flk_search *x)
     }
 }
 
+/* Some rows of all pieces of an actual motion, so that no peak is refined that another turn beats: a run-up may have
+** thousands.  Of short pieces rows may be rounding; angles are not followed here. */
+#define LOOKS 4
+#define LONG 0.05 /* rad */
+
+static void look_ahead(flk_search *x)
+{
+    flk_row row;
+    size_t c;
+    int i;
+
+    while (!flk_search_is_over(x) && flk_pieces_next(x->a, x->length, x->period, &x->piece))
+        for (i = 1; i < LOOKS && x->piece.to - x->piece.from > LONG; i++) {
+            flk_search_compute(x, x->needs,
+                               x->piece.from + (x->piece.to - x->piece.from) * i / LOOKS, &row);
+            for (c = 0; c < x->n_columns && row.at.status == FOURLINK_OK; c++) {
+                flk_tracked *t = &x->columns[c];
+                double value = flk_column_value(t->c, &row);
+
+                if (t->turn > 0 || t->is_noise || !(fabs(value) < t->bound))
+                    continue;
+                t->known[0] = GSL_MAX_DBL(t->known[0], value);
+                t->known[1] = GSL_MIN_DBL(t->known[1], value);
+            }
+        }
+    memset(&x->piece, 0, sizeof x->piece);
+}
+
 static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
 {
     size_t c;
@@ -183,6 +211,8 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
         x->needs |= flk_column_need(t->c);
         x->has_noise |= t->is_noise;
     }
+    if (x->a->actual)
+        look_ahead(x);
 }
 
 /* Give the angle of a corner in place of one just inside it, unless a load jumps there. */
@@ -244,6 +274,18 @@ static void give(const flk_search *x, const flk_found *f, flk_extreme *extreme)
     extreme->angle = flk_search_crank(x, f->angle);
 }
 
+/* They are not known: the search took too many rows, or the motion too many steps. */
+static void give_up(flk_search *x, int status, flk_extreme_pair *pairs)
+{
+    size_t c;
+
+    for (c = 0; c < x->n_columns; c++) {
+        pairs[c].max.is_there = pairs[c].min.is_there = 0;
+        pairs[c].status = status;
+    }
+    x->a->is_fast = 0;
+}
+
 /* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
 static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
 {
@@ -265,6 +307,7 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
             settle_zero(x, t, which);
         }
         settle_constant(x, t);
+        pairs[c].status = FOURLINK_OK;
         give(x, &t->best[0], &pairs[c].max);
         give(x, &t->best[1], &pairs[c].min);
     }
@@ -282,13 +325,17 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
     x.a = a;
     x.branch = branch;
     x.n_columns = n;
+    if (flk_analysis_stops(a, branch)) {
+        give_up(&x, FOURLINK_TOO_LONG, pairs);
+        return;
+    }
     start(&x, pairs, memory);
     if (x.length <= 0) {
         x.low = x.high = 0;
         flk_search_sample(&x, 0);
         search_samples(&x);
     }
-    while (flk_pieces_next(a, x.length, x.period, &x.piece)) {
+    while (!flk_search_is_over(&x) && flk_pieces_next(a, x.length, x.period, &x.piece)) {
         int reached = flk_search_is_reached(&x);
 
         search_piece(&x, reached);
@@ -305,7 +352,10 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
         if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)
             skip_turns(&x);
     }
-    finish(&x, has_gap, pairs);
+    if (!flk_search_is_over(&x))
+        finish(&x, has_gap, pairs);
+    if (flk_search_is_over(&x))
+        give_up(&x, FOURLINK_LONG_SEARCH, pairs);
 }
 
 /* ------------------------------------------------------------------------------------- the asked for */

@@ -18,6 +18,7 @@ typedef struct flk_extreme {
 typedef struct flk_extreme_pair {
     flk_column c;
     flk_extreme min, max;
+    int status; /* FOURLINK_OK; FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG: they are not known */
 } flk_extreme_pair;
 
 /* The extremes that a deck asks for: all are found when the first is asked for. */

@@ -157,78 +157,89 @@ static double extrapolate(const double *x, const double *y, int power, double *e
     return value;
 }
 
-/* The coefficient of x^-order, if there is one; else 0. */
-static double coefficient(const double *x, const double *y, int order)
-{
-    double error, largest = 0, value = extrapolate(x, y, order, &error);
-    int k;
+/* 1 if the rows closest to a dead position, or to where friction locks, show a finite limit.  Those farther away may
+** still look like a pole, which is beyond a narrow locked range. */
+#define FINITE 1e-3 /* error of the limit, of the column's size */
 
-    for (k = 0; k < NODES; k++)
-        largest = GSL_MAX_DBL(largest, fabs(gsl_pow_int(x[k], order) * y[k]));
-    return fabs(value) > 1e-3 * largest && error < 0.1 * fabs(value) ? value : 0;
+static int is_finite(const approach *e, double y[][NODES])
+{
+    double error;
+
+    extrapolate(e->x[0], y[0], 0, &error);
+    return e->is_dead && error <= FINITE * fabs(y[0][NODES - 1]);
 }
 
-/* The order of a column's pole at the end of the piece, 0 if it has none: a pole is the same on two scales. */
-#define POLE_SCALE 1
+/* The order of a column's pole at the end of the piece, 0 if it has none.  A pole is the same on two scales, and above
+** the error: far above it on the larger scales, where poles are found that rounding hides on the small ones. */
+#define POLE_SCALE 1 /* the smallest one that is used: closer to the end there may be rounding */
 
-static int strong_pole(const approach *e, double y[][NODES], int order, double *strength)
+static int is_pole(const approach *e, double y[][NODES], int scale, int order, double *strength)
 {
-    double other;
+    double part = scale == POLE_SCALE ? 0.1 : 1e-3, error, other, error_of_other;
+    double size = fabs(gsl_pow_int(e->x[scale][NODES - 1], order) * y[scale][NODES - 1]);
 
-    for (; order > 0; order--) {
-        *strength = coefficient(e->x[POLE_SCALE], y[POLE_SCALE], order);
-        other = coefficient(e->x[POLE_SCALE + 1], y[POLE_SCALE + 1], order);
-        if (*strength != 0 && fabs(*strength - other) < 0.1 * fabs(*strength))
-            return order;
-    }
-    return 0;
-}
-
-/* The same for a pole that rounding hides on the small scales: on two larger ones it is far above the error. */
-#define ABOVE_ERROR 1e3
-
-static int hidden_pole(const approach *e, double y[][NODES], int most, double *strength)
-{
-    double other, error, error_of_other;
-    int scale, order;
-
-    for (scale = POLE_SCALE; scale + 1 < SCALES; scale++)
-        for (order = most; order > 0; order--) {
-            *strength = extrapolate(e->x[scale], y[scale], order, &error);
-            other = extrapolate(e->x[scale + 1], y[scale + 1], order, &error_of_other);
-            if (fabs(*strength) > ABOVE_ERROR * error &&
-                fabs(other) > ABOVE_ERROR * error_of_other &&
-                fabs(*strength - other) < 0.01 * fabs(*strength))
-                return order;
-        }
-    return 0;
+    *strength = extrapolate(e->x[scale], y[scale], order, &error);
+    other = extrapolate(e->x[scale + 1], y[scale + 1], order, &error_of_other);
+    return error < part * fabs(*strength) && error_of_other < part * fabs(other) &&
+           fabs(*strength - other) < GSL_MAX_DBL(part, 0.01) * fabs(*strength) &&
+           (scale > POLE_SCALE || fabs(*strength) > 1e-3 * size);
 }
 
 static int pole_order(const approach *e, double y[][NODES], int most, double *strength)
 {
-    int order = strong_pole(e, y, most, strength);
+    int scale, order;
 
-    if (!order)
-        order = hidden_pole(e, y, most, strength);
-    if (!order)
-        *strength = 0;
-    return order;
+    for (scale = POLE_SCALE; scale + 1 < SCALES && !is_finite(e, y); scale++)
+        for (order = most; order > 0; order--)
+            if (is_pole(e, y, scale, order, strength))
+                return order;
+    *strength = 0;
+    return 0;
 }
 
-/* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow and are not rounding, know
-** the sign best.  A column that is zero but for rounding can seem to have a pole: where alpha2 is 0, alpha3 of a crank
-** and a rod of the same length, for one. */
+/* A number of the size and sign of a column's pole, if its rows close to the end grow towards it as a power of x that
+** is steady, or changes slowly; else 0.  A pole beside a narrow locked range has one order close to it and another one
+** farther away.  In a very short piece all scales are close, and rounding is less on the larger ones. */
+#define CLOSE 0.00101   /* x */
+#define LEAST_ORDER 0.7 /* of a power */
+#define MOST_CHANGE 0.8 /* from row to row */
+
+static int grows(const double *x, const double *y)
+{
+    double order = GSL_NAN, before;
+    int k;
+
+    for (k = 0; k + 1 < NODES; k++) {
+        before = order;
+        order = log(y[k] / y[k + 1]) / log(x[k + 1] / x[k]);
+        if (!(order > LEAST_ORDER) || fabs(order - before) > MOST_CHANGE)
+            return 0;
+    }
+    return 1;
+}
+
+static double growing_pole(const approach *e, double y[][NODES])
+{
+    int scale;
+
+    for (scale = 0; scale < SCALES && e->x[scale][NODES - 1] < CLOSE; scale++)
+        if (grows(e->x[scale], y[scale]))
+            return e->x[scale][0] * y[scale][0];
+    return 0;
+}
+
+/* A number of the sign of a column's pole, 0 if it has none.  The closest rows, if they grow, know the sign best.  A
+** column that is zero but for rounding can seem to have a pole: where alpha2 is 0, alpha3 of a crank and a rod of the
+** same length, for one. */
 #define LEAST_POLE 1e-11 /* of the size in the middle of pieces, at a radian: less is rounding */
 
 static double pole_sign(const approach *e, double y[][NODES], int most, double size)
 {
-    double strength;
+    double strength = growing_pole(e, y);
 
-    if (strong_pole(e, y, most, &strength) && fabs(strength) > LEAST_POLE * size)
-        return fabs(y[0][0]) > fabs(y[0][NODES - 1]) ? y[0][0] : strength;
-    if (hidden_pole(e, y, most, &strength) && fabs(strength) > LEAST_POLE * size)
-        return strength;
-    return 0;
+    if (strength == 0)
+        pole_order(e, y, most, &strength);
+    return fabs(strength) > LEAST_POLE * size ? strength : 0;
 }
 
 /* Leave the samples of a column out that are so close to an end of the piece. */
@@ -625,6 +636,8 @@ static void find_limit(flk_search *x, size_t c, const approach *e)
         offer_near_pole(x, t, e, &v, first_sample(x, values, e), near);
     else if (l.error <= KNOWN * size)
         offer_near(x, t, e, 0, l.value);
+    else if (is_finite(e, y))
+        offer_near(x, t, e, 0, flk_search_value(x, t, e->at_end, near));
     if (l.error <= EXACT * size)
         offer_flats(x, t, values, e, &l, y[l.scale]);
 }

@@ -90,7 +90,10 @@ static int may_hide(const flk_search *x, const flk_tracked *t, const double *val
     if (!(rough > 1e-9 * t->size) || t->is_noise || jumps(x, t, values, i) ||
         is_at_pole(x, t, x->s[i]))
         return 0;
-    return (values[i] + reach > t->here[0].value || values[i] - reach < t->here[1].value) &&
+    return ((values[i] + reach > t->here[0].value &&
+             !flk_search_is_beaten(x, t, 0, values[i] + reach)) ||
+            (values[i] - reach < t->here[1].value &&
+             !flk_search_is_beaten(x, t, 1, values[i] - reach))) &&
            rough > ROUGH * flk_search_size_about(x, values, i) && is_bounded(t);
 }
 
@@ -130,7 +133,7 @@ void flk_search_resolve_narrow(flk_search *x)
 {
     size_t i, before;
 
-    for (i = 0; i < x->n; i++) {
+    for (i = 0; i < x->n && !flk_search_is_over(x); i++) {
         before = x->n;
         if (!hides(x, i))
             continue;

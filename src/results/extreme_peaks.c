@@ -225,12 +225,14 @@ void flk_search_refine_peaks(flk_search *x, flk_tracked *t, const double *values
     int which;
 
     for (which = 0; which < 2; which++)
-        for (i = 0; i < x->n; i++) {
+        for (i = 0; i < x->n && !flk_search_is_over(x); i++) {
             double gain;
 
             if (!is_peak(x, values, which, i))
                 continue;
             gain = gain_beside(x, values, i);
+            if (flk_search_is_beaten(x, t, which, values[i] + (which == 0 ? gain : -gain)))
+                continue;
             if (gain > FLK_SEARCH_CLOSE * fabs(values[i]) &&
                 flk_search_signed(which, values[i]) + gain >=
                     flk_search_signed(which, t->here[which].value) &&

@@ -16,6 +16,7 @@
 #define INSIDE 5e-11         /* rad, from a corner into the piece beside it */
 #define CLOSE_TO_CHANGE 1e-4 /* rad */
 #define CLOSE_TURNS 1e-10    /* of a value: equal in two turns of an integrated motion */
+#define MOST_ROWS 4e6        /* of a search, of a deck without loads: a second or two */
 
 /* Of a motion that repeats the first period and the last are searched. */
 static void skip_periods(flk_search *x)
@@ -28,8 +29,20 @@ static void skip_periods(flk_search *x)
     x->length -= x->skipped;
 }
 
+/* What a row costs, in rows without loads. */
+static double cost_of_row(const flk_analysis *a)
+{
+    return 1 + (double)a->n_loads / 15 + (a->d->has_friction ? 20 : 0);
+}
+
+int flk_search_is_over(const flk_search *x)
+{
+    return x->a->rows_left <= 0;
+}
+
 void flk_search_begin(flk_search *x)
 {
+    x->a->rows_left = MOST_ROWS;
     x->length = flk_pieces_length(x->a, x->branch);
     skip_periods(x);
     x->from = x->a->d->motion.from;
@@ -95,6 +108,12 @@ double flk_search_corner(const flk_search *x, double s)
 
 void flk_search_row_at(const flk_search *x, int needs, double angle, flk_row *row)
 {
+    if (flk_search_is_over(x)) {
+        memset(row, 0, sizeof *row);
+        row->at.status = FOURLINK_LONG_SEARCH;
+        return;
+    }
+    x->a->rows_left -= cost_of_row(x->a);
     if (x->a->d->drive.by_time)
         flk_analysis_at_time(x->a, needs, x->branch, angle, row);
     else
@@ -146,6 +165,8 @@ void flk_search_track(const flk_search *x, flk_tracked *t, const flk_column *c)
     if (flk_column_quantity(c) == QUANTITY_ANGLE)
         t->turn = flk_unit_from_si(2 * M_PI, x->a->d->units[QUANTITY_ANGLE].unit);
     t->last = t->first = GSL_NAN;
+    t->known[0] = GSL_NEGINF;
+    t->known[1] = GSL_POSINF;
     t->bound = flk_column_bound(c);
     t->close = x->a->actual ? CLOSE_TURNS : FLK_SEARCH_CLOSE;
     t->is_noise = (flk_column_flags(c) & FOURLINK_OF_ROUNDING) != 0;
@@ -245,6 +266,7 @@ void flk_search_insert(flk_search *x, size_t i, double s)
     if (row.at.status == FOURLINK_OK)
         x->closest_line = GSL_MIN_DBL(x->closest_line, fabs(row.at.state.sine));
     x->has_lock |= row.at.status == FOURLINK_LOCKED;
+    x->a->rows_left -= (double)x->n_columns / 16;
     for (c = 0; c < x->n_columns; c++, place += FLK_SEARCH_MOST_SAMPLES) {
         flk_tracked *t = &x->columns[c];
 
@@ -280,7 +302,7 @@ void flk_search_sample(flk_search *x, size_t steps)
     x->a->is_fast = !x->has_noise;
     for (k = HALVINGS; at_begin && k > 0; k--)
         append(x, x->low + step * pow(0.5, k));
-    for (i = 0; i <= steps; i++)
+    for (i = 0; i <= steps && !flk_search_is_over(x); i++)
         append(x, i == steps ? x->high : x->low + step * (double)i);
     for (k = 1; at_end && k <= HALVINGS; k++)
         append(x, x->high - step * pow(0.5, k));
@@ -375,6 +397,15 @@ void flk_search_offer_at(const flk_search *x, flk_found *best, int which, double
 {
     flk_search_offer(best, which, value, flk_search_angle(x, flk_search_passed(x, s)),
                      flk_search_corner(x, s));
+}
+
+int flk_search_is_beaten(const flk_search *x, const flk_tracked *t, int which, double value)
+{
+    const flk_found *best = &t->best[which];
+    double here = flk_search_signed(which, value);
+
+    return x->a->actual && (flk_search_signed(which, t->known[which]) > here ||
+                            (best->is_there && flk_search_signed(which, best->value) > here));
 }
 
 void flk_search_commit(flk_tracked *t, double shift)

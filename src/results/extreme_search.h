@@ -47,6 +47,7 @@ typedef struct flk_tracked {
     double close;      /* part of a value: equal but for rounding, or for integration */
     flk_found best[2]; /* largest, smallest */
     flk_found here[2]; /* the same since an angle started anew, or in a piece of an actual motion */
+    double known[2];   /* of an actual motion: its largest value is not less than known[0] ... */
 } flk_tracked;
 
 /* A sample of a column. */
@@ -98,6 +99,9 @@ double flk_search_rate(const flk_search *x, double s);
 double flk_search_passed(const flk_search *x, double s);
 double flk_search_angle(const flk_search *x, double passed);
 double flk_search_corner(const flk_search *x, double s);
+
+/* A search has a budget of rows; without any left, rows have the status FOURLINK_LONG_SEARCH, and the search is over. */
+int flk_search_is_over(const flk_search *x);
 
 /* The row at an angle of the search: of rows by time that is a time, s.  The crank angle there, in the deck's unit. */
 void flk_search_row_at(const flk_search *x, int needs, double angle, flk_row *row);
@@ -152,6 +156,9 @@ double flk_search_signed(int which, double value);
 /* Keep a value if it is better than the best so far; of equal ones the first. */
 void flk_search_offer(flk_found *best, int which, double value, double angle, double corner);
 void flk_search_offer_at(const flk_search *x, flk_found *best, int which, double value, double s);
+
+/* 1 if another piece has a better value, in an actual motion, each of whose pieces has extremes of its own. */
+int flk_search_is_beaten(const flk_search *x, const flk_tracked *t, int which, double value);
 
 /* Close the part of an angle's curve since it started anew, moved by whole turns. */
 void flk_search_commit(flk_tracked *t, double shift);

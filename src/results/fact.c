@@ -354,6 +354,8 @@ static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
     const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch);
     const flk_extreme *e = statistic == FLK_MAX ? &pair->max : &pair->min;
 
+    if (pair->status != FOURLINK_OK)
+        return pair->status;
     if (!e->is_there)
         return FOURLINK_NOT_REACHED;
     f->value = e->value;
@@ -401,6 +403,7 @@ static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk
 static void tell_turning(teller *t, flk_analysis *a)
 {
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(a->actual, (fourlink_branch)t->branch);
 
     if (!m)
         return;
@@ -411,12 +414,10 @@ static void tell_turning(teller *t, flk_analysis *a)
     tell(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
     if (m->has_coefficient)
         tell(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
-    if (m->inertia > 0) {
+    if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: it fluctuates less without one */
         tell(t, FACT_FLYWHEEL_INERTIA, m->inertia);
+    if ((actual ? actual->inertia : m->inertia) > 0)
         tell(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
-    } else if (t->d->drive.fluctuation > 0) {
-        tell(t, FACT_FLYWHEEL_INERTIA, 0); /* it fluctuates less without one */
-    }
 }
 
 /* What is defined for this motion. */

@@ -19,7 +19,7 @@
 #include "mean.h"
 
 #define STEP (M_PI / 18)     /* rad, of a part at first */
-#define MOST_PARTS 1e5       /* of all of the motion, at first */
+#define MOST_PARTS 2e4       /* of all of the motion, at first */
 #define HALVINGS 2000        /* at most */
 #define EXACT 1e-11          /* error of a part, of itself or of the whole */
 #define ROUNDING 1e-6        /* error that rows can have near a pole */
@@ -179,7 +179,8 @@ static void integrate(means *m, double from, double to, const estimate *both)
         if (shortest && m->t.turn <= 0 && e.error[k] > UNBOUNDED * m->size[k])
             m->poles |= signs_of(part.of[k], e.size[k]);
     }
-    if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS) {
+    if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS &&
+        !flk_search_is_over(&m->x)) {
         m->halvings++;
         integrate(m, from, middle, &e);
         integrate(m, middle, to, &e);
@@ -191,7 +192,7 @@ static void integrate(means *m, double from, double to, const estimate *both)
 
 static int is_done(const means *m)
 {
-    return m->poles == (UP | DOWN) || (m->poles && m->most == 2);
+    return m->poles == (UP | DOWN) || (m->poles && m->most == 2) || flk_search_is_over(&m->x);
 }
 
 static void integrate_piece(means *m)
@@ -283,12 +284,16 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
 {
     means m;
 
+    if (flk_analysis_stops(a, branch))
+        return FOURLINK_TOO_LONG;
     start(&m, a, c, branch, statistic);
     if (m.x.length <= 0)
         return of_instant(&m, statistic, mean);
     a->is_fast = !m.t.is_noise;
     integrate_motion(&m);
     a->is_fast = 0;
+    if (flk_search_is_over(&m.x))
+        return FOURLINK_LONG_SEARCH;
     if (statistic == FLK_MEAN && m.poles == (UP | DOWN))
         return FOURLINK_NO_MEAN;
     if (!m.poles && !(m.total.of[0] > 0))

@@ -119,7 +119,7 @@ int flk_pieces_next(const flk_analysis *a, double length, double period, flk_pie
 {
     flk_piece_end end;
 
-    if (piece->to >= length)
+    if (!(piece->to < length))
         return 0;
     if (a->d->drive.by_time)
         return next_by_time(length, piece);

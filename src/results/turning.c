@@ -11,7 +11,7 @@
 **
 **    coefficient of fluctuation of energy dE / (Tm c),   of speed Cs = dE / (I omega^2)
 **
-** Of an actual motion the speed omega is its mean, and I has the rotor of the motor.
+** Of an actual motion the speed omega is its mean, and I is that of the flywheel and the rotor of the motor.
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
@@ -313,7 +313,7 @@ static void find(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
     const flk_actual_facts *actual = flk_actual_facts_of(m->a->actual, m->branch);
-    double omega = m->crank.omega2;
+    double omega = m->crank.omega2, inertia = actual ? actual->inertia : d->flywheel_inertia;
 
     if (fabs(m->mean) <= 1e-12 * scale)
         m->mean = 0;
@@ -323,10 +323,10 @@ static void find(moment *m, double scale, fourlink_turning *t)
     t->energy_fluctuation = fluctuation_of_energy(m, t);
     t->has_coefficient = m->mean != 0;
     t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
-    t->inertia = actual ? actual->inertia : d->flywheel_inertia;
+    t->inertia = actual ? actual->flywheel : d->flywheel_inertia;
     t->fluctuation = actual ? 0 : d->flywheel_fluctuation;
-    if (t->inertia > 0)
-        t->fluctuation = t->energy_fluctuation / (t->inertia * omega * omega);
+    if (inertia > 0)
+        t->fluctuation = t->energy_fluctuation / (inertia * omega * omega);
     else if (t->fluctuation > 0)
         t->inertia = t->energy_fluctuation / (t->fluctuation * omega * omega);
 }

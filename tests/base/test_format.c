@@ -10,7 +10,7 @@
 #include "base/number.h"
 #include "tables/line.h"
 
-#define MANY 100000
+#define MANY 20000
 #define MOST_DECIMALS 20
 
 static void compare(const char *form, int precision, double value, const char *out)
@@ -84,10 +84,11 @@ static double integer_of_any_size(uint64_t *seed)
     return floor(exp2(uniform(seed, 0, 53)));
 }
 
-static void check_examples(void)
+static void test_examples(void **unused)
 {
     char out[FORMAT_SIZE];
 
+    (void)unused;
     assert_string_equal(format_fixed(1234567.5, 2, out), "1234567.50");
     assert_string_equal(format_fixed(-0.125, 3, out), "-0.125");
     assert_string_equal(format_fixed(0.125, 2, out), "0.12");
@@ -108,18 +109,6 @@ static void check_examples(void)
     assert_string_equal(format_general(66, 12, out), "66");
     assert_int_equal(strlen(format_fixed(-DBL_MAX, 17, out)), 1 + 309 + 1 + 17);
     assert_true(out[310] == '.');
-}
-
-static void test_examples(void **unused)
-{
-    (void)unused;
-    check_examples();
-}
-
-static void test_examples_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_examples();
 }
 
 /* Powers of ten and of two, and the numbers beside them. */
@@ -169,27 +158,16 @@ static void test_random_bits(void **unused)
     }
 }
 
-static void check_sizes(void)
+static void test_sizes(void **unused)
 {
     uint64_t seed = 20240517;
     int i;
 
+    (void)unused;
     for (i = 0; i < 2 * MANY; i++) {
         check_some(pow(10, uniform(&seed, -47, 42)), &seed);
         check_fixed(pow(10, uniform(&seed, -8, 10)), (int)uniform(&seed, 0, 11));
     }
-}
-
-static void test_sizes(void **unused)
-{
-    (void)unused;
-    check_sizes();
-}
-
-static void test_sizes_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_sizes();
 }
 
 /* Halves, exactly: an odd number over 2^(d+1) is one with d decimals.  With enough decimals before
@@ -250,11 +228,12 @@ static void test_short_numbers(void **unused)
 }
 
 /* 17 digits bring a number back. */
-static void check_back(void)
+static void test_back(void **unused)
 {
     uint64_t seed = 7;
     int i;
 
+    (void)unused;
     for (i = 0; i < MANY; i++) {
         double value = uniform(&seed, -1, 1) * pow(10, uniform(&seed, -300, 300)), again = 0;
         char out[FORMAT_SIZE];
@@ -264,18 +243,6 @@ static void check_back(void)
         assert_int_equal(rest.length, 0);
         assert_true(again == value);
     }
-}
-
-static void test_back(void **unused)
-{
-    (void)unused;
-    check_back();
-}
-
-static void test_back_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_back();
 }
 
 /* Lines of the buffer have the bytes that the C library writes, also where they are longer than the
@@ -336,22 +303,20 @@ static void test_lines(void **unused)
     fclose(out);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        C_LOCALE(test_examples),
-        COMMA_LOCALE(test_examples_comma_locale),
-        C_LOCALE(test_ends_of_ranges),
-        C_LOCALE(test_random_bits),
-        C_LOCALE(test_sizes),
-        COMMA_LOCALE(test_sizes_comma_locale),
-        C_LOCALE(test_ties),
-        C_LOCALE(test_near_ties),
-        C_LOCALE(test_short_numbers),
-        C_LOCALE(test_back),
-        COMMA_LOCALE(test_back_comma_locale),
-        C_LOCALE(test_lines),
+        C_LOCALE(test_examples),      C_LOCALE(test_ends_of_ranges), C_LOCALE(test_random_bits),
+        C_LOCALE(test_sizes),         C_LOCALE(test_ties),           C_LOCALE(test_near_ties),
+        C_LOCALE(test_short_numbers), C_LOCALE(test_back),           C_LOCALE(test_lines),
+    };
+    const struct CMUnitTest with_comma[] = {
+        COMMA_LOCALE(test_examples),
+        COMMA_LOCALE(test_sizes),
+        COMMA_LOCALE(test_back),
     };
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (!asks_for_comma(argc, argv))
+        return cmocka_run_group_tests(tests, NULL, NULL);
+    return set_comma_locale() ? cmocka_run_group_tests(with_comma, NULL, NULL) : no_comma_locale();
 }

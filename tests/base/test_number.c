@@ -49,10 +49,11 @@ static const reading readings[] = {
     {"1e-400", 0, ""},
 };
 
-static void check_readings(void)
+static void test_read(void **unused)
 {
     size_t i;
 
+    (void)unused;
     for (i = 0; i < sizeof readings / sizeof readings[0]; i++) {
         text rest = flk_text_of(readings[i].text);
         double value = -77;
@@ -64,18 +65,6 @@ static void check_readings(void)
                          readings[i].text + strlen(readings[i].text) - strlen(readings[i].rest));
         assert_int_equal(rest.length, strlen(readings[i].rest));
     }
-}
-
-static void test_read(void **unused)
-{
-    (void)unused;
-    check_readings();
-}
-
-static void test_read_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_readings();
 }
 
 static void check_refused(const char *string, number_status expected)
@@ -90,7 +79,7 @@ static void check_refused(const char *string, number_status expected)
     assert_int_equal(rest.length, strlen(string));
 }
 
-static void check_all_refused(void)
+static void test_refused(void **unused)
 {
     static const char *const none[] = {"",    " 1",  "mm",    "-",   "+",    ".",
                                        "e5",  ".e5", "-e5",   "+-5", "--5",  ",5",
@@ -102,6 +91,7 @@ static void check_all_refused(void)
     static const char *const comma[] = {"1,5", "1,5 mm", "-0,25", "1.000,5", "10,5", "1e3,5"};
     size_t i;
 
+    (void)unused;
     for (i = 0; i < sizeof none / sizeof none[0]; i++)
         check_refused(none[i], NUMBER_NONE);
     for (i = 0; i < sizeof not_finite / sizeof not_finite[0]; i++)
@@ -110,18 +100,6 @@ static void check_all_refused(void)
         check_refused(hex[i], NUMBER_HEX);
     for (i = 0; i < sizeof comma / sizeof comma[0]; i++)
         check_refused(comma[i], NUMBER_COMMA);
-}
-
-static void test_refused(void **unused)
-{
-    (void)unused;
-    check_all_refused();
-}
-
-static void test_refused_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_all_refused();
 }
 
 static void test_long_numbers(void **unused)
@@ -197,11 +175,13 @@ static void random_number(uint64_t *seed, char *out)
 }
 
 /* The C library in the C locale is the judge of the rounding. */
-static void check_rounding(int comma)
+static void test_rounding(void **unused)
 {
+    int comma = strcmp(localeconv()->decimal_point, ",") == 0;
     uint64_t seed = 20240517;
     int i, fractions = 0;
 
+    (void)unused;
     for (i = 0; i < RANDOM_NUMBERS; i++) {
         char number[80];
         double expected, value = -77;
@@ -220,18 +200,6 @@ static void check_rounding(int comma)
         assert_int_equal(rest.length, 0);
     }
     assert_true(fractions > RANDOM_NUMBERS / 4);
-}
-
-static void test_rounding(void **unused)
-{
-    (void)unused;
-    check_rounding(0);
-}
-
-static void test_rounding_comma_locale(void **found)
-{
-    need_comma_locale(found);
-    check_rounding(1);
 }
 
 /* ---------------------------------------------------------------------------------- pieces of text
@@ -362,21 +330,21 @@ static void test_trim_equal_split(void **unused)
     assert_false(flk_text_split(&rest, '\n', &piece));
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        C_LOCALE(test_read),
-        COMMA_LOCALE(test_read_comma_locale),
-        C_LOCALE(test_refused),
-        COMMA_LOCALE(test_refused_comma_locale),
-        C_LOCALE(test_long_numbers),
-        C_LOCALE(test_read_stops_at_the_end),
-        C_LOCALE(test_rounding),
-        COMMA_LOCALE(test_rounding_comma_locale),
-        C_LOCALE(test_nearest),
-        C_LOCALE(test_copy),
-        C_LOCALE(test_trim_equal_split),
+        C_LOCALE(test_read),         C_LOCALE(test_refused),
+        C_LOCALE(test_long_numbers), C_LOCALE(test_read_stops_at_the_end),
+        C_LOCALE(test_rounding),     C_LOCALE(test_nearest),
+        C_LOCALE(test_copy),         C_LOCALE(test_trim_equal_split),
+    };
+    const struct CMUnitTest with_comma[] = {
+        COMMA_LOCALE(test_read),
+        COMMA_LOCALE(test_refused),
+        COMMA_LOCALE(test_rounding),
     };
 
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (!asks_for_comma(argc, argv))
+        return cmocka_run_group_tests(tests, NULL, NULL);
+    return set_comma_locale() ? cmocka_run_group_tests(with_comma, NULL, NULL) : no_comma_locale();
 }

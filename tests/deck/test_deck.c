@@ -244,7 +244,22 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11, "the gyration must not be negative: -1 mm"},
     {FOUR_BAR "[motion]\ninterval = 0\n", 11, "the interval must be positive, not 0"},
     {FOUR_BAR "[motion]\ninterval = -5 deg\n", 11, "the interval must be positive, not -5 deg"},
-    {FOUR_BAR "[motion]\ninterval = 1e-30 deg\n", 11, "the range has too many rows"},
+    {FOUR_BAR "[motion]\ninterval = 1e-30 deg\n", 11,
+     "more than 10,000,000 rows by angle: give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\ninterval = 1e-12 deg\n", 11,
+     "more than 10,000,000 rows by angle (3.6e14): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\nto = 10000000 deg\ninterval = 1 deg\n", 12,
+     "more than 10,000,000 rows by angle (10000001): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\ninterval = 1 deg\nto = 1e8 deg\n", 11,
+     "more than 10,000,000 rows by angle (100000001): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\nfrom = -4e8 deg\nto = -2e8 deg\n", 12,
+     "more than 10,000,000 rows by angle (20000001): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\nturns = -1e6\n", 11,
+     "more than 10,000,000 rows by angle (36000001): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\ncycle = 4e8 deg\n", 11,
+     "more than 10,000,000 rows by angle (40000001): give a larger interval or a shorter range"},
+    {FOUR_BAR "[motion]\nacceleration = 1 rad/s2\nrun_up = 4e8 deg\n", 12,
+     "more than 10,000,000 rows by angle (40000037): give a larger interval or a shorter range"},
     {FOUR_BAR "[motion]\ncycle = 0 deg\n", 11, "the cycle must be positive, not 0 deg"},
     {FOUR_BAR "[gravity]\nacceleration = -9.81 m/s2\n", 11,
      "the acceleration must not be negative: -9.81 m/s2"},
@@ -1461,6 +1476,24 @@ static void test_cut_short(void **unused)
     assert_in_range(good, 50, sizeof valid / 2);
 }
 
+/* As many rows as are allowed; one more is a mistake above. */
+static void test_most_rows(void **unused)
+{
+    fourlink_range range;
+    deck d;
+
+    (void)unused;
+    assert_int_equal(
+        read_changed(FOUR_BAR "[motion]\nto = 9999999 deg\ninterval = 1 deg\n", NULL, 0, &d), 1);
+    assert_int_equal(flk_deck_range(&d, &range), FOURLINK_OK);
+    assert_int_equal(range.n_rows, 10000000);
+    flk_deck_free(&d);
+    /* one instant has no interval */
+    assert_int_equal(
+        read_changed(FOUR_BAR "[motion]\nat = 3 deg\ninterval = 1e-12 deg\n", NULL, 0, &d), 1);
+    flk_deck_free(&d);
+}
+
 /* The host's error handler of GSL, which is never to be reached. */
 static void handler(const char *reason, const char *file, int line, int code)
 {
@@ -1483,7 +1516,7 @@ int main(void)
         cmocka_unit_test(test_mutations),        cmocka_unit_test(test_large),
         cmocka_unit_test(test_left_out),         cmocka_unit_test(test_no_text),
         cmocka_unit_test(test_cut_short),        cmocka_unit_test(test_mutations_of_an_engine),
-        cmocka_unit_test(test_odd_curves),
+        cmocka_unit_test(test_odd_curves),       cmocka_unit_test(test_most_rows),
     };
 
     gsl_set_error_handler(handler);

@@ -195,7 +195,7 @@ static const struct {
     {RUN_UP "rows = time\ntime_step = 0 s\nduration = 3 s\n" LINE, 10,
      "the time_step must be positive, not 0 s"},
     {RUN_UP "rows = time\ntime_step = 1e-6 s\nduration = 3 s\n" LINE, 11,
-     "more than 1,000,000 rows by time"},
+     "more than 1,000,000 rows by time (3e6): give a larger time_step or a shorter duration"},
     {RUN_UP "time_step = 1 s\n" LINE, 9, "'time_step' is for rows by time: rows = time"},
     {RUN_UP "duration = 1 s\n" LINE, 9, "'duration' is for rows by time: rows = time"},
     {RUN_UP "rows = time\ntime_step = 1 s\nduration = 3 s\ninterval = 5 deg\n" LINE, 12,

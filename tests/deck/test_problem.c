@@ -63,7 +63,7 @@ static void test_problem(void **unused)
     assert_near(p.motion.speed, 20, 0);
     assert_near(p.motion.to, 720, 0);
     assert_near(p.cycle, 4 * M_PI, 1e-14);
-    assert_true(p.crossed && !p.open && p.has_forces);
+    assert_true(p.crossed && !p.open && !p.asks_for_both && p.has_forces);
     assert_int_equal(p.n_gas_loads, 1);
     assert_int_equal(p.n_loads, 3);
     assert_int_equal(p.n_points, 1);
@@ -109,6 +109,38 @@ static void test_problem_of_a_sweep(void **unused)
     assert_int_equal(p.n_designs, 3);
     assert_near(p.mechanism.design.link[3].length, 0.3, 0);
     fourlink_deck_free(deck);
+}
+
+/* Both branches are asked for by their key in [table] alone; without it they are only not excluded. */
+static void test_branches(void **unused)
+{
+    static const struct {
+        const char *table;
+        int open, crossed, asks_for_both;
+    } cases[] = {{"", 1, 1, 0},
+                 {"# branch = both\n", 1, 1, 0},
+                 {"[table]\nbranch = open\n", 1, 0, 0},
+                 {"[table]\nbranch = crossed\n", 0, 1, 0},
+                 {"[table]\nbranch = both\n", 1, 1, 1},
+                 {"[table]\nbranch = both\n[expect]\nbranch = open\nmu_min = 1 deg\n", 1, 1, 1},
+                 {"[gas]\nbore = 100 mm\npressure = 2 bar\n", 1, 0, 0},
+                 {"[gas]\nbore = 100 mm\npressure = 2 bar\n[table]\nbranch = both\n", 1, 1, 1}};
+    char contents[1000];
+    fourlink_deck *deck = NULL;
+    fourlink_problem p;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        sprintf(contents, "mechanism = slider-crank\n[crank]\nlength = 1\n[rod]\nlength = 4\n%s",
+                cases[i].table);
+        assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_OK);
+        assert_int_equal(fourlink_deck_problem(deck, &p), FOURLINK_OK);
+        assert_int_equal(p.open, cases[i].open);
+        assert_int_equal(p.crossed, cases[i].crossed);
+        assert_int_equal(p.asks_for_both, cases[i].asks_for_both);
+        fourlink_deck_free(deck);
+    }
 }
 
 static void test_units_and_names_of_loads(void **unused)
@@ -453,17 +485,12 @@ static void test_fortran77_refuses(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_problem),
-        cmocka_unit_test(test_problem_of_a_sweep),
-        cmocka_unit_test(test_units_and_names_of_loads),
-        cmocka_unit_test(test_loads),
-        cmocka_unit_test(test_deck_and_hand),
-        cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_mistakes_of_files),
-        cmocka_unit_test(test_nulls),
-        cmocka_unit_test(test_error_handler),
-        cmocka_unit_test(test_fortran77),
-        cmocka_unit_test(test_fortran77_refuses),
+        cmocka_unit_test(test_problem),   cmocka_unit_test(test_problem_of_a_sweep),
+        cmocka_unit_test(test_branches),  cmocka_unit_test(test_units_and_names_of_loads),
+        cmocka_unit_test(test_loads),     cmocka_unit_test(test_deck_and_hand),
+        cmocka_unit_test(test_mistakes),  cmocka_unit_test(test_mistakes_of_files),
+        cmocka_unit_test(test_nulls),     cmocka_unit_test(test_error_handler),
+        cmocka_unit_test(test_fortran77), cmocka_unit_test(test_fortran77_refuses),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -218,12 +218,67 @@ static void test_bad_motors(void **unused)
     assert_near(T, 7, 0);
 }
 
+/* Numbers that are not finite, or make a torque that is not, give a status, and no torque. */
+static void test_motors_out_of_range(void **unused)
+{
+    static const double wrong[] = {NAN, INFINITY, -INFINITY, 2e30};
+    static const fourlink_motor_kind kinds[] = {FOURLINK_MOTOR_TORQUE, FOURLINK_MOTOR_LINEAR,
+                                                FOURLINK_MOTOR_CURVE, FOURLINK_MOTOR_POWER,
+                                                FOURLINK_MOTOR_BALANCE};
+    double speed[] = {0, 10, 12}, at[] = {60, 80, 120}, T = 7;
+    fourlink_motor good, m;
+    size_t i, k, n;
+
+    (void)unused;
+    memset(&good, 0, sizeof good);
+    good.torque = 3;
+    good.stall_torque = 120;
+    good.no_load_speed = 14;
+    good.power = 600;
+    good.max_torque = 80;
+    good.curve_speed = speed;
+    good.curve_torque = at;
+    good.n_curve = 3;
+    good.ratio = 2;
+    for (i = 0; i < 5; i++)
+        for (k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
+            double *const numbers[] = {&m.ratio, &m.torque,     &m.stall_torque, &m.no_load_speed,
+                                       &m.power, &m.max_torque, &speed[2],       &at[0]};
+            static const char *const kinds_of[] = {"01234", "04", "1", "1", "3", "3", "2", "2"};
+
+            for (n = 0; n < sizeof numbers / sizeof numbers[0]; n++) {
+                int is_used = strchr(kinds_of[n], '0' + (int)i) != NULL;
+
+                m = good;
+                m.kind = kinds[i];
+                *numbers[n] = wrong[k];
+                T = 7;
+                assert_int_equal(fourlink_motor_torque(&m, 1, &T),
+                                 is_used ? FOURLINK_BAD_NUMBER : FOURLINK_OK);
+                assert_true(isfinite(T) && (T == 7) == is_used);
+                speed[2] = 12;
+                at[0] = 60;
+            }
+        }
+    m = good;
+    m.kind = FOURLINK_MOTOR_LINEAR;
+    m.no_load_speed = 1e-300;
+    T = 7;
+    assert_int_equal(fourlink_motor_torque(&m, 1e30, &T), FOURLINK_BAD_NUMBER);
+    m.kind = FOURLINK_NO_MOTOR;
+    m.ratio = NAN;
+    assert_near(T, 7, 0);
+    assert_near(of_motor(&m, 1), 0, 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inertia), cmocka_unit_test(test_generalised_force),
-        cmocka_unit_test(test_bad_calls), cmocka_unit_test(test_motors),
-        cmocka_unit_test(test_bad_motors)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_inertia),
+                                       cmocka_unit_test(test_generalised_force),
+                                       cmocka_unit_test(test_bad_calls),
+                                       cmocka_unit_test(test_motors),
+                                       cmocka_unit_test(test_motors_out_of_range),
+                                       cmocka_unit_test(test_bad_motors)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

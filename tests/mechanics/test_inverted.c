@@ -466,6 +466,73 @@ static void test_solvers(void **unused)
                   worst);
 }
 
+typedef struct sum {
+    double x, y, moment,
+        size; /* about the centre of mass G; the largest force or moment per metre */
+    fourlink_vector G;
+} sum;
+
+static void add(sum *s, fourlink_vector at, double x, double y, double couple)
+{
+    s->x += x;
+    s->y += y;
+    s->moment += (at.x - s->G.x) * y - (at.y - s->G.y) * x + couple;
+    s->size = fmax(s->size, (1 + hypot(at.x - s->G.x, at.y - s->G.y)) * hypot(x, y));
+    s->size = fmax(s->size, fabs(couple));
+}
+
+/* Newton and Euler for each link by itself: joints, weight and loads give m a_G, and about G I alpha.  The force of
+** the slider on the lever is F34 at B, and the couple M34. */
+static void test_free_bodies(void **unused)
+{
+    const fourlink_vector A = {0, 0};
+    uint64_t seed = 4;
+    sample s;
+    int n, i, link;
+
+    (void)unused;
+    for (n = 0; n < n_samples; n++) {
+        const fourlink_forces *f = &s.forces;
+        fourlink_vector B, D = {0, 0};
+
+        draw(&seed, &s);
+        B = s.state.link[3].origin;
+        D.x = s.design.link[1].length;
+        for (link = 2; link <= 4; link++) {
+            const fourlink_link *data = &s.design.link[link];
+            fourlink_vector a, p;
+            sum all = {0, 0, 0, 0, {0, 0}};
+            double tolerance;
+
+            fourlink_point(&s.state, link, &data->cg, &all.G, NULL, &a);
+            if (link == 2) {
+                add(&all, A, f->F12x, f->F12y, f->Ts);
+                add(&all, B, -f->F23x, -f->F23y, 0);
+            } else if (link == 3) {
+                add(&all, B, f->F23x - f->F34x, f->F23y - f->F34y, -f->M34);
+            } else {
+                add(&all, B, f->F34x, f->F34y, f->M34);
+                add(&all, D, f->F14x, f->F14y, 0);
+            }
+            add(&all, all.G, data->mass * s.design.gravity.x, data->mass * s.design.gravity.y, 0);
+            for (i = 0; i < 2; i++) {
+                const fourlink_load *load = &s.load[i];
+                double turn = load->frame == FOURLINK_FRAME_LINK ? s.state.link[link].theta : 0;
+
+                if (load->link != link)
+                    continue;
+                fourlink_point(&s.state, link, &load->at, &p, NULL, NULL);
+                add(&all, p, load->force.x * cos(turn) - load->force.y * sin(turn),
+                    load->force.x * sin(turn) + load->force.y * cos(turn), load->torque);
+            }
+            tolerance = 1e-12 * all.size / fabs(s.state.sine);
+            assert_near(all.x, data->mass * a.x, tolerance);
+            assert_near(all.y, data->mass * a.y, tolerance);
+            assert_near(all.moment, data->inertia * s.state.link[link].alpha, tolerance);
+        }
+    }
+}
+
 /* theta2, gamma, offset and all that is across turned round mirror the motion at the x axis, and swap the
 ** signs of what turns; the branch stays. */
 static void test_mirror(void **unused)
@@ -836,13 +903,14 @@ static void test_fortran(void **unused)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference),       cmocka_unit_test(test_closure),
-        cmocka_unit_test(test_differences),     cmocka_unit_test(test_solvers),
-        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_limits),          cmocka_unit_test(test_whitworth),
-        cmocka_unit_test(test_reach),           cmocka_unit_test(test_change_points),
-        cmocka_unit_test(test_near_D),          cmocka_unit_test(test_bad_designs),
-        cmocka_unit_test(test_extreme_numbers), cmocka_unit_test(test_fortran)};
+        cmocka_unit_test(test_reference),     cmocka_unit_test(test_closure),
+        cmocka_unit_test(test_differences),   cmocka_unit_test(test_solvers),
+        cmocka_unit_test(test_free_bodies),   cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_forms),         cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_whitworth),     cmocka_unit_test(test_reach),
+        cmocka_unit_test(test_change_points), cmocka_unit_test(test_near_D),
+        cmocka_unit_test(test_bad_designs),   cmocka_unit_test(test_extreme_numbers),
+        cmocka_unit_test(test_fortran)};
 
     if (argc > 1)
         n_samples = atoi(argv[1]);

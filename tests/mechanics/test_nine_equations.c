@@ -1192,9 +1192,11 @@ static void test_system(void **unused)
 #define SANITIZED 1
 #endif
 
+#if defined(__GLIBC__) && !defined(SANITIZED)
+#define COUNTS_MEMORY
+
 static volatile unsigned long allocations;
 
-#if defined(__GLIBC__) && !defined(SANITIZED)
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t n, size_t size);
 void *__libc_realloc(void *old, size_t size);
@@ -1222,7 +1224,6 @@ void free(void *old)
 {
     __libc_free(old);
 }
-#endif
 
 static void test_no_allocation(void **unused)
 {
@@ -1231,11 +1232,8 @@ static void test_no_allocation(void **unused)
     int n;
 
     (void)unused;
-    /* Does the counter see what GSL allocates?  Not under a program which, like valgrind, has an
-    ** allocator of its own. */
     gsl_vector_free(gsl_vector_alloc(9));
-    if (allocations == before)
-        skip();
+    assert_true(allocations > before); /* the counter sees what GSL allocates */
     for (n = 0; n < 200; n++) {
         double A[9][9], b[9];
         sample s;
@@ -1252,6 +1250,7 @@ static void test_no_allocation(void **unused)
         assert_int_equal(status, FOURLINK_OK);
     }
 }
+#endif
 
 /* Two links in one line: no position gives such a state, but a caller may. */
 static void singular_state(fourlink_kind kind, sample *s)
@@ -1417,7 +1416,9 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_unequal_links),
         cmocka_unit_test(test_not_filled),
         cmocka_unit_test(test_system),
+#ifdef COUNTS_MEMORY
         cmocka_unit_test(test_no_allocation),
+#endif
         cmocka_unit_test(test_singular),
         cmocka_unit_test(test_bad_loads),
         cmocka_unit_test(test_null),

@@ -147,6 +147,46 @@ static void test_ends(void **unused)
     fourlink_results_free(r);
 }
 
+/* A run-up that stalls below its steady motion has no facts of it, also where the rows end before it stalls; the steady
+** motion is there by itself. */
+static void test_steady_motion_that_is_not_reached(void **unused)
+{
+    static const char *const names[] = {"mean_speed",        "mean_speed_textbook", "period",
+                                        "fluctuation_exact", "steady_rate",         "run_up_time"};
+    static const struct {
+        double stall_torque;
+        const char *motion;
+        int ends; /* why it has no facts */
+    } cases[] = {{65, "run-up\nfrom = 150 deg\nto = 870 deg", FOURLINK_STALLS},
+                 {65, "run-up\nfrom = 150 deg\nto = 180 deg", FOURLINK_STALLS},
+                 {65, "run-up\nfrom = 268 deg\nto = 270 deg", FOURLINK_DOES_NOT_START},
+                 {70, "run-up\nfrom = 150 deg\nto = 870 deg", FOURLINK_OK},
+                 {65, "run-up\nfrom = 100 deg\nto = 180 deg", FOURLINK_OK},
+                 {65, "steady\nfrom = 150 deg\nto = 510 deg", FOURLINK_OK}};
+    char deck[2000];
+    size_t i, k;
+
+    (void)unused;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        int is_steady = cases[i].motion[0] == 's';
+        fourlink_results *r;
+        fourlink_value v;
+
+        sprintf(deck,
+                "%s[motor]\nstall_torque = %g N m\nno_load_speed = 14 rad/s\n" FLYWHEEL
+                "[motion]\nmode = %s\ninterval = 45 deg\n",
+                PUMP, cases[i].stall_torque, cases[i].motion);
+        r = opened(deck);
+        for (k = 0; k < sizeof names / sizeof names[0] - (size_t)is_steady; k++) {
+            v.value = 7;
+            if (fourlink_results_value(r, names[k], FOURLINK_OPEN, 0, &v) != cases[i].ends)
+                fail_msg("case %d: %s = %g", (int)i, names[k], v.value);
+            assert_true((v.value == 7) == (cases[i].ends != FOURLINK_OK));
+        }
+        fourlink_results_free(r);
+    }
+}
+
 /* The flywheel that is found gives the fluctuation, whatever its size. */
 static void test_wanted_flywheel(void **unused)
 {
@@ -177,6 +217,67 @@ static void test_wanted_flywheel(void **unused)
 
         assert_true(value_at(r, "fluctuation_exact", 0).value < 1);
         assert_near(value_at(r, "flywheel_inertia", 0).value, 0, 0);
+        fourlink_results_free(r);
+    }
+}
+
+/* The rotor of the motor is there besides: the flywheel that is found gives the fluctuation, in a deck that has both,
+** and a large rotor needs none. */
+static void test_wanted_flywheel_beside_a_rotor(void **unused)
+{
+    static const double ratios[] = {1, -5};
+    const double rotor = 0.01;
+    fourlink_results *r;
+    fourlink_turning t;
+    char deck[2000];
+    double inertia, omega;
+    size_t i;
+
+    (void)unused;
+    for (i = 0; i < sizeof ratios / sizeof ratios[0]; i++) {
+        const double at_crank = ratios[i] * ratios[i] * rotor;
+        char motor[200];
+
+        sprintf(motor,
+                "[motor]\nstall_torque = %.17g N m\nno_load_speed = %.17g rad/s\n"
+                "inertia = %.17g kg m2\nratio = %.17g\n",
+                120 / ratios[i], 14 * ratios[i], rotor, ratios[i]);
+        sprintf(deck, "%s%s[flywheel]\nfluctuation = 0.1\nexact = yes\n%s", PUMP, motor, STEADY);
+        r = opened(deck);
+        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-9);
+        inertia = value_at(r, "flywheel_inertia", 0).value;
+        omega = value_at(r, "mean_speed", 0).value;
+        assert_true(omega > 0);
+        assert_int_equal(fourlink_results_turning(r, FOURLINK_OPEN, &t), FOURLINK_OK);
+        assert_near(t.inertia, inertia, 0);
+        assert_close(t.fluctuation, t.energy_fluctuation / ((inertia + at_crank) * omega * omega),
+                     1e-12);
+        assert_near(value_at(r, "flywheel_fluctuation", 0).value, t.fluctuation, 0);
+        /* what the shaft outside the crank takes of the motor's torque */
+        assert_close(value_at(r, "T_motor", 30).value - value_at(r, "Ts", 30).value,
+                     (inertia + at_crank) * value_at(r, "alpha2", 30).value, 1e-9);
+        fourlink_results_free(r);
+        sprintf(deck, "%s%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP, motor, inertia, STEADY);
+        r = opened(deck);
+        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-8);
+        assert_near(value_at(r, "flywheel_inertia", 0).value, inertia, 0);
+        fourlink_results_free(r);
+        /* a rotor that has the inertia of both */
+        sprintf(deck,
+                "%s[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
+                "inertia = %.17g kg m2\n[flywheel]\nfluctuation = 0.11\nexact = yes\n%s",
+                PUMP, inertia + at_crank, STEADY);
+        r = opened(deck);
+        assert_near(value_at(r, "flywheel_inertia", 0).value, 0, 0);
+        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-8);
+        assert_int_equal(fourlink_results_turning(r, FOURLINK_OPEN, &t), FOURLINK_OK);
+        assert_true(t.inertia == 0 && t.fluctuation > 0.09);
+        fourlink_results_free(r);
+        /* a rotor, and no [flywheel] */
+        sprintf(deck, "%s%s%s", PUMP, motor, STEADY);
+        r = opened(deck);
+        assert_int_equal(status_of(r, "flywheel_inertia", 0), FOURLINK_NO_SUCH_FACT);
+        assert_true(value_at(r, "flywheel_fluctuation", 0).value > 0);
         fourlink_results_free(r);
     }
 }
@@ -241,7 +342,9 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_run_up),
                                        cmocka_unit_test(test_steady),
                                        cmocka_unit_test(test_ends),
+                                       cmocka_unit_test(test_steady_motion_that_is_not_reached),
                                        cmocka_unit_test(test_wanted_flywheel),
+                                       cmocka_unit_test(test_wanted_flywheel_beside_a_rotor),
                                        cmocka_unit_test(test_balancing_motor),
                                        cmocka_unit_test(test_fortran),
                                        cmocka_unit_test(test_given)};

@@ -432,6 +432,80 @@ static void test_lock_of_pins(void **state)
     check_rows(deck, FOURLINK_OPEN);
 }
 
+/* The crank angle towards which a linkage is free, between one at which it is and one at which friction locks it. */
+static double lock_of(fourlink_results *results, double is_free, double is_locked)
+{
+    double values[COLUMNS];
+    int i;
+
+    for (i = 0; i < 60; i++) {
+        double middle = 0.5 * (is_free + is_locked);
+
+        if (fourlink_results_at(results, FOURLINK_OPEN, middle, values, NULL, NULL) == FOURLINK_OK)
+            is_free = middle;
+        else
+            is_locked = middle;
+    }
+    return is_free;
+}
+
+/* Where friction locks within 0.0005 deg of a dead position, or less, Ts grows as the inverse of the distance, and the
+** torque without friction ends at the value of the last row. */
+static void test_lock_near_dead(void **state)
+{
+    static const double parts[] = {1, 0.5, 0.25, 0.17, 0.1, 0.03};
+    static const char *const names[] = {"max(Ts)", "max(F12y)", "max(F34)"};
+    double last[COLUMNS], near[COLUMNS], nearer[COLUMNS], lock;
+    fourlink_results *results;
+    char deck[1000];
+    size_t i, k;
+
+    (void)state;
+    for (i = 0; i < sizeof parts / sizeof *parts; i++) {
+        snprintf(deck, sizeof deck,
+                 "solver = dyad\nmechanism = four-bar\n[ground]\nlength = 0.71\n"
+                 "[crank]\nlength = 0.75\n[coupler]\nlength = 0.69\n"
+                 "[rocker]\nlength = 0.11\ninertia = 0.00016\n[gravity]\n"
+                 "[friction]\nA = %g\nradius_A = 0.0096\nB = %g\nradius_B = 0.0073\n"
+                 "C = %g\nradius_C = 0.024\nD = %g\nradius_D = 0.0027\n"
+                 "[load L0]\nlink = rocker\nforce = (280, 140)\nat = (0.27, -0.3)\n"
+                 "[load L1]\nlink = rocker\nforce = (170, -29)\nat = (0.024, 0.14)\n"
+                 "[motion]\nspeed = 17 rad/s\n[table]\ncolumns = Ts, F12y, F34, Ts0\n",
+                 0.25 * parts[i], 0.062 * parts[i], 0.029 * parts[i], 0.096 * parts[i]);
+        results = open_results(deck);
+        lock = lock_of(results, 313, 313.28547255);
+        fourlink_results_at(results, FOURLINK_OPEN, lock - 4e-8, near, NULL, NULL);
+        fourlink_results_at(results, FOURLINK_OPEN, lock - 1e-8, nearer, NULL, NULL);
+        fourlink_results_at(results, FOURLINK_OPEN, lock, last, NULL, NULL);
+        fourlink_results_free(results);
+        assert_true(nearer[0] > 3 * near[0] && nearer[3] < 1.2 * near[3]);
+        for (k = 0; k < sizeof names / sizeof *names; k++) {
+            check(deck, FOURLINK_OPEN, names[k], HUGE_VAL, 0);
+            check(deck, FOURLINK_CROSSED, names[k], HUGE_VAL, 0);
+        }
+        if (parts[i] == 1)
+            check(deck, FOURLINK_OPEN, "max(Ts0)", last[3], 1e-6 * last[3]);
+    }
+}
+
+/* Towards such a range a piston stays where it is, beside the dead position: C is at most r + l from A. */
+static void test_stroke_to_lock(void **state)
+{
+    static const char deck[] =
+        "solver = dyad\nmechanism = slider-crank\n[crank]\nlength = 0.467\n"
+        "[rod]\nlength = 0.229\nmass = 1.49\ngyration = 0.0414\n[piston]\nmass = 0.477\n"
+        "[gravity]\n[friction]\nA = 0.333\nradius_A = 0.00089\nB = 0.14\nradius_B = 0.0023\n"
+        "C = 0.209\nradius_C = 0.00091\n[load P]\nlink = piston\nforce = -146.6\n"
+        "[motion]\nspeed = 18.8\n[table]\ncolumns = x, C.x, Ts, efficiency\n";
+
+    (void)state;
+    check(deck, FOURLINK_OPEN, "min(x)", 0, 1e-9);
+    check(deck, FOURLINK_OPEN, "max(C.x)", 0.467 + 0.229, 1e-9);
+    check(deck, FOURLINK_OPEN, "min(C.x)", -sqrt(0.467 * 0.467 - 0.229 * 0.229), 1e-6);
+    check(deck, FOURLINK_OPEN, "min(efficiency)", 0, 1e-6);
+    check(deck, FOURLINK_OPEN, "max(Ts)", HUGE_VAL, 0);
+}
+
 /* A free motion that repeats itself has its extremes in its first turn, though the integration makes a later one
 ** larger by its error.  Below, 3 kg m2 have fallen 7 kg m: 3/2 (omega2^2 - 1) = 7 g. */
 static void test_free_turns(void **state)
@@ -468,14 +542,15 @@ static void test_behind_lock(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_turns),   cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_deltoid),      cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_constant),     cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_short_reach),  cmocka_unit_test(test_pole_at_sample),
-        cmocka_unit_test(test_half_turns),   cmocka_unit_test(test_time_and_edge),
-        cmocka_unit_test(test_narrow),       cmocka_unit_test(test_lock),
-        cmocka_unit_test(test_lock_of_pins), cmocka_unit_test(test_free_turns),
-        cmocka_unit_test(test_behind_lock),
+        cmocka_unit_test(test_full_turns),     cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_deltoid),        cmocka_unit_test(test_parallelogram),
+        cmocka_unit_test(test_constant),       cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_short_reach),    cmocka_unit_test(test_pole_at_sample),
+        cmocka_unit_test(test_half_turns),     cmocka_unit_test(test_time_and_edge),
+        cmocka_unit_test(test_narrow),         cmocka_unit_test(test_lock),
+        cmocka_unit_test(test_lock_of_pins),   cmocka_unit_test(test_free_turns),
+        cmocka_unit_test(test_behind_lock),    cmocka_unit_test(test_lock_near_dead),
+        cmocka_unit_test(test_stroke_to_lock),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -51,6 +51,8 @@
     "mm\n"                                                                                         \
     "radius_D = 20 mm\nguide = 0.12\nguide_length = 50 mm\n"
 
+#define GAS "[gas]\nbore = 40 mm\npressure = 3 bar\n"
+
 #define PUMP                                                                                    \
     "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
     "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
@@ -124,6 +126,82 @@ static void test_shaking_moment(void **unused)
     fourlink_results_free(r);
 }
 
+static double cross(double ax, double ay, double bx, double by)
+{
+    return ax * by - ay * bx;
+}
+
+/* F34 is all that the slider exerts on the lever, but for the gas: the lever and the slider are in balance with the table's
+** own columns, and the guide loses what friction takes. */
+static void check_contact(fourlink_results *r, double angle, double gas)
+{
+    static const double d = 0.24, g = 9.81, m3 = 0.3, I3 = 0.00012, m4 = 2.5, I4 = 0.035, L = -150;
+    double F34x = value(r, "F34x", angle), F34y = value(r, "F34y", angle);
+    double M34 = value(r, "M34", angle), t = value(r, "theta4", angle);
+    double slide = value(r, "theta3", angle), ux = cos(slide), uy = sin(slide);
+    double Bx = value(r, "B.x", angle), By = value(r, "B.y", angle);
+    double rx = value(r, "G4.x", angle) - d, ry = value(r, "G4.y", angle);
+    double m4ax = m4 * value(r, "G4.ax", angle), m4ay = m4 * (value(r, "G4.ay", angle) + g);
+    double sx = value(r, "G3.x", angle) - Bx, sy = value(r, "G3.y", angle) - By;
+    double m3ax = m3 * value(r, "G3.ax", angle), m3ay = m3 * (value(r, "G3.ay", angle) + g);
+    double w2 = value(r, "omega2", angle), w3 = value(r, "omega3", angle);
+    double w4 = value(r, "omega4", angle), v = value(r, "slide_v", angle), size, lost;
+
+    size = 1e-11 * (hypot(F34x, F34y) + value(r, "F14", angle) + fabs(L) + fabs(gas));
+    assert_near(F34x - gas * ux + value(r, "F14x", angle) + L, m4ax, size);
+    assert_near(F34y - gas * uy + value(r, "F14y", angle), m4ay, size);
+    assert_near(value(r, "F23x", angle) - F34x + gas * ux, m3ax, size);
+    assert_near(value(r, "F23y", angle) - F34y + gas * uy, m3ay, size);
+    assert_near(cross(Bx - d, By, F34x - gas * ux, F34y - gas * uy) + M34 -
+                    copysign(value(r, "friction_D", angle), w4) +
+                    cross(0.45 * cos(t), 0.45 * sin(t), L, 0),
+                I4 * value(r, "alpha4", angle) + cross(rx, ry, m4ax, m4ay), size);
+    assert_near(-M34 - copysign(value(r, "friction_B", angle), w3 - w2),
+                I3 * value(r, "alpha3", angle) + cross(sx, sy, m3ax, m3ay), size);
+    /* the normal force and the friction are its parts */
+    assert_near(F34y * ux - F34x * uy, value(r, "N34", angle), size);
+    lost = value(r, "friction_guide", angle) * fabs(v);
+    assert_near((F34x * ux + F34y * uy) * v, lost, size);
+    lost += value(r, "friction_A", angle) * fabs(w2) +
+            value(r, "friction_B", angle) * fabs(w3 - w2) +
+            value(r, "friction_D", angle) * fabs(w4);
+    assert_near(value(r, "power_friction", angle), lost, 1e-11 * lost);
+    assert_near(value(r, "residual", angle), 0, 1e-12);
+    assert_near(value(r, "superposition", angle), 0, 1e-12);
+    /* its other columns */
+    assert_near(value(r, "F34", angle), hypot(F34x, F34y), size);
+    assert_near(cos(value(r, "F34_dir", angle)) * hypot(F34x, F34y), F34x, size);
+    assert_near(sin(value(r, "F34_dir", angle)) * hypot(F34x, F34y), F34y, size);
+    assert_near(value(r, "F34_along", angle), F34x * cos(t) + F34y * sin(t), size);
+    assert_near(value(r, "F34_across", angle), F34y * cos(t) - F34x * sin(t), size);
+    assert_near(value(r, "F43_along", angle), -F34x * ux - F34y * uy, size);
+    assert_near(value(r, "F43_across", angle), -F34y * ux + F34x * uy, size);
+}
+
+static void test_contact(void **unused)
+{
+    static const char *const decks[] = {LEVER, "solver = dyad\n" LEVER, LEVER GAS};
+    size_t i;
+    int angle;
+
+    (void)unused;
+    for (i = 0; i < 3; i++) {
+        fourlink_results *r = opened(decks[i]);
+
+        for (angle = 5; angle < 360; angle += 10)
+            check_contact(r, angle, i < 2 ? 0 : value(r, "gas_force", angle));
+        fourlink_results_free(r);
+    }
+    for (i = 0; i < 2;
+         i++) { /* of a piston N is without friction, and both parts make the whole too */
+        fourlink_results *r = opened(i ? "solver = dyad\n" PUMP PUMP_FRICTION : PUMP PUMP_FRICTION);
+
+        for (angle = 5; angle < 360; angle += 10)
+            assert_near(value(r, "superposition", angle), 0, 1e-12);
+        fourlink_results_free(r);
+    }
+}
+
 /* ---------------------------------------------------------------------------------------------
 ** Over the motion
 ** ------------------------------------------------------------------------------------------- */
@@ -157,8 +235,9 @@ static void compare_rows(const char *contents, const char *name)
 
 static void test_scans(void **unused)
 {
-    static const char *const names[] = {"Ts",   "Ts0", "power_friction", "friction_A", "friction_B",
-                                        "F12x", "Fs",  "efficiency"};
+    static const char *const names[] = {"Ts",         "Ts0",        "power_friction",
+                                        "friction_A", "friction_B", "F12x",
+                                        "F34",        "Fs",         "efficiency"};
     size_t i;
 
     (void)unused;
@@ -477,12 +556,13 @@ static void test_locked(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_references),     cmocka_unit_test(test_shaking_moment),
-        cmocka_unit_test(test_scans),          cmocka_unit_test(test_work),
-        cmocka_unit_test(test_at_rest),        cmocka_unit_test(test_power_law),
-        cmocka_unit_test(test_ends_of_curves), cmocka_unit_test(test_host),
-        cmocka_unit_test(test_balance),        cmocka_unit_test(test_sweep),
-        cmocka_unit_test(test_mistakes),       cmocka_unit_test(test_locked),
+        cmocka_unit_test(test_references), cmocka_unit_test(test_shaking_moment),
+        cmocka_unit_test(test_contact),    cmocka_unit_test(test_scans),
+        cmocka_unit_test(test_work),       cmocka_unit_test(test_at_rest),
+        cmocka_unit_test(test_power_law),  cmocka_unit_test(test_ends_of_curves),
+        cmocka_unit_test(test_host),       cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_sweep),      cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_locked),
     };
     return cmocka_run_group_tests(tests, watch_gsl, NULL);
 }

@@ -493,6 +493,11 @@ static void test_flywheel(void **unused)
     facts_of(with_curve(torque, "[motion]\nspeed = 120 rpm\n"), &list);
     assert_null(find_fact(&list, "flywheel_inertia", FOURLINK_OPEN));
     assert_null(find_fact(&list, "flywheel_fluctuation", FOURLINK_OPEN));
+    /* nothing fluctuates: no flywheel is needed */
+    facts_of(with_curve("0 N m", "[motion]\nspeed = 120 rpm\n[flywheel]\nfluctuation = 0.04\n"),
+             &list);
+    check_fact(&list, "flywheel_inertia", FOURLINK_OPEN, 0, 0);
+    assert_null(find_fact(&list, "flywheel_fluctuation", FOURLINK_OPEN));
 }
 
 /* The interval and range of the table do not matter to the turning moment, nor does one instant. */
