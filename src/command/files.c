@@ -100,6 +100,11 @@ char *files_read_regular(const char *path, size_t *length)
     return contents;
 }
 
+int files_is_missing(int reason)
+{
+    return reason == ENOENT || reason == ENOTDIR;
+}
+
 int files_is_folder(const char *path)
 {
     return system_kind_of(path) == SYSTEM_FOLDER;

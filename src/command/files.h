@@ -19,6 +19,9 @@ char *files_read_regular(const char *path, size_t *length);
 ** followed.  0 with errno ENOMEM if out of memory, otherwise with 0. */
 int files_is_beside(const char *path, const char *name);
 
+/* 1 if this errno means that there is no such file. */
+int files_is_missing(int reason);
+
 /* 1 if a path is that of a folder. */
 int files_is_folder(const char *path);
 

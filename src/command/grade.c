@@ -42,6 +42,8 @@ static char *path_of(const char *folder, const char *deck)
 
 int grade_read(grade_answers *a, const options *o, const char *deck, char why[400])
 {
+    int reason;
+
     memset(a, 0, sizeof *a);
     if (strcmp(deck, "-") == 0) {
         flk_message(why, 400, "standard input has no name: --check needs a file, not a folder");
@@ -49,15 +51,15 @@ int grade_read(grade_answers *a, const options *o, const char *deck, char why[40
         return EXIT_USAGE;
     }
     a->path = path_of(o->check_file, deck);
-    if (a->path && files_is_output(o, a->path)) {
-        flk_message(why, 400, "cannot write %s: it is also read", a->path);
+    if (a->path && files_is_output(o, a->path))
         return command_complain("cannot write", a->path, "it is also read");
-    }
     a->text = a->path ? files_read_path(a->path, &a->length) : NULL;
     if (a->text)
         return 0;
-    flk_message(why, 400, "cannot read %s: %s", a->path ? a->path : deck, strerror(errno));
-    return command_complain("cannot read", a->path ? a->path : deck, strerror(errno));
+    reason = a->path ? errno : ENOMEM;
+    if (files_is_missing(reason))
+        flk_message(why, 400, "cannot read %s: %s", a->path, strerror(reason));
+    return command_complain("cannot read", a->path ? a->path : deck, strerror(reason));
 }
 
 void grade_close(grade_answers *a)

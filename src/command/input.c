@@ -13,6 +13,8 @@
 #include "files.h"
 #include "input.h"
 
+#define MOST_ROWS_SHOWN 20000 /* in a report or a picture */
+
 /* A file that a deck names.  It is read once, for all designs of a sweep. */
 typedef struct named_file {
     struct named_file *next;
@@ -89,6 +91,17 @@ static const char *mistake_in_angles(const input *in, char message[400])
     return status ? message : NULL;
 }
 
+/* 1 if a report or a picture is of the rows; a picture of the outputs of a [sweep] is not. */
+static int shows_rows(const input *in)
+{
+    const options *o = in->o;
+    plot_kind kind = o->drawing.kind;
+    int shows_outputs = in->problem.n_designs && in->problem.has_outputs &&
+                        (kind == PLOT_HISTOGRAM || kind == PLOT_COLUMNS);
+
+    return o->report || ((o->plot || o->plot_script) && !shows_outputs);
+}
+
 /* Refuse an option that this deck cannot serve; 1 if there is none. */
 static int serves_options(input *in)
 {
@@ -116,6 +129,11 @@ static int serves_options(input *in)
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
                             sheet_formats_of(SHEET_DESIGNS, names), " only", (char *)NULL);
+    } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
+        why = flk_message(message, sizeof message,
+                          "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,
+                          o->report ? "report" : "picture",
+                          p->by_time ? "time_step with --set=motion.time_step" : "--interval");
     } else if ((why = mistake_in_angles(in, message)) != NULL) {
         command_tell_mistake("--at", 0, why, NULL);
         return 0;
@@ -167,6 +185,7 @@ static int open_results(input *in)
         status = EXIT_USAGE;
     } else if (status != FOURLINK_OK) {
         status = command_complain("cannot read", in->name, "not enough memory");
+        refuse(in);
     } else {
         fourlink_results_notes(in->results, MOST_MISTAKES, list, &n);
         tell_all(in, list, n, command_tell_note, "note");
@@ -180,6 +199,7 @@ static int read_text(input *in, const char *path)
 {
     static const char too_large[] = "larger than 64 MB: not a deck";
     size_t length = 0;
+    int reason;
 
     in->name = strcmp(path, "-") == 0 ? "<stdin>" : path;
     if (in->name != path && system_is_terminal(stdin))
@@ -195,8 +215,10 @@ static int read_text(input *in, const char *path)
         command_tell_mistake(in->name, 1, too_large, NULL);
         return EXIT_USAGE;
     }
-    keep_mistake(in, in->name, 0, strerror(errno));
-    return command_complain("cannot read", in->name, strerror(errno));
+    reason = errno;
+    if (files_is_missing(reason))
+        keep_mistake(in, in->name, 0, strerror(reason));
+    return command_complain("cannot read", in->name, strerror(reason));
 }
 
 /* Set the answers of a deck; returns the exit status. */

@@ -22,8 +22,10 @@ typedef struct input {
     fourlink_results *results; /* null: the deck is not usable */
     int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
-    grade_answers answers;      /* its own, of a folder */
-    char refusal[MESSAGE_SIZE]; /* why it is not usable: the first mistake */
+    grade_answers answers; /* its own, of a folder */
+    /* why it is not usable: the first mistake, or a missing file; empty: reading or memory failed, so that nothing is
+    ** known about it */
+    char refusal[MESSAGE_SIZE];
 } input;
 
 /* Read a deck; the answers replace its expected values.  Returns the exit status.  Of a [sweep] this reads the

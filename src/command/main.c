@@ -56,6 +56,12 @@ static fourlink_value *union_of_columns(const input *inputs, size_t n_inputs, un
     return all;
 }
 
+/* 1 if reading or memory failed, so that a deck has no score. */
+static int has_no_score(const options *o, const input *in)
+{
+    return o->content == SHEET_CHECK && !in->results && !in->refusal[0];
+}
+
 /* The exit status for a deck that was written. */
 static int status_of(const sheet *s, const input *in)
 {
@@ -90,6 +96,11 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
         return command_complain("cannot start", "", "not enough memory");
     sheet_begin(&s, out, 1);
     for (i = 0; i < o->n_decks; i++) {
+        if (has_no_score(o, &inputs[i])) { /* already reported */
+            status = EXIT_FILES;
+            continue;
+        }
+        s.out_of_memory = 0;
         sheet_write(&s, inputs[i].results, inputs[i].name, inputs[i].refusal);
         status = command_worse(status, status_of(&s, &inputs[i]));
     }

@@ -193,25 +193,66 @@ void sheet_write_stop(sheet *s, fourlink_branch branch)
     s->format->row(s, &row);
 }
 
+static void write_words(sheet *s, const char *name, const char *meaning, fourlink_branch branch,
+                        const char *words)
+{
+    fourlink_value f;
+
+    memset(&f, 0, sizeof f);
+    f.name = name;
+    f.unit = f.source = "";
+    f.quantity = "number";
+    f.meaning = meaning;
+    f.branch = (int)branch;
+    f.words = words;
+    s->format->fact(s, &f);
+}
+
 /* The same in a summary, of a motion that is not given. */
 static void write_ends(sheet *s)
 {
     fourlink_branch branches[2];
     int n = sheet_branches(s, branches), i;
     char words[STOP_SIZE];
-    fourlink_value end;
+    const char *stop;
+    double angle;
 
-    memset(&end, 0, sizeof end);
-    end.name = "end";
-    end.unit = end.source = "";
-    end.quantity = "number";
-    end.meaning = "why the machine goes no further";
     for (i = 0; i < n && s->problem.mode != FOURLINK_MODE_GIVEN; i++) {
-        end.branch = (int)branches[i];
-        end.words = find_stop(s, branches[i], words);
-        if (end.words)
-            s->format->fact(s, &end);
+        stop = find_stop(s, branches[i], words);
+        if (stop)
+            write_words(s, "end", "why the machine goes no further", branches[i], stop);
+        s->failed += fourlink_results_end(s->results, branches[i], &angle) == FOURLINK_TOO_LONG;
     }
+}
+
+int sheet_find_extremes(fourlink_results *results, fourlink_branch branch)
+{
+    const fourlink_value *columns;
+    unsigned long n, i;
+    char name[80];
+    fourlink_value v;
+
+    fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n);
+    for (i = 0; i < n && (columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
+        ;
+    if (i == n)
+        return FOURLINK_OK;
+    flk_text_join(name, sizeof name, "max(", columns[i].name, ")", (char *)NULL);
+    return fourlink_results_value(results, name, branch, 0, &v);
+}
+
+/* In a summary, why it has no extremes. */
+static void write_missing_extremes(sheet *s)
+{
+    fourlink_branch branches[2];
+    int n = sheet_branches(s, branches), i;
+
+    for (i = 0; i < n; i++)
+        if (sheet_find_extremes(s->results, branches[i]) == FOURLINK_LONG_SEARCH) {
+            write_words(s, "extremes", "why there are none", branches[i],
+                        fourlink_status_text(FOURLINK_LONG_SEARCH));
+            s->failed++;
+        }
 }
 
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
@@ -414,6 +455,7 @@ static void write_content(sheet *s)
         write_facts(s, 0,
                     FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
                         FOURLINK_FACTS_MOTION);
+        write_missing_extremes(s);
         write_ends(s);
         break;
     case SHEET_CHECK:

@@ -175,6 +175,9 @@ unsigned long sheet_score(const sheet *s, unsigned long *of);
 /* 1 if the machine does not come to this row, because its actual motion has ended. */
 int sheet_is_over(const sheet *s, const fourlink_instant *at);
 
+/* Find the extremes of a branch: FOURLINK_OK, or why there are none. */
+int sheet_find_extremes(fourlink_results *results, fourlink_branch branch);
+
 /* Write where the crank comes to rest, or why the machine goes no further, if so. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
 

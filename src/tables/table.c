@@ -102,9 +102,16 @@ static void block_ends(sheet *s, fourlink_branch branch)
 {
     style *styles = s->layout;
     unsigned long j;
-    int sign;
+    int sign, status;
 
     if (s->problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
+        return;
+    status = sheet_find_extremes(s->results, branch);
+    if (status == FOURLINK_LONG_SEARCH) {
+        line_put(&s->l, "# max, min: %s\n", fourlink_status_text(status));
+        s->failed++;
+    }
+    if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) /* which is written */
         return;
     for (sign = 1; sign >= -1; sign -= 2) {
         for (j = 0; j < s->n_columns; j++)

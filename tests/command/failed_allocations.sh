@@ -63,7 +63,8 @@ only_two_files() {
 is_refused() {
     last_line err
     case $line in fourlink:*) ;; *) return 1 ;; esac
-    [ $status -eq 3 ] && only_two_files && is_old_or_complete result && is_old_or_complete "$picture"
+    [ $status -eq 3 ] && only_two_files && is_old_or_complete result &&
+        is_old_or_complete "$picture" && none '^# bad deck' out
 }
 
 is_as_usual() {
@@ -129,6 +130,17 @@ all 0 --summary -f json -o files/result steam-engine-240.deck
 all 0 --check -o files/result steam-engine-240.deck
 all 0 --check=alvi-5.1.expect -o files/result alvi-5.1.deck
 all 0 --check=. -o files/result alvi-5.1.deck
+# grading: no score because memory failed, neither in a file nor printed
+mkdir class answers
+for student in anna ben carla; do
+    cp alvi-5.1.deck class/$student.deck
+    cp alvi-5.1.expect answers/$student.expect
+done
+sed -i 's/^length *= 66 mm/length = 67 mm/' class/ben.deck
+all 1 -f csv --check=answers/ -o files/result class/anna.deck class/ben.deck class/carla.deck
+all 1 --check=answers/ class/anna.deck class/ben.deck class/carla.deck
+echo 'crank = 20 mn' >>class/carla.deck
+all 2 -f csv --check=answers/ -o files/result class/carla.deck class/anna.deck
 all 0 --expect --at='0 deg, 90 deg' -o files/result single.deck
 all 0 --list -o files/result single.deck
 all 0 --matrix -o files/result $few single.deck

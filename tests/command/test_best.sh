@@ -117,6 +117,25 @@ gives 'max(Ts)' open "$value" 1e-5
 check 'the section is found' none '^\[load W\]' best.deck
 check 'the comment is found' grep -qx "torque = [12] N[.]m${nb}# a comment" best.deck
 
+# the search stays between the ends of the grid: the longer the crank, the larger the swing
+sweep 'crank.length = 10 mm to 20 mm step 5 mm' 'output = swing'
+best 'max swing' -b open
+crank=$(awk '/^\[/ {on = $0 == "[crank]"} on && /^length/ {print $3}' best.deck)
+check "the longest crank of the sweep, not $crank" awk -v x="$crank" 'BEGIN {d = x - 0.02; exit !(d * d < 1e-20)}'
+
+# the limit of a yield folds the simplex flat at 73.8 deg; one that starts again from there goes on
+sweep 'crank.length = 15 mm to 30 mm step 5 mm' 'coupler.length = 50 mm to 90 mm step 10 mm' \
+    'rocker.length = 40 mm to 80 mm step 10 mm' 'yield = mu_min >= 45 deg' 'output = swing'
+best 'max swing' -b open
+check "beyond the first simplex: $value" awk -v x="$value" 'BEGIN {exit !(x > 81.5)}'
+
+# a # in quotes begins no comment
+sweep 'crank.length = 18 mm, 20 mm'
+printf '0,0.1\n90,0.2\n360,0.1\n' >'a #1.csv'
+sed -i 's/^torque = .*/torque = file "a #1.csv" N m # as measured/' t.deck
+best 'max swing' -b open -s 'load W.torque=0.3 N m'
+check "a value in place of a quoted name: $(grep '^torque' best.deck)" grep -qx 'torque = 0.3 N m # as measured' best.deck
+
 # what is refused
 sweep 'crank.length = 18 mm, 20 mm'
 for which in swing 'largest swing' 'max' 'max swing, mu_min' 'max swing mu_min' ''; do

@@ -2,9 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_manual.sh FOURLINK DATA - the examples of fourlink-deck(5): each in a deck of its own, and each section has
-# one.
+# one; manuals and CHANGES.md are those of this version.
 . "$(dirname "$0")/../harness.sh"
 manual=$(dirname "$data")/doc/man/fourlink-deck.5
+
+version=$("$fourlink" --version | sed -n 's/^fourlink //p')
+for page in "$manual" "${manual%-deck.5}.1"; do
+    check "${page##*/} is of version $version" grep -q "^\.TH .* \"fourlink $version\"" "$page"
+done
+check "CHANGES.md begins with version $version" \
+    test "$(sed -n 's/^## //p' "${manual%/doc/*}/CHANGES.md" | head -n 1)" = "$version"
 
 # example.N: the N-th example, as the page shows it; sections: what the page has sections for
 awk '/^\.EX/ {n++; inside = 1; next} /^\.EE/ {inside = 0}

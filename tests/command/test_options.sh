@@ -119,6 +119,8 @@ refused() {
 }
 refused 'fourlink: --interval: error: the interval must be positive, not 0' -i 0
 refused 'fourlink: --interval: error: the interval must be positive, not -10 deg' --interval='-10 deg'
+refused 'fourlink: --interval: error: more than 10,000,000 rows by angle (3.6e14): give a larger interval or a shorter range' --list -i '1e-12 deg'
+refused 'fourlink: --set: error: more than 10,000,000 rows by angle (20000001)' --list -s 'motion.interval=0.5 deg' -s 'motion.to=1e7 deg'
 refused "fourlink: --interval: error: '10 mm' is a length; expected an angle" -i '10 mm'
 refused "fourlink: --interval: error: '1,5': a comma as decimal mark: write 1.5" -i 1,5
 refused 'fourlink: --interval: error: expected a value' -i ''

@@ -55,7 +55,7 @@ only_file o x
 )
 check 'a new file that cannot grow' test $? -eq 3
 only_file o x
-"$fourlink" -o o/x -i 0.00001 "$alvi" 2>err &
+"$fourlink" -o o/x -i 0.00004 "$alvi" 2>err &
 pid=$!
 sleep 0.3 2>/dev/null || sleep 1
 kill $pid
@@ -71,7 +71,7 @@ for signal in HUP QUIT ALRM XCPU USR1 USR2 VTALRM PROF; do
         env --default-signal=QUIT true 2>/dev/null || continue
         set -- env --default-signal=QUIT "$fourlink"
     fi
-    (ulimit -c 0 && exec "$@" -o o/x -i 0.00001 "$alvi" 2>err) &
+    (ulimit -c 0 && exec "$@" -o o/x -i 0.00004 "$alvi" 2>err) &
     pid=$!
     for tenths in 1 2 3 4 5 6 7 8 9 10; do
         [ "$(ls -A o | wc -l)" -eq 2 ] && break

@@ -51,6 +51,7 @@ bad 1 'the number of values of a range' 'crank.length = 18 mm to 22 mm in 1'
 bad 1 'the tolerance, 30 mm, is not smaller than the length, 20 mm' 'crank.length = 20 mm +- 30 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not 0 mm' 'crank.length = 20 mm +- 0 mm' 'samples = 3'
 bad 1 'the tolerance must be positive, not -1 mm' 'crank.length = 20 mm +- -1 mm' 'samples = 3'
+bad 1 'more than 10,000,000 rows by angle (3.6e14): give a larger interval' 'motion.interval = 1e-12 deg, 2e-12 deg' 'output = mu_min'
 bad 0 "a tolerance needs 'samples = NUMBER'" "$toleranced"
 bad 2 "'samples' needs a tolerance" "$good" 'samples = 3'
 bad 2 'the samples must be positive, not 0' "$toleranced" 'samples = 0'

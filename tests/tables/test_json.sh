@@ -5,10 +5,7 @@
 # csv, several decks, designs, titles of all kinds, rows without values.
 . "$(dirname "$0")/../harness.sh"
 
-command -v jq >/dev/null || {
-    echo 'skipped: JSON, there is no jq'
-    finish
-}
+needs jq jq
 cp "$decks/reach.deck" "$decks/pump.deck" .
 
 # gives WHAT FILTER: the filter is true of each object of the last run; there is at least one.

@@ -157,6 +157,18 @@ run 1 sweep.deck -f csv -b open
 check 'a run-up that stalls' grep -q '^1,60,open,,,stalls: the crank comes to rest' out
 check 'a run-up that does not' grep -q '^2,120,open,[0-9.]*,[0-9.]*,ok' out
 run 1 sweep.deck -b open --statistics
+# A run-up that stalls has no facts of the steady motion that it does not reach.
+sweep 's/^turns.*/turns = 2\nfrom = 150 deg/' 'motor.stall_torque = 65 N m, 70 N m
+output = mean_speed, mean_speed_textbook, period, fluctuation_exact, steady_rate, run_up_time, stall_angle'
+run 1 sweep.deck -f csv -b open
+check 'facts of a run-up that stalls' grep -q '^1,65,open,,,,,,,286\.[0-9]*,stalls: ' out
+check 'facts of one that does not' grep -q '^2,70,open,8\.06[0-9]*,[0-9.]*,[0-9.]*,[0-9.]*,[-0-9.e]*,[0-9.]*,,ok' out
+run 1 sweep.deck -b open
+check 'they are nan in a table' grep -q '^  *1  *65  *1  *nan  *nan  *nan  *nan  *nan  *nan  *286' out
+run 1 sweep.deck -f json -b open
+prints '"mean_speed":null,"mean_speed_textbook":null,"period":null,"fluctuation_exact":null,"steady_rate":null,'
+run 0 -s 'motor.stall_torque=65 N m' -s 'motion.from=150 deg' -b open -S "$pump"
+check 'nor has its summary' test "$(grep -c '^mean_speed\|^period\|^fluctuation_exact\|^steady_rate\|^run_up_time' out)" -eq 0
 sweep '' 'motor.stall_torque = 60 N m, 100 N m
 output = stall_angle'
 run 0 sweep.deck -f csv -b open

@@ -4,10 +4,7 @@
 # test_terminal.sh FOURLINK DATA - on a terminal a table fits the width; elsewhere it is one block.
 . "$(dirname "$0")/../harness.sh"
 
-if ! command -v script >/dev/null; then
-    echo 'skipped: script is not there'
-    finish
-fi
+needs script bsdutils
 
 # shows WIDTH ARGUMENT...: what the program shows on a terminal of this width is in the file out.
 shows() {
