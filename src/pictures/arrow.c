@@ -62,12 +62,13 @@ static int is_friction(const picture *p, unsigned long i)
     return i < end && i >= end - p->problem.n_friction_loads;
 }
 
+/* F34 has the friction of a slider on its lever; N is without that of a piston. */
 static int is_drawn(const picture *p, unsigned long i, int is_free)
 {
     unsigned long end = p->problem.n_loads - p->problem.n_gas_loads - p->problem.n_friction_loads;
 
     if (is_friction(p, i))
-        return is_free || p->slides;
+        return p->slides;
     return is_free || i >= end || i < end - p->problem.n_spring_loads;
 }
 

@@ -198,7 +198,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
         double reach = figure_length(p, p->mechanism->dead_centre), edge = 1.5 * PISTON_X * s->size;
-        double near = reach - 2 * figure_length(p, p->design->link[2].length) - edge;
+        double near = figure_length(p, picture_outer_end(p->mechanism)) - edge;
         double far = reach + edge, h = PISTON_Y * s->size;
         double y = figure_length(p, p->design->offset);
         int is_open = state->branch == FOURLINK_OPEN;

@@ -221,7 +221,11 @@ static void lay_out(picture *p, FILE *out)
     if (p->request->kind == PLOT_KLEIN && p->has_inset)
         rows = 2;
     if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->slot ? 4 : p->slides ? 5 : 6) + (p->wants_both ? p->n_branches : 1) + 2) / 3;
+        rows = ((p->slot     ? 4
+                 : p->slides ? 5
+                             : 6) +
+                (p->problem.asks_for_both ? p->n_branches : 1) + 2) /
+               3;
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
         height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
@@ -330,20 +334,25 @@ int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why
 
 void picture_close(picture *p)
 {
-    fourlink_results_free(p->results);
+    if (p->results != p->request->opened)
+        fourlink_results_free(p->results);
     free(p->loads);
     p->results = NULL;
     p->loads = NULL;
 }
 
-static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
+static int open_results(picture *p, const fourlink_source *source, fourlink_mistake *mistake)
 {
-    int status = fourlink_results_open(source, 1, &p->results, mistake, NULL), q;
+    int status = fourlink_results_open(source, 1, &p->results, mistake, NULL);
 
-    if (status == FOURLINK_BAD_DECK)
-        return 0;
-    if (status != FOURLINK_OK)
-        return run_out_of_memory(p);
+    return status == FOURLINK_OK || (status != FOURLINK_BAD_DECK && run_out_of_memory(p));
+}
+
+/* Take what the picture needs from the results. */
+static int take_results(picture *p)
+{
+    int q;
+
     p->deck = fourlink_results_deck(p->results);
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
@@ -364,38 +373,6 @@ static int open_deck(picture *p, const fourlink_source *source, fourlink_mistake
     fourlink_results_list(p->results, FOURLINK_COLUMNS, &p->columns, &p->n_columns);
     p->loads = malloc((p->problem.n_loads + 1) * sizeof *p->loads);
     return p->loads || run_out_of_memory(p);
-}
-
-/* 1 if a line is KEY = both, with a key that ends in "branch"; 0 if with another branch; -1 if it is none. */
-static int both_in(text line)
-{
-    text key, value;
-
-    if (!flk_text_cut(line, "=", &key, &value) || key.length < 6 ||
-        !flk_text_equal(flk_text_from(key, key.length - 6), "branch"))
-        return -1;
-    if (!flk_text_split(&value, '#', &key))
-        return 0;
-    return flk_text_equal(flk_text_trim(key), "both");
-}
-
-/* 1 if the deck or a change asks for both branches. */
-static int asks_for_both(const fourlink_source *source)
-{
-    text rest, line;
-    int both = 0, here, line_end;
-    unsigned long i;
-
-    rest.start = source->text;
-    rest.length = source->length;
-    line_end = flk_text_line_end(rest);
-    while (flk_text_split(&rest, line_end, &line))
-        if ((here = both_in(line)) >= 0)
-            both = here;
-    for (i = 0; i < source->n_changes; i++)
-        if ((here = both_in(flk_text_of(source->changes[i].assignment))) >= 0)
-            both = here;
-    return both;
 }
 
 static int has_column(const picture *p, text name)
@@ -452,7 +429,7 @@ static int reopen(picture *p, const fourlink_source *source, const char *columns
     other.changes = changes;
     other.whole_cycle = 1;
     picture_close(p);
-    opened = open_deck(p, &other, mistake);
+    opened = open_results(p, &other, mistake) && take_results(p);
     free(changes);
     return opened;
 }
@@ -603,7 +580,8 @@ static int shows_all_branches(const picture *p)
 {
     plot_kind kind = p->request->kind;
 
-    return kind == PLOT_POLAR ? p->wants_both : kind != PLOT_VECTORS && kind != PLOT_KLEIN;
+    return kind == PLOT_POLAR ? p->problem.asks_for_both
+                              : kind != PLOT_VECTORS && kind != PLOT_KLEIN;
 }
 
 /* "theta4, omega4 over theta2" */
@@ -691,8 +669,9 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
     memset(&p, 0, sizeof p);
     p.request = request;
     p.source = source;
-    p.wants_both = asks_for_both(source);
-    written = open_deck(&p, source, mistake) && write_script(&p, out, source, mistake);
+    p.results = request->opened;
+    written = (p.results || open_results(&p, source, mistake)) && take_results(&p) &&
+              write_script(&p, out, source, mistake);
     if (written)
         write_caption(&p, source->name, caption);
     picture_close(&p);

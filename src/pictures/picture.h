@@ -80,6 +80,8 @@ typedef struct plot_request {
     const char *picture; /* the file that the script writes; null: to standard output */
     const char *at;      /* the crank angles of --plot-at; null: it was not given */
     const char *x;       /* the column of --plot-x; null: it was not given */
+    fourlink_results
+        *opened; /* of the deck, if its caller has opened it; null: it is opened here */
 } plot_request;
 
 /* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
@@ -122,7 +124,6 @@ typedef struct picture {
     int slot;      /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
-    int wants_both; /* 1: both were asked for, not only not excluded */
     fourlink_range range;
     int has_instant; /* 1: the deck asks for one instant, and the picture shows its cycle */
     double instant;  /* its crank angle, in the deck's unit */
@@ -213,6 +214,9 @@ const char *picture_no_rows(const picture *p, fourlink_branch branch);
 
 /* The last crank angle of a motion, in its unit. */
 double picture_end(const fourlink_motion *motion);
+
+/* How near the piston comes to the crankshaft, along x, in m; of a crank that does not turn fully, a guess. */
+double picture_outer_end(const fourlink_mechanism *mechanism);
 
 /* The column over which the motion is drawn: theta2, or time if the deck has rows by time. */
 const char *picture_over(const picture *p);

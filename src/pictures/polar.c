@@ -380,7 +380,7 @@ const char *picture_polar(picture *p, fourlink_branch branch)
     size_t i;
 
     (void)branch;
-    if (!p->wants_both)
+    if (!p->problem.asks_for_both)
         p->n_branches = 1;
     canvas_grid(&p->on);
     fprintf(p->on.out,

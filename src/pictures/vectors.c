@@ -21,6 +21,9 @@
 /* A side shorter than this fraction of the largest is shorter than the head of an arrow. */
 #define SHORTEST 0.01
 
+/* The couple of a guide is rounding if it is this fraction of the largest force times the crank's length. */
+#define ROUNDING 1e-12
+
 static const fourlink_vector zero = {0, 0};
 
 /* A polygon of vectors of one quantity; its sides in the deck's unit. */
@@ -371,7 +374,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
     double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
-    double largest = arrow_largest(&b->forces);
+    double largest = arrow_largest(&b->forces), crank = p->design->link[FOURLINK_CRANK].length;
     char words[80];
     sketch s;
 
@@ -390,7 +393,7 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     if (p->slot && b->link != FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
                           b->slides ? -r->now.forces.M34 : r->now.forces.M34);
-    if (p->slides && b->slides && b->circle[0].arm != 0)
+    if (p->slides && b->slides && fabs(r->now.forces.M14) > ROUNDING * largest * crank)
         arrow_draw_torque(&s, p, PEN_FORCE, "M" SUB_1 SUB_4, b->first, r->now.forces.M14);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);

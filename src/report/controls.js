@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** controls.js - what a report does with its drawing: slider, crank, play, assembly mode; and the buttons that save
-** a table.
+** controls.js - what a report does with its drawing: slider, crank, play, assembly mode; the buttons that save a
+** table; tables on paper.
 */
 Object.assign(fourlink, (function () {
 
@@ -154,10 +154,99 @@ function offerFiles() {
     }
 }
 
+/* ---------------------------------------------------------------------------------------- tables on paper */
+
+const LINE = 137; /* letters, at 7 pt; see report.css */
+
+/* The letters that each column needs, with what is between columns. */
+function widthsOf(table) {
+    const widths = [];
+    for (const row of table.rows)
+        if ([...row.cells].every((cell) => cell.colSpan === 1))
+            [...row.cells].forEach((cell, j) => {
+                const words = [...cell.childNodes].map((x) => x.textContent.length + 2);
+                widths[j] = Math.max(widths[j] || 0, ...words);
+            });
+    return widths;
+}
+
+/* The columns of each part of a table, [0, 1, 2, 3], [0, 4, 5] ...: each has the first, none is wider than a line. */
+function partsOf(widths, line) {
+    const parts = [[0]];
+    let rest = line - widths[0];
+    for (let j = 1; j < widths.length; j++) {
+        if (widths[j] > rest) {
+            parts.push([0]);
+            rest = line - widths[0];
+        }
+        parts[parts.length - 1].push(j);
+        rest -= widths[j];
+    }
+    return parts;
+}
+
+/* No more parts than needed, of about the same width. */
+function divide(widths) {
+    const count = partsOf(widths, LINE).length;
+    let line = LINE;
+    while (line > 0 && partsOf(widths, line - 1).length === count)
+        line--;
+    return partsOf(widths, line);
+}
+
+/* Whether a row has a cell for each column, and does not say why it has no numbers. */
+const hasNumbers = (row, widths) => row.cells.length === widths.length;
+
+/* A table of some columns of another. */
+function partOf(table, columns, widths) {
+    const part = table.cloneNode(false);
+    part.style.setProperty("--letters", columns.reduce((sum, j) => sum + widths[j], 0));
+    for (const group of table.children) {
+        const made = group.cloneNode(!group.rows);
+        for (const row of group.rows || []) {
+            const line = row.cloneNode(!hasNumbers(row, widths));
+            if (hasNumbers(row, widths))
+                line.append(...columns.map((j) => row.cells[j].cloneNode(true)));
+            else
+                line.cells[line.cells.length - 1].colSpan = Math.max(1, columns.length - line.cells.length + 1);
+            made.append(line);
+        }
+        part.append(made);
+    }
+    return part;
+}
+
+/* While the page is printed, tables are open and wide ones divided.  A long table stays as it is. */
+function printTables() {
+    const before = [];
+    window.addEventListener("beforeprint", () => {
+        for (const table of document.querySelectorAll("table.rows")) {
+            const fold = table.closest("details") || {open: true}, widths = widthsOf(table);
+            if (!fold.open && fold.classList.contains("long"))
+                continue;
+            const parts = divide(widths).map((columns) => partOf(table, columns, widths));
+            before.push({fold, table, parts, open: fold.open});
+            table.after(...parts);
+            table.hidden = true;
+            fold.open = true;
+        }
+    });
+    window.addEventListener("afterprint", () => {
+        for (const {fold, table, parts, open} of before.splice(0)) {
+            parts.forEach((part) => part.remove());
+            table.hidden = false;
+            fold.open = open;
+        }
+    });
+}
+
+/* ------------------------------------------------------------------------------------------------ the report */
+
 /* Of a report: the drawing takes the place of the pictures that stand there without a script. */
 function start() {
     const rows = document.getElementById("fourlink-rows"), place = document.getElementById("fourlink-drawing");
     offerFiles();
+    printTables();
     if (!rows || !place)
         return;
     const data = JSON.parse(rows.textContent);

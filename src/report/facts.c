@@ -94,8 +94,17 @@ static void put_extremes(report *r, fourlink_branch branch)
 {
     const fourlink_value *columns;
     unsigned long n, i;
+    int status;
 
     fourlink_results_list(r->results, FOURLINK_COLUMNS, &columns, &n);
+    status = sheet_find_extremes(r->results, branch);
+    if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) {
+        page_print(&r->page, "<p class=\"missing\">No smallest and largest values, %s: %s.</p>\n",
+                   branch == FOURLINK_OPEN ? "open branch" : "crossed branch",
+                   fourlink_status_text(status));
+        r->failed++;
+        return;
+    }
     cell_begin(&r->page,
                branch == FOURLINK_OPEN ? "Smallest and largest values, open branch"
                                        : "Smallest and largest values, crossed branch",

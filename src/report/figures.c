@@ -32,6 +32,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.kind = kind;
     request.file = PLOT_SVG;
     request.at = at;
+    request.opened = r->results;
     if (!script) {
         miss(r, strerror(errno));
     } else if ((is_written = picture_write(script, r->source, &request, &caption, &mistake)) > 0) {

@@ -40,17 +40,36 @@ static void put_discussion(report *r)
     page_print(&r->page, "</div>\n</section>\n");
 }
 
+/* 1 if there is a row to draw. */
+static int has_rows(const report *r)
+{
+    fourlink_instant at;
+    unsigned long i;
+    int b;
+
+    for (b = 0; b < r->n_branches; b++)
+        for (i = 0; i < r->problem.n_rows; i++)
+            if (fourlink_results_row(r->results, r->branches[b], i, NULL, &at, NULL) ==
+                    FOURLINK_OK &&
+                at.status == FOURLINK_OK)
+                return 1;
+    return 0;
+}
+
 static void put_page(report *r)
 {
     const char *title = r->problem.title[0] ? r->problem.title : r->source->name;
+    int is_drawn = r->results && has_rows(r);
 
     put_head(r, title);
     report_put_deck(r);
     if (r->results) {
         report_put_facts(r);
-        report_put_mechanism(r);
+        if (is_drawn)
+            report_put_mechanism(r);
         report_put_sample(r);
-        report_put_curves(r);
+        if (is_drawn)
+            report_put_curves(r);
         report_put_tables(r);
         report_put_checks(r);
         put_discussion(r);

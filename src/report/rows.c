@@ -10,6 +10,7 @@
 
 #include "base/format.h"
 #include "base/text.h"
+#include "pictures/picture.h"
 #include "rows.h"
 
 #define MOST_ROWS 361
@@ -238,7 +239,7 @@ static void put_slot(rows *t, unsigned long i, const fourlink_state *state)
 static void put_stroke(rows *t, unsigned long i, const fourlink_state *state)
 {
     double far = t->problem.mechanism.dead_centre, e = t->design->offset;
-    double near = far - 2 * t->design->link[2].length, sign = state->branch;
+    double near = picture_outer_end(&t->problem.mechanism), sign = state->branch;
 
     put(t, i, "S1", QUANTITY_LENGTH, vector(sign * near, e));
     put(t, i, "S2", QUANTITY_LENGTH, vector(sign * far, e));
@@ -401,6 +402,15 @@ static void put_inertia(rows *t, unsigned long i, const fourlink_state *state)
     }
 }
 
+/* In a motion that is not given Ts may be rounding, as without a motor: see picture_torque_rounding. */
+static int is_rounding(const rows *t, const fourlink_forces *f)
+{
+    double arm = t->design->link[FOURLINK_CRANK].length;
+
+    return t->problem.mode != FOURLINK_MODE_GIVEN &&
+           fabs(f->Ts) < 1e-12 * arm * gsl_hypot(f->F12x, f->F12y);
+}
+
 static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
 {
     const fourlink_forces *f = &now->forces;
@@ -410,7 +420,7 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
     put(t, i, "F34", QUANTITY_FORCE, vector(f->F34x, f->F34y));
     put(t, i, "F14", QUANTITY_FORCE,
         vector(t->slides ? 0 : f->F14x, f->F14y)); /* N without friction */
-    put_number(t, i, "Ts", QUANTITY_TORQUE, f->Ts);
+    put_number(t, i, "Ts", QUANTITY_TORQUE, is_rounding(t, f) ? 0 : f->Ts);
     if (t->slot)
         put_number(t, i, "M34", QUANTITY_TORQUE, f->M34);
     if (t->slides)

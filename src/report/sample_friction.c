@@ -4,6 +4,8 @@
 */
 #include <math.h>
 
+#include <gsl/gsl_math.h>
+
 #include "sample.h"
 
 #define PINS 4
@@ -38,7 +40,8 @@ static void put_pin(const report *r, math *m, const fourlink_friction *friction,
     math_let(m, pins[i].moment, pins[i].product, r->now.losses.pin[i], SAMPLE_NM);
 }
 
-/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l). */
+/* A guide has the force y = mu |N|, or of a block of length l, mu max(|N|, 2 |M| / l).  N and y are at right angles; a
+** slider and its lever press on each other with both. */
 static void put_guide(const report *r, math *m, const fourlink_friction *friction)
 {
     static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
@@ -58,6 +61,8 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
     math_set(m, is_slot ? "N34" : "N", fabs(N));
     math_set(m, is_slot ? "M34" : "M14", fabs(M));
     math_let(m, "Fguide", products[is_slot][has_edges], r->now.losses.guide, "N");
+    if (is_slot)
+        math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y), "N");
 }
 
 /* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the link that

@@ -265,6 +265,14 @@ static int place_in_friction(const rows *t, unsigned long i)
     return i >= first && i < end ? (int)(i - first) : -1;
 }
 
+/* 1 for the friction of a slider on its lever, which F34 has. */
+static int is_in_F34(const rows *t, unsigned long i)
+{
+    int place = place_in_friction(t, i);
+
+    return t->slot && (place == 2 || place == 3);
+}
+
 /* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
 static int sense_of_load(const rows *t, unsigned long i)
 {
@@ -317,6 +325,8 @@ static void put_forces(line *l, const rows *t)
         put_body_forces(l, t, &n);
     }
     for (i = 0; i < t->problem.n_loads; i++) {
+        if (is_in_F34(t, i))
+            continue;
         fourlink_deck_load(t->deck, i, &name, NULL);
         put_force(l, &n, name, "", rows_name("L", i, "F", of), sense_of_load(t, i),
                   rows_name("L", i, "", at), t->loads[i].link, "load");

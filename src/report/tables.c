@@ -13,6 +13,8 @@
 #include "report.h"
 #include "tables/style.h"
 
+#define MOST_ON_PAPER 1000 /* rows of a table that is printed although it is folded */
+
 /* A sheet, which is its first member, and the report that it is written into. */
 typedef struct html_sheet {
     sheet s;
@@ -32,16 +34,22 @@ static void open_deck(sheet *s)
         style_find(s, s->layout);
 }
 
+/* The letters in a line tell the style how small a table is on paper. */
 static void open_block(sheet *s, fourlink_branch branch)
 {
+    const style *styles = s->layout;
     page *p = page_of(s);
-    unsigned long j;
+    unsigned long letters = 0, j;
 
+    for (j = 0; j < s->n_columns; j++)
+        letters += (unsigned long)styles[j].width;
     page_print(p,
-               "<details>\n<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
-               "<div class=\"wide\"><table class=\"rows\">\n<caption>%s branch</caption>\n"
-               "<thead><tr>",
-               ++p->n_tables, fourlink_branch_text((int)branch), s->problem.n_rows,
+               "<details class=\"table%s\">\n"
+               "<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
+               "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n"
+               "<caption>%s branch</caption>\n<thead><tr>",
+               s->problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
+               fourlink_branch_text((int)branch), s->problem.n_rows, letters,
                branch == FOURLINK_OPEN ? "Open" : "Crossed");
     for (j = 0; j < s->n_columns; j++)
         page_print(p, "<th scope=\"col\" title=\"%s\">%s<br/>%s</th>", s->columns[j].meaning,

@@ -37,12 +37,7 @@ near() { # near WHAT X Y TOLERANCE, relative to Y
 
 # --------------------------------------------------------------------------------------- pictures
 
-needs_gnuplot() {
-    command -v gnuplot >/dev/null || {
-        echo 'skipped: gnuplot is not there'
-        finish
-    }
-}
+needs_gnuplot() { needs gnuplot gnuplot-nox; }
 # pictures_of DECK KIND...: such pictures, under the names that test_kinds.sh gives them
 pictures_of() {
     deck=$1

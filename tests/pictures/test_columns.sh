@@ -104,48 +104,4 @@ check 'the instant is marked' grep -q 'point pt 6 ps 1.2' x.gp
 check 'on the curve' awk '/point pt 6 ps 1.2/ {split($5, a, ","); x = a[1]; y = a[2]} /^\$c1_open/ {on = 1} on && NF == 2 {px[++n] = $1; py[n] = $2}
     END {for (i = 1; i <= n; i++) if ((px[i] - x) ^ 2 < 1e-16 && (py[i] - y) ^ 2 < 1e-6 * y * y) found = 1; exit !found}' x.gp
 
-# --- as pictures: title and description, whatever the deck and its title are called
-needs_gnuplot
-run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x "$fourbar"
-quiet
-svg x.svg
-shows x.svg 'theta4 (deg)' 'P.x (mm)' open crossed
-# described TITLE DESCRIPTION: those of x.svg
-described() {
-    check "title of x.svg: $(grep '^<title>' x.svg)" grep -qxF -e "<title>$1</title>" x.svg
-    check "description of x.svg: $(grep '^<desc>' x.svg)" grep -qxF -e "<desc>$2</desc>" x.svg
-    check 'one description' test "$(grep -c '<desc>' x.svg)" -eq 1
-}
-cp "$fourbar" four.deck
-run 0 --plot=x.svg --plot-kind=columns -c theta4,P.x --plot-x=time four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, open and crossed branches: theta4, P.x over time'
-run 0 --plot=x.svg --plot-kind=vectors four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, open branch: polygons of velocity, acceleration and forces'
-run 0 --plot=x.svg -b crossed four.deck
-described 'Crank-rocker with a coupler point' 'four.deck, crossed branch: mechanism with its loads and pin forces'
-sed '/^title/d' four.deck >'a&b<c>]]>"d.deck'
-run 0 --plot=x.svg --plot-kind=motion 'a&b<c>]]>"d.deck'
-described 'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck' \
-    'a&amp;b&lt;c&gt;]]&gt;&quot;d.deck, open and crossed branches: positions, velocities and accelerations over the crank angle'
-svg x.svg
-check ']]> of a text' none ']]>' x.svg
-# a control character in a file name, bytes that are not UTF-8 in a title
-{
-    printf 'title = a\377b \357\277\277 ]]> c\n'
-    cat 'a&b<c>]]>"d.deck'
-} >"$(printf 'x\001y.deck')"
-run 0 --plot=x.svg --plot-kind=motion "$(printf 'x\001y.deck')"
-svg x.svg
-check 'no control character' awk '/[\001-\010\013\014\016-\037]/ {bad = 1} END {exit bad}' x.svg
-check 'UTF-8' iconv -f UTF-8 -t UTF-16 -o /dev/null x.svg
-if command -v python3 >/dev/null; then
-    check 'a parser of XML' python3 -c 'import xml.dom.minidom as m; m.parse("x.svg")'
-fi
-for ending in png pdf txt gif; do
-    run 0 --plot=x.$ending --plot-kind=columns -c theta4 "$fourbar"
-    quiet
-    check "x.$ending" test -s x.$ending
-    check "no title in x.$ending" none -a '<title>' x.$ending
-done
-
 finish

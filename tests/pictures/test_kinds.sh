@@ -57,6 +57,17 @@ check 'polar: not asked for the open branch' none '>open<' x.svg
 } >both.deck
 run 0 --plot=x.svg --plot-kind=polar both.deck
 shows x.svg open crossed
+# a comment is not asked for, and neither is the branch of a printed value
+cp "$fourbar" own.deck
+run 0 --plot-script=own.gp --plot-kind=polar own.deck
+echo '# which branch = both' >>own.deck
+run 0 --plot-script=x.gp --plot-kind=polar own.deck
+same own.gp x.gp
+cp both.deck own.deck
+run 0 --plot-script=own.gp --plot-kind=polar own.deck
+printf '[expect]\nat = 20 deg\nbranch = open\ntheta4 = 1 deg\n' >>own.deck
+run 0 --plot-script=x.gp --plot-kind=polar own.deck
+same own.gp x.gp
 # the load of the crusher jumps twice: its curves have two dashed lines from end to end; an arrow leads the way
 run 0 --plot=x.svg --plot-kind=polar "$data/me3491-exercise-4.deck"
 shows x.svg open jump '30° apart' -90° -180°

@@ -94,6 +94,33 @@ for kind in motion forces polar; do
         --set='motion.from=150 deg' --set='motion.to=200 deg'
 done
 
+# too_many MESSAGE KIND ARGUMENT...: more than 20,000 rows, and no table printed; with one less there is a picture
+too_many() {
+    message=$1
+    kind=$2
+    shift 2
+    rm -f x.gp
+    run 2 --plot-script=x.gp --plot-kind=$kind --format=table "$@"
+    nothing
+    says "error: $message"
+    lines err 1
+    check "a script of too many rows: $kind" test ! -e x.gp
+}
+coarser='20001 rows; a picture shows at most 20,000: give a coarser --interval'
+for kind in mechanism motion forces turning-moment polar vectors columns animation; do
+    too_many "$coarser" $kind --interval='0.018 deg' --columns=Ts "$fourbar"
+done
+too_many '360001 rows; a picture shows' motion --interval='0.001 deg' "$fourbar"
+run 0 --plot-script=x.gp --interval='0.018 deg' --set='motion.to=359.982 deg' "$fourbar"
+quiet
+# rows by time have no interval
+time_step='20001 rows; a picture shows at most 20,000: give a coarser time_step with --set=motion.time_step'
+too_many "$time_step" motion --set='motion.time_step=0.025 ms' "$decks/../fuzz/decks/free.deck"
+# the outputs of a sweep are not rows
+{ cat "$fourbar" && printf '[sweep]\ncrank.length = 18 mm, 20 mm\noutput = mu_min\n'; } >outputs.deck
+run 0 --plot-script=x.gp --plot-kind=histogram --interval='0.018 deg' outputs.deck
+too_many "$coarser" motion --interval='0.018 deg' outputs.deck
+
 # x MESSAGE NAME [DECK]: no such column to draw over
 x() {
     rm -f x.gp

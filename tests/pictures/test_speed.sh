@@ -84,14 +84,4 @@ near 'its mean' "$(sed -n 's/^mean = //p' s.gp)" "-$(fact mean_torque | tr -d -)
 run 2 --plot-script=s.gp --plot-kind=turning-moment --branch=open "$pump"
 says 'the turning moment needs'
 
-needs_gnuplot
-for kind in $kinds speed; do
-    [ $kind = animation ] && continue
-    run 0 --plot=$kind.svg --plot-kind=$kind $steady "$pump"
-    quiet
-    svg $kind.svg
-done
-shows speed.svg 'open: mean = 11.199 rad/s' omega2 mean T_motor Ts 'torque (N.m)' 'omega2 (rad/s)' 'energy (J)'
-run 0 --plot=r.svg --plot-kind=columns --plot-x=time --columns=omega2,T_motor --branch=open "$pump"
-shows r.svg 'time (s)' 'omega2 (rad/s)' 'T_motor (N.m)'
 finish

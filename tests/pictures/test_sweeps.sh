@@ -49,23 +49,6 @@ sweep 'crank.length = 10 mm to 30 mm step 10 mm' 'coupler.length = 60 mm to 64 m
 run 0 --plot-script=t.gp --plot-kind=columns -b open -s 'sweep.crank.length = 10 mm, 40 mm' t.deck
 check 'what does not swing has no point' test "$(block o0_open | sed '/./!d' | wc -l)" -eq 3
 
-if command -v gnuplot >/dev/null; then
-    for kind in histogram columns; do
-        for ending in svg txt; do
-            run 0 --plot=p.$ending --plot-kind=$kind t.deck
-            quiet
-            check "$kind as $ending" test -s p.$ending
-        done
-        check "the output is named" grep -q 'swing (deg)' p.svg
-    done
-    # one value
-    sweep 'motion.speed = 10 rad/s, 20 rad/s' 'output = mu_min'
-    for kind in histogram columns; do
-        run 0 --plot=p.svg --plot-kind=$kind t.deck
-        quiet
-    done
-fi
-
 # what is refused
 run 2 --plot-script=t.gp --plot-kind=histogram single.deck
 says '--plot-kind: error: this picture needs a [sweep] with outputs; the deck has none'

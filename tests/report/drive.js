@@ -104,6 +104,23 @@
                             document.getElementById(button.dataset.from).textContent.length > 20));
     }
 
+    /* On paper all tables are open, and their parts have all cells; afterwards they are as before. */
+    function tryPaper() {
+        const folds = [...document.querySelectorAll("details.table")], state = () => folds.map((x) => x.outerHTML).join("");
+        const lines = (tables) => Array.from(tables[0].rows, (_, i) => tables.flatMap((table, k) =>
+            [...table.rows[i].cells].slice(k ? 1 : 0).map((cell) => cell.textContent))).join("\n");
+        const before = state();
+        check("tables are folded", folds.length > 0 && folds.every((x) => !x.open));
+        window.dispatchEvent(new Event("beforeprint"));
+        for (const fold of folds) {
+            const [whole, ...parts] = fold.querySelectorAll("table");
+            check("on paper, " + parts.length + " parts", fold.open && whole.hidden && parts.every((x) => !x.hidden) &&
+                  lines(parts) === lines([whole]));
+        }
+        window.dispatchEvent(new Event("afterprint"));
+        check("tables are as before", state() === before);
+    }
+
     if (window.parent !== window) { /* in a frame of a narrow page */
         const wide = document.documentElement.scrollWidth;
         window.parent.postMessage((wide <= window.innerWidth ? "ok" : "failed") + " width " + window.innerWidth + ": " + wide, "*");
@@ -131,6 +148,7 @@
         await tryPlay();
     }
     trySaving();
+    tryPaper();
     check("no error at the end: " + window.problems, window.problems.length === 0);
     document.body.replaceChildren(Object.assign(document.createElement("pre"), {textContent: "\n" + lines.join("\n") + "\nend\n"}));
 }());

@@ -5,10 +5,8 @@
 . "$(dirname "$0")/../harness.sh"
 tests=$(dirname "$decks")/report
 
-if ! command -v chromium >/dev/null || ! command -v pdftotext >/dev/null; then
-    echo "skipped: chromium and poppler-utils are not installed"
-    exit 0
-fi
+needs chromium chromium
+needs pdftotext poppler-utils
 
 # browse OPTION... FILE: Chromium without a window, with a profile of its own, which talks to nobody.
 browse() {
@@ -96,6 +94,35 @@ paper() {
     check "$1 on $2: $(head -n 3 cut.out)" test $status -eq 0
 }
 
+# rows NAME [SED]: the report, changed by SED and printed, has all cells of NAME.table on its paper.
+rows() {
+    sed -e "${2-}" "$1.html" >rows.html
+    browse --no-pdf-header-footer --print-to-pdf="$work/rows.pdf" "file://$work/rows.html" >/dev/null
+    pdftotext -bbox rows.pdf rows.out
+    awk -f cells.awk "$1.table" rows.out >missing.out
+    status=$?
+    check "$1, printed after '${2-}': $(head -n 3 missing.out)" test $status -eq 0
+}
+
+cat >cells.awk <<'END'
+FNR == NR {
+    if (!/^#/ && NF) {n++; for (i = 1; i <= NF; i++) wanted[$i]++}
+    next
+}
+/<page / {split($0, w, "\""); width = w[2]}
+/<word / {
+    split($0, w, "\"")
+    if (w[6] > width || w[2] < 0) {bad++; print "beside the paper: " $0}
+    sub(/<\/word>.*/, ""); sub(/.*>/, "")
+    if ($0 == "Tables") split("", found)
+    found[$0]++
+}
+END {
+    for (x in wanted) if (found[x] < wanted[x]) {bad++; print found[x] + 0 " times " x ", not " wanted[x]}
+    exit bad > 0 || n < 10
+}
+END
+
 cat >figures.awk <<'END'
 /<page / {page++; split($0, w, "\""); width = w[2]}
 />zz(begin|end|right)[0-9]+</ {
@@ -134,6 +161,7 @@ run 0 --report=crusher.html "$data/me3491-exercise-4.deck"
 run 0 -f csv -c theta2,B.x,B.y,C.x,C.y,E.x,E.y -o crusher.csv "$data/me3491-exercise-4.deck"
 drive crusher
 places crusher 'B C P0' 0
+check 'crusher: its wide table is divided on paper' grep -q '^ok on paper, 2 parts' crusher.out
 narrow crusher
 
 # Rows by time: half a turn and more of a motor that starts.
@@ -196,6 +224,24 @@ for size in A4 Letter; do
     paper crusher $size
     paper engine $size
 done
+
+# The tables: with script and style, with one of the two, and divided where they are wide.
+"$fourlink" "$alvi" >alvi.table
+rows alvi
+rows alvi '/::details-content {/,/}/d'
+rows alvi 's/<script>/<script type="text\/plain">/'
+run 0 --report=wide.html "$matrix"
+"$fourlink" "$matrix" >wide.table
+rows wide
+
+# A table of more than 1000 rows is printed if it is open.
+run 0 -b open -c theta2,theta4 -i '0.1 deg' --report=long.html "$alvi"
+"$fourlink" -b open -c theta2,theta4 -i '0.1 deg' "$alvi" >long.table
+browse --no-pdf-header-footer --print-to-pdf="$work/long.pdf" "file://$work/long.html" >/dev/null
+pdftotext -layout long.pdf long.out
+check 'a long table is not printed' grep -q 'branch (3601). Open it on screen if it is to be printed' long.out
+check 'a long table is printed' none '^ *359\.9  *[0-9]' long.out
+rows long 's/<details /<details open="open" /'
 
 # ---------------------------------------------------------------------------------------- without a script, and size
 

@@ -4,10 +4,7 @@
 # test_rows.sh - the rows that a report's drawing is made from.
 . "$(dirname "$0")/../harness.sh"
 
-if ! command -v jq >/dev/null; then
-    echo 'skipped: rows of a report, there is no jq'
-    exit 0
-fi
+needs jq jq
 PATH=$work:$PATH # a gnuplot that fails at once: rows need none
 printf '#!/bin/sh\nexit 1\n' >gnuplot
 chmod +x gnuplot
@@ -115,6 +112,33 @@ that '[.springs[] | [.label[0], .coil, .damper, .pin, .ends, .on]] ==
 that '.branches[0].tracks.K0Q == [0.1, 0.09]'
 that '[.torques[] | select(.label[0] == "M") | [.at, .on]] == [["B", 3], ["B", 2], ["C", 4], ["C", 3], ["D", 4], ["A", 2]]'
 that '[.torques[], .forces[] | select(.label[0] == "M" or .label[0] == "S" or .label[0] == "T") | select(.label[1] != "s") | .inner] | all'
+
+# Each link is in balance with the forces and torques of its free body: x, y, and moments about B; the friction of a guide
+# is in them once.
+{
+    sed '/^\[table\]/,$d' "$data/oscillating-cylinder.deck"
+    printf '[load L]\nlink = lever\nforce = (-150, 20) N\nat = (450, 0) mm\n'
+} >free-slot.deck
+friction='[friction]\nA = 0.1\nradius_A = 15 mm\nB = 0.1\nradius_B = 10 mm\nguide = 0.2\nguide_length = 50 mm\n'
+{ cat free-slot.deck; printf "$friction"'D = 0.1\nradius_D = 12 mm\n'; } >slot.deck
+{ sed '/^\[table\]/,$d' "$decks/pump.deck"; printf "[load L]\nlink = piston\nforce = -900 N\n$friction"; } >guide.deck
+for deck in free-slot.deck slot.deck guide.deck; do
+    rows --branch=open --set='motion.interval=30 deg' $deck
+    that '. as $all | .branches[0].tracks as $t |
+        def at($i): if type == "array" then .[$i] else . end;
+        def vector($i): [$t[.][0] // 0, $t[.][1] // 0 | at($i)];
+        [range(3; (.steps | length); 7) as $i | (2, 3, 4) as $link | ("B" | vector($i)) as $B |
+            ([$all.forces[] | select(.on == $link) | .sign as $s | (.of | vector($i) | map(. * $s)) as $F | (.at | vector($i)) as $P |
+                [$F[0], $F[1], ($P[0] - $B[0]) * $F[1] - ($P[1] - $B[1]) * $F[0]]]) as $f |
+            ([$all.torques[] | select(.on == $link) | .sign * (.of | vector($i))[0]] | add // 0) as $m |
+            ([$f[] | map(fabs) | max] | max) as $size |
+            [($f | map(.[0]) | add), ($f | map(.[1]) | add), ($f | map(.[2]) | add) + $m] | map(fabs) | max < 1e-3 * $size] |
+        length > 50 and all'
+done
+rows --branch=open slot.deck
+that '.branches[0].tracks as $t | [.forces[] | select(.label[0] == "friction") | $t[.of]] | all(. == [0, 0])'
+rows --branch=open guide.deck
+that '.branches[0].tracks as $t | [.forces[] | select(.label[0] == "friction" and $t[.of] != [0, 0]) | .on] == [4]'
 
 # More than a drawing shows: no drawing.
 cat "$alvi" >many.deck

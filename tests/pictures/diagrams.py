@@ -1,0 +1,414 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# diagrams.py FOURLINK DATA DECKS - the numbers of diagrams, from their scripts: each point of a curve is a row of the table,
+# extremes, areas and bins are computed again from the drawn or printed numbers, and texts keep away from curves.
+import csv
+import io
+import math
+import os
+import re
+import statistics
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+from linkage import Checks, Deck, Program, si_of  # noqa: E402
+from script import Script  # noqa: E402
+
+checks = Checks()
+STEPS = 720
+LETTER, LINE = 9, 18  # pixels of a text
+
+
+def fine_table(deck, *options):
+    """The rows at the samples of a curve, by branch."""
+    unit = si_of(deck.units.get('motion.to', 'deg'))
+    span = abs(deck.number('motion.to', 360) - deck.number('motion.from')) if 'motion.turns' not in deck.inputs else \
+        deck.number('motion.turns') * 2 * math.pi / unit
+    return deck.table('--interval=%.17g %s' % (abs(span) / STEPS, deck.units.get('motion.to', 'deg')), '--branch=both', *options)
+
+
+def turn_of(deck, name):
+    unit = deck.columns.get(name, '')
+    return 2 * math.pi / si_of(unit) if unit in ('deg', 'rad') and name != 'theta2' else 0
+
+
+def pieces(points):
+    found = [[]]
+    for p in points:
+        if p is None:
+            found.append([])
+        else:
+            found[-1].append(p)
+    return [piece for piece in found if piece]
+
+
+def check_curve(deck, points, rows, name, over='theta2', factor=1, size=None):
+    """Each row with a position is a point of the curve, and has no other; an angle goes on without steps."""
+    turn = turn_of(deck, name)
+    values = {}
+    for row in rows:
+        sound = row.is_ok and name in row and row['mu'] * si_of(deck.unit('angle')) >= 1e-3
+        if sound:
+            values.setdefault(round(row[over], 5), factor * row[name])
+    found = {}
+    for piece in pieces(points):
+        for p in piece:
+            found.setdefault(round(p.real, 5), p.imag)
+        for p, q in zip(piece, piece[1:]):
+            checks.that(not turn or abs(q.imag - p.imag) < 0.3 * turn, 'a step of', name, p, q)
+    size = size or max([abs(v) for v in values.values()] + [1e-300])
+    missing = [x for x in values if x not in found]
+    checks.that(len(missing) <= 2, 'points of', name, 'that are missing', len(missing), missing[:3])
+    beyond = [x for x in found if x not in values]
+    checks.that(len(beyond) <= 2 + 2 * len(pieces(points)), 'points of', name, 'where there is no row', len(beyond), beyond[:3])
+    worst, at = 0, None
+    for x, y in found.items():
+        if x in values:
+            off = math.remainder(y - values[x], turn) if turn else y - values[x]
+            if abs(off) > worst:
+                worst, at = abs(off), x
+    checks.that(worst <= 2e-7 * size, 'the curve of', name, 'at', at, 'is off by', worst)
+    # a gap in the rows is a gap in the curve
+    gaps = sum(1 for a, b in zip(rows, rows[1:]) if a.is_ok != b.is_ok)
+    checks.that(len(pieces(points)) >= (gaps + 1) // 2, 'gaps of', name, gaps, len(pieces(points)))
+    if turn and rows[0].is_ok and rows[-1].is_ok and gaps and abs(rows[-1]['theta2'] - rows[0]['theta2']) * si_of(deck.unit('angle')) > 6.283:
+        drawn = [p for p in points if p is not None]
+        checks.near('both ends of %s, of one position, behind a gap' % name, drawn[-1].imag, drawn[0].imag, turn, 1e-6)
+
+
+class Pixels:
+    """Places of a panel in pixels."""
+
+    def __init__(self, script, panel):
+        x, y = panel.range['x'], panel.range['y']
+        self.width = (panel.margin['r'] - panel.margin['l']) * script.width
+        self.height = (panel.margin['t'] - panel.margin['b']) * script.height
+        self.x0, self.y0 = x[0], y[0]
+        self.kx, self.ky = self.width / (x[1] - x[0]), self.height / (y[1] - y[0])
+
+    def at(self, p):
+        return complex((p.real - self.x0) * self.kx, (p.imag - self.y0) * self.ky)
+
+
+def box_of(at, words):
+    half = LETTER * len(words) / 2
+    return (at.real - half, at.real + half, at.imag - LINE / 2, at.imag + LINE / 2)
+
+
+def crosses(box, p, q):
+    """Liang and Barsky: a line crosses a box."""
+    first, last = 0.0, 1.0
+    for start, way, low, high in ((p.real, q.real - p.real, box[0], box[1]), (p.imag, q.imag - p.imag, box[2], box[3])):
+        if way == 0:
+            if not low < start < high:
+                return False
+            continue
+        a, b = sorted(((low - start) / way, (high - start) / way))
+        first, last = max(first, a), min(last, b)
+    return first < last
+
+
+def check_texts(script, panel, of_extremes):
+    """Texts are within the axes and on no other; numbers of extremes cover no curve."""
+    pixels = Pixels(script, panel)
+    texts = [(words, pixels.at(at), rest) for words, at, side, rest in panel.labels if at is not None and words]
+    boxes = [box_of(at, words) for words, at, rest in texts]
+    for k, (a, (words, at, rest)) in enumerate(zip(boxes, texts)):
+        checks.that(a[0] > -1 and a[1] < pixels.width + 1 and a[2] > -1 and a[3] < pixels.height + 1, 'the text', words, 'is within the axes')
+        for b, other in zip(boxes[:k], texts):
+            checks.that(min(a[1], b[1]) - max(a[0], b[0]) <= 0.1 or min(a[3], b[3]) - max(a[2], b[2]) <= 0.1, 'texts on each other', words, other[0])
+        if of_extremes and 'tc lt' in rest:
+            small = (a[0] + 0.5, a[1] - 0.5, a[2] + 0.5, a[3] - 0.5)
+            for block, points in panel.blocks.items():
+                for piece in pieces(points):
+                    drawn = [pixels.at(p) for p in piece]
+                    if any(crosses(small, p, q) for p, q in zip(drawn, drawn[1:])):
+                        checks.that(False, 'the text', words, 'covers a curve of', panel.titles.get('ylabel'))
+                        break
+
+
+def extremes_of(deck):
+    """(NAME, BRANCH) -> value and angle, of the summary."""
+    found = {}
+    for row in csv.DictReader(io.StringIO(deck.program.run('--summary', '-f', 'csv', '--columns=all', '--branch=both', deck.path))):
+        if re.match(r'(max|min)\(', row['name']) and row['theta2'] and row['value'] not in ('inf', '-inf'):
+            found[row['name'], row['branch']] = float(row['value']), float(row['theta2'])
+    return found
+
+
+def check_extremes(script, panel, deck, name, branches, extremes):
+    """A dot on each extreme, and its number."""
+    turn = turn_of(deck, name)
+    y = panel.range['y']
+    dots = [at for at, kind in panel.dots if kind == 7]
+    numbers = [words for words, at, side, rest in panel.labels if at is not None and 'tc lt' in rest]
+    values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
+    size = max(abs(v) for v in values)
+    for branch in branches:
+        both = [extremes.get(('%s(%s)' % (f, name), branch)) for f in ('max', 'min')]
+        for k, (extreme, angle) in enumerate(x for x in both if x):
+            if not y[0] < extreme < y[1] and not turn or k and abs(extreme - both[0][0]) < 1e-8 * size:
+                continue
+            near = [at for at in dots if abs(at.real - angle) < 1e-4 * max(1, abs(angle)) or abs(at.real - angle) % 360 < 1e-4]
+            fits = [at for at in near if abs(math.remainder(at.imag - extreme, turn) if turn else at.imag - extreme) < 2e-6 * size]
+            if checks.that(fits, 'the dot of an extreme of', name, branch, angle, extreme, dots):
+                shown = [words for words in numbers if abs(float(words) - fits[0].imag) <= 6e-4 * abs(fits[0].imag) + 1e-9]
+                checks.that(shown or len(numbers) < len(dots), 'the number of an extreme of', name, fits[0], numbers)
+    for at in dots:
+        off = [min((abs(p.real - at.real), abs(p.imag - at.imag)) for p in points if p is not None)[1] for points in panel.blocks.values()]
+        checks.that(min(off) < 0.05 * (y[1] - y[0]), 'a dot on its curve', at, off)
+    for words, at, side, rest in panel.labels:
+        if at is not None and 'tc lt' in rest:
+            checks.that(any(abs(float(words) - dot.imag) <= 6e-4 * abs(dot.imag) + 1e-9 for dot in dots), 'a number of a dot', words)
+
+
+def check_range(panel, name):
+    """The y axis has all of the curve, and little more, unless it is cut."""
+    if any('beyond the frame' in words for words, at, side, rest in panel.labels):
+        return
+    values = [p.imag for points in panel.blocks.values() for p in points if p is not None]
+    low, high = panel.range['y']
+    span = max(values) - min(values)
+    checks.that(low < min(values) and max(values) < high, 'the range of', name, low, high)
+    checks.that(high - low <= 1.7 * span or span <= 1e-8 * max(abs(v) for v in values) + 1e-300, 'a range of', name, 'that fits', low, high, span)
+
+
+def check_over_angle(deck, rows, kind, extremes):
+    text = deck.program.script(deck, kind, '--branch=both')
+    if not text:
+        return
+    script = Script(text)
+    for panel in script.panels:
+        names = []
+        for block, words, title in panel.curves():
+            match = re.fullmatch(r'(\w+)_(open|crossed)', block)
+            if not match:
+                continue
+            name, branch = match.groups()
+            names.append((name, branch))
+            if name in deck.columns and branch in rows:
+                checks.where = '%s, %s of %s, %s' % (deck.name, kind, name, branch)
+                check_curve(deck, panel.blocks[block], rows[branch], name)
+                checks.that(title in (branch, name), 'the title of a curve', title)
+                unit = deck.columns[name]
+                checks.that('(%s)' % unit in panel.titles['ylabel'] and panel.titles['xlabel'].startswith('theta2'), 'the axes', panel.titles)
+        if names:
+            check_range(panel, names[0][0])
+            check_texts(script, panel, True)
+            if kind == 'motion' and extremes is not None:
+                check_extremes(script, panel, deck, names[0][0], [branch for name, branch in names], extremes)
+
+
+def check_columns(deck, rows, names):
+    text = deck.program.script(deck, 'columns', '--branch=both', '--columns=' + ','.join(names))
+    script = Script(text)
+    for panel in script.panels:
+        for block, words, title in panel.curves():
+            number, branch = re.fullmatch(r'c(\d+)_(open|crossed)', block).groups()
+            name = names[int(number) - 1]
+            checks.where = '%s, columns, %s, %s' % (deck.name, name, branch)
+            check_curve(deck, panel.blocks[block], rows[branch], name)
+        check_texts(script, panel, True)
+
+
+def check_polar(deck, rows):
+    text = deck.program.script(deck, 'polar', '--branch=both')
+    script = Script(text)
+    for panel in script.panels:
+        titles = [panel.titles[axis].split(' ')[0] for axis in ('xlabel', 'ylabel')]
+        for branch in ('open', 'crossed'):
+            block = '%s_%s' % (panel.title.split(',')[0], branch)
+            if block not in panel.blocks:
+                continue
+            checks.where = '%s, polar, %s' % (deck.name, block)
+            points = [p for p in panel.blocks[block] if p is not None]
+            wanted = [row.vector('', titles[0], titles[1]) for row in rows[branch]
+                      if row.is_ok and row['mu'] * si_of(deck.unit('angle')) >= 1e-3]
+            size = max(abs(p) for p in wanted)
+            k = 0
+            for p in wanted:  # in their order; the ends of jumps stand between them
+                while k < len(points) and abs(points[k] - p) > 3e-7 * size:
+                    k += 1
+            checks.that(k < len(points), 'points of the table in their order', titles)
+            checks.that(len(wanted) <= len(points) <= len(wanted) + 80, 'as many points', len(points), len(wanted))
+            dots = [p for p in panel.blocks.get(block + '_dots', script.blocks.get(block + '_dots', [])) if p is not None]
+            round_ones = [row.vector('', titles[0], titles[1]) for row in rows[branch] if row.is_ok and abs(math.remainder(row['theta2'], 30)) < 1e-6]
+            checks.that(len(dots) == len(round_ones) and all(abs(a - b) < 3e-7 * size for a, b in zip(dots, round_ones)),
+                        'dots 30 deg apart', len(dots), len(round_ones))
+            # a load that begins or ends is a jump: its ends are on the curve, with most of the step between two samples
+            for k in range(0, len(panel.blocks.get(block + '_jumps', [])) - 1, 3):
+                p, q = panel.blocks[block + '_jumps'][k:k + 2]
+                checks.that(p in points and q in points, 'the ends of a jump are on the curve', p, q)
+                before, after = min(zip(wanted, wanted[1:]), key=lambda step: abs(step[0] - p) + abs(step[1] - q))
+                checks.near('the size of a jump', q - p, after - before, abs(after - before), 0.5)
+                checks.that(abs(p - before) > 1e-7 * size or abs(q - after) > 1e-7 * size, 'a jump has its own ends', p, q)
+            if 'crushing' in deck.text and block.startswith(('F34', 'F14')):
+                checks.that(len(panel.blocks.get(block + '_jumps', [])) == 6, 'two jumps of the load', block)
+        for line in panel.lines:  # in the direction of the motion
+            on = [points for name, points in panel.blocks.items() if not name.endswith(('_dots', '_jumps'))
+                  if any(p is not None and q is not None and abs(p - line.start) < 1e-9 + 1e-6 * abs(p) and abs(q - line.end) < 1e-9 + 1e-6 * abs(q)
+                         for p, q in zip(points, points[1:]))]
+            checks.that(on, 'an arrow from a point of the curve to the next', line.start, line.end)
+        x, y = panel.range['x'], panel.range['y']
+        width = (panel.margin['r'] - panel.margin['l']) * script.width
+        height = (panel.margin['t'] - panel.margin['b']) * script.height
+        checks.near('equal scales', (x[1] - x[0]) / width, (y[1] - y[0]) / height, (x[1] - x[0]) / width, 1e-3)
+        check_texts(script, panel, False)
+
+
+def check_turning(deck, rows):
+    """The energies are the areas of the drawn curve above and below its mean; they add up to E max and E min."""
+    text = deck.program.script(deck, 'turning-moment', '--branch=both')
+    script = Script(text)
+    for panel in script.panels:
+        block = [name for name in panel.blocks if name.startswith('turning_')][0]
+        branch = block[8:]
+        checks.where = '%s, turning moment, %s' % (deck.name, branch)
+        points = [p for p in panel.blocks[block] if p is not None]
+        sense = -1 if rows[branch][0]['omega2'] < 0 else 1
+        unit = si_of(deck.unit('angle'))
+        cycle = points[-1].real
+        moments = {round(abs(row['theta2']), 5): -sense * row['Ts'] for row in rows[branch] if row.is_ok}
+        size = max(abs(m) for m in moments.values())
+        for p in points:
+            at = round(p.real, 5)
+            if at in moments:
+                checks.near('the moment at %g' % at, p.imag, moments[at], size, 1e-6) if abs(p.imag - moments[at]) > 1e-6 * size else None
+        checks.that(len(points) == STEPS + 1 and abs(cycle * unit - 2 * math.pi * (2 if '720' in deck.text else 1)) < 1e-6, 'a whole cycle', len(points))
+        step = cycle / STEPS
+        mean = sum((p.imag + q.imag) / 2 for p, q in zip(points, points[1:])) / STEPS
+        checks.near('the mean', panel.mean, mean, size, 2e-3)
+        to_joule = unit * si_of(deck.unit('torque'))
+        # areas between crossings of the mean; the first and the last belong together only at the ends of the cycle
+        energy, areas, start = 0.0, [], 0
+        for k, (p, q) in enumerate(zip(points, points[1:])):
+            u, v = p.imag - panel.mean, q.imag - panel.mean
+            if u * v < 0:
+                t = u / (u - v)
+                energy += u * t / 2 * step
+                areas.append((energy * to_joule, p.real + t * step))
+                energy = v * (1 - t) / 2 * step
+            else:
+                energy += (u + v) / 2 * step
+        areas.append((energy * to_joule, cycle))
+        path, lowest, highest, total = 0.0, (0.0, 0.0), (0.0, 0.0), 0.0
+        for area, end in areas:
+            total += area
+            highest, lowest = max(highest, (total, end)), min(lowest, (total, end))
+        fluctuation = highest[0] - lowest[0]
+        title = re.match(r'%s: mean = (\S+) \S+, ΔE = (\S+) (\S+)' % branch, panel.title)
+        if not checks.that(title, 'the title', panel.title):
+            continue
+        prefix = {'J': 1, 'kJ': 1e3, 'MJ': 1e6, 'mJ': 1e-3, '\u00b5J': 1e-6, 'nJ': 1e-9}
+        checks.near('the mean in the title', float(title.group(1)) * (1e3 if 'kN' in panel.title.split(',')[0] and 'kN' not in deck.unit('torque') else 1),
+                    panel.mean, size, 1e-4)
+        if title.group(3) in prefix:
+            checks.near('the fluctuation', float(title.group(2)) * prefix[title.group(3)], fluctuation, fluctuation + 1e-12, 1e-2)
+        shown = []
+        for words, at, side, rest in panel.labels:
+            match = re.fullmatch(r'(-?[0-9.e+-]+) (\S+)', words)
+            if match and match.group(2) in prefix:
+                shown.append(float(match.group(1)) * prefix[match.group(2)])
+        own = [area for area, end in areas]
+        for value in shown:
+            checks.that(any(abs(value - area) < 0.01 * fluctuation + 0.01 * abs(area) for area in own) or
+                        abs(value - own[0] - own[-1]) < 0.01 * fluctuation, 'the area of', value, own)
+        checks.that(len(shown) >= 1 or fluctuation < 1e-9, 'an area has its energy')
+        checks.that(len([a for a in own if abs(a) > 0.025 * fluctuation]) - len(shown) <= 1, 'energies', shown, own)
+        if len(areas) >= 2 and panel.marks:
+            for name, (value, at) in (('E max', highest), ('E min', lowest)):
+                checks.that(any(abs(math.remainder(mark - at, cycle)) < 1.5 * step for mark in panel.marks), name, 'at', at, panel.marks)
+                notes = [note for note in panel.notes if note.startswith(name + ' at ')]
+                checks.that(notes and abs(math.remainder(float(re.match(r'[-0-9.e+]+', notes[0][9:]).group(0).rstrip('e')) - at, cycle)) < 1.5 * step,
+                            'the note of', name, notes, at)
+        check_texts(script, panel, False)
+
+
+def check_speed(deck, rows):
+    script = Script(deck.program.script(deck, 'speed', '--branch=open'))
+    for panel in script.panels:
+        for block, points in panel.blocks.items():
+            name = block[:-5]
+            over = panel.titles['xlabel'].split(' ')[0]
+            checks.where = '%s, speed, %s over %s' % (deck.name, name, over)
+            points = [p for p in points if p is not None]
+            wanted = [complex(row[over], row[name]) for row in rows['open'] if row.is_ok]
+            size = max(abs(p.imag) for p in wanted)
+            width = max(abs(p.real) for p in wanted)
+            checks.that(len(points) == len(wanted) and
+                        all(abs(p.real - q.real) < 1e-5 * width and abs(p.imag - q.imag) < 1e-5 * size for p, q in zip(points, wanted)),
+                        'points of the table', len(points), len(wanted))
+
+
+def check_histograms(program, folder, matrix):
+    """Bins by D. Freedman and P. Diaconis: of the width 2 IQR / n^(1/3), at least 5 and at most 60."""
+    for name, sweep in (('normal', 'coupler.length = 66 mm +- 1 mm normal\nsamples = 200'),
+                        ('uniform', 'coupler.length = 66 mm +- 1 mm\nsamples = 300'),
+                        ('skew', 'crank.length = 5 mm, 6 mm, 7 mm, 8 mm, 8.5 mm, 9 mm, 9.2 mm, 9.4 mm, 9.6 mm, 9.8 mm, 12 mm, 30 mm')):
+        path = os.path.join(folder, name + '-sweep.deck')
+        with open(matrix, encoding='utf-8') as text, open(path, 'w', encoding='utf-8') as out:
+            out.write(text.read().split('[expect]')[0] + '\n[sweep]\n%s\noutput = mu_min, max(Ts), theta4_max\n' % sweep)
+        lines = list(csv.reader(io.StringIO(program.run('-f', 'csv', path))))
+        head = [h.split(' ')[0] for h in lines[0]]
+        branch = head.index('branch')
+        script = program.run('--plot-script=' + os.path.join(folder, 'h.gp'), '--plot-kind=histogram', path)
+        with open(os.path.join(folder, 'h.gp'), encoding='utf-8') as text:
+            script = Script(text.read())
+        for k, panel in enumerate(script.panels):
+            output = ('mu_min', 'max(Ts)', 'theta4_max')[k]
+            checks.where = 'histogram of %s, %s' % (output, name)
+            column = head.index(output)
+            values = {b: [float(line[column]) for line in lines[1:] if line[branch] == b and line[column]] for b in ('open', 'crossed')}
+            all_values = sorted(values['open'] + values['crossed'])
+            first, _, third = statistics.quantiles(all_values, n=4, method='inclusive')
+            span = all_values[-1] - all_values[0]
+            bins = span * len(all_values) ** (1 / 3) / (2 * (third - first)) if third > first else 5
+            bins = min(60, max(5, math.ceil(bins)))
+            width = span / bins
+            for b in values:
+                drawn = panel.blocks['o%d_%s' % (k, b)]
+                checks.that(len(drawn) == bins, 'bins', len(drawn), bins)
+                checks.that(sum(p.imag for p in drawn) == len(values[b]), 'all designs are in a bin')
+                off = 0
+                for j, p in enumerate(drawn):
+                    low = all_values[0] + j * width
+                    checks.near('the middle of a bin', p.real, low + width / 2, span, 1e-9)
+                    exact = sum(1 for v in values[b] if low <= v < low + width or (j == bins - 1 and v == all_values[-1]))
+                    off += abs(exact - p.imag)
+                checks.that(off <= 2, 'numbers of designs, by bin', off)
+            most = max(p.imag for b in values for p in panel.blocks['o%d_%s' % (k, b)])
+            checks.that(panel.range['y'][0] == 0 and most < panel.range['y'][1] <= 1.3 * most, 'the range of the numbers', panel.range)
+            checks.that(panel.range['x'][0] < all_values[0] and panel.range['x'][1] > all_values[-1], 'the range of the values')
+
+
+def main(fourlink, data, decks):
+    with tempfile.TemporaryDirectory() as folder:
+        program = Program(fourlink, folder)
+
+        def deck(name):
+            return Deck(program, os.path.join(decks if os.path.exists(os.path.join(decks, name)) else data, name))
+        for name in ('coupler-point.deck', 'engine.deck', 'oscillating-cylinder.deck', 'me3491-exercise-4.deck', 'reach.deck',
+                     'whitworth-150-100.deck', 'rubbing-piston.deck', 'me3491-exercise-1.deck'):
+            own = deck(name)
+            rows = fine_table(own)
+            extremes = extremes_of(own)
+            check_over_angle(own, rows, 'motion', extremes)
+            if 'F12x' in rows['open'][0].values:
+                check_over_angle(own, rows, 'forces', None)
+                if own.number('motion.from') == 0 and 'motion.acceleration' not in own.inputs:
+                    check_turning(own, rows)
+                if own.number('motion.from') == 0:
+                    check_polar(own, rows)
+        own = deck('coupler-point.deck')
+        check_columns(own, fine_table(own), ['theta2', 'theta3', 'P.x', 'Ts', 'F12', 'F14'][1:])
+        own = deck('reach.deck')
+        check_columns(own, fine_table(own), ['theta3', 'theta4', 'omega4', 'mu'])
+        own = deck('gerstmayr-run-up.deck')
+        check_speed(own, fine_table(own))
+        check_histograms(program, folder, os.path.join(data, 'me3491-matrix.deck'))
+    return checks.finish()
+
+
+if __name__ == '__main__':
+    sys.exit(main(*sys.argv[1:4]))

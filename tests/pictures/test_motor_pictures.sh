@@ -1,0 +1,20 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_motor_pictures.sh FOURLINK DATA - all kinds of pictures of a machine with a motor, as gnuplot draws them.
+. "$(dirname "$0")/pictures.sh"
+needs_gnuplot
+
+pump=$data/../doc/motor-pump.deck
+steady='--set=motion.mode=steady --set=motion.turns=1 --branch=open'
+for kind in $kinds speed; do
+    [ $kind = animation ] && continue
+    run 0 --plot=$kind.svg --plot-kind=$kind $steady "$pump"
+    quiet
+    svg $kind.svg
+done
+shows speed.svg 'open: mean = 11.199 rad/s' omega2 mean T_motor Ts 'torque (N.m)' 'omega2 (rad/s)' 'energy (J)'
+run 0 --plot=r.svg --plot-kind=columns --plot-x=time --columns=omega2,T_motor --branch=open "$pump"
+shows r.svg 'time (s)' 'omega2 (rad/s)' 'T_motor (N.m)'
+
+finish

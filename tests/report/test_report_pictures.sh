@@ -1,0 +1,32 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_report_pictures.sh FOURLINK DATA - reports with the pictures of gnuplot.
+. "$(dirname "$0")/../harness.sh"
+needs python3 python3
+needs gnuplot gnuplot-nox
+engine=$decks/engine.deck
+
+# the same on every run, whatever the locale; no date and no folder of this machine
+run 0 --report=r.html "$engine"
+quiet
+nothing
+mv r.html first.html
+for locale in C de_DE.UTF-8; do
+    LC_ALL=$locale TZ=Asia/Tokyo "$fourlink" --report=r.html "$engine"
+    same r.html first.html
+done
+check 'a folder of temporary files' none -F "$work" first.html
+"$fourlink" --report=x.html "$engine" && mv x.html r.html
+same r.html first.html
+
+
+# pictures of all kinds of mechanisms, in a page that is sound
+for deck in "$engine" "$decks/coupler-point.deck" "$data/khurmi-5.2.deck" "$data/gerstmayr-run-up.deck"; do
+    run 0 --report=r.html "$deck"
+    python3 "$decks/../report/page.py" r.html "$deck" >wrong 2>&1
+    check "$(tail -n 5 wrong)" test ! -s wrong
+    check "pictures of $deck" grep -q '<img' r.html
+done
+
+finish
