@@ -4,57 +4,72 @@
 # build.sh PAGE [FOLDER] - builds fourlink.html: the program in a page, one file that needs no network.
 #
 # FOLDER keeps GSL and the objects for the next run; without it they are built anew and removed.  On Debian it
-# needs emscripten and dpkg-dev, and apt for GSL's source package, or that source unpacked in FOLDER/gsl-VERSION.
+# needs the packages named below, and apt for GSL's source package, or that source unpacked in FOLDER/gsl-VERSION.
+# With the same versions of these, the same sources give the same bytes.
 set -eu
 [ $# -ge 1 ] || { echo 'usage: build.sh PAGE [FOLDER]' >&2 && exit 2; }
+missing=
+for command in emcc dpkg-source man col; do
+    command -v $command >/dev/null || missing="$missing $command"
+done
+if [ -n "$missing" ]; then
+    echo "build.sh: not installed:$missing" >&2
+    echo 'On Debian: apt-get install --no-install-recommends emscripten dpkg-dev man-db bsdextrautils' >&2
+    exit 2
+fi
 case $1 in /*) page=$1 ;; *) page=$PWD/$1 ;; esac
 if [ $# -gt 1 ]; then
     FOLDER=$2
 fi
 . "$(dirname "$0")/../tests/foreign.sh"
-export NODE_PATH=/usr/share/nodejs
+export NODE_PATH=/usr/share/nodejs LC_ALL=C.UTF-8
 
 # The parts of GSL that the program uses, and those that these need.
 parts='err sys utils complex min roots interpolation poly linalg blas cblas matrix vector block permutation rng randist
     sort statistics integration'
 
-# configure does not know the machine; WebAssembly has no extended registers.
+# configure does not know the machine; WebAssembly has no extended registers.  GSL's messages of errors name its
+# files: by relative paths, which are the same everywhere.
 build_parts() {
     [ -e web/gsl/done ] && return
     sources_of gsl
+    rm -rf web/gsl
     mkdir -p web/gsl
     (
-        cd web/gsl
-        emconfigure "$work"/gsl-[0-9]*/configure --host=none-unknown-linux --disable-shared CFLAGS=-O2
-        sed -i 's,^#define HAVE_EXTENDED_PRECISION_REGISTERS.*,/* none */,' config.h
-        for part in gsl $parts; do
-            emmake make -j2 -C "$part"
-        done
-        touch done
-    ) >web/gsl.log 2>&1 || { tail -n 20 web/gsl.log; exit 1; }
+        cd web/gsl &&
+            emconfigure ../../gsl-[0-9]*/configure --host=none-unknown-linux --disable-shared CFLAGS=-O2 &&
+            sed -i 's,^#define HAVE_EXTENDED_PRECISION_REGISTERS.*,/* none */,' config.h &&
+            for part in gsl $parts; do
+                emmake make -j2 -C "$part" || exit 1
+            done &&
+            touch done
+    ) >web/gsl.log 2>&1 || { tail -n 20 web/gsl.log >&2; exit 1; }
 }
 
-# The library, the tables and the report; of the operating system, what web/system.c has.
+# The library, the tables and the report; of the operating system, what web/system.c has.  All is compiled anew after
+# a change.
 build_program() {
-    if [ ! -d web/objects ] || [ -n "$(find "$source/include" "$source/src" "$source/web" -name '*.h' -newer web/objects)" ]; then
-        rm -rf web/objects # all are compiled anew after a change of a header
-        mkdir -p web/objects
-    fi
+    hash=$(sh "$source/web/sources.sh" '\.(c|h|sh)$')
+    [ "$(cat web/objects/done 2>/dev/null)" = "$hash" ] && return
+    rm -rf web/objects
+    mkdir -p web/objects
     (cd "$source" && find src/base src/mechanics src/deck src/results src/tables src/report src/pictures/end.c web -name '*.c' \
         ! -name 'system_*.c' ! -path src/report/figures.c ! -path src/report/assets.c) | xargs -P 2 -n 8 sh -c '
-        source=$1 work=$2
-        shift 2
+        cd "$1" && work=$2 && shift 2
         for file; do
-            object=$work/web/objects/$(echo "${file%.c}" | tr / -).o
-            [ "$object" -nt "$source/$file" ] || emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -Os -ffp-contract=off \
-                -I"$source/include" -I"$source/src" -I"$work/web/gsl" -c "$source/$file" -o "$object" || exit 255
+            emcc -std=c90 -pedantic-errors -Wall -Wextra -Werror -O2 -ffp-contract=off -Iinclude -Isrc -I"$work/web/gsl" \
+                -c "$file" -o "$work/web/objects/$(echo "${file%.c}" | tr / -).o" || exit 255
         done' sh "$source" "$work"
-    [ -z "$(find web/objects -newer web/fourlink.wasm 2>/dev/null)" ] && [ -e web/fourlink.wasm ] && return
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
     # shellcheck disable=SC2086
-    emcc -Os --no-entry -s STANDALONE_WASM -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=1GB -s TOTAL_STACK=1MB \
+    emcc -O2 --no-entry -s STANDALONE_WASM -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=1GB -s TOTAL_STACK=1MB \
         -Wl,--wrap=sin,--wrap=cos \
         -o web/fourlink.wasm web/objects/*.o $libraries
+    if grep -qF -e "$work" -e "$source" web/fourlink.wasm; then
+        echo "build.sh: the page has a path of this machine: remove $work/web and begin again" >&2
+        exit 1
+    fi
+    echo "$hash" >web/objects/done
 }
 
 # put_json FOLDER: the decks of a folder, {"NAME": "TEXT", ...}, without a "<" that could end the script.
@@ -72,18 +87,22 @@ put_json() {
 
 # put_manual FILE: a manual page as plain text, for an element of HTML
 put_manual() {
-    MANWIDTH=78 man -E UTF-8 -l "$1" 2>/dev/null | col -bx | sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g'
+    MANWIDTH=78 man -E UTF-8 -l "$1" >web/manual || exit 1
+    col -bx <web/manual | sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g'
 }
 
-# Each line of page.html that holds only @NAME@ is replaced.
+# Each line of page.html that holds only @NAME@ is replaced; so are @VERSION@ and @SOURCES@.
 build_page() {
+    version=$(sed -n 's/^project(fourlink VERSION \([0-9.]*\).*/\1/p' "$source/CMakeLists.txt")
+    hash=$(sh "$source/web/sources.sh")
     web=$source/web
     report=$source/src/report
-    base64 -w 0 web/fourlink.wasm >web/fourlink.base64
+    gzip -9n <web/fourlink.wasm | base64 -w 0 >web/fourlink.base64
     put_json "$source/data" >web/examples.json
     for manual in fourlink-deck.5 fourlink.1; do
         put_manual "$source/doc/man/$manual"
     done >web/manual.txt
+    sed -e "s/@VERSION@/$version/g" -e "s/@SOURCES@/$hash/g" "$web/page.html" >web/frame.html
     while IFS= read -r line; do
         case $line in
         @REPORT_STYLE@) cat "$report/report.css" ;;
@@ -97,7 +116,7 @@ build_page() {
             "$web/page/tables.js" "$web/page/link.js" "$web/page/main.js" ;;
         *) printf '%s\n' "$line" ;;
         esac
-    done <"$web/page.html" >web/page.html
+    done <web/frame.html >web/page.html
     mv web/page.html "$page"
     wc -c "$page" web/fourlink.wasm
 }

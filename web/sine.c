@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sine.c - sine and cosine, rounded to the nearest number but for one in many millions.
+** sine.c - sine and cosine, rounded to the nearest number but for one in a million.
 **
 ** Those of Emscripten differ from the GNU C library's in the last digit, now and then, and near a dead position that
 ** grows.  The linker puts these in their places.  They compute with pairs of numbers, of which the second is the
@@ -79,11 +79,14 @@ static pair reduce(double x, double n)
     return add(add(d, sum_of(r.low, 0)), p);
 }
 
-/* sin r = r - r^3/3! + r^5/5! ..., cos r = 1 - r^2/2! + r^4/4! ...; k = 27 or 28, the last power */
+/* sin r = r - r^3/3! + r^5/5! ..., cos r = 1 - r^2/2! + r^4/4! ...; k = 27 or 28, the last power.  Powers above 8 are
+** too small for the rest of a pair to matter. */
 static pair series(pair r, int k)
 {
     pair square = multiply(r, r), sum = {1, 0}, one = {1, 0};
 
+    for (; k > 8; k -= 2)
+        sum.high = 1 - square.high * sum.high / ((double)k * (k - 1));
     for (; k > 1; k -= 2) {
         sum = divide(multiply(square, sum), -(double)k * (k - 1));
         sum = add(one, sum);

@@ -2,16 +2,20 @@
 **
 ** worker.js - runs the program beside the page, so that the page can stop it.
 **
-** A request is {id, task, ...}, its answer {id, ...} or {id, failed: WHY}.  The first is {bytes}, the program.
+** A request is {id, task, ...}, its answer {id, ...} or {id, failed: WHY}.  The first is {bytes}, the program,
+** compressed by gzip.
 */
 "use strict";
 
-let program = null, isOpen = false; /* a deck without mistakes */
+let program = null, ready = null, isOpen = false; /* a deck without mistakes */
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 const bytes = (from, length) => new Uint8Array(program.memory.buffer, from, length);
 
 /* The program uses neither files nor clock: what it imports answers that there is no such thing. */
-function start(code) {
+async function start(packed) {
+    if (!self.DecompressionStream)
+        throw new Error("the page needs a browser of 2023 or later");
+    const code = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
     const module = new WebAssembly.Module(code), imports = {};
     for (const {module: from, name} of WebAssembly.Module.imports(module)) {
         imports[from] = imports[from] || {};
@@ -99,14 +103,18 @@ const tasks = {
     }
 };
 
-self.onmessage = ({data}) => {
-    const begun = performance.now();
+self.onmessage = async ({data}) => {
+    if (data.bytes) {
+        ready = start(data.bytes);
+        ready.catch(() => {}); /* told in the answer to each request */
+        return;
+    }
     try {
-        if (data.bytes)
-            start(data.bytes);
-        if (!data.bytes && data.task !== "open" && !isOpen)
+        await ready;
+        const begun = performance.now();
+        if (data.task !== "open" && !isOpen)
             throw new Error("no deck is open");
-        const made = data.bytes ? {} : tasks[data.task](data);
+        const made = tasks[data.task](data);
         self.postMessage({id: data.id, time: performance.now() - begun, ...made});
     } catch (error) {
         self.postMessage({id: data.id, failed: String(error.message || error)});

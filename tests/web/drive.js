@@ -137,6 +137,27 @@ async function compareAll(from, rename) {
     }
 }
 
+/* The tables of the decks of data/ have the command's numbers, to nine digits, also where the page is older than the
+** command; and a mistake is told as it is typed. */
+async function tryTables() {
+    const files = fs.readdirSync(path.join(root, "data")).filter((x) => x.endsWith(".deck"));
+    let values = 0;
+    for (const file of files) {
+        const words = fs.readFileSync(path.join(root, "data", file), "utf8"), wanted = command(file, words, "--format=csv").out;
+        await put(file, words);
+        const {worst, where, count} = difference(wanted, (await saved("save-csv")).text);
+        check(file + ": " + where + ": " + worst, count > 0 && worst >= 0 && worst <= 1e-9);
+        values += count;
+    }
+    check(files.length + " decks, " + values + " values", files.length > 30 && values > 5000);
+    const name = "alvi-5.1.deck", words = fs.readFileSync(path.join(root, "data", name), "utf8");
+    await put(name, words);
+    check("no mistake: " + await messages(), (await messages()).length === 0);
+    await typeDeck(words.replace("length = 66 mm", "lenght = 66 mm"));
+    const line = words.split("\n").indexOf("length = 66 mm") + 1, told = (await messages()).join("\n");
+    check("a mistake: " + told, told.startsWith(name + ":" + line + ": error: ") && told.includes("lenght"));
+}
+
 /* ------------------------------------------------------------------------------------------------- by hand */
 
 async function load(name) {
@@ -295,6 +316,10 @@ async function tryFiles() {
     await b.go("about:blank");
     await b.go("file://" + path.join(work, "report.html"));
     await b.until("document.querySelector('.panel.whole circle')", "the drawing of the report");
+    const row = command(name, words).out.split("\n").find((x) => /^ *-180 /.test(x)).trim().split(/ +/).slice(0, 5);
+    fs.writeFileSync(path.join(work, "report.pdf"), Buffer.from((await b.page("Page.printToPDF")).data, "base64"));
+    const paper = spawnSync("pdftotext", ["-layout", path.join(work, "report.pdf"), "-"], {encoding: "utf8"}).stdout;
+    check("on paper, the report has the row " + row, new RegExp("^ *" + row.join(" +") + " ", "m").test(paper));
     const native = path.join(work, "native.html");
     command(name, words, "--report=" + native, "--plot-at=0 deg");
     const part = (text, from, to) => text.slice(text.indexOf(from), text.indexOf(to, text.indexOf(from)));
@@ -502,7 +527,7 @@ async function main() {
     await b.size(1280, 900);
     await b.go(address);
     await b.until("document.querySelector('.panel.whole circle')", "the first drawing");
-    for (const [what, run] of [["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
+    for (const [what, run] of [["tables", tryTables], ["typing", tryTyping], ["crank", tryCrank], ["time", tryTime], ["dragging", tryDragging],
                                ["exercises", tryExercises], ["hostile", tryHostile], ["limits", tryLimits], ["keyboard", tryKeyboard], ["files", tryFiles],
                                ["layout", tryLayout], ["times", tryTimes],
                                ["decks", async () => {
