@@ -11,6 +11,7 @@ data=$(cd "$data" && pwd)
 alvi=$data/alvi-5.1.deck
 matrix=$data/me3491-matrix.deck
 decks=$(cd "$(dirname "$0")/../decks" && pwd)
+. "$decks/../needs.sh"
 work=$(mktemp -d) || exit 1
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM

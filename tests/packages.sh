@@ -6,7 +6,6 @@
 #
 # In each root: the two set-up commands of README.md, in the source archive, without git and sudo; the packages
 # that cpack makes, and lintian.  In a second root: the packages installed, used, and removed without trace.
-# The page is in the archive and in the package if it was built before, by tests/web.sh or web/build.sh.
 # ROOTS names a folder with SUITE.tar of bare roots, which saves debootstrap.
 set -u
 [ "$(id -u)" -eq 0 ] || { echo 'packages.sh: must be root, for debootstrap and chroot' >&2 && exit 2; }
@@ -81,7 +80,7 @@ build() {
     printf 'cd source\n%s\n' "$(sed -n 1p commands)" >build/root/first
     printf 'cd source\n%s\n' "$(sed -n 2p commands)" >build/root/second
     check "$1: the first command of README.md" in_root build 'sh first'
-    check "$1: it prints the table of the paper" grep -q '^40.10.5.0.00.103.82.38.99.0.07.-3.15.56.46.20.96$' log
+    check "$1: it prints the table of the paper's deck" grep -Eq '^ +40 +38\.9863 +-3\.15487 +20\.9565 +103\.821 ' log
     check "$1: the second command" in_root build 'sh second'
     grep '^[0-9]*% tests passed' log
     in_root build 'dpkg-query -W -f "  with \${Package} \${Version}\n" gcc cmake libgsl-dev libc6' </dev/null
@@ -104,27 +103,27 @@ use() {
     check "$1: it draws" in_root target 'fourlink --plot=/tmp/a.svg /usr/share/fourlink/data/alvi-5.1.deck && test -s /tmp/a.svg'
     check "$1: manuals and completion" in_root target 'dpkg -L fourlink | grep -q man1/fourlink.1.gz &&
         dpkg -L fourlink | grep -q man5/fourlink-deck.5.gz && dpkg -L fourlink | grep -q completions/fourlink'
-    [ ! -e "$top/web/fourlink.html" ] || check "$1: the page" in_root target 'grep -q "</html>" /usr/share/fourlink/fourlink.html'
+    check "$1: the page" in_root target 'grep -q "</html>" /usr/share/fourlink/fourlink.html'
     check "$1: the library" in_root target 'apt-get install -y --no-install-recommends ./libfourlink*.deb gcc libc6-dev pkg-config cmake make'
     check "$1: a caller, shared" in_root target 'cc c90.c $(pkg-config --cflags --libs fourlink) -lm -o shared && ldd shared | grep -q libfourlink.so && ./shared <me3491-matrix.deck'
     check "$1: its answer" grep -q 'theta4 *= 103.820765 deg' log
     check "$1: a caller, static" in_root target 'cc c90.c /usr/lib/*/libfourlink.a -lgsl -lgslcblas -lm -o static && ./static <me3491-matrix.deck'
     check "$1: a caller with find_package" in_root target 'printf "%s\n" "cmake_minimum_required(VERSION 3.21)" "project(c C)" \
-        "find_package(fourlink 0.1 REQUIRED)" "add_executable(c c90.c)" "target_link_libraries(c fourlink::fourlink m)" >CMakeLists.txt &&
+        "find_package(fourlink 0.2 REQUIRED)" "add_executable(c c90.c)" "target_link_libraries(c fourlink::fourlink m)" >CMakeLists.txt &&
         cmake -B b . && cmake --build b && b/c <me3491-matrix.deck'
-    check "$1: removed" in_root target 'apt-get purge -y fourlink libfourlink-dev libfourlink0.1'
+    check "$1: removed" in_root target 'apt-get purge -y fourlink libfourlink-dev libfourlink0.2'
     check "$1: no file is left" in_root target '! find / -xdev -path /root -prune -o -path /proc -prune -o -name "*fourlink*" -print | grep .'
     check "$1: dpkg knows no more of it" in_root target '! dpkg -l | grep fourlink && ! ldconfig -p | grep fourlink'
 }
 
 echo 'the source archive'
 git clone -q "$top" clone && cmake -S clone -B clone/build -DFOURLINK_TESTS=OFF >log 2>&1 || { cat log && exit 1; }
-[ ! -e "$top/web/fourlink.html" ] || cp "$top/web/fourlink.html" clone/web
+check 'the page is of these sources' sh clone/tests/release.sh
 check 'package_source' cmake --build clone/build --target package_source
 cp clone/build/fourlink-*.tar.gz . || exit 1
 tar tzf fourlink-*.tar.gz | sed 's,^[^/]*/,,; /\/$/d; /^$/d' | sort >packed
-(cd clone && git ls-files && find web -name fourlink.html) | grep -v '^\.\(ci/\|git\)' | sort >listed
-check "all $(wc -l <listed) files of git, the page if there is one, and no others" diff listed packed
+(cd clone && git ls-files) | grep -v '^\.\(ci/\|git\)' | sort >listed
+check "all $(wc -l <listed) files of git, and no others" diff listed packed
 
 [ $# -gt 0 ] || set -- bookworm testing
 for suite; do

@@ -1,10 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_install.sh BUILD_DIR - installs to a scratch prefix and uses all of it: the command with a deck, the
-# header from C90 and C++98, both libraries, pkg-config, the CMake package, manual pages, completion.
+# test_install.sh BUILD_DIR PART - installs to a scratch prefix and uses it.  PART is
+#   c           the command with a deck, the header from C90, both libraries, the CMake package, manual pages
+#   c++         the header from C++98
+#   fortran     the module from Fortran 2003, the library from FORTRAN 77
+#   pkg-config  its file
+#   symbols     what the libraries define and need, by nm
+#   completion  of bash
 set -u
 build=$1
+part=$2
+. "$(dirname "$0")/needs.sh"
 callers=$(cd "$(dirname "$0")/consumers" && pwd)
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -28,25 +35,18 @@ check() {
     fi
 }
 
+case $part in
+c++) needs "$CXX" g++ ;;
+fortran) needs "$FC" gfortran ;;
+pkg-config) needs pkg-config pkg-config ;;
+symbols) needs nm binutils ;;
+completion) needs bash bash ;;
+esac
+
 cmake --install "$build" --prefix "$work/usr" >install.log || exit 1
 lib=$(dirname "$(find usr -name libfourlink.a)")
 [ -d "$lib" ] || exit 1
 export LD_LIBRARY_PATH="$work/$lib"
-
-check 'command and example deck' usr/bin/fourlink --check usr/share/fourlink/data/me3491-matrix.deck
-check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
-check 'licence' test -s usr/share/doc/fourlink/LICENSE
-for file in README.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.gif; do
-    check "$file" test -s "usr/share/doc/fourlink/$file"
-done
-check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
-check 'completion' test -s usr/share/bash-completion/completions/fourlink
-for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x plot-script part list help \
-    version; do
-    escaped=$(echo "$option" | sed 's/-/\\-/g')
-    check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1
-    check "--$option completes" grep -qF -e "--$option" usr/share/bash-completion/completions/fourlink
-done
 
 cat >answer <<'ANSWER'
 theta4 = 103.820765 deg
@@ -74,26 +74,61 @@ caller() {
 }
 
 strict='-pedantic-errors -Wall -Wextra -Werror -Iusr/include'
-caller 'C90' $CC $CFLAGS -std=c90 $strict "$callers/c90.c"
-answer=named
-caller 'results by name, C90' $CC $CFLAGS -std=c90 $strict "$callers/results.c"
-answer=answer
-printf 'mechanism = four-bar\n[ground]\nlength = 80 parsec\n[krank]\n' >x.deck
-./shared <x.deck >mistakes
-check 'the mistakes of a deck, as the command tells them' grep -qx \
-    "deck:3: error: unknown unit 'parsec' in '80 parsec'" mistakes
-sed 's/^deck:/x.deck:/' mistakes >told
-usr/bin/fourlink x.deck 2>printed
-check 'all of them' cmp printed told
-if command -v "$CXX" >/dev/null; then
+with_c() {
+    check 'command and example deck' usr/bin/fourlink --check usr/share/fourlink/data/me3491-matrix.deck
+    check 'manual page of the command' test -s usr/share/man/man1/fourlink.1
+    check 'the page' grep -q '</html>' usr/share/fourlink/fourlink.html
+    check 'licence' test -s usr/share/doc/fourlink/LICENSE
+    for file in README.md CHANGES.md doc/library.md doc/gallery/mechanism.svg doc/gallery/motion.gif; do
+        check "$file" test -s "usr/share/doc/fourlink/$file"
+    done
+    check 'manual page of the deck' test -s usr/share/man/man5/fourlink-deck.5
+    check 'completion' test -s usr/share/bash-completion/completions/fourlink
+    for option in format output branch interval columns set check matrix summary plot plot-kind plot-at plot-x plot-script part list help \
+        version; do
+        escaped=$(echo "$option" | sed 's/-/\\-/g')
+        check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1
+        check "--$option completes" grep -qF -e "--$option" usr/share/bash-completion/completions/fourlink
+    done
+
+    caller 'C90' $CC $CFLAGS -std=c90 $strict "$callers/c90.c"
+    answer=named
+    caller 'results by name, C90' $CC $CFLAGS -std=c90 $strict "$callers/results.c"
+    answer=answer
+    printf 'mechanism = four-bar\n[ground]\nlength = 80 parsec\n[krank]\n' >x.deck
+    ./shared <x.deck >mistakes
+    check 'the mistakes of a deck, as the command tells them' grep -qx \
+        "deck:3: error: unknown unit 'parsec' in '80 parsec'" mistakes
+    sed 's/^deck:/x.deck:/' mistakes >told
+    usr/bin/fourlink x.deck 2>printed
+    check 'all of them' cmp printed told
+
+    mkdir project
+    cp "$callers/c90.c" project
+    cat >project/CMakeLists.txt <<'CMAKE'
+cmake_minimum_required(VERSION 3.21)
+project(consumer C)
+find_package(fourlink 0.2 REQUIRED)
+add_executable(with_shared c90.c)
+target_link_libraries(with_shared fourlink::fourlink m)
+add_executable(with_static c90.c)
+target_link_libraries(with_static fourlink::static)
+CMAKE
+    check 'find_package' cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$work/usr" \
+        -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS"
+    check 'its targets build' cmake --build project/build
+    check 'fourlink::fourlink runs' gives project/build/with_shared
+    check 'fourlink::static runs' gives project/build/with_static
+}
+
+with_cxx() {
     caller 'C++98' $CXX $CFLAGS -std=c++98 $strict "$callers/cxx98.cpp"
     answer=named
     caller 'results by name, C++98' $CXX $CFLAGS -std=c++98 $strict "$callers/results.cpp"
     answer=answer
-else
-    echo "skipped: C++98, there is no $CXX"
-fi
-if command -v "$FC" >/dev/null; then
+}
+
+with_fortran() {
     strict='-Wall -Wextra -Werror -fcheck=all'
     check 'Fortran 2003, the module' $FC $CFLAGS -std=f2003 -pedantic $strict -c usr/include/fourlink.f90
     caller 'Fortran 2003' $FC $CFLAGS -std=f2003 -pedantic $strict "$callers/fortran2003.f90" fourlink.o
@@ -117,34 +152,21 @@ if command -v "$FC" >/dev/null; then
     $FC $CFLAGS "$callers/sizes.f90" fourlink.o $static_libraries -o sizes_f && ./sizes_f >sizes_of_fortran
     check 'the structures of the header' test -s sizes_of_c
     check 'the same in the module' cmp sizes_of_c sizes_of_fortran
-else
-    echo "skipped: Fortran, there is no $FC"
-fi
-if command -v pkg-config >/dev/null; then
+}
+
+with_pkg_config() {
     export PKG_CONFIG_PATH="$work/$lib/pkgconfig"
     check 'pkg-config' sh -c "$CC $CFLAGS \$(pkg-config --cflags fourlink) '$callers/c90.c' -o pc \$(pkg-config --libs fourlink) -lm"
     check 'pkg-config runs' gives ./pc
-fi
-mkdir project
-cp "$callers/c90.c" project
-cat >project/CMakeLists.txt <<'CMAKE'
-cmake_minimum_required(VERSION 3.21)
-project(consumer C)
-find_package(fourlink 0.1 REQUIRED)
-add_executable(with_shared c90.c)
-target_link_libraries(with_shared fourlink::fourlink m)
-add_executable(with_static c90.c)
-target_link_libraries(with_static fourlink::static)
-CMAKE
-check 'find_package' cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$work/usr" \
-    -DCMAKE_C_COMPILER="$CC" -DCMAKE_C_FLAGS="$CFLAGS"
-check 'its targets build' cmake --build project/build
-check 'fourlink::fourlink runs' gives project/build/with_shared
-check 'fourlink::static runs' gives project/build/with_static
+    # the version of the header is that of the build, and the library's name has it, without its last number
+    version=$(sed -n 's/^#define FOURLINK_VERSION "\(.*\)"$/\1/p' usr/include/fourlink.h)
+    check "version $version" test "$(pkg-config --modversion fourlink)" = "$version"
+    [ "$(uname)" != Linux ] || check 'the name of the shared library' test -e "$lib/libfourlink.so.${version%.*}"
+}
 
-# Of the shared library nothing is visible but what the header declares; of the static one all names
-# have its prefix.
-if command -v nm >/dev/null; then
+symbols() {
+    # Of the shared library nothing is visible but what the header declares; of the static one all names
+    # have its prefix.
     nm -D --defined-only "$lib/libfourlink.so" | awk '$2 ~ /[A-Z]/ {print $3}' | grep -v '^__\|^_init\|^_fini' | sort >visible
     sed -n 's/^FOURLINK_API .* \**\(f[a-z0-9_]*\)(.*/\1/p' usr/include/fourlink.h | sort >declared
     check 'the symbols of the header, and no others' cmp visible declared
@@ -156,15 +178,16 @@ if command -v nm >/dev/null; then
     nm -A --undefined-only "$lib/libfourlink.a" | grep -wE 'malloc|calloc|realloc|free|[a-z_]*alloc' |
         sed 's/.*:\([a-z0-9_]*\)\.c\.o:.*/\1/' | sort -u >allocating
     check 'memory is for decks' sh -c "printf '%s\n' actual actual_step analysis build_motion curve deck extreme jumps message reader results settings turning | cmp - allocating"
-fi
-# No state: nothing that can be written to.  (A sanitizer has some of its own.)
-case $CFLAGS in
-*sanitize*) ;;
-*) check 'no writable data in the library' sh -c \
-    "size -A '$lib/libfourlink.a' | awk '\$1 ~ /^[.](data|bss|data[.]rel|data[.]rel[.]local)$/ {n += \$2} END {exit n > 0}'" ;;
-esac
-# The completion of bash, as it is typed: fourlink --form<TAB>, fourlink --format=p<TAB>
-if command -v bash >/dev/null; then
+    # No state: nothing that can be written to.  (A sanitizer has some of its own.)
+    case $CFLAGS in
+    *sanitize*) ;;
+    *) check 'no writable data in the library' sh -c \
+        "size -A '$lib/libfourlink.a' | awk '\$1 ~ /^[.](data|bss|data[.]rel|data[.]rel[.]local)$/ {n += \$2} END {exit n > 0}'" ;;
+    esac
+}
+
+completion() {
+    # The completion of bash, as it is typed: fourlink --form<TAB>, fourlink --format=p<TAB>
     completes() {
         bash -c '. usr/share/bash-completion/completions/fourlink
             compopt() { :; }
@@ -175,8 +198,16 @@ if command -v bash >/dev/null; then
     check 'an option completes' completes --format= --form
     check 'its value completes' completes paper --format = p
     check 'another' completes json --format = j
+    : >x.deck
     check 'a deck completes' completes x.deck x
-fi
+}
 
+case $part in
+c) with_c ;;
+c++) with_cxx ;;
+fortran) with_fortran ;;
+pkg-config) with_pkg_config ;;
+*) $part ;;
+esac
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

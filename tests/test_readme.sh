@@ -1,13 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_readme.sh BUILD_DIR - what README.md and doc/*.md show is what the program prints: every block
-# under a comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers
+# test_readme.sh BUILD_DIR [pictures] - what README.md, doc/*.md and data/*.md show is what the program prints: every
+# block under a comment <!-- $ COMMAND --> is compared with the output of that command, word by word, numbers
 # to a few units of their last digit, which may differ between machines.  A block under <!-- > NAME --> is
 # a file for these commands; the lines of one under <!-- run --> are run.  The first whole program in C of a
-# document is compiled, and is the command "example" of that document.
+# document is compiled, and is the command "example" of that document.  The tests that doc/accuracy.md names are there.
+# Lines that draw pictures need gnuplot: they are run with the argument "pictures" only, and the other lines of their
+# block before them.
 set -u
 build=$1
+pictures=${2-}
+. "$(dirname "$0")/needs.sh"
+[ -z "$pictures" ] || needs gnuplot gnuplot-nox
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -50,8 +55,8 @@ compile() {
   result $? "$1: the program in C does not compile"
 }
 
-# compare DOCUMENT FOLDER
-compare() {
+# blocks DOCUMENT FOLDER: its commands, what they are to print, its files, the lines to run
+blocks() {
   awk -v folder="$2" '
     /^<!-- > [a-z.]* -->$/ {name = folder "/" $3; inside = wait = 0; next}
     /^<!-- run -->$/ {name = folder "/run"; inside = wait = 0; next}
@@ -61,6 +66,10 @@ compare() {
     wait && /^```/ {wait = 0; inside = 1; printf "" > (folder "/expected." n); next}
     inside && /^```/ {inside = 0; next}
     inside {print > (folder "/expected." n)}' "$1"
+}
+
+# compare DOCUMENT FOLDER
+compare() {
   for command in "$2"/command.*; do
     [ -f "$command" ] || continue
     # a failing command is shown too, with its messages
@@ -71,31 +80,39 @@ $(cat "$2/difference")"
   done
 }
 
-# run DOCUMENT FOLDER: what a reader types, with a teacher's deck, answers, and a student's deck; pictures where
-# gnuplot is installed
+# run DOCUMENT FOLDER: what a reader types, with a teacher's deck, answers, and a student's deck
 run() {
   [ -f "$2/run" ] || return 0
   mkdir "$2/students" && cp data/me3491-exercise-4.deck "$2/teacher.deck" &&
     cp data/me3491-exercise-4.deck "$2/students/one.deck" &&
     printf '[expect]\nswing = 49.3 deg\n' >"$2/answers.txt" || exit 1
   while read -r line; do
-    case $line in *--plot*) command -v gnuplot >"$2/gnuplot" || continue ;; esac
+    case $line in *--plot*) [ "$pictures" ] || continue ;; esac
     (cd "$2" && PATH=$build:$2:$PATH sh -c "$line") >"$2/actual" 2>&1 </dev/null
     result $? "$1: this fails: $line
 $(tail -n 3 "$2/actual")"
   done <"$2/run"
 }
 
-for document in README.md doc/*.md; do
+for document in README.md doc/*.md data/*.md; do
   folder=$work/$(basename "$document")
   mkdir "$folder" && ln -s "$PWD/data" "$PWD/tests" "$PWD/doc" "$folder" || exit 1
   compile "$document" "$folder"
-  compare "$document" "$folder"
+  blocks "$document" "$folder"
+  [ "$pictures" ] || compare "$document" "$folder"
   run "$document" "$folder"
 done
 for document in README.md doc/library.md; do
   [ -x "$work/$(basename "$document")/example" ]
   result $? "$document has no whole program in C"
+done
+for name in $(grep -o '`[a-z/]*\(test_[a-zA-Z0-9_]*\|brute_extremes\)[.chs]*`' doc/accuracy.md | tr -d '`'); do
+  case $name in
+  */*.*) [ -f "tests/${name#tests/}" ] ;;
+  *.*) find tests -name "$name" | grep -q . ;;
+  *) grep -rqE --include='*.c' "^static void $name\(" tests ;;
+  esac
+  result $? "doc/accuracy.md names a test that is not there: $name"
 done
 echo "$passed passed, $failed failed"
 [ "$passed" -gt 0 ] && [ "$failed" -eq 0 ]
