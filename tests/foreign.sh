@@ -195,7 +195,7 @@ compare() {
     for file in native/results/*; do
         other=$1/results/${file##*/}
         case $file in
-        *.csv) echo "${file##*/} $(awk -f "$source/tests/csv_difference.awk" "$file" "$other")" ;;
+        *.csv) echo "${file##*/} $(python3 "$source/tests/csv_difference.py" "$file" "$other")" ;;
         *) echo "${file##*/} $(cmp -s "$file" "$other" && echo same || echo differs)" ;;
         esac
     done >"$1/compared"

@@ -66,35 +66,6 @@ holds() { check "$1" awk "$2" out; } # an awk program that exits 0
 none() { ! grep -q "$@"; }
 only_file() { check "files left: $(ls -A "$1")" test "$(ls -A "$1")" = "$2"; }
 
-# records FILE: the records of a csv file, its fields separated by |, which none of them has.  A record that
-# is not RFC 4180 (quotes within a bare field, text after a closing quote, no CR LF) becomes "bad".
-records() {
-    awk '{
-        if (!sub(/\r$/, "")) {print "bad: no CR LF: " $0; next}
-        line = $0; record = ""; bad = 0; first = 1
-        while (1) {
-            if (substr(line, 1, 1) == "\"") {
-                field = ""; line = substr(line, 2)
-                while ((i = index(line, "\"")) && substr(line, i + 1, 1) == "\"") {
-                    field = field substr(line, 1, i); line = substr(line, i + 2)
-                }
-                if (!i) bad = 1
-                field = field substr(line, 1, i - 1); line = substr(line, i + 1)
-                if (line != "" && substr(line, 1, 1) != ",") bad = 1
-            } else {
-                i = index(line, ",")
-                field = i ? substr(line, 1, i - 1) : line
-                line = i ? substr(line, i) : ""
-                if (index(field, "\"")) bad = 1
-            }
-            record = record (first ? "" : "|") field; first = 0
-            if (line == "" || bad) break
-            line = substr(line, 2)
-        }
-        print bad ? "bad: " $0 : record
-    }' "$1"
-}
-
 # Prints "N passed, M failed", and ends.
 finish() {
     echo "$passed passed, $failed failed"

@@ -21,7 +21,7 @@ pid=$!
 sleep 0.5
 check 'a temporary file while it runs' test "$(ls -A files | wc -l)" -eq 2
 kill -$signal $pid
-(sleep 5; kill -9 $pid) 2>/dev/null &
+(sleep 5; kill -9 $pid) >/dev/null 2>&1 &
 guard=$!
 wait $pid 2>/dev/null
 status=$?
@@ -53,7 +53,7 @@ for option in --statistics "--best=max swing"; do
     pid=$!
     sleep 0.5
     kill -$signal $pid
-    (sleep 5; kill -9 $pid) 2>/dev/null &
+    (sleep 5; kill -9 $pid) >/dev/null 2>&1 &
     guard=$!
     wait $pid 2>/dev/null
     status=$?

@@ -169,7 +169,7 @@ check 'the gas as a force on the piston' close from_force from_deck
 for fact in mean_torque energy_fluctuation 'max(Ts)' 'min(F12)'; do
     for deck in force inline; do
         run 0 --summary -f csv -c Ts,F12 engines/$deck.deck
-        records out | grep -F "$fact|" | awk -F'|' '{printf "%.10g\n", $2}' >$deck.fact
+        grep -F "$fact," out | awk -F, '{printf "%.10g\n", $2}' >$deck.fact
     done
     check "$fact of both: $(cat force.fact inline.fact)" test -s force.fact
     same force.fact inline.fact
