@@ -88,7 +88,7 @@ same_drawing() {
 # bytes FILE FROM COUNT: as numbers
 bytes() { od -An -v -tu1 -j "$2" -N "$3" "$1" | tr -s ' \n' '  ' | sed 's/^ //; s/ $//'; }
 magic() { check "$1: begins with $(bytes "$1" 0 8)" test "$(bytes "$1" 0 "$2")" = "$3"; }
-# The number of pictures of a GIF file: before each of them a graphic control extension stands.
+# The number of pictures of an animated GIF file: before each of them a graphic control extension stands.
 frames() {
     [ "$(tail -c 1 "$1")" = ';' ] || echo 'no end of'
     LC_ALL=C grep -a -o "$(printf '\041\371\004')" "$1" | wc -l
