@@ -26,10 +26,12 @@ deck() {
 for bytes in '\0233' '\0302\0233' '\0302\0205' '\0374' '\0377\0376' '\0300\0257' '\0355\0240\0200' '\0364\0220\0200\0200' \
     '\0342\0202' '\0357\0277\0277' '\0357\0277\0276' '\0302'; do
     deck "$bytes" >x.deck
-    for arguments in --wide --list --summary -fcsv '-fcsv --summary' --expect --matrix; do
-        run 0 -b open -c all $arguments x.deck
-        printable out
+    : >outputs
+    for arguments in '--wide -c all' --list --summary '-fcsv -c all' '-fcsv --summary' --expect --matrix; do
+        run 0 -b open -i 90 $arguments x.deck
+        cat out >>outputs
     done
+    printable outputs
     for format in json; do
         run 0 -b open -f $format x.deck
         check "$format: C1" sh -c '! LC_ALL=C grep -q "$(printf "\302[\200-\237]")" out'

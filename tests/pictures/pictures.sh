@@ -56,7 +56,9 @@ long_title() {
     awk 'BEGIN {for (i = 0; i < 60; i++) s = s "äé"; print "title = " s s s s}'
     sed '/^title/d' "$fourbar"
 }
-well_formed() { python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' "$1"; }
+well_formed() {
+    python3 -IS -c 'import sys, xml.parsers.expat as x; x.ParserCreate().ParseFile(open(sys.argv[1], "rb"))' "$1"
+}
 svg() { # svg FILE: a whole picture
     check "$1: the head of an SVG file" test "$(head -c 14 "$1")" = '<?xml version='
     check "$1: ends in </svg>" test "$(tail -n 3 "$1" | tr -d '\n')" = '</g></svg>'

@@ -124,7 +124,7 @@ if [ -c /dev/full ]; then
     run 3 --plot=full.txt "$fourbar"
     says 'No space left on device'
     ln -s /dev/full full.gif
-    run 3 --plot=full.gif "$fourbar"
+    run 3 --plot=full.gif --plot-kind=motion "$fourbar"
     says 'No space left on device'
     "$fourlink" --plot=- --output=o.txt "$fourbar" >/dev/full 2>err
     check '--plot=- on a full disk' test $? -eq 3

@@ -12,14 +12,9 @@ run 0 --report=r.html "$engine"
 quiet
 nothing
 mv r.html first.html
-for locale in C de_DE.UTF-8; do
-    LC_ALL=$locale TZ=Asia/Tokyo "$fourlink" --report=r.html "$engine"
-    same r.html first.html
-done
+LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo "$fourlink" --report=x.html "$engine"
+same x.html first.html
 check 'a folder of temporary files' none -F "$work" first.html
-"$fourlink" --report=x.html "$engine" && mv x.html r.html
-same r.html first.html
-
 
 # pictures of all kinds of mechanisms, in a page that is sound
 for deck in "$engine" "$decks/coupler-point.deck" "$data/khurmi-5.2.deck" "$data/gerstmayr-run-up.deck"; do

@@ -10,7 +10,7 @@ PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
 mkdir empty
 
-[ "${3-}" ] && angles='10 95 200 275 359' || angles='95 275'
+[ "${3-}" ] && angles='10 95 200 275 359' || angles=275
 # sample DECK ARGUMENT...: the report r-NUMBER.html, of all that sample.py checks
 n=0
 sample() {

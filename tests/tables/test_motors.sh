@@ -81,10 +81,9 @@ says "the column 'T_motor' needs [motion] mode = free, run-up or steady; the mot
 # has is near that angle.
 sed 's/^length = 100 mm/length = 260 mm/; s/^length = 250 mm/length = 120 mm/; s/^speed.*/speed = -1 rad\/s\nfrom = 40 deg/' \
     "$decks/../fuzz/decks/free.deck" >dead.deck
-run 1 -b open -c theta2 dead.deck
-check 'a dead position by time' grep -q '^# dead position' out
 limit=$("$fourlink" -S -f csv -b open dead.deck 2>err | awk -F, '$1 == "theta2_from" {print $2; exit}')
 run 1 -b open -c theta2 -f csv -s 'motion.time_step=0.1 ms' dead.deck
+check 'a dead position by time' grep -q ',dead position' out
 check "it is at the limit of the crank, $limit" awk -F, -v limit="$limit" '
     NR > 1 && $2 != "" {d = $2 - limit} END {exit !(d > -1e-9 && d < 1e-4)}' out
 sed '/^rows/d; /^time_step/d; s/^duration.*/to = 30 deg\ninterval = 1 deg/' dead.deck >angle.deck
@@ -113,8 +112,8 @@ prints '# stalls at 225.614 deg'
 # A load that grows less than with the speed; many turns; an inertia that vanishes.
 sed 's/^stall_torque.*/torque = 30 N m/; /^no_load/d; s/^exponent.*/exponent = 0.5/' "$pump" >root.deck
 run 0 -b open -c theta2 root.deck
-run 0 -b open -c theta2,omega2 -f csv -i 3600deg -s motion.turns=70 bare.deck
-check 'the speed has settled' awk -F, '$1 == "open" && $2 > 0 {if (n++ && ($3 - last) ^ 2 > 1e-16) bad++; last = $3} END {exit bad || n != 7}' out
+run 0 -b open -c theta2,omega2 -f csv -i 3600deg -s motion.turns=30 bare.deck
+check 'the speed has settled' awk -F, '$1 == "open" && $2 > 0 {if (n++ && ($3 - last) ^ 2 > 1e-16) bad++; last = $3} END {exit bad || n != 3}' out
 sed 's/^mass = .*/mass = 0 kg/; /^uniform/d; s/^speed.*/speed = 3 rad\/s\nfrom = 3 deg/' "$decks/../fuzz/decks/free.deck" |
     sed '/^\[rocker\]/a mass = 1 kg\ninertia = 0.01 kg m2' | sed '/^mass = 0 kg/d; /^rows/d; /^time_step/d; s/^duration.*/interval = 5 deg/' >light.deck
 run 1 -b open -c theta2 light.deck
