@@ -32,6 +32,7 @@ check() {
         failed=$((failed + 1))
         echo "FAILED: $what" | cut -c1-300
         echo "        $*" | cut -c1-300
+        [ -z "${STOP_AT_FAILURE-}" ] || finish
     fi
 }
 

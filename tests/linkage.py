@@ -351,6 +351,8 @@ class Checks:
         self.failed += 1
         if self.failed <= self.most:
             print('FAILED: %s: %s' % (self.where, ' '.join(str(word) for word in words))[:400])
+        if os.environ.get('STOP_AT_FAILURE'):
+            sys.exit(1)
         return False
 
     def near(self, what, found, expected, size, tolerance=2e-6):

@@ -6,7 +6,7 @@
 # no test noticed.  A fault that does not compile, or that leaves the machine code as it is, is none and not counted.
 #
 # The variables FAULTS (5 for each file), SEED (1) of their choice, and FOLDER, which keeps the build for the next run.
-# It needs what the build needs, Python's venv and pip, which installs universalmutator, and node for JavaScript.
+# It needs what the build needs, Ninja, Python's venv and pip, which installs universalmutator, and node for JavaScript.
 set -eu
 [ $# -gt 0 ] || { echo 'usage: mutate.sh FILE...' >&2 && exit 2; }
 source=$(cd "$(dirname "$0")/.." && pwd)
@@ -33,7 +33,7 @@ git ls-files -z | xargs -0 cp -p --parents -t "$work/tree"
 }
 
 # No debug information: a line that moves would change it.
-cmake -S "$work/tree" -B "$work/build" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O1 >"$work/log"
+cmake -S "$work/tree" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O1 >"$work/log"
 # build: the program, from the tree with its fault; a script of the report is embedded first
 build() {
     sh "$work/tree/src/report/embed.sh" >"$work/assets.c" 2>"$work/log" &&
@@ -58,10 +58,18 @@ tests_pass() {
 }
 well_formed() { case $1 in *.js) node --check "$1" 2>"$work/log" ;; esac }
 
-all_tried=0 all_killed=0
+all_tried=0 all_killed=0 passed=
+STOP_AT_FAILURE=1
+export STOP_AT_FAILURE
 for file; do
     cp "$file" "$work/unchanged"
-    tests_pass "$file" || { cat "$work/tests.txt" && echo "mutate.sh: the tests of $file fail without a fault" && exit 1; }
+    case " $passed " in
+    *" $(labels "$file") "*) ;;
+    *)
+        tests_pass "$file" || { cat "$work/tests.txt" && echo "mutate.sh: the tests of $file fail without a fault" && exit 1; }
+        passed="$passed $(labels "$file")"
+        ;;
+    esac
     build
     cp "$work/build/fourlink" "$work/program"
     mkdir -p "$work/faults/$file"

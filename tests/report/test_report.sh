@@ -62,6 +62,15 @@ check 'the table' test -s table
 run 0 --report=r.html --summary "$fourbar"
 prints 'crank.length'
 
+# numbers have 6, 9 or 15 digits, as many as the deck asks for; a speed without bounds
+for case in 6:-51.0183 7:-51.0182751 12:-51.0182751 13:-51.01827514926; do
+    run 0 --report=r.html -b open --set="table.digits=${case%:*}" "$alvi"
+    found=$(sed -n 's|.*<th scope="row">alpha3</th><td>rad/s2</td><td>\([^<]*\)<.*|\1|p' r.html)
+    check "$case: $found" test "${found%??}" = "${case#*:}" -o "$found" = "${case#*:}"
+done
+run 1 --report=r.html -b open "$decks/reach.deck"
+has '<th scope="row">omega4</th><td>rad/s</td><td>−∞</td><td></td><td>∞</td>'
+
 # one sample at one angle
 run 0 --report=r.html --plot-at='50 deg' "$fourbar"
 has 'At θ₂ = 50 deg'
