@@ -12,6 +12,7 @@ import math
 import os
 import re
 import subprocess
+import sys
 
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 KINDS = ('four-bar', 'slider-crank', 'inverted-slider-crank')
