@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** check.h - what the tests share: cmocka, comparison of doubles, random numbers.
+** check.h - what the tests share: cmocka, a list of tests that fills itself, comparison of doubles, random numbers.
 */
 #ifndef FOURLINK_CHECK_H
 #define FOURLINK_CHECK_H
@@ -11,9 +11,38 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
+
+/* TEST(name) and a body: a test, which is in the list of its file without being named again. */
+#define TEST(name)                                            \
+    static void name(void **);                                \
+    __attribute__((constructor)) static void add_##name(void) \
+    {                                                         \
+        add_test(#name, name);                                \
+    }                                                         \
+    static void name(void **unused __attribute__((unused)))
+
+static struct {
+    struct CMUnitTest list[64];
+    size_t n;
+} tests;
+
+static inline void add_test(const char *name, CMUnitTestFunction f)
+{
+    if (tests.n == sizeof tests.list / sizeof tests.list[0])
+        abort();
+    tests.list[tests.n].name = name;
+    tests.list[tests.n++].test_func = f;
+}
+
+/* Run the tests of the file; the status of its main().  `setup` is called once before them, unless it is null. */
+static inline int run_all_tests(CMFixtureFunction setup)
+{
+    return _cmocka_run_group_tests("tests", tests.list, tests.n, setup, NULL);
+}
 
 #define DEG (3.14159265358979323846 / 180)
 

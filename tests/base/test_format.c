@@ -305,7 +305,7 @@ static void test_lines(void **unused)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
+    const struct CMUnitTest with_point[] = {
         C_LOCALE(test_examples),      C_LOCALE(test_ends_of_ranges), C_LOCALE(test_random_bits),
         C_LOCALE(test_sizes),         C_LOCALE(test_ties),           C_LOCALE(test_near_ties),
         C_LOCALE(test_short_numbers), C_LOCALE(test_back),           C_LOCALE(test_lines),
@@ -317,6 +317,6 @@ int main(int argc, char **argv)
     };
 
     if (!asks_for_comma(argc, argv))
-        return cmocka_run_group_tests(tests, NULL, NULL);
+        return cmocka_run_group_tests(with_point, NULL, NULL);
     return set_comma_locale() ? cmocka_run_group_tests(with_comma, NULL, NULL) : no_comma_locale();
 }

@@ -19,11 +19,10 @@ static char *number(double value, int digits)
                        : flk_message(out, sizeof out, "%g", value);
 }
 
-static void test_conversions(void **unused)
+TEST(test_conversions)
 {
     char out[MESSAGE_SIZE], small[12];
 
-    (void)unused;
     flk_message(out, sizeof out, "a %s of %t, 5 %%, line %ld%h", "rod", flk_text_of("80 mm"), 12L,
                 "rocker");
     assert_string_equal(out, "a rod of 80 mm, 5 %, line 12; did you mean 'rocker'?");
@@ -38,7 +37,7 @@ static void test_conversions(void **unused)
     assert_string_equal(flk_message(out, sizeof out, ""), "");
 }
 
-static void test_numbers_in_messages(void **unused)
+TEST(test_numbers_in_messages)
 {
     static const struct {
         double value;
@@ -61,7 +60,6 @@ static void test_numbers_in_messages(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++)
         assert_string_equal(number(cases[i].value, cases[i].digits), cases[i].text);
     number(DBL_MAX, 9);
@@ -69,13 +67,12 @@ static void test_numbers_in_messages(void **unused)
     assert_string_equal(number(INFINITY, 9), "inf");
 }
 
-static void test_shortest(void **unused)
+TEST(test_shortest)
 {
     uint64_t seed = 7;
     char out[DIGITS_SIZE];
     int i;
 
-    (void)unused;
     assert_string_equal(flk_number_shortest(0.1, out), "0.1");
     assert_string_equal(flk_number_shortest(20.3, out), "20.3");
     assert_string_equal(flk_number_shortest(1e-7, out), "1e-7");
@@ -91,7 +88,7 @@ static void test_shortest(void **unused)
     }
 }
 
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     static const long lines[] = {7, 3, 7, 0, 5, 3};
     static const char *const expected[] = {"3", "1", "5", "4", "0", "2"};
@@ -100,7 +97,6 @@ static void test_mistakes(void **unused)
     char number[3] = "0", piece[101];
     size_t i;
 
-    (void)unused;
     memset(&m, 0, sizeof m);
     for (i = 0; i < 6; i++) {
         place.line = lines[i];
@@ -135,7 +131,7 @@ static unit unit_of(const char *name)
     return u;
 }
 
-static void test_quantities(void **unused)
+TEST(test_quantities)
 {
     static const struct {
         const char *text;
@@ -156,7 +152,6 @@ static void test_quantities(void **unused)
     char why[MESSAGE_SIZE];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         text t = flk_text_of(cases[i].text);
         quantity_value v;
@@ -169,7 +164,7 @@ static void test_quantities(void **unused)
     }
 }
 
-static void test_no_quantities(void **unused)
+TEST(test_no_quantities)
 {
     static const struct {
         const char *text;
@@ -194,7 +189,6 @@ static void test_no_quantities(void **unused)
     char why[MESSAGE_SIZE];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         text t = flk_text_of(cases[i].text);
         quantity_value v;
@@ -206,11 +200,5 @@ static void test_no_quantities(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_conversions), cmocka_unit_test(test_numbers_in_messages),
-        cmocka_unit_test(test_shortest),    cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_quantities),  cmocka_unit_test(test_no_quantities),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

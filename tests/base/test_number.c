@@ -332,7 +332,7 @@ static void test_trim_equal_split(void **unused)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
+    const struct CMUnitTest with_point[] = {
         C_LOCALE(test_read),         C_LOCALE(test_refused),
         C_LOCALE(test_long_numbers), C_LOCALE(test_read_stops_at_the_end),
         C_LOCALE(test_rounding),     C_LOCALE(test_nearest),
@@ -345,6 +345,6 @@ int main(int argc, char **argv)
     };
 
     if (!asks_for_comma(argc, argv))
-        return cmocka_run_group_tests(tests, NULL, NULL);
+        return cmocka_run_group_tests(with_point, NULL, NULL);
     return set_comma_locale() ? cmocka_run_group_tests(with_comma, NULL, NULL) : no_comma_locale();
 }

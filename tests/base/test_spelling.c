@@ -64,11 +64,10 @@ static const struct {
     {"20 mm \302\261 1 mm", "20 mm \302\261 1 mm"},
 };
 
-static void test_plain(void **unused)
+TEST(test_plain)
 {
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         size_t n = strlen(cases[i].typed);
         char out[SPELLING_SIZE(100)];
@@ -85,13 +84,12 @@ static void test_plain(void **unused)
 }
 
 /* The longest that can become of each character fits. */
-static void test_room(void **unused)
+TEST(test_room)
 {
     static const char *const pieces[] = {DEGREE,           "1" DEGREE, TWO,  MINUS,
                                          "1" TIMES "10^3", "x",        TIMES};
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
         char typed[800] = "", out[SPELLING_SIZE(800)];
 
@@ -102,12 +100,11 @@ static void test_room(void **unused)
     }
 }
 
-static void test_blanks(void **unused)
+TEST(test_blanks)
 {
     char out[SPELLING_SIZE(40)];
     text t = flk_spelling_blanks(flk_text_of("a" DEGREE "," NO_BREAK "b" THIN "c\td"), out);
 
-    (void)unused;
     assert_int_equal(t.length, 10);
     assert_memory_equal(t.start, "a" DEGREE ", b c\td", 10);
     t = flk_text_trim(flk_text_of(NO_BREAK " \t" THIN "a" NO_BREAK "b\342\200\257\r"));
@@ -120,11 +117,5 @@ static void test_blanks(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_blanks),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -103,11 +103,10 @@ static const struct {
     {"J/kg s2/m2", 1, {0, 0, 0, 0}}, /* '/' divides by one factor only */
 };
 
-static void test_values(void **unused)
+TEST(test_values)
 {
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof units / sizeof units[0]; i++) {
         unit u;
         text bad;
@@ -133,13 +132,12 @@ static void check_is(const char *name, quantity q, int expected)
     assert_int_equal(flk_dimension_equal(u.dim, flk_quantities[q].dim), expected);
 }
 
-static void test_dimensions(void **unused)
+TEST(test_dimensions)
 {
     static const char *const no_speed[] = {"Hz",  "1/s",    "N m/s", "m/s",
                                            "rad", "rad/s2", "1/min", "W"};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof no_speed / sizeof no_speed[0]; i++)
         check_is(no_speed[i], QUANTITY_ANGULAR_SPEED, 0);
     check_is("rpm", QUANTITY_ANGULAR_SPEED, 1);
@@ -160,11 +158,10 @@ static void test_dimensions(void **unused)
     check_is("slug in2", QUANTITY_INERTIA, 1);
 }
 
-static void test_quantities(void **unused)
+TEST(test_quantities)
 {
     int q;
 
-    (void)unused;
     for (q = 0; q < QUANTITY_COUNT; q++) {
         char *end;
         unit u;
@@ -186,7 +183,7 @@ static void test_quantities(void **unused)
     }
 }
 
-static void test_refused(void **unused)
+TEST(test_refused)
 {
     /* what is refused, and the part of it that is to blame, if that is one word */
     static const struct {
@@ -252,7 +249,6 @@ static void test_refused(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         unit u;
         text bad;
@@ -267,12 +263,11 @@ static void test_refused(void **unused)
 }
 
 /* A text is not ended by a null character: what stands after it does not count. */
-static void test_stops_at_the_end(void **unused)
+TEST(test_stops_at_the_end)
 {
     text t = {"mm2 kg", 2}, bad;
     unit u;
 
-    (void)unused;
     assert_true(flk_unit_read(t, &u, &bad));
     assert_int_equal(u.dim.m, 1);
     assert_int_equal(u.dim.kg, 0);
@@ -283,13 +278,12 @@ static void test_stops_at_the_end(void **unused)
 
 /* A product of so many factors that its value has no number is no unit; as 0, infinity or NaN it
 ** would come out in the tables. */
-static void test_no_overflow(void **unused)
+TEST(test_no_overflow)
 {
     static const char *const factors[] = {" km4", " mm4", "/km4", "/mm4", " GPa4", "/GPa4"};
     char name[2000];
     size_t i, j;
 
-    (void)unused;
     for (i = 0; i < sizeof factors / sizeof factors[0]; i++)
         for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
             unit u;
@@ -310,13 +304,12 @@ static void test_no_overflow(void **unused)
 }
 
 /* A decimal fraction of a metre written in millimetres is the same number. */
-static void test_rounded_once(void **unused)
+TEST(test_rounded_once)
 {
     unit mm, cm, deg;
     text bad;
     int k;
 
-    (void)unused;
     assert_true(flk_unit_read(flk_text_of("mm"), &mm, &bad));
     assert_true(flk_unit_read(flk_text_of("cm"), &cm, &bad));
     assert_true(flk_unit_read(flk_text_of("deg"), &deg, &bad));
@@ -335,7 +328,7 @@ static void test_rounded_once(void **unused)
 }
 
 /* A suggestion makes a unit of the dimension asked for. */
-static void test_nearest(void **unused)
+TEST(test_nearest)
 {
     static const struct {
         const char *unit, *word;
@@ -364,7 +357,6 @@ static void test_nearest(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         text t = flk_text_of(cases[i].unit), word = t;
         const char *nearest;
@@ -383,7 +375,7 @@ static void test_nearest(void **unused)
 }
 
 /* Words and spellings that people use are the units that they mean. */
-static void test_words(void **unused)
+TEST(test_words)
 {
     static const char *const same[][2] = {
         {"Nm", "N m"},          {"kNm", "kN m"},        {"Nmm", "N mm"},       {"kgm2", "kg m2"},
@@ -394,7 +386,6 @@ static void test_words(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof same / sizeof same[0]; i++) {
         unit u, v;
         text bad;
@@ -409,17 +400,5 @@ static void test_words(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_dimensions),
-        cmocka_unit_test(test_quantities),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_stops_at_the_end),
-        cmocka_unit_test(test_no_overflow),
-        cmocka_unit_test(test_rounded_once),
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_words),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

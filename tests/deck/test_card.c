@@ -58,11 +58,10 @@ static const struct {
     {"file card.csv deg bar", "0 1\n20.5 32.5\n180 4\n360 1\n"},
 };
 
-static void test_forms(void **unused)
+TEST(test_forms)
 {
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof same / sizeof same[0]; i++) {
         char contents[400];
         deck d;
@@ -136,11 +135,10 @@ static const struct {
     {"file", "0 1\n90 2\n", 0, "expected an angle, such as 40 deg, not 'file'"},
 };
 
-static void test_refused(void **unused)
+TEST(test_refused)
 {
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof refused / sizeof refused[0]; i++) {
         char contents[400];
         deck d;
@@ -157,9 +155,8 @@ static void test_refused(void **unused)
     }
 }
 
-static void test_missing(void **unused)
+TEST(test_missing)
 {
-    (void)unused;
     check_mistake(ENGINE "indicator = file card.csv\n", NULL, 10,
                   "cannot read the file 'card.csv'");
     check_mistake(
@@ -175,9 +172,8 @@ static void test_missing(void **unused)
     ": give their unit, such as '" example "'"
 
 /* Bare numbers are in the deck's unit, or in SI units: that is noted, unless the deck says it. */
-static void test_bare_numbers(void **unused)
+TEST(test_bare_numbers)
 {
-    (void)unused;
     check_note(ENGINE "indicator = file card.csv\n", "0 1\n90 45\n180 -7\n", 10,
                NOTE("Pa", "45", "file card.csv deg bar"));
     check_note(ENGINE "indicator = file card.csv\n", "phi;p\n0;1\n90;-45,5\n180;7\n", 10,
@@ -196,7 +192,7 @@ static void test_bare_numbers(void **unused)
 }
 
 /* Files of any contents: a curve, or mistakes with lines of the file. */
-static void test_random_files(void **unused)
+TEST(test_random_files)
 {
     static const char likely[] =
         "0123456789012345..,,;;\t\t  \"#[]()/-\n\n\n\n\rdegbar\260\302\267^*e";
@@ -204,7 +200,6 @@ static void test_random_files(void **unused)
     uint64_t seed = 14;
     int i, good = 0;
 
-    (void)unused;
     for (i = 0; i < 20000; i++) {
         char contents[400], file[120];
         size_t n = (size_t)uniform(&seed, 0, sizeof file), k, lines = 1;
@@ -239,11 +234,5 @@ static void test_random_files(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forms),        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_missing),      cmocka_unit_test(test_bare_numbers),
-        cmocka_unit_test(test_random_files),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

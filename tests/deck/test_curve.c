@@ -71,12 +71,11 @@ static double rounding(const sample *s, double x)
     return 1e-14 * (s->largest + steepest(s) * (fabs(x) + 4 * s->period));
 }
 
-static void test_points(void **unused)
+TEST(test_points)
 {
     uint64_t seed = 1;
     int number, i;
 
-    (void)unused;
     for (number = 0; number < 1000; number++) {
         sample s;
 
@@ -88,14 +87,13 @@ static void test_points(void **unused)
 }
 
 /* The same in every period, before and after the points. */
-static void test_periodic(void **unused)
+TEST(test_periodic)
 {
     static const int periods[] = {-1000, -20, -3, -2, -1, 1, 2, 3, 20, 1000};
     uint64_t seed = 2;
     int number, k, changing = 0;
     size_t i;
 
-    (void)unused;
     for (number = 0; number < 600; number++) {
         sample s;
 
@@ -123,13 +121,12 @@ static void test_periodic(void **unused)
 }
 
 /* Where the points are given from does not matter: the same points, begun at another one. */
-static void test_any_first_point(void **unused)
+TEST(test_any_first_point)
 {
     uint64_t seed = 3;
     int number, k;
     size_t first, i;
 
-    (void)unused;
     for (number = 0; number < 300; number++) {
         sample s;
 
@@ -156,13 +153,12 @@ static void test_any_first_point(void **unused)
 }
 
 /* Between two neighbours the curve rises or falls all the way from the one to the other. */
-static void test_no_overshoot(void **unused)
+TEST(test_no_overshoot)
 {
     enum { STEPS = 40 };
     uint64_t seed = 4;
     int number, i, k;
 
-    (void)unused;
     for (number = 0; number < 1000; number++) {
         double tolerance;
         sample s;
@@ -212,12 +208,11 @@ static double steffen(const sample *s, int i)
 
 /* At every point, and where the periods join, the curve and its slope are the same from both sides;
 ** and the slope is that of the method. */
-static void test_continuous(void **unused)
+TEST(test_continuous)
 {
     uint64_t seed = 5;
     int number, i, k, sloping = 0;
 
-    (void)unused;
     for (number = 0; number < 1000; number++) {
         double steep, tiny, tolerance;
         sample s;
@@ -250,12 +245,11 @@ static void test_continuous(void **unused)
 }
 
 /* Two points are a high and a low: level at both, a cubic between them. */
-static void test_two_points(void **unused)
+TEST(test_two_points)
 {
     uint64_t seed = 6;
     int number, k;
 
-    (void)unused;
     for (number = 0; number < 1000; number++) {
         double x[2], y[2], period = number % 2 ? 4 * PI : 2 * PI;
         curve c;
@@ -278,7 +272,7 @@ static void test_two_points(void **unused)
 }
 
 /* A constant stays the same number; and a straight part of a curve is straight. */
-static void test_constant_and_straight(void **unused)
+TEST(test_constant_and_straight)
 {
     static const double saw_x[] = {0, 0.5, 1.1, 2, 2.2, 3, 5, 6},
                         saw_y[] = {1, 2, 3.2, 5, 5.4, 7, 11, -3};
@@ -288,7 +282,6 @@ static void test_constant_and_straight(void **unused)
     int k;
     curve c;
 
-    (void)unused;
     for (i = 0; i < sizeof constants / sizeof constants[0]; i++)
         for (n = 2; n <= 8; n++) {
             double y[8];
@@ -313,7 +306,7 @@ static void test_constant_and_straight(void **unused)
 
 /* An indicator card over the two turns of a four-stroke engine: the second turn is not the
 ** first. */
-static void test_two_turns(void **unused)
+TEST(test_two_turns)
 {
     static const double degrees[] = {0, 10, 30, 90, 180, 360, 540, 700},
                         bar[] = {20, 40, 15, 4, 1, 1, 1, 15};
@@ -322,7 +315,6 @@ static void test_two_turns(void **unused)
     int turn;
     curve c;
 
-    (void)unused;
     for (i = 0; i < 8; i++)
         x[i] = degrees[i] * DEG;
     assert_int_equal(flk_curve_make(x, bar, 8, 720 * DEG, &c), 1);
@@ -336,12 +328,11 @@ static void test_two_turns(void **unused)
     flk_curve_free(&c);
 }
 
-static void test_release(void **unused)
+TEST(test_release)
 {
     static const double x[] = {0, 1, 2}, y[] = {1, 2, 3};
     curve c;
 
-    (void)unused;
     assert_int_equal(flk_curve_make(x, y, 3, 2 * PI, &c), 1);
     assert_true(c.n > 0 && c.x && c.y);
     flk_curve_free(&c);
@@ -350,14 +341,13 @@ static void test_release(void **unused)
 }
 
 /* Far out an angle has no digits left of its place in the period; the value is one of the curve's. */
-static void test_far_angles(void **unused)
+TEST(test_far_angles)
 {
     static const double x[3] = {0.1, 1, 4}, y[3] = {1, 10, 3};
     uint64_t seed = 5;
     curve c;
     int i;
 
-    (void)unused;
     assert_int_equal(flk_curve_make(x, y, 3, 2 * M_PI, &c), 1);
     for (i = 0; i < 100000; i++) {
         double angle = uniform(&seed, -1, 1) * pow(10, uniform(&seed, 10, 30));
@@ -370,18 +360,5 @@ static void test_far_angles(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_periodic),
-        cmocka_unit_test(test_any_first_point),
-        cmocka_unit_test(test_no_overshoot),
-        cmocka_unit_test(test_continuous),
-        cmocka_unit_test(test_two_points),
-        cmocka_unit_test(test_constant_and_straight),
-        cmocka_unit_test(test_two_turns),
-        cmocka_unit_test(test_release),
-        cmocka_unit_test(test_far_angles),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -353,11 +353,10 @@ static const mistaken all_mistaken[] = {
      "expected open, crossed or both, not 'opened'; did you mean 'open'?"},
 };
 
-static void test_every_mistake(void **unused)
+TEST(test_every_mistake)
 {
     size_t i, failed = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof all_mistaken / sizeof all_mistaken[0]; i++) {
         const mistaken *x = &all_mistaken[i];
         const struct mistake *first;
@@ -401,11 +400,10 @@ static const struct {
      8},
 };
 
-static void test_blamed_line(void **unused)
+TEST(test_blamed_line)
 {
     size_t i, failed = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof blamed / sizeof blamed[0]; i++) {
         deck d;
 
@@ -419,7 +417,7 @@ static void test_blamed_line(void **unused)
     assert_int_equal(failed, 0);
 }
 
-static void test_all_in_one_run(void **unused)
+TEST(test_all_in_one_run)
 {
     static const char contents[] = "title = many mistakes\n"
                                    "mechanism = four-bar\n"
@@ -448,7 +446,6 @@ static void test_all_in_one_run(void **unused)
     deck d;
     size_t i;
 
-    (void)unused;
     assert_int_equal(read_changed(contents, NULL, 0, &d), 0);
     assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
     for (i = 0; i < d.mistakes.count; i++) {
@@ -470,7 +467,7 @@ static void check_link(const fourlink_link *link, double length, double mass, do
     assert_close(link->cg.y, y, 1e-15);
 }
 
-static void test_four_bar(void **unused)
+TEST(test_four_bar)
 {
     static const char contents[] = "title = Every key\n"
                                    "mechanism = four-bar\n"
@@ -492,7 +489,6 @@ static void test_four_bar(void **unused)
                                    "digits = 9\n";
     deck d;
 
-    (void)unused;
     read_good(contents, &d);
     assert_string_equal(d.title, "Every key");
     assert_int_equal(d.design.kind, FOURLINK_FOUR_BAR);
@@ -529,11 +525,10 @@ static void test_four_bar(void **unused)
     flk_deck_free(&d);
 }
 
-static void test_slider_crank(void **unused)
+TEST(test_slider_crank)
 {
     deck d;
 
-    (void)unused;
     read_good(SLIDER_CRANK "mass = 4 kg\ninertia = 1.5 kg m2\ncg = (-0.1, 0)\n"
                            "[ground]\noffset = -50 mm\n[load]\nlink = piston\n"
                            "force = 1 kN at 180 deg\n[load]\nlink = rod\ntorque = -3 N m\n"
@@ -578,7 +573,7 @@ static void check_curve(const curve *c, const double points[][2], size_t n)
                         1e-9 * (1 + fabs(points[i][1])));
 }
 
-static void test_engine(void **unused)
+TEST(test_engine)
 {
     static const double card[][2] = {{0, 1e5}, {90, 32e5}, {180, 4e5}, {270, -0.5e5}};
     static const double torque[][2] = {{0, 0}, {90, 10}, {180, -3}};
@@ -587,7 +582,6 @@ static void test_engine(void **unused)
     deck d;
     int i;
 
-    (void)unused;
     read_good(ENGINE, &d);
     assert_int_equal(d.approximation, FOURLINK_SERIES_PISTON);
     assert_true(d.design.link[2].length == 0.3);
@@ -644,7 +638,7 @@ static void test_engine(void **unused)
 }
 
 /* All mistakes of a deck in one run, wherever they stand; and none that only follows from another. */
-static void test_all_mistakes(void **unused)
+TEST(test_all_mistakes)
 {
     static const long lines[] = {3, 6, 10, 11, 14, 15};
     const char *contents = "mechanism = slider-crank\n[ground]\noffset = 300 mm\n" /* 3 */
@@ -656,7 +650,6 @@ static void test_all_mistakes(void **unused)
     size_t i;
     deck d;
 
-    (void)unused;
     assert_int_equal(read_deck(contents, &d), 0);
     flk_mistakes_sort(&d.mistakes);
     assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
@@ -665,7 +658,7 @@ static void test_all_mistakes(void **unused)
     flk_deck_free(&d);
 }
 
-static void test_mistakes_of_files(void **unused)
+TEST(test_mistakes_of_files)
 {
     static const struct {
         const char *name;
@@ -676,7 +669,6 @@ static void test_mistakes_of_files(void **unused)
     char contents[500];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         deck d;
 
@@ -691,7 +683,7 @@ static void test_mistakes_of_files(void **unused)
 }
 
 /* Curves that the interpolation could not take: it must not be asked.  In order, or a mistake. */
-static void test_odd_curves(void **unused)
+TEST(test_odd_curves)
 {
     static const char *const curves[] = {
         "gas.indicator=0 deg 1 bar, 360 deg 1 bar",
@@ -709,7 +701,6 @@ static void test_odd_curves(void **unused)
     fourlink_change change = {"--set", NULL};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof curves / sizeof curves[0]; i++) {
         deck d;
         int k;
@@ -727,11 +718,10 @@ static void test_odd_curves(void **unused)
     }
 }
 
-static void test_defaults(void **unused)
+TEST(test_defaults)
 {
     deck d;
 
-    (void)unused;
     read_good(FOUR_BAR, &d);
     assert_string_equal(d.title, "");
     assert_true(d.design.gravity.x == 0 && d.design.gravity.y == -9.81);
@@ -765,11 +755,10 @@ static void test_defaults(void **unused)
 }
 
 /* Bare numbers take the units of [units], wherever in the deck that stands. */
-static void test_units(void **unused)
+TEST(test_units)
 {
     deck d;
 
-    (void)unused;
     read_good("mechanism = four-bar\n[ground]\nlength = 80\n[crank]\nlength = 2 cm\nmass = 3\n"
               "inertia = 4\ncg = (1, 2)\n[coupler]\nlength = 66\nmass = 1\ngyration = 5\n[rocker]\n"
               "length = 56\n[motion]\nspeed = 30\nacceleration = 2\nfrom = 1\nto = 3\n"
@@ -821,9 +810,8 @@ static void check_title(const char *contents, const char *title)
     flk_deck_free(&d);
 }
 
-static void test_layout(void **unused)
+TEST(test_layout)
 {
-    (void)unused;
     check_title("# comment\n; comment\n\ntitle = A title # comment\n" FOUR_BAR, "A title");
     check_title("title = A ; comment\n" FOUR_BAR, "A");
     check_title("title = A#1;2\n" FOUR_BAR, "A#1;2");
@@ -846,13 +834,12 @@ static void test_layout(void **unused)
 }
 
 /* A line that ends in a comma goes on in the next. */
-static void test_joined_lines(void **unused)
+TEST(test_joined_lines)
 {
     deck d;
     size_t i, n = 0;
     char names[200];
 
-    (void)unused;
     read_good(FOUR_BAR "[table]\ncolumns = theta2,   # the crank\n# a comment between\n\n"
                        "  theta3,\r\n\tmu\ndigits = 3\n",
               &d);
@@ -866,13 +853,12 @@ static void test_joined_lines(void **unused)
     flk_deck_free(&d);
 }
 
-static void test_long_title(void **unused)
+TEST(test_long_title)
 {
     static char contents[2000];
     deck d;
     size_t i;
 
-    (void)unused;
     strcpy(contents, "title = ");
     for (i = 0; i < 300; i++)
         strcat(contents, "\303\266");
@@ -895,7 +881,7 @@ static void check_vector(const char *assignment, double x, double y, double tole
     flk_deck_free(&d);
 }
 
-static void test_vectors(void **unused)
+TEST(test_vectors)
 {
     static const struct {
         const char *angle;
@@ -909,7 +895,6 @@ static void test_vectors(void **unused)
     char assignment[100];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof quarters / sizeof quarters[0]; i++) {
         sprintf(assignment, "crank.cg=10 mm at %s", quarters[i].angle);
         check_vector(assignment, 0.01 * quarters[i].x, 0.01 * quarters[i].y, 0);
@@ -931,11 +916,10 @@ static void test_vectors(void **unused)
     check_vector("load.force=2 N\tat\t90 deg", 0, 2, 0);
 }
 
-static void test_gravity(void **unused)
+TEST(test_gravity)
 {
     deck d;
 
-    (void)unused;
     read_good(FOUR_BAR "[gravity]\nacceleration = 0\n", &d);
     assert_true(d.design.gravity.x == 0 && d.design.gravity.y == 0);
     flk_deck_free(&d);
@@ -966,7 +950,7 @@ static void test_gravity(void **unused)
     "[load F1]\nlink = coupler\nforce = (1, 0) N\nat = 0 mm\n" /* 10 */ \
     "[load F2]\nlink = coupler\nforce = (2, 0) N\nat = 0 mm\n"
 
-static void test_changes(void **unused)
+TEST(test_changes)
 {
     static const fourlink_change several[] = {{"--set", "crank.length=21 mm"},
                                               {"--interval", "motion.interval=5 deg"},
@@ -974,7 +958,6 @@ static void test_changes(void **unused)
                                               {"--branch", "table.branch=open"}};
     deck d;
 
-    (void)unused;
     read_with(FOUR_BAR, "crank.length=30 mm", &d);
     assert_true(d.design.link[2].length == 0.03);
     flk_deck_free(&d);
@@ -1019,7 +1002,7 @@ static void test_changes(void **unused)
 }
 
 /* A part of a force or a point; the others stay. */
-static void test_changed_parts(void **unused)
+TEST(test_changed_parts)
 {
     static const struct {
         const char *first, *second;
@@ -1037,7 +1020,6 @@ static void test_changed_parts(void **unused)
     size_t i;
     deck d;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fourlink_change changes[2] = {{"--set", NULL}, {"--set", NULL}};
 
@@ -1057,14 +1039,13 @@ static void test_changed_parts(void **unused)
 }
 
 /* Time that rises with the square of their number would be noticed. */
-static void test_many_names(void **unused)
+TEST(test_many_names)
 {
     enum { N = 100000 };
     char *contents = malloc(sizeof FOUR_BAR + 20 * (N + 2)), *end = contents;
     deck d;
     int i;
 
-    (void)unused;
     assert_non_null(contents);
     end += sprintf(end, FOUR_BAR "[expect]\n");
     for (i = 0; i < N; i++)
@@ -1082,7 +1063,7 @@ static void test_many_names(void **unused)
     free(contents);
 }
 
-static void test_mistaken_changes(void **unused)
+TEST(test_mistaken_changes)
 {
     static const struct {
         const char *assignment, *message;
@@ -1107,7 +1088,6 @@ static void test_mistaken_changes(void **unused)
     fourlink_change change = {"--set", NULL};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         deck d;
 
@@ -1184,7 +1164,7 @@ static size_t pick(uint64_t *seed, size_t n)
     return (size_t)uniform(seed, 0, (double)n);
 }
 
-static void test_random_bytes(void **unused)
+TEST(test_random_bytes)
 {
     static const char likely[] = "[]=\n\r\t #;,.()\"-+019e^/*atmrdgkNloadcrank";
     char contents[400];
@@ -1192,7 +1172,6 @@ static void test_random_bytes(void **unused)
     int i;
     size_t j, n;
 
-    (void)unused;
     for (i = 0; i < 20000; i++) {
         n = pick(&seed, sizeof contents);
         for (j = 0; j < n; j++)
@@ -1347,15 +1326,13 @@ static void mutate(const char *original, size_t size, uint64_t seed)
     assert_true(bad > 1000);
 }
 
-static void test_mutations(void **unused)
+TEST(test_mutations)
 {
-    (void)unused;
     mutate(valid, sizeof valid - 1, 3491);
 }
 
-static void test_mutations_of_an_engine(void **unused)
+TEST(test_mutations_of_an_engine)
 {
-    (void)unused;
     mutate(ENGINE, sizeof ENGINE - 1, 3492);
 }
 
@@ -1384,14 +1361,13 @@ static void check_repeated(const char *before, const char *piece, size_t times, 
     free(contents);
 }
 
-static void test_large(void **unused)
+TEST(test_large)
 {
     static const char *const pieces[] = {"(",    ")",   "[",   "]",  "=",    ",",  "\"",
                                          "^",    "/",   ".",   "-",  "a",    "1",  "1 ",
                                          " at ", "mm ", "mm/", "1e", "(1, ", "m4 "};
     size_t i;
 
-    (void)unused;
     check_repeated(FOUR_BAR, "# comment\n", 100000, "", 1);
     check_repeated(FOUR_BAR, "\n", 1000000, "", 1);
     check_repeated("title = ", "x", 1000000, "\n" FOUR_BAR, 0);
@@ -1412,12 +1388,11 @@ static void test_large(void **unused)
     }
 }
 
-static void test_left_out(void **unused)
+TEST(test_left_out)
 {
     char *contents = repeated(FOUR_BAR, "[unknown]\n", 100000, "");
     deck d;
 
-    (void)unused;
     assert_int_equal(read_text(flk_text_of(contents), NULL, 0, &d), 0);
     assert_in_range(d.mistakes.count, 20, 1000); /* what fits a screen or a few */
     assert_int_equal(d.mistakes.count + d.mistakes.left_out, 100000);
@@ -1444,14 +1419,13 @@ static void check_noted(const char *contents, size_t length, long line, const ch
     flk_deck_free(&d);
 }
 
-static void test_no_text(void **unused)
+TEST(test_no_text)
 {
     static const char null[] = FOUR_BAR "mass = 1\0 kg\n";
     static const char bell[] = "title = \a\n" FOUR_BAR;
     static const char utf16[] = "\377\376t\0i\0t\0l\0e\0 \0=\0 \0x\0\n\0";
     char *line = repeated("title = ", "x", 1000000, "\n" FOUR_BAR);
 
-    (void)unused;
     check_noted(null, sizeof null - 1, 10, "control character (0x00): a deck is plain text");
     check_noted(bell, sizeof bell - 1, 1, "control character (0x07): a deck is plain text");
     check_noted(utf16, sizeof utf16 - 1, 1, "control character (0x00): a deck is plain text");
@@ -1460,12 +1434,11 @@ static void test_no_text(void **unused)
 }
 
 /* Every beginning of a deck, as of a file cut short. */
-static void test_cut_short(void **unused)
+TEST(test_cut_short)
 {
     size_t n, good = 0;
     char *copy;
 
-    (void)unused;
     for (n = 0; n < sizeof valid; n++) {
         copy = malloc(n + 1); /* of its own, so that reading past its end is seen */
         assert_non_null(copy);
@@ -1477,12 +1450,11 @@ static void test_cut_short(void **unused)
 }
 
 /* As many rows as are allowed; one more is a mistake above. */
-static void test_most_rows(void **unused)
+TEST(test_most_rows)
 {
     fourlink_range range;
     deck d;
 
-    (void)unused;
     assert_int_equal(
         read_changed(FOUR_BAR "[motion]\nto = 9999999 deg\ninterval = 1 deg\n", NULL, 0, &d), 1);
     assert_int_equal(flk_deck_range(&d, &range), FOURLINK_OK);
@@ -1502,23 +1474,6 @@ static void handler(const char *reason, const char *file, int line, int code)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_mistake),    cmocka_unit_test(test_blamed_line),
-        cmocka_unit_test(test_all_in_one_run),   cmocka_unit_test(test_four_bar),
-        cmocka_unit_test(test_slider_crank),     cmocka_unit_test(test_engine),
-        cmocka_unit_test(test_all_mistakes),     cmocka_unit_test(test_mistakes_of_files),
-        cmocka_unit_test(test_defaults),         cmocka_unit_test(test_units),
-        cmocka_unit_test(test_layout),           cmocka_unit_test(test_joined_lines),
-        cmocka_unit_test(test_long_title),       cmocka_unit_test(test_vectors),
-        cmocka_unit_test(test_gravity),          cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_mistaken_changes), cmocka_unit_test(test_changed_parts),
-        cmocka_unit_test(test_many_names),       cmocka_unit_test(test_random_bytes),
-        cmocka_unit_test(test_mutations),        cmocka_unit_test(test_large),
-        cmocka_unit_test(test_left_out),         cmocka_unit_test(test_no_text),
-        cmocka_unit_test(test_cut_short),        cmocka_unit_test(test_mutations_of_an_engine),
-        cmocka_unit_test(test_odd_curves),       cmocka_unit_test(test_most_rows),
-    };
-
     gsl_set_error_handler(handler);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -21,9 +21,8 @@ static void check_branches(const char *contents, int open, int crossed)
 }
 
 /* With gas in the cylinder the open branch alone, unless the deck has a word on it. */
-static void test_branch(void **unused)
+TEST(test_branch)
 {
-    (void)unused;
     check_branches(SLIDER_CRANK, 1, 1);
     check_branches(SLIDER_CRANK GAS, 1, 0);
     check_branches(SLIDER_CRANK GAS "[table]\ndigits = 5\n", 1, 0);
@@ -37,9 +36,8 @@ static void test_branch(void **unused)
     check_branches(SLIDER_CRANK "[load]\nlink = piston\nforce = (-3, 0) N\n", 1, 1);
 }
 
-static void test_speed(void **unused)
+TEST(test_speed)
 {
-    (void)unused;
     check_note(SLIDER_CRANK "[motion]\nspeed = 300\n", NULL, 7,
                "'300' is read as rad/s: write 300 rad/s or 300 rpm");
     check_note(SLIDER_CRANK "[motion]\nspeed = -1e2\n", NULL, 7,
@@ -59,10 +57,5 @@ static void test_speed(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_branch),
-        cmocka_unit_test(test_speed),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

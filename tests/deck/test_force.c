@@ -42,9 +42,8 @@ static void check_force(const char *contents, const char *file, double degrees, 
     flk_deck_free(&d);
 }
 
-static void test_bare_on_a_piston(void **unused)
+TEST(test_bare_on_a_piston)
 {
-    (void)unused;
     check_force(ENGINE "force = -100 N\n", NULL, 30, -100, 0);
     check_force(ENGINE "force = -100\n[units]\nforce = kN\n", NULL, 30, -1e5, 0);
     check_force(ENGINE "force = 0 deg 50 N, 90 deg -30 N, 180 deg 20 N\n", NULL, 90, -30, 0);
@@ -60,9 +59,8 @@ static void test_bare_on_a_piston(void **unused)
 
 #define LINK "link = coupler\nat = mid\n"
 
-static void test_curves(void **unused)
+TEST(test_curves)
 {
-    (void)unused;
     check_force(FOUR_BAR LINK "force = 30 deg (43, 25) N, 90 deg (3, -4) N\n", NULL, 30, 43, 25);
     check_force(FOUR_BAR LINK "force = 30 deg (43, 25) N, 90 deg (3, -4) N\n", NULL, 90, 3, -4);
     /* components, between two points at half their difference: the slopes of two points are 0 */
@@ -87,13 +85,12 @@ static void test_curves(void **unused)
     check_force(ENGINE "force = (3, 4) N\n", NULL, 30, 3, 4);
 }
 
-static void test_refused(void **unused)
+TEST(test_refused)
 {
     static const char bare[] = "expected a force with its direction, such as 50 N at 30 deg or "
                                "(43, 25) N, not '%s'";
     char message[200];
 
-    (void)unused;
     sprintf(message, bare, "-100 N");
     check_mistake(FOUR_BAR LINK "force = -100 N\n", NULL, 13, message);
     sprintf(message, bare, "0 deg 5 N, 90 deg (3, 4) N");
@@ -145,13 +142,12 @@ static void test_refused(void **unused)
 }
 
 /* A curve over theta4 has the period of a turn, whatever the cycle. */
-static void test_longer_than_a_turn(void **unused)
+TEST(test_longer_than_a_turn)
 {
 #define CURVE(angle) \
     FOUR_BAR "link = rocker\nover = theta4\ntorque = 0 deg 5 N m, " angle " deg 7 N m\n"
     static const char longer[] = "the curve is longer than a turn of theta4, 360 deg";
 
-    (void)unused;
     check_mistake(CURVE("400"), NULL, 13, longer);
     check_mistake(CURVE("400") "[motion]\ncycle = 720 deg\n", NULL, 13, longer);
     check_mistake(CURVE("360"), NULL, 13,
@@ -164,14 +160,13 @@ static void test_longer_than_a_turn(void **unused)
 }
 
 /* What follows from a mistake of a key is no mistake of its own. */
-static void test_alone(void **unused)
+TEST(test_alone)
 {
     static const char comma[] = "a load over a speed needs 'at_speed', the speed at which it has "
                                 "its value, or a curve";
     static const char bare[] = "expected a force with its direction, such as 50 N at 30 deg or "
                                "(43, 25) N, not '-10 N'";
 
-    (void)unused;
     check_mistake(ENGINE "over = x\nforce = 20 deg -100 N, 50 deg -300 N\n", NULL, 9,
                   "'20 deg -100 N, 50 deg -300 N' is an angle; expected a length, such as 80 mm");
     check_mistake(ENGINE "over = x\nforce = file none.csv mm N\n", NULL, 9,
@@ -202,13 +197,12 @@ static void test_alone(void **unused)
 }
 
 /* The same of a spring. */
-static void test_springs_alone(void **unused)
+TEST(test_springs_alone)
 {
 #define INVERTED                                                                           \
     "mechanism = inverted-slider-crank\n[ground]\nlength = 240 mm\n[crank]\nlength = 120 " \
     "mm\n[spring S]\n"
 
-    (void)unused;
     check_mistake(
         INVERTED "link = piston\nto = lever\nstiffness = 9 N/m\nat = 5 mm\nto_at = 9 mm\n", NULL, 7,
         "an inverted slider-crank has no piston: its links are crank, slider and lever");
@@ -225,14 +219,5 @@ static void test_springs_alone(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bare_on_a_piston),
-        cmocka_unit_test(test_curves),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_longer_than_a_turn),
-        cmocka_unit_test(test_alone),
-        cmocka_unit_test(test_springs_alone),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -49,9 +49,8 @@ static void check_body(const char *contents, int link, double mass, double inert
     flk_deck_free(&d);
 }
 
-static void test_uniform_bars(void **unused)
+TEST(test_uniform_bars)
 {
-    (void)unused;
     check_body(FOUR_BAR LENGTH "mass = 0.3 kg\nuniform = yes\n", 3, 0.3, 0.3 * 0.066 * 0.066 / 12,
                0.033, 0);
     check_body(FOUR_BAR "uniform = YES\nmass = 0.3 kg\n" LENGTH, 3, 0.3, 0.3 * 0.066 * 0.066 / 12,
@@ -67,16 +66,14 @@ static void test_uniform_bars(void **unused)
 }
 
 /* It is the bar that people describe by hand today. */
-static void test_uniform_by_hand(void **unused)
+TEST(test_uniform_by_hand)
 {
-    (void)unused;
     check_body(FOUR_BAR LENGTH "mass = 0.3 kg\ncg = 33 mm\ninertia = 108.9 kg mm2\n", 3, 0.3,
                0.3 * 0.066 * 0.066 / 12, 0.033, 0);
 }
 
-static void test_parts_of_the_length(void **unused)
+TEST(test_parts_of_the_length)
 {
-    (void)unused;
     check_body(FOUR_BAR LENGTH "mass = 1 kg\ncg = mid\n", 3, 1, 0, 0.033, 0);
     check_body(FOUR_BAR LENGTH "mass = 1 kg\ncg = 50 %\n", 3, 1, 0, 0.033, 0);
     check_body(FOUR_BAR "cg = 25%\nmass = 1 kg\n" LENGTH, 3, 1, 0, 0.0165, 0);
@@ -87,11 +84,10 @@ static void test_parts_of_the_length(void **unused)
                2, 2, 0, 0.05, 0);
 }
 
-static void test_places_of_loads(void **unused)
+TEST(test_places_of_loads)
 {
     deck d;
 
-    (void)unused;
     read_accepted(FOUR_BAR LENGTH "[load]\nlink = rocker\nforce = (3, 0) N\nat = mid\n"
                                   "[point P]\nlink = coupler\nat = 200 %\n",
                   NULL, &d);
@@ -104,12 +100,11 @@ static void test_places_of_loads(void **unused)
                0);
 }
 
-static void test_refused(void **unused)
+TEST(test_refused)
 {
     static const char bar[] = "a uniform link has its centre of mass at mid-length and the inertia "
                               "of a bar: give either 'uniform' or the others";
 
-    (void)unused;
     check_mistake(FOUR_BAR LENGTH "mass = 1 kg\nuniform = yes\ncg = mid\n", NULL, 12, bar);
     check_mistake(FOUR_BAR LENGTH "mass = 1 kg\ninertia = 1 kg m2\nuniform = yes\n", NULL, 11, bar);
     check_mistake(FOUR_BAR LENGTH "mass = 1 kg\ngyration = 1 mm\nuniform = yes\n", NULL, 11, bar);
@@ -153,9 +148,8 @@ static void test_refused(void **unused)
 }
 
 /* A mass that is a point is probably an oversight. */
-static void test_point_masses(void **unused)
+TEST(test_point_masses)
 {
-    (void)unused;
     check_note(
         FOUR_BAR LENGTH "mass = 0.3 kg\n", NULL, 10,
         "[coupler] is a point mass at B: write uniform = yes for a uniform bar, cg = 0 mm if "
@@ -179,13 +173,12 @@ static void test_point_masses(void **unused)
 }
 
 /* A part of the length goes with a length that varies; its own parts do not. */
-static void test_sweep(void **unused)
+TEST(test_sweep)
 {
     fourlink_source source = deck_source(FOUR_BAR "mass = 1 kg\ncg = mid\n" LENGTH
                                                   "[sweep]\ncoupler.length = 60 mm, 70 mm\n");
     deck d;
 
-    (void)unused;
     source.design = 1;
     assert_int_equal(flk_deck_read(&source, &d), 1);
     assert_near(d.design.link[3].cg.x, 0.035, 1e-16);
@@ -197,9 +190,8 @@ static void test_sweep(void **unused)
 }
 
 /* A key that may only be misspelt is not reported as missing too. */
-static void test_misspelt_keys(void **unused)
+TEST(test_misspelt_keys)
 {
-    (void)unused;
     check_mistake(FOUR_BAR "lenght = 66 mm\n", NULL, 9,
                   "unknown key 'lenght' in [coupler]; did you mean 'length'?");
     check_mistake("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n"
@@ -235,7 +227,7 @@ static void test_misspelt_keys(void **unused)
 }
 
 /* The notes as a host gets them. */
-static void test_notes_of_results(void **unused)
+TEST(test_notes_of_results)
 {
     fourlink_source source = deck_source("mechanism = four-bar\n[ground]\nlength = 80 mm\n"
                                          "[crank]\nlength = 20 mm\n"
@@ -245,7 +237,6 @@ static void test_notes_of_results(void **unused)
     fourlink_mistake notes[2];
     unsigned long n = 0;
 
-    (void)unused;
     assert_int_equal(fourlink_results_open(&source, 0, &results, NULL, NULL), FOURLINK_OK);
     assert_int_equal(fourlink_results_notes(NULL, 0, NULL, &n), FOURLINK_NULL);
     assert_int_equal(fourlink_results_notes(results, 1, NULL, &n), FOURLINK_NULL);
@@ -263,17 +254,5 @@ static void test_notes_of_results(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_uniform_bars),
-        cmocka_unit_test(test_uniform_by_hand),
-        cmocka_unit_test(test_parts_of_the_length),
-        cmocka_unit_test(test_places_of_loads),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_point_masses),
-        cmocka_unit_test(test_sweep),
-        cmocka_unit_test(test_misspelt_keys),
-        cmocka_unit_test(test_notes_of_results),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -22,11 +22,10 @@
 
 static const double turn = 2 * M_PI / 60;
 
-static void test_modes(void **unused)
+TEST(test_modes)
 {
     deck d;
 
-    (void)unused;
     read_accepted(PUMP "speed = 3\n", NULL, &d);
     assert_int_equal(d.drive.mode, DRIVE_GIVEN);
     assert_int_equal(d.drive.motor.kind, FOURLINK_NO_MOTOR);
@@ -58,11 +57,10 @@ static void test_modes(void **unused)
     flk_deck_free(&d);
 }
 
-static void test_motors(void **unused)
+TEST(test_motors)
 {
     deck d;
 
-    (void)unused;
     read_accepted(RUN_UP LINE "inertia = 3 kg cm2\nratio = 20\n", NULL, &d);
     assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_LINEAR);
     assert_near(d.drive.motor.stall_torque, 120, 0);
@@ -95,11 +93,10 @@ static void test_motors(void **unused)
     flk_deck_free(&d);
 }
 
-static void test_exact_flywheel(void **unused)
+TEST(test_exact_flywheel)
 {
     deck d;
 
-    (void)unused;
     read_accepted(STEADY LINE "[flywheel]\nfluctuation = 2 %\nexact = yes\n", NULL, &d);
     assert_near(d.drive.fluctuation, 0.02, 0);
     assert_near(d.drive.flywheel, 0, 0);
@@ -217,20 +214,15 @@ static const struct {
      8, "nothing that moves has a mass or a moment of inertia: the actual motion needs one"},
 };
 
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof mistaken / sizeof mistaken[0]; i++)
         check_mistake(mistaken[i].contents, NULL, mistaken[i].line, mistaken[i].message);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_modes), cmocka_unit_test(test_motors),
-                                       cmocka_unit_test(test_exact_flywheel),
-                                       cmocka_unit_test(test_mistakes)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -43,7 +43,7 @@ static int read_deck(const char *contents, const char *cam, fourlink_deck **deck
                               deck, mistakes, n);
 }
 
-static void test_problem(void **unused)
+TEST(test_problem)
 {
     fourlink_deck *deck = NULL;
     fourlink_problem p;
@@ -51,7 +51,6 @@ static void test_problem(void **unused)
     int link;
     fourlink_vector at;
 
-    (void)unused;
     assert_int_equal(read_deck(ENGINE, "0 1\n90 2\n", &deck, NULL, 0, NULL), FOURLINK_OK);
     memset(&p, 0x55, sizeof p);
     assert_int_equal(fourlink_deck_problem(deck, &p), FOURLINK_OK);
@@ -88,12 +87,11 @@ static void test_problem(void **unused)
     fourlink_deck_free(NULL);
 }
 
-static void test_problem_of_a_sweep(void **unused)
+TEST(test_problem_of_a_sweep)
 {
     fourlink_deck *deck = NULL;
     fourlink_problem p;
 
-    (void)unused;
     assert_int_equal(
         read_deck("mechanism = slider-crank\n[crank]\nlength = 0.1\n[rod]\nlength = 0.4\n"
                   "[motion]\nspeed = 1\nat = 30\n[table]\ndigits = 9\n"
@@ -112,7 +110,7 @@ static void test_problem_of_a_sweep(void **unused)
 }
 
 /* Both branches are asked for by their key in [table] alone; without it they are only not excluded. */
-static void test_branches(void **unused)
+TEST(test_branches)
 {
     static const struct {
         const char *table;
@@ -130,7 +128,6 @@ static void test_branches(void **unused)
     fourlink_problem p;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         sprintf(contents, "mechanism = slider-crank\n[crank]\nlength = 1\n[rod]\nlength = 4\n%s",
                 cases[i].table);
@@ -143,7 +140,7 @@ static void test_branches(void **unused)
     }
 }
 
-static void test_units_and_names_of_loads(void **unused)
+TEST(test_units_and_names_of_loads)
 {
     static const struct {
         const char *name;
@@ -155,7 +152,6 @@ static void test_units_and_names_of_loads(void **unused)
     unsigned long i;
     int has_torque;
 
-    (void)unused;
     assert_int_equal(read_deck(ENGINE "[load]\nlink = piston\nforce = (1, 0) N\n"
                                       "[units]\nlength = mm\n",
                                "0 1\n90 2\n", &deck, NULL, 0, NULL),
@@ -179,7 +175,7 @@ static void test_units_and_names_of_loads(void **unused)
 
 /* p1 A1 - p2 A2 with A1 = pi/4 D^2, A2 = pi/4 (D^2 - d^2), by hand; it pushes the piston towards the
 ** crank: along -x on the open branch. */
-static void test_loads(void **unused)
+TEST(test_loads)
 {
     static const double gas_force = 3.14159265358979 / 4 * (2e5 * 0.01 - 1e5 * (0.01 - 0.0025));
     fourlink_deck *deck = NULL;
@@ -187,7 +183,6 @@ static void test_loads(void **unused)
     double gas = 0;
     int i;
 
-    (void)unused;
     assert_int_equal(read_deck(ENGINE, "0 1\n90 2\n", &deck, NULL, 0, NULL), FOURLINK_OK);
     for (i = -1; i <= 1; i += 2) {
         memset(loads, 0x55, sizeof loads);
@@ -226,7 +221,7 @@ static void test_loads(void **unused)
 }
 
 /* A deck gives what the same mechanism, filled in by hand, gives. */
-static void test_deck_and_hand(void **unused)
+TEST(test_deck_and_hand)
 {
     static const char contents[] = "mechanism = four-bar\n[ground]\nlength = 80 mm\n"
                                    "[crank]\nlength = 20 mm\nmass = 100 g\n"
@@ -243,7 +238,6 @@ static void test_deck_and_hand(void **unused)
     fourlink_forces f[2];
     unsigned long i;
 
-    (void)unused;
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_FOUR_BAR;
     design.link[1].length = 0.08;
@@ -278,7 +272,7 @@ static void test_deck_and_hand(void **unused)
     fourlink_deck_free(deck);
 }
 
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     static const char contents[] = "mechanism = four-bar\n"
                                    "[ground]\nlength = 80 parsec\n"
@@ -292,7 +286,6 @@ static void test_mistakes(void **unused)
     unsigned long n = 0;
     int i;
 
-    (void)unused;
     memset(list, 0x55, sizeof list);
     assert_int_equal(read_deck(contents, NULL, &deck, list, 5, &n), FOURLINK_BAD_DECK);
     assert_ptr_equal(deck, untouched);
@@ -313,13 +306,12 @@ static void test_mistakes(void **unused)
     assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_BAD_DECK);
 }
 
-static void test_mistakes_of_files(void **unused)
+TEST(test_mistakes_of_files)
 {
     fourlink_deck *deck = untouched;
     fourlink_mistake list[2];
     unsigned long n = 0;
 
-    (void)unused;
     assert_int_equal(read_deck(ENGINE, "0 1\n90 two\n", &deck, list, 2, &n), FOURLINK_BAD_DECK);
     assert_int_equal(n, 1);
     assert_string_equal(list[0].file, "cam.txt");
@@ -335,14 +327,13 @@ static void test_mistakes_of_files(void **unused)
     assert_ptr_equal(deck, untouched);
 }
 
-static void test_nulls(void **unused)
+TEST(test_nulls)
 {
     fourlink_deck *deck = untouched;
     fourlink_problem p;
     fourlink_vector at;
     int link;
 
-    (void)unused;
     assert_int_equal(fourlink_deck_read(NULL, 0, NULL, NULL, 0, &deck, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_deck_read("", 0, NULL, NULL, 0, NULL, NULL, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_deck_read("", 0, NULL, NULL, 1, &deck, NULL, NULL), FOURLINK_NULL);
@@ -363,17 +354,17 @@ static void fail_test(const char *reason, const char *file, int line, int code)
 }
 
 /* The locale and the error handler are the host's. */
-static void test_error_handler(void **unused)
+TEST(test_error_handler)
 {
     gsl_error_handler_t *old = gsl_set_error_handler(fail_test);
 
-    test_loads(unused);
-    test_mistakes(unused);
+    test_loads(NULL);
+    test_mistakes(NULL);
     assert_ptr_equal(gsl_set_error_handler(old), fail_test);
 }
 
 /* FORTRAN 77: the numbers of fourlink_analyse, in the order of the arrays. */
-static void test_fortran77(void **unused)
+TEST(test_fortran77)
 {
     static const double links[20] = {0.08,  0,    0,    0,     0,     /* ground */
                                      0.02,  0.1,  1e-5, 0.01,  0.001, /* crank */
@@ -386,7 +377,6 @@ static void test_fortran77(void **unused)
     fourlink_crank c = {0.7, 10.5, 2};
     int kind, i, n = 2;
 
-    (void)unused;
     for (kind = 1; kind <= 2; kind++) {
         int branch = kind == 1 ? -1 : 1, status = 77;
         double state[36], forces[10];
@@ -433,7 +423,7 @@ static void test_fortran77(void **unused)
     }
 }
 
-static void test_fortran77_refuses(void **unused)
+TEST(test_fortran77_refuses)
 {
     static const struct {
         int branch, n;
@@ -455,7 +445,6 @@ static void test_fortran77_refuses(void **unused)
     char text[60];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double links[20] = {0};
         double numbers[7] = {4, 0, 0, 0, 0, 0, 0.5}, state[36], forces[10];
@@ -484,14 +473,5 @@ static void test_fortran77_refuses(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_problem),   cmocka_unit_test(test_problem_of_a_sweep),
-        cmocka_unit_test(test_branches),  cmocka_unit_test(test_units_and_names_of_loads),
-        cmocka_unit_test(test_loads),     cmocka_unit_test(test_deck_and_hand),
-        cmocka_unit_test(test_mistakes),  cmocka_unit_test(test_mistakes_of_files),
-        cmocka_unit_test(test_nulls),     cmocka_unit_test(test_error_handler),
-        cmocka_unit_test(test_fortran77), cmocka_unit_test(test_fortran77_refuses),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -104,13 +104,12 @@ static const expected_values all_values[] = {
     {"crank.length = 18 mm, 20 mm,", IN_MM, 2, {18, 20}, 0},
 };
 
-static void test_values(void **unused)
+TEST(test_values)
 {
     size_t k, failed = 0;
     unsigned long i;
     deck d;
 
-    (void)unused;
     for (k = 0; k < sizeof all_values / sizeof all_values[0]; k++) {
         const expected_values *x = &all_values[k];
 
@@ -134,11 +133,10 @@ static void test_values(void **unused)
 }
 
 /* The mechanism has the values; what is not varied has those of the deck. */
-static void test_mechanism(void **unused)
+TEST(test_mechanism)
 {
     deck d;
 
-    (void)unused;
     assert_int_equal(read_design("crank.length = 18 mm to 22 mm step 1 mm\n"
                                  "load W.torque = 3 N m, 4 N m\n"
                                  "motion.speed = 60 rpm, 1 rad/s\n",
@@ -153,13 +151,12 @@ static void test_mechanism(void **unused)
 }
 
 /* The last variable changes fastest, and samples fastest of all. */
-static void test_order(void **unused)
+TEST(test_order)
 {
     double last = 0;
     unsigned long i;
     deck d;
 
-    (void)unused;
     for (i = 0; i < 2 * 3 * 4; i++) {
         assert_int_equal(
             read_design("crank.length = 18 mm, 22 mm\nground.length = 80 mm +- 1 mm\n"
@@ -263,12 +260,11 @@ static void check_distribution(const double *x, double nominal, double tolerance
 #define CUT_DEVIATION 0.986577
 #define CUT_KURTOSIS 2.834
 
-static void test_distributions(void **unused)
+TEST(test_distributions)
 {
     static const size_t pairs[][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 3}, {2, 3}, {4, 5}, {1, 5}};
     size_t i, lag;
 
-    (void)unused;
     fill("coupler.length = 66 mm +- 0.1 mm\nrocker.length = 56 mm ± 0.3 mm normal\nsamples = 20000",
          sample[0], sample[1]);
     fill("coupler.length = 66 mm +/- 0.1 mm uniform\nrocker.length = 56 mm +- 0.3 mm normal\n"
@@ -291,7 +287,7 @@ static void test_distributions(void **unused)
 }
 
 /* The same seed gives the same values, 1 is the default, others give others. */
-static void test_seeds(void **unused)
+TEST(test_seeds)
 {
     static const char *const seeds[] = {"",         "seed = 1", "seed = 2",
                                         "seed = 0", "seed = 3", "seed = 1000"};
@@ -300,7 +296,6 @@ static void test_seeds(void **unused)
     size_t i, k;
     deck d;
 
-    (void)unused;
     for (i = 0; i < 6; i++) {
         strcpy(lines, "coupler.length = 66 mm +- 0.1 mm\nsamples = 3\n");
         strcat(lines, seeds[i]);
@@ -316,7 +311,7 @@ static void test_seeds(void **unused)
 }
 
 /* A tolerance in per cent, or in another unit, is that in the unit of the value. */
-static void test_tolerances(void **unused)
+TEST(test_tolerances)
 {
     static const char *const same[][2] = {
         {"coupler.length = 66 mm +- 0.33 mm", "coupler.length = 66 mm +- 0.5 %"},
@@ -335,7 +330,6 @@ static void test_tolerances(void **unused)
     size_t i, k, failed = 0;
     char lines[200];
 
-    (void)unused;
     for (i = 0; i < sizeof same / sizeof same[0]; i++) {
         double value[2];
 
@@ -429,11 +423,10 @@ static const struct {
     {"crank.length = 20 mm +- 1 mm\nsamples = 5e9", 15, "more than 4e9 designs"},
 };
 
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     size_t i, k, failed = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof mistaken / sizeof mistaken[0]; i++) {
         deck d;
 
@@ -454,14 +447,13 @@ static void test_mistakes(void **unused)
 }
 
 /* The same quantity under two names. */
-static void test_twice(void **unused)
+TEST(test_twice)
 {
     static const char *const again[] = {GOOD "Crank.Length = 1 mm, 2 mm",
                                         GOOD "crank . length = 1 mm, 2 mm",
                                         "load W.torque = 1 N m, 2 N m\nload.torque = 3 N m, 4 N m"};
     size_t i, failed = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof again / sizeof again[0]; i++) {
         deck d;
 
@@ -475,7 +467,7 @@ static void test_twice(void **unused)
 }
 
 /* No deck that is cut short, or has bytes changed, upsets the reader. */
-static void test_mutations(void **unused)
+TEST(test_mutations)
 {
     static const char lines[] = "crank.length = 18 mm to 22 mm step 1 mm\n"
                                 "motion.speed = 10 rad/s, 100 rpm\n"
@@ -486,7 +478,6 @@ static void test_mutations(void **unused)
     uint64_t state = 1;
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < 5000; i++) {
         deck d;
         int status;
@@ -504,7 +495,7 @@ static void test_mutations(void **unused)
 }
 
 /* A design is the deck with assignments of the values of its variables. */
-static void test_design_is_assignments(void **unused)
+TEST(test_design_is_assignments)
 {
     static const char lines[] = "load V.force.size = 1 N to 2 N in 3\n"
                                 "load V.force.angle = 0 deg, 1 rad\n"
@@ -515,7 +506,6 @@ static void test_design_is_assignments(void **unused)
     char without[1024];
     unsigned long design, k;
 
-    (void)unused;
     strcpy(without, DECK);
     strcpy(strstr(without, "[sweep]"), load);
     for (design = 0; design < 48; design++) {
@@ -549,13 +539,12 @@ static void test_design_is_assignments(void **unused)
 }
 
 /* Only with the first design is a whole list judged, and of each design its own value. */
-static void test_mistakes_of_lists(void **unused)
+TEST(test_mistakes_of_lists)
 {
     static const char lines[] = "crank.length = 18 mm, 19 mm, nonsense, 21 mm\n";
     static const int expected[] = {0, 1, 0, 1};
     unsigned long design;
 
-    (void)unused;
     for (design = 0; design < 4; design++) {
         deck d;
 
@@ -571,19 +560,5 @@ static void test_mistakes_of_lists(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_mechanism),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_distributions),
-        cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_tolerances),
-        cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_twice),
-        cmocka_unit_test(test_mutations),
-        cmocka_unit_test(test_design_is_assignments),
-        cmocka_unit_test(test_mistakes_of_lists),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

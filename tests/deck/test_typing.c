@@ -136,11 +136,10 @@ static double value_of(const char *key, const deck *d)
                                                : d->flywheel_fluctuation;
 }
 
-static void test_values(void **unused)
+TEST(test_values)
 {
     size_t i, failed = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fourlink_source source =
             deck_source(FOUR_BAR "length = 20 mm\n[load]\nlink = crank\ntorque = 1 N m\n");
@@ -170,11 +169,10 @@ static void test_values(void **unused)
 }
 
 /* In the lines of a deck: blanks of typography anywhere, and comments after them. */
-static void test_lines(void **unused)
+TEST(test_lines)
 {
     deck d;
 
-    (void)unused;
     read_accepted(NO_BREAK "title = 30" DEGREE " " MINUS " K\303\266nig\n" FOUR_BAR
                            "length" NO_BREAK "=" NO_BREAK "20" NO_BREAK "mm" NO_BREAK
                            "# the crank\n"
@@ -197,11 +195,10 @@ static void test_lines(void **unused)
 }
 
 /* Sweeps and printed values are typed by people too. */
-static void test_elsewhere(void **unused)
+TEST(test_elsewhere)
 {
     deck d;
 
-    (void)unused;
     read_accepted(FOUR_BAR "length = 20 mm\n[sweep]\ncrank.cg.x = " MINUS "5 mm to 5 mm in 3\n"
                            "crank.cg.y = 1 mm\302\240\302\261\302\2400.5\302\240mm\nsamples = 2\n"
                            "[expect]\nswing = 40" DEGREE "\ntolerance = 1" NO_BREAK "%\n",
@@ -213,11 +210,10 @@ static void test_elsewhere(void **unused)
 }
 
 /* A curve has commas of its own. */
-static void test_curves(void **unused)
+TEST(test_curves)
 {
     deck d;
 
-    (void)unused;
     read_accepted(FOUR_BAR "length = 20 mm\n[load]\nlink = crank\n"
                            "torque = 0" DEGREE " 1 Nm, 90" DEGREE " " MINUS "3 Nm,180 1 N" DOT
                            "m\n",
@@ -234,12 +230,5 @@ static void test_curves(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_elsewhere),
-        cmocka_unit_test(test_curves),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

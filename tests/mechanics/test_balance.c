@@ -28,12 +28,11 @@ static void balance(sample *s)
 }
 
 /* With inertia alone the pin forces add up to nothing, in any motion. */
-static void test_balanced(void **unused)
+TEST(test_balanced)
 {
     uint64_t seed = 17;
     int n = 0, tried = 0, inverted = 0;
 
-    (void)unused;
     while (n < 1000) {
         double largest, before, after;
         sample s;
@@ -69,12 +68,11 @@ static void test_balanced(void **unused)
 
 /* A rod so long that the piston moves in simple harmonic motion: m_rec r w^2 sqrt((1 - c)^2 cos^2 + c^2 sin^2) is
 ** left. */
-static void test_engine(void **unused)
+TEST(test_engine)
 {
     double c, largest;
     int i;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         double t = 0.3 + i, r = 0.1, l = 1e5, m_rec = 4 + 0.4 * 3, w = 50, left;
         fourlink_balance u;
@@ -108,13 +106,12 @@ static void test_engine(void **unused)
     }
 }
 
-static void test_counterweight(void **unused)
+TEST(test_counterweight)
 {
     fourlink_link link = {1, 3, 0.5, {0.2, -0.1}}, sum;
     fourlink_vector u = {-0.6, 0.8};
     double mass;
 
-    (void)unused;
     assert_int_equal(fourlink_add_counterweight(&link, &u, 0.5, &sum, &mass), FOURLINK_OK);
     assert_close(mass, 2.0, 1e-15); /* at (-0.3, 0.4) */
     assert_close(sum.mass, 5.0, 1e-15);
@@ -136,12 +133,11 @@ static void test_counterweight(void **unused)
     assert_int_equal(fourlink_add_counterweight(&link, &u, 1, NULL, NULL), FOURLINK_NULL);
 }
 
-static void test_bad(void **unused)
+TEST(test_bad)
 {
     fourlink_balance u;
     sample s = rocker(0);
 
-    (void)unused;
     assert_int_equal(fourlink_prepare(&s.design, &s.mechanism), FOURLINK_OK);
     assert_int_equal(fourlink_balance_of(NULL, 0, &u), FOURLINK_NULL);
     assert_int_equal(fourlink_balance_of(&s.mechanism, 0, NULL), FOURLINK_NULL);
@@ -152,11 +148,5 @@ static void test_bad(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_balanced),
-        cmocka_unit_test(test_engine),
-        cmocka_unit_test(test_counterweight),
-        cmocka_unit_test(test_bad),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -64,13 +64,12 @@ static void assert_agrees(const sample *s, double tolerance)
         assert_true(s->forces.F14x == 0);
 }
 
-static void test_matrix(void **unused)
+TEST(test_matrix)
 {
     uint64_t seed = 1;
     sample s;
     int n;
 
-    (void)unused;
     for (n = 0; n < 100000; n++) {
         draw(&seed, n, &s);
         assert_agrees(&s, 1e-12);
@@ -78,12 +77,11 @@ static void test_matrix(void **unused)
 }
 
 /* The motion is that of fourlink_analyse, and the forces those of fourlink_solve_dyad, bit by bit. */
-static void test_same_motion(void **unused)
+TEST(test_same_motion)
 {
     uint64_t seed = 2;
     int n, link;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         fourlink_forces forces;
         fourlink_state state;
@@ -139,13 +137,12 @@ static double worst_row(const sample *s)
     return worst;
 }
 
-static void test_equations(void **unused)
+TEST(test_equations)
 {
     uint64_t seed = 3;
     sample s;
     int n;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         draw(&seed, n, &s);
         assert_near(worst_row(&s), 0, 2e-13);
@@ -154,13 +151,12 @@ static void test_equations(void **unused)
     assert_true(worst_row(&s) > 1e-12);
 }
 
-static void test_near_dead(void **unused)
+TEST(test_near_dead)
 {
     uint64_t seed = 4;
     double least = 1;
     int n;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         sample s;
 
@@ -175,12 +171,11 @@ static void test_near_dead(void **unused)
 
 /* Ts omega2 and the power of loads and weights are what the links take up, by the velocities and
 ** accelerations of their points. */
-static void test_power(void **unused)
+TEST(test_power)
 {
     uint64_t seed = 5;
     int n, link;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         double power, largest;
         unsigned long k;
@@ -217,12 +212,11 @@ static void test_power(void **unused)
 }
 
 /* The residual shows velocities that do not belong to the position. */
-static void test_residual_notices(void **unused)
+TEST(test_residual_notices)
 {
     uint64_t seed = 6;
     int n, noticed = 0;
 
-    (void)unused;
     for (n = 0; n < 200; n++) {
         fourlink_forces forces;
         sample s;
@@ -237,11 +231,10 @@ static void test_residual_notices(void **unused)
 }
 
 /* Crank upright, coupler level, rocker as 3 : 4 : 5; at rest. */
-static void test_four_bar_by_hand(void **unused)
+TEST(test_four_bar_by_hand)
 {
     sample s;
 
-    (void)unused;
     memset(&s, 0, sizeof s);
     s.design.kind = FOURLINK_FOUR_BAR;
     s.design.link[1].length = s.design.link[4].length = 1.25;
@@ -278,12 +271,11 @@ static void test_four_bar_by_hand(void **unused)
 }
 
 /* Crank 3, rod 5, the piston at 4 from the crankshaft; on the crossed branch at -4. */
-static void test_slider_crank_by_hand(void **unused)
+TEST(test_slider_crank_by_hand)
 {
     sample s;
     int side;
 
-    (void)unused;
     for (side = -1; side <= 1; side += 2) {
         memset(&s, 0, sizeof s);
         s.design.kind = FOURLINK_SLIDER_CRANK;
@@ -309,12 +301,11 @@ static void test_slider_crank_by_hand(void **unused)
 }
 
 /* Within the range of numbers, nothing overflows. */
-static void test_extreme_numbers(void **unused)
+TEST(test_extreme_numbers)
 {
     uint64_t seed = 7;
     int n, solved = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         sample s;
 
@@ -356,14 +347,13 @@ static void assert_refused(const sample *s, const fourlink_load *loads, unsigned
     assert_memory_equal(&out, &pattern, sizeof out);
 }
 
-static void test_bad_loads(void **unused)
+TEST(test_bad_loads)
 {
     fourlink_load loads[2];
     uint64_t seed = 8;
     sample s;
     int n;
 
-    (void)unused;
     for (n = 0; n < 2; n++) {
         draw(&seed, n, &s);
         try_bad_loads(&s, loads, assert_refused);
@@ -377,12 +367,11 @@ static void test_bad_loads(void **unused)
     }
 }
 
-static void test_null(void **unused)
+TEST(test_null)
 {
     uint64_t seed = 9;
     sample s;
 
-    (void)unused;
     draw(&seed, 0, &s);
     assert_int_equal(fourlink_solve_dyad(NULL, &s.state, NULL, 0, &s.forces), FOURLINK_NULL);
     assert_int_equal(fourlink_solve_dyad(&s.mechanism, NULL, NULL, 0, &s.forces), FOURLINK_NULL);
@@ -399,12 +388,11 @@ static void test_null(void **unused)
 
 /* Crank positions that there are not, and cranks that are no numbers: the status of fourlink_analyse,
 ** whichever of several faults it names. */
-static void test_bad_cranks(void **unused)
+TEST(test_bad_cranks)
 {
     int n, met[FOURLINK_STATUS_END_] = {0};
     uint64_t seed = 10;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         struct {
             fourlink_state state;
@@ -456,7 +444,7 @@ static void handler(const char *reason, const char *file, int line, int error)
 }
 
 /* States that no position gives, but a caller may: links in one line, and no numbers. */
-static void test_singular(void **unused)
+TEST(test_singular)
 {
     static const double in_line[] = {0, 1e-14, -1e-14, NAN};
     gsl_error_handler_t *old = gsl_set_error_handler(handler);
@@ -465,7 +453,6 @@ static void test_singular(void **unused)
     int n, link;
     size_t i;
 
-    (void)unused;
     memset(&forces, 0xa5, sizeof forces);
     memset(&pattern, 0xa5, sizeof pattern);
     for (n = 0; n < 2; n++) {
@@ -503,21 +490,5 @@ static void test_singular(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_matrix),
-        cmocka_unit_test(test_same_motion),
-        cmocka_unit_test(test_equations),
-        cmocka_unit_test(test_near_dead),
-        cmocka_unit_test(test_power),
-        cmocka_unit_test(test_residual_notices),
-        cmocka_unit_test(test_four_bar_by_hand),
-        cmocka_unit_test(test_slider_crank_by_hand),
-        cmocka_unit_test(test_extreme_numbers),
-        cmocka_unit_test(test_bad_loads),
-        cmocka_unit_test(test_null),
-        cmocka_unit_test(test_bad_cranks),
-        cmocka_unit_test(test_singular),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -60,11 +60,10 @@ static void measure(double h, double error[3])
 }
 
 /* Halving the step divides the error of a step by 2^9, its estimate by 2^8 and the error within it by 2^8. */
-static void test_order(void **unused)
+TEST(test_order)
 {
     double whole[3], half[3];
 
-    (void)unused;
     measure(0.4, whole);
     measure(0.2, half);
     assert_true(half[0] < whole[0] / 250 && half[1] < whole[1] / 120 && half[2] < whole[2] / 120);
@@ -80,13 +79,12 @@ static int refuse(void *context, double x, const double *y, double *dy)
     return FOURLINK_LOCKED;
 }
 
-static void test_refused(void **unused)
+TEST(test_refused)
 {
     double error[3] = {7, 7, 7};
     int calls = 0;
     flk_step s;
 
-    (void)unused;
     begin(&s, &calls, 0, 0.1);
     s.f = refuse;
     assert_int_equal(flk_step_take(&s, error), FOURLINK_LOCKED);
@@ -95,8 +93,5 @@ static void test_refused(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_order),
-                                       cmocka_unit_test(test_refused)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -95,12 +95,11 @@ static void series_errors(double r, double n, double theta2, double w, double al
 **
 ** and the first terms left out, differentiated, are the errors: of order 3, falling by 8 as n is
 ** doubled.  The next terms are below 3/n^5 for x and v, 10/n^5 for the rest. */
-static void test_series_expansion(void **unused)
+TEST(test_series_expansion)
 {
     uint64_t seed = 1;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 2000; i++) {
         double r = uniform(&seed, 0.01, 2), theta2 = uniform(&seed, -10, 10);
         double w = uniform(&seed, 1, 50) * (i % 4 < 2 ? 1 : -1);
@@ -136,12 +135,11 @@ static double slope(const double f[7], double h)
 
 /* The v and a of the series are the derivatives of its x, with one term as with two, the crank
 ** speeding up or slowing down; so is the rod's alpha that of its omega. */
-static void test_series_derivatives(void **unused)
+TEST(test_series_derivatives)
 {
     uint64_t seed = 2;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 2000; i++) {
         double x[7], v[7], x1[7], v1[7], rod[7], h, scale, r, n;
         fourlink_series middle;
@@ -180,12 +178,11 @@ static void test_series_derivatives(void **unused)
 }
 
 /* An endless rod: simple harmonic motion about the middle of the stroke. */
-static void test_series_harmonic(void **unused)
+TEST(test_series_harmonic)
 {
     uint64_t seed = 3;
     int i;
 
-    (void)unused;
     for (i = 0; i < 1000; i++) {
         double r = uniform(&seed, 0.01, 2), w = uniform(&seed, -50, 50), n = 1e10, v2;
         fourlink_series endless, ordinary;
@@ -212,12 +209,11 @@ static void test_series_harmonic(void **unused)
 
 /* n = 3, 4, 5, as engines have: the gap of a is largest with the crank upright, where the exact
 ** value is -1/sqrt(n^2 - 1) and the series' -1/n; 2.0 %, 0.8 % and 0.4 % of r omega^2. */
-static void test_series_gap(void **unused)
+TEST(test_series_gap)
 {
     static const double percent[] = {2.0, 0.8, 0.4};
     int n, degree;
 
-    (void)unused;
     for (n = 3; n <= 5; n++) {
         double largest[N_ERRORS] = {0}, upright[N_ERRORS];
         int k;
@@ -239,12 +235,11 @@ static void test_series_gap(void **unused)
     }
 }
 
-static void test_series_statuses(void **unused)
+TEST(test_series_statuses)
 {
     fourlink_series series, before;
     sample s;
 
-    (void)unused;
     memset(&before, 0x5A, sizeof before);
     series = before;
     slider_crank(1, 3, 1, 2, 3, &s);
@@ -282,12 +277,11 @@ static fourlink_rod masses_of(double l, double mass, double inertia, double cran
 ** pair at the pins meets two, and has m b (l - L) too much of the third; the pair of ME3491 meets
 ** all, and L is the length of the simple pendulum that swings with the rod about its gudgeon
 ** pin. */
-static void test_rod_masses(void **unused)
+TEST(test_rod_masses)
 {
     uint64_t seed = 4;
     int i;
 
-    (void)unused;
     for (i = 0; i < 5000; i++) {
         double l = uniform(&seed, 0.3, 3), m = uniform(&seed, 0.1, 300);
         double I = i % 10 ? m * l * l * uniform(&seed, 0, 0.3) : 0;
@@ -320,12 +314,11 @@ static void test_rod_masses(void **unused)
     }
 }
 
-static void test_rod_masses_limits(void **unused)
+TEST(test_rod_masses_limits)
 {
     fourlink_rod rod, before;
     sample s;
 
-    (void)unused;
     /* the centre of mass at the gudgeon pin: all of the rod is there */
     rod = masses_of(0.7, 3, 0.12, 0.7);
     assert_true(rod.b == 0 && rod.d == 0 && rod.L == 0 && rod.m_d == 0 && rod.m_g == 0);
@@ -420,13 +413,12 @@ static double phi_of(const sample *s)
 
 /* 15 kg of reciprocating parts and no rod: "26870 N" is a slip of the pen for 24869, as the torque
 ** and the force on the bearing show; the latter is printed as 20000. */
-static void test_DFA_example_1(void **unused)
+TEST(test_DFA_example_1)
 {
     const double gas = 840e3 * PI / 4 * 0.2 * 0.2;
     fourlink_engine engine;
     sample s;
 
-    (void)unused;
     slider_crank(0.15, 0.625, 30 * DEG, 2 * PI * 250 / 60, 0, &s);
     s.design.link[4].mass = 15;
     s.design.gravity.y = -9.81;
@@ -451,13 +443,12 @@ static void test_DFA_example_1(void **unused)
     assert_close(engine.T_engine, 2255.155523939, 1e-12);
 }
 
-static void test_DFA_example_2(void **unused)
+TEST(test_DFA_example_2)
 {
     fourlink_engine engine;
     fourlink_rod rod;
     sample s;
 
-    (void)unused;
     slider_crank(0.1, 0.4, 30 * DEG, 2 * PI * 750 / 60, 0, &s);
     set_rod(&s, 100, 0.12, 0.16);
     s.design.link[4].mass = 125;
@@ -489,14 +480,13 @@ static void test_DFA_example_2(void **unused)
 }
 
 /* The crank pin rises: the weight of the rod's big end and its correction couple resist. */
-static void test_ME3491_example_1(void **unused)
+TEST(test_ME3491_example_1)
 {
     const double gas = 2e6 * PI / 4 * 0.115 * 0.115;
     fourlink_engine engine;
     fourlink_rod rod;
     sample s;
 
-    (void)unused;
     slider_crank(0.15, 0.45, 40 * DEG, 2 * PI * 1000 / 60, 0, &s);
     set_rod(&s, 2, 0.175, 0.15);
     s.design.link[4].mass = 2.5;
@@ -527,7 +517,7 @@ static void test_ME3491_example_1(void **unused)
 }
 
 /* A vertical engine whose k is that of a period of swings; the text has rounded omega to 20.94. */
-static void test_ME3491_example_2(void **unused)
+TEST(test_ME3491_example_2)
 {
     const double L = 9.81 * (2.5 / (2 * PI)) * (2.5 / (2 * PI)), k = sqrt(1.175 * (L - 1.175));
     fourlink_engine engine, level;
@@ -536,7 +526,6 @@ static void test_ME3491_example_2(void **unused)
     double gx, gy;
     sample s;
 
-    (void)unused;
     slider_crank(0.4, 2, 45 * DEG, 2 * PI * 200 / 60, 0, &s);
     set_rod(&s, 300, k, 0.825);
     s.design.gravity.x = -9.81;
@@ -661,12 +650,11 @@ static double largest_force(const engine_sample *e)
     return largest / fabs(state->sine);
 }
 
-static void test_nine_equations(void **unused)
+TEST(test_nine_equations)
 {
     uint64_t seed = 5;
     int n;
 
-    (void)unused;
     for (n = 0; n < 30000; n++) {
         engine_sample e;
 
@@ -681,12 +669,11 @@ static void test_nine_equations(void **unused)
 }
 
 /* The parts of the piston effort's torque, and the correction couple as a pair of forces. */
-static void test_parts(void **unused)
+TEST(test_parts)
 {
     uint64_t seed = 25;
     int n;
 
-    (void)unused;
     for (n = 0; n < 10000; n++) {
         double r, along, F, towards_crank, scale;
         engine_sample e;
@@ -712,12 +699,11 @@ static void test_parts(void **unused)
 
 /* Rod and crank of one length: the piston passes over the crankshaft and is on the other side for half a
 ** revolution, while the branch keeps its name, and the gas its direction. */
-static void test_nine_equations_behind_a_change_point(void **unused)
+TEST(test_nine_equations_behind_a_change_point)
 {
     uint64_t seed = 55;
     int n, behind = 0;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         engine_sample e;
 
@@ -743,12 +729,11 @@ static void test_nine_equations_behind_a_change_point(void **unused)
 /* A massless rod is a strut: the side thrust is the guide's force on the piston, less what acts on
 ** the piston across the stroke; the forces on crank pin and piston pin are the thrust in the rod,
 ** along it; crank effort and radial force are the components of the force on the crank pin. */
-static void test_strut(void **unused)
+TEST(test_strut)
 {
     uint64_t seed = 6;
     int n;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         double tolerance, across, theta3, theta2;
         const fourlink_forces *f;
@@ -786,12 +771,11 @@ static void test_strut(void **unused)
 ** ------------------------------------------------------------------------------------------- */
 
 /* theory.md section 4 as it stands: e = 0, constant speed, horizontal or vertical engine. */
-static void test_classical_formulas(void **unused)
+TEST(test_classical_formulas)
 {
     uint64_t seed = 7;
     int i;
 
-    (void)unused;
     for (i = 0; i < 6000; i++) {
         double r = uniform(&seed, 0.05, 1), n = uniform(&seed, 1.1, 8), l = n * r, g = 9.81;
         double theta = uniform(&seed, -PI, PI), w = uniform(&seed, -100, 100);
@@ -842,12 +826,11 @@ static void test_classical_formulas(void **unused)
 }
 
 /* What the series replace, and what not. */
-static void test_approximations(void **unused)
+TEST(test_approximations)
 {
     uint64_t seed = 8;
     int i;
 
-    (void)unused;
     for (i = 0; i < 2000; i++) {
         fourlink_engine exact, piston, all;
         fourlink_series series;
@@ -943,12 +926,11 @@ static void assert_same_engine(const engine_sample *e, double half_turn, double 
         assert_near(b[k], (k >= 5 ? mirror : 1) * (k == 5 ? half_turn : 1) * a[k], 2e-12 * scale);
 }
 
-static void test_half_turn_and_mirror(void **unused)
+TEST(test_half_turn_and_mirror)
 {
     uint64_t seed = 9;
     int n;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         engine_sample e;
 
@@ -960,12 +942,11 @@ static void test_half_turn_and_mirror(void **unused)
 }
 
 /* Loads on crank and rod, and the mass of the crank, are outside the method. */
-static void test_passed_over(void **unused)
+TEST(test_passed_over)
 {
     uint64_t seed = 10;
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         fourlink_load loads[MOST_LOADS + 2];
         fourlink_engine engine;
@@ -1001,7 +982,7 @@ static void refuse(const sample *s, double gas, const fourlink_load *loads, unsi
     assert_memory_equal(&engine, &before, sizeof engine);
 }
 
-static void test_engine_statuses(void **unused)
+TEST(test_engine_statuses)
 {
     static const fourlink_approximation any[] = {FOURLINK_EXACT, FOURLINK_SERIES_PISTON,
                                                  FOURLINK_SERIES_ALL};
@@ -1009,7 +990,6 @@ static void test_engine_statuses(void **unused)
     size_t i;
     sample s;
 
-    (void)unused;
     slider_crank(1, 3, 1, 2, 3, &s);
     set_rod(&s, 1, 1, 1);
     assert_int_equal(solve(&s), FOURLINK_OK);
@@ -1048,13 +1028,12 @@ static void test_engine_statuses(void **unused)
 }
 
 /* "What is outside is refused with FOURLINK_BAD_NUMBER, NaN included": loads are no exception. */
-static void test_bad_loads(void **unused)
+TEST(test_bad_loads)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1.1e30};
     size_t i;
     sample s;
 
-    (void)unused;
     slider_crank(1, 3, 1, 2, 3, &s);
     assert_int_equal(solve(&s), FOURLINK_OK);
     for (i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -1072,12 +1051,11 @@ static void test_bad_loads(void **unused)
 ** ------------------------------------------------------------------------------------------- */
 
 /* What is read from the drawing is the motion at constant speed. */
-static void test_klein_motion(void **unused)
+TEST(test_klein_motion)
 {
     uint64_t seed = 11;
     int n;
 
-    (void)unused;
     for (n = 0; n < 10000; n++) {
         double w, l, size, sine;
         fourlink_klein klein;
@@ -1105,12 +1083,11 @@ static void test_klein_motion(void **unused)
 
 /* The crank effort of the rod alone, by moments about I: at constant speed it is what the nine equations
 ** say of an engine with nothing else.  The arms are those of the drawing. */
-static void test_klein_crank_effort(void **unused)
+TEST(test_klein_crank_effort)
 {
     uint64_t seed = 26;
     int n;
 
-    (void)unused;
     for (n = 0; n < 10000; n++) {
         double r, l, scale, k3, sine, FC, WC;
         const fourlink_vector *g;
@@ -1191,12 +1168,11 @@ static fourlink_vector common_point(fourlink_vector B, fourlink_vector C, double
 /* The drawing: M where the rod's line cuts the perpendicular to the stroke through O, two circles,
 ** their common chord, Q where it cuts the rod, N where it cuts the parallel to the stroke through
 ** O.  Lengths from the points, signs from the motion. */
-static void test_klein_drawing(void **unused)
+TEST(test_klein_drawing)
 {
     uint64_t seed = 12;
     int n, drawn = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         fourlink_vector B, C, M, P1, P2, Q, N;
         double r, l, e, X, R, along, tolerance, theta2;
@@ -1248,12 +1224,11 @@ static void test_klein_drawing(void **unused)
     assert_true(drawn > 8000);
 }
 
-static void test_klein_statuses(void **unused)
+TEST(test_klein_statuses)
 {
     fourlink_klein klein, before;
     sample s;
 
-    (void)unused;
     memset(&before, 0x5A, sizeof before);
     klein = before;
     slider_crank(1, 3, 1, 2, 3, &s);
@@ -1269,33 +1244,5 @@ static void test_klein_statuses(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_series_expansion),
-        cmocka_unit_test(test_series_derivatives),
-        cmocka_unit_test(test_series_harmonic),
-        cmocka_unit_test(test_series_gap),
-        cmocka_unit_test(test_series_statuses),
-        cmocka_unit_test(test_rod_masses),
-        cmocka_unit_test(test_rod_masses_limits),
-        cmocka_unit_test(test_DFA_example_1),
-        cmocka_unit_test(test_DFA_example_2),
-        cmocka_unit_test(test_ME3491_example_1),
-        cmocka_unit_test(test_ME3491_example_2),
-        cmocka_unit_test(test_nine_equations),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_nine_equations_behind_a_change_point),
-        cmocka_unit_test(test_strut),
-        cmocka_unit_test(test_classical_formulas),
-        cmocka_unit_test(test_approximations),
-        cmocka_unit_test(test_half_turn_and_mirror),
-        cmocka_unit_test(test_passed_over),
-        cmocka_unit_test(test_engine_statuses),
-        cmocka_unit_test(test_bad_loads),
-        cmocka_unit_test(test_klein_motion),
-        cmocka_unit_test(test_klein_crank_effort),
-        cmocka_unit_test(test_klein_drawing),
-        cmocka_unit_test(test_klein_statuses),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -112,13 +112,12 @@ static const double stencil[4] = {-2, -1, 1, 2};
 ** Published values
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_reference_at_40_degrees(void **unused)
+TEST(test_reference_at_40_degrees)
 {
     fourlink_mechanism alvi = four_bar(0.020, 0.066, 0.056, 0.080);
     fourlink_state open = at(&alvi, FOURLINK_OPEN, 40 * DEG, 10.5, 0);
     fourlink_state crossed = at(&alvi, FOURLINK_CROSSED, 40 * DEG, 10.5, 0);
 
-    (void)unused;
     /* half a unit of the last digit given */
     assert_near(open.link[3].theta / DEG, 38.986348, 5e-7);
     assert_near(open.link[4].theta / DEG, 103.820765, 5e-7);
@@ -174,13 +173,12 @@ static const struct {
     {14, ACCB, -22.42, 5e-3},
 };
 
-static void test_printed_table(void **unused)
+TEST(test_printed_table)
 {
     fourlink_mechanism alvi = four_bar(0.020, 0.066, 0.056, 0.080);
     size_t n_misprints = sizeof misprints / sizeof misprints[0], i, k, found = 0;
     int column;
 
-    (void)unused;
     for (i = 0; i < 18; i++) {
         fourlink_state state =
             at(&alvi, i % 2 ? FOURLINK_OPEN : FOURLINK_CROSSED, printed[i].thet * DEG, 10.5, 0);
@@ -218,12 +216,11 @@ static void test_printed_table(void **unused)
 /* theta4 = 2 atan((-B +- root)/(2A)), whose upper sign is the crossed branch: at a root of
 ** A t^2 + B t + C, 2At + B = +-root has the sign of -sin(theta4 - theta3).  theta3 then follows
 ** from the loop with both its sine and its cosine. */
-static void test_freudenstein(void **unused)
+TEST(test_freudenstein)
 {
     uint64_t seed = 1;
     int n;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         double K, A, B, C, root, theta3, theta4, tolerance;
         sample s;
@@ -247,12 +244,11 @@ static void test_freudenstein(void **unused)
     }
 }
 
-static void test_closure(void **unused)
+TEST(test_closure)
 {
     uint64_t seed = 2;
     int n;
 
-    (void)unused;
     for (n = 0; n < 10000; n++) {
         double Bx, By, f2, cosine, tolerance;
         const fourlink_link_state *link;
@@ -292,12 +288,11 @@ static void test_closure(void **unused)
     }
 }
 
-static void test_velocity_by_differences(void **unused)
+TEST(test_velocity_by_differences)
 {
     uint64_t seed = 3;
     int n, i, link;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         double theta[5][4], h, scale;
         sample s;
@@ -323,12 +318,11 @@ static void test_velocity_by_differences(void **unused)
 }
 
 /* The crank's own motion is theta2 + omega2 t + alpha2 t^2/2. */
-static void test_acceleration_by_differences(void **unused)
+TEST(test_acceleration_by_differences)
 {
     uint64_t seed = 4;
     int n, i, link;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         double omega[5][4], step, t, speed, scale;
         sample s;
@@ -359,12 +353,11 @@ static void test_acceleration_by_differences(void **unused)
 }
 
 /* Points of all links, by differences of positions recomputed at nearby instants. */
-static void test_points_by_differences(void **unused)
+TEST(test_points_by_differences)
 {
     uint64_t seed = 5;
     int n, i, link;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         fourlink_vector p[4], v[4], position, velocity, acceleration, where;
         double f[4], step, t, scale, speed;
@@ -415,12 +408,11 @@ static void test_points_by_differences(void **unused)
 }
 
 /* The linkage in a mirror (y to -y): the branches change places, all angles their sign. */
-static void test_mirror(void **unused)
+TEST(test_mirror)
 {
     uint64_t seed = 6;
     int n, link;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         fourlink_state mirror;
         sample s;
@@ -467,22 +459,20 @@ static void check_parallelogram(double a, double d)
     }
 }
 
-static void test_parallelogram(void **unused)
+TEST(test_parallelogram)
 {
-    (void)unused;
     check_parallelogram(1, 2);
     check_parallelogram(0.1, 0.3);
     check_parallelogram(0.7, 0.33);
 }
 
 /* The anti-parallelogram is symmetric: C is A mirrored in the perpendicular bisector of BD. */
-static void test_anti_parallelogram(void **unused)
+TEST(test_anti_parallelogram)
 {
     const double a = 1, d = 2.5;
     fourlink_mechanism m = four_bar(a, d, a, d);
     int i;
 
-    (void)unused;
     for (i = 0; i < ODD_ANGLES; i++) {
         double theta2 = odd_angle(i) * DEG;
         double f2 = a * a + d * d - 2 * a * d * cos(theta2);
@@ -500,12 +490,11 @@ static void test_anti_parallelogram(void **unused)
 }
 
 /* Rhombus: open, a parallelogram; crossed, C stays at A. */
-static void test_rhombus(void **unused)
+TEST(test_rhombus)
 {
     fourlink_mechanism m = four_bar(0.3, 0.3, 0.3, 0.3);
     int i;
 
-    (void)unused;
     check_parallelogram(0.3, 0.3);
     for (i = 0; i < ODD_ANGLES; i++) {
         double theta2 = odd_angle(i) * DEG, sine = fabs(sin(theta2)), tolerance = 1e-14 / sine;
@@ -520,12 +509,11 @@ static void test_rhombus(void **unused)
 
 /* a = b, c = d, where Freudenstein's A vanishes at every angle: C is A mirrored in BD (open), or
 ** stays at A (crossed). */
-static void test_deltoid_about_BD(void **unused)
+TEST(test_deltoid_about_BD)
 {
     const double lengths[2][2] = {{1, 2}, {0.9, 0.4}};
     int k, i;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         double a = lengths[k][0], d = lengths[k][1];
         fourlink_mechanism m = four_bar(a, a, d, d);
@@ -551,13 +539,12 @@ static void test_deltoid_about_BD(void **unused)
 /* a = d, b = c > a: C is on the line through A at half the crank angle, at the distance
 ** a cos(theta2/2) +- sqrt(b^2 - a^2 sin^2(theta2/2)), in which theta2/2 counts on past 180 deg: the
 ** linkage needs two revolutions to come back. */
-static void test_deltoid_about_AC(void **unused)
+TEST(test_deltoid_about_AC)
 {
     const double a = 1, b = 1.7;
     fourlink_mechanism m = four_bar(a, b, b, a);
     int i, k;
 
-    (void)unused;
     for (i = 0; i < ODD_ANGLES; i++)
         for (k = 0; k < 2; k++) {
             double theta2 = odd_angle(i) * DEG, z = sin(theta2 / 2), c = cos(theta2 / 2);
@@ -596,7 +583,7 @@ static void check_turns(const double length[4], fourlink_branch branch, double t
     assert_near(sum4 / STEPS, turns4, 1e-13);
 }
 
-static void test_full_turns(void **unused)
+TEST(test_full_turns)
 {
     const double drag_link[4] = {3, 2.5, 3.5, 1};     /* ground shortest: crank and rocker turn */
     const double crank_rocker[4] = {20, 66, 56, 80};  /* crank shortest: neither other turns */
@@ -604,7 +591,6 @@ static void test_full_turns(void **unused)
     double reach;
     int k;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         fourlink_mechanism m;
         fourlink_state s;
@@ -682,12 +668,11 @@ static const struct {
 };
 #define CHANGE_POINTS (sizeof change_points / sizeof change_points[0])
 
-static void test_change_points_are_passed(void **unused)
+TEST(test_change_points_are_passed)
 {
     size_t i;
     int k;
 
-    (void)unused;
     for (i = 0; i < CHANGE_POINTS; i++) {
         fourlink_mechanism m = four_bar(change_points[i].a, change_points[i].b, change_points[i].c,
                                         change_points[i].d);
@@ -699,13 +684,12 @@ static void test_change_points_are_passed(void **unused)
     }
 }
 
-static void test_change_points_are_said(void **unused)
+TEST(test_change_points_are_said)
 {
     const double turns[] = {-720, -360, 0, 360, 720};
     size_t i, n;
     int k;
 
-    (void)unused;
     for (i = 0; i < CHANGE_POINTS; i++) {
         fourlink_mechanism m = four_bar(change_points[i].a, change_points[i].b, change_points[i].c,
                                         change_points[i].d);
@@ -723,12 +707,11 @@ static void test_change_points_are_said(void **unused)
 
 /* Lengths in whole millimetres, given in metres: whether their sums agree is then a question of
 ** whole numbers, which rounding must not decide. */
-static void test_change_points_of_decimal_lengths(void **unused)
+TEST(test_change_points_of_decimal_lengths)
 {
     uint64_t seed = 7;
     int n, tested = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         int a = (int)uniform(&seed, 5, 1000), b = (int)uniform(&seed, 5, 1000);
         int c = (int)uniform(&seed, 5, 1000), d = n % 2 ? b + c - a : a + c - b;
@@ -745,14 +728,13 @@ static void test_change_points_of_decimal_lengths(void **unused)
 }
 
 /* A row depends on its crank angle alone: not on what was computed before, nor on the memory. */
-static void test_no_memory(void **unused)
+TEST(test_no_memory)
 {
     fourlink_mechanism m = four_bar(1, 2, 3, 4);
     fourlink_state forwards[64], again;
     uint64_t seed = 8;
     int i, n;
 
-    (void)unused;
     for (i = 0; i < 64; i++) {
         memset(&forwards[i], 0, sizeof forwards[i]);
         assert_int_equal(analyse(&m, FOURLINK_OPEN, i * 0.35 + 0.1, 1, 2, &forwards[i]),
@@ -797,13 +779,12 @@ static void assert_no_position(const fourlink_mechanism *m, fourlink_branch bran
 }
 
 /* The limits of the crank follow from the triangle ABD with BD = b + c, or |b - c|. */
-static void test_reach(void **unused)
+TEST(test_reach)
 {
     const double lengths[][4] = {{3, 1, 2, 3.5}, {2, 2.2, 0.9, 1.5}, {0.02, 0.03, 0.01, 0.04}};
     size_t i;
     int k, limits = 0;
 
-    (void)unused;
     for (i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
         double a = lengths[i][0], b = lengths[i][1], c = lengths[i][2], d = lengths[i][3];
         fourlink_mechanism m = four_bar(a, b, c, d);
@@ -858,14 +839,13 @@ static void assert_not_prepared(const fourlink_design *design, int status)
     assert_memory_equal(&mechanism, &pattern, sizeof mechanism);
 }
 
-static void test_bad_designs(void **unused)
+TEST(test_bad_designs)
 {
     fourlink_design good = design_of(1, 3, 2.5, 3.5), bad;
     fourlink_mechanism mechanism;
     size_t i;
     int link, field;
 
-    (void)unused;
     assert_int_equal(fourlink_prepare(&good, NULL), FOURLINK_NULL);
     assert_not_prepared(NULL, FOURLINK_NULL);
     bad = good;
@@ -937,7 +917,7 @@ static void assert_same_state(const fourlink_state *state, const fourlink_state 
     assert_memory_equal(&state->sine, &other->sine, sizeof *state - offsetof(fourlink_state, sine));
 }
 
-static void test_bad_calls(void **unused)
+TEST(test_bad_calls)
 {
     fourlink_mechanism m = four_bar(1, 3, 2.5, 3.5);
     fourlink_state state = at(&m, FOURLINK_OPEN, 1, 2, 3), pattern = state;
@@ -946,7 +926,6 @@ static void test_bad_calls(void **unused)
     size_t i;
     int k;
 
-    (void)unused;
     for (i = 0; i < NO_NUMBERS; i++) {
         assert_no_position(&m, FOURLINK_OPEN, no_numbers[i], FOURLINK_BAD_NUMBER);
         assert_int_equal(fourlink_velocity(&m, no_numbers[i], &state), FOURLINK_BAD_NUMBER);
@@ -1005,12 +984,11 @@ static void assert_finite_vector(fourlink_vector v)
 }
 
 /* Within the range of numbers, nothing overflows. */
-static void test_extreme_numbers(void **unused)
+TEST(test_extreme_numbers)
 {
     uint64_t seed = 9;
     int n, link, positions = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         /* two pairs of like lengths, or it would never be assembled */
         double large = pow(10, uniform(&seed, -15, 15)), small = pow(10, uniform(&seed, -15, 15));
@@ -1039,7 +1017,7 @@ static void test_extreme_numbers(void **unused)
     assert_true(positions > 2000);
 }
 
-static void test_status_texts(void **unused)
+TEST(test_status_texts)
 {
 #define CODE(name, value, text) {name, value, text},
     static const struct {
@@ -1048,7 +1026,6 @@ static void test_status_texts(void **unused)
     } codes[] = {FOURLINK_STATUS_LIST(CODE)};
     size_t n = sizeof codes / sizeof codes[0], i, k;
 
-    (void)unused;
     for (i = 0; i < n; i++) {
         const char *text = fourlink_status_text(codes[i].code);
 
@@ -1070,31 +1047,5 @@ static void test_status_texts(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_at_40_degrees),
-        cmocka_unit_test(test_printed_table),
-        cmocka_unit_test(test_freudenstein),
-        cmocka_unit_test(test_closure),
-        cmocka_unit_test(test_velocity_by_differences),
-        cmocka_unit_test(test_acceleration_by_differences),
-        cmocka_unit_test(test_points_by_differences),
-        cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_anti_parallelogram),
-        cmocka_unit_test(test_rhombus),
-        cmocka_unit_test(test_deltoid_about_BD),
-        cmocka_unit_test(test_deltoid_about_AC),
-        cmocka_unit_test(test_full_turns),
-        cmocka_unit_test(test_change_points_are_passed),
-        cmocka_unit_test(test_change_points_are_said),
-        cmocka_unit_test(test_change_points_of_decimal_lengths),
-        cmocka_unit_test(test_no_memory),
-        cmocka_unit_test(test_reach),
-        cmocka_unit_test(test_bad_designs),
-        cmocka_unit_test(test_bad_calls),
-        cmocka_unit_test(test_extreme_numbers),
-        cmocka_unit_test(test_status_texts),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -70,7 +70,7 @@ static void assert_reference(sample s, const fourlink_friction *friction, const 
     assert_close((f.Ts - l.Ts0) * s.crank.omega2, l.power, 1e-9);
 }
 
-static void test_four_bar(void **unused)
+TEST(test_four_bar)
 {
     static const reference references[] = {{110,
                                             {8.766144791062, 6.861707989146, 8.72843707026,
@@ -91,7 +91,6 @@ static void test_four_bar(void **unused)
     fourlink_friction friction = pins(0.1 * 0.006);
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         sample s = rocker(references[i].degrees);
 
@@ -102,7 +101,7 @@ static void test_four_bar(void **unused)
     }
 }
 
-static void test_lever(void **unused)
+TEST(test_lever)
 {
     static const reference references[] = {{35,
                                             {31.11529688947, 113.7959744092, 34.208360607,
@@ -123,7 +122,6 @@ static void test_lever(void **unused)
     fourlink_friction friction = pins(0);
     int i;
 
-    (void)unused;
     friction.circle[0] = 0.1 * 0.015;
     friction.circle[1] = 0.1 * 0.010;
     friction.circle[3] = 0.1 * 0.020;
@@ -273,12 +271,11 @@ static int fixed_point(const sample *s, const fourlink_friction *friction, doubl
 
 #define MACHINES 10000
 
-static void test_fixed_point(void **unused)
+TEST(test_fixed_point)
 {
     uint64_t seed = 11;
     int n = 0, kinds[5] = {0, 0, 0, 0, 0}, locked = 0, tried = 0;
 
-    (void)unused;
     while (n < MACHINES) {
         fourlink_friction friction = draw_friction(&seed);
         fourlink_forces f, by_iteration;
@@ -322,7 +319,7 @@ static void test_fixed_point(void **unused)
 }
 
 /* Half the friction, half the rise of Ts: to second order. */
-static void test_small(void **unused)
+TEST(test_small)
 {
     sample s = rocker(110);
     fourlink_forces f;
@@ -330,7 +327,6 @@ static void test_small(void **unused)
     double rise[3];
     int i;
 
-    (void)unused;
     s.load[0].link = 4;
     s.load[0].torque = 0.5;
     s.n_loads = 1;
@@ -352,12 +348,11 @@ static void test_small(void **unused)
 ** ------------------------------------------------------------------------------------------- */
 
 /* Mirrored at the x axis, the machine has the mirrored forces. */
-static void test_mirrored(void **unused)
+TEST(test_mirrored)
 {
     uint64_t seed = 3;
     int n = 0, tried = 0;
 
-    (void)unused;
     while (n < 300) {
         fourlink_friction friction = draw_friction(&seed);
         fourlink_forces f, g;
@@ -397,14 +392,13 @@ static void test_mirrored(void **unused)
 }
 
 /* The same positions in the other sense: the friction of a static load is reversed. */
-static void test_reversed(void **unused)
+TEST(test_reversed)
 {
     fourlink_friction friction = pins(1e-4);
     fourlink_forces f, g, at_rest;
     fourlink_losses l;
     sample s = rocker(70);
 
-    (void)unused;
     s.load[0].link = 4;
     s.load[0].torque = 5;
     s.n_loads = 1;
@@ -428,14 +422,13 @@ static void test_reversed(void **unused)
 }
 
 /* At a dead centre the piston stands still: its guide has no friction. */
-static void test_dead_centre(void **unused)
+TEST(test_dead_centre)
 {
     fourlink_friction friction = pins(0);
     fourlink_forces f;
     fourlink_losses l;
     sample s;
 
-    (void)unused;
     memset(&s, 0, sizeof s);
     s.design.kind = FOURLINK_SLIDER_CRANK;
     s.design.link[2].length = 0.05;
@@ -456,13 +449,12 @@ static void test_dead_centre(void **unused)
 }
 
 /* The loads of friction have their places, whether joints have friction, and move, or not. */
-static void test_places(void **unused)
+TEST(test_places)
 {
     static const int links[][FOURLINK_FRICTION_LOADS] = {{3, 2, 4, 3, 4, 2}, {3, 2, 3, 4, 4, 2}};
     uint64_t seed = 11;
     int n = 0, tried = 0, i;
 
-    (void)unused;
     while (n < 60) {
         fourlink_friction friction = draw_friction(&seed);
         fourlink_forces f;
@@ -498,7 +490,7 @@ static void test_places(void **unused)
 /* A massless slider-crank with friction in its guide, whose crank drives against P on the piston: with the obliquity
 ** phi of the rod, Q in the rod, N = Q sin(phi) and P + mu N = Q cos(phi), so that Q = P / (cos(phi) - mu sin(phi)).
 ** It locks where tan(phi) = 1 / mu. */
-static void test_locking(void **unused)
+TEST(test_locking)
 {
     double mu = 1.25;
     double locks = asin(1.2 * sin(atan(1 / mu)));
@@ -508,7 +500,6 @@ static void test_locking(void **unused)
     sample s;
     int i;
 
-    (void)unused;
     memset(&s, 0, sizeof s);
     s.design.kind = FOURLINK_SLIDER_CRANK;
     s.design.link[2].length = 0.1;
@@ -549,7 +540,7 @@ static void test_locking(void **unused)
     assert_close(f.F34x, 100 / (1 + mu * tan(asin(sin(s.crank.theta2) / 1.2))), 1e-9);
 }
 
-static void test_bad(void **unused)
+TEST(test_bad)
 {
     fourlink_friction good = pins(0.001), friction;
     sample s = rocker(40);
@@ -558,7 +549,6 @@ static void test_bad(void **unused)
     double *numbers[6];
     int i;
 
-    (void)unused;
     assert_int_equal(move(&s), FOURLINK_OK);
     for (i = 0; i < 4; i++)
         numbers[i] = &friction.circle[i];
@@ -596,12 +586,5 @@ static void test_bad(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_four_bar),    cmocka_unit_test(test_lever),
-        cmocka_unit_test(test_fixed_point), cmocka_unit_test(test_small),
-        cmocka_unit_test(test_mirrored),    cmocka_unit_test(test_reversed),
-        cmocka_unit_test(test_dead_centre), cmocka_unit_test(test_places),
-        cmocka_unit_test(test_locking),     cmocka_unit_test(test_bad),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

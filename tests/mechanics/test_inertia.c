@@ -64,12 +64,11 @@ static double inertia_at(const fourlink_mechanism *m, double theta2, double *slo
 }
 
 /* Ts is affine in alpha2 and omega2^2; J' is the derivative of J. */
-static void test_inertia(void **unused)
+TEST(test_inertia)
 {
     uint64_t seed = 18;
     int i;
 
-    (void)unused;
     for (i = 0; i < MACHINES; i++) {
         fourlink_mechanism m = random_machine(&seed, i), light = m;
         double theta2 = uniform(&seed, 0, 6.28), omega2 = uniform(&seed, -20, 20), h = 1e-5;
@@ -89,12 +88,11 @@ static void test_inertia(void **unused)
 }
 
 /* At rest the torque holds loads and weights. */
-static void test_generalised_force(void **unused)
+TEST(test_generalised_force)
 {
     uint64_t seed = 81;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < MACHINES; i++) {
         fourlink_mechanism m = random_machine(&seed, i);
         fourlink_crank crank = {0, 0, 0};
@@ -122,14 +120,13 @@ static void test_generalised_force(void **unused)
     }
 }
 
-static void test_bad_calls(void **unused)
+TEST(test_bad_calls)
 {
     uint64_t seed = 8;
     fourlink_mechanism m = random_machine(&seed, 0), raw;
     fourlink_state state;
     double J = 7;
 
-    (void)unused;
     memset(&raw, 0, sizeof raw);
     assert_int_equal(fourlink_position(&m, FOURLINK_OPEN, 1, &state), FOURLINK_OK);
     assert_int_equal(fourlink_inertia(NULL, &state, &J, NULL), FOURLINK_NULL);
@@ -149,12 +146,11 @@ static double of_motor(const fourlink_motor *motor, double omega2)
     return T;
 }
 
-static void test_motors(void **unused)
+TEST(test_motors)
 {
     static const double speed[] = {0, 10, 12, 14.5}, at[] = {60, 80, 120, 0};
     fourlink_motor m;
 
-    (void)unused;
     memset(&m, 0, sizeof m);
     assert_near(of_motor(&m, 3), 0, 0);
     m.ratio = 2;
@@ -189,13 +185,12 @@ static void test_motors(void **unused)
     assert_near(of_motor(&m, 5 - 1e-9), of_motor(&m, 5 + 1e-9), 1e-6);
 }
 
-static void test_bad_motors(void **unused)
+TEST(test_bad_motors)
 {
     static const double falling[] = {0, 2, 2}, at[] = {1, 2, 3};
     fourlink_motor m;
     double T = 7;
 
-    (void)unused;
     memset(&m, 0, sizeof m);
     assert_int_equal(fourlink_motor_torque(NULL, 1, &T), FOURLINK_NULL);
     assert_int_equal(fourlink_motor_torque(&m, 1, NULL), FOURLINK_NULL);
@@ -219,7 +214,7 @@ static void test_bad_motors(void **unused)
 }
 
 /* Numbers that are not finite, or make a torque that is not, give a status, and no torque. */
-static void test_motors_out_of_range(void **unused)
+TEST(test_motors_out_of_range)
 {
     static const double wrong[] = {NAN, INFINITY, -INFINITY, 2e30};
     static const fourlink_motor_kind kinds[] = {FOURLINK_MOTOR_TORQUE, FOURLINK_MOTOR_LINEAR,
@@ -229,7 +224,6 @@ static void test_motors_out_of_range(void **unused)
     fourlink_motor good, m;
     size_t i, k, n;
 
-    (void)unused;
     memset(&good, 0, sizeof good);
     good.torque = 3;
     good.stall_torque = 120;
@@ -273,12 +267,5 @@ static void test_motors_out_of_range(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_inertia),
-                                       cmocka_unit_test(test_generalised_force),
-                                       cmocka_unit_test(test_bad_calls),
-                                       cmocka_unit_test(test_motors),
-                                       cmocka_unit_test(test_motors_out_of_range),
-                                       cmocka_unit_test(test_bad_motors)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -237,12 +237,11 @@ static double difference(int i, double x, double y)
     return i == 0 || i == 3 ? remainder(x - y, 2 * PI) : x - y;
 }
 
-static void test_reference(void **unused)
+TEST(test_reference)
 {
     size_t n;
     int solver, i;
 
-    (void)unused;
     for (n = 0; n < sizeof reference / sizeof reference[0]; n++)
         for (solver = 0; solver < 2; solver++) {
             const double *value = reference[n].value;
@@ -317,13 +316,12 @@ static void draw(uint64_t *seed, sample *s)
 
 /* A + a e2 = D + s u + h n, also by the lever's own axes; its derivatives; the accelerations of B by way of
 ** the crank, and by way of the lever: a_B4 + coriolis n + slide_a u. */
-static void test_closure(void **unused)
+TEST(test_closure)
 {
     uint64_t seed = 1;
     sample s;
     int n;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         const fourlink_link_state *slider = &s.state.link[3], *lever = &s.state.link[4];
         fourlink_vector on_lever, p, v, a;
@@ -368,14 +366,13 @@ static void test_closure(void **unused)
 }
 
 /* Central differences of theta3 and slide in time. */
-static void test_differences(void **unused)
+TEST(test_differences)
 {
     const double dt = 1e-5;
     uint64_t seed = 2;
     sample s;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         fourlink_state at_time[3];
         double turned[3], w, size, w_size;
@@ -418,14 +415,13 @@ static void list(const fourlink_forces *f, double arm, double value[N_FORCES])
 }
 
 /* Both solutions, the power balance, and the sums of forces and moments of the lever. */
-static void test_solvers(void **unused)
+TEST(test_solvers)
 {
     uint64_t seed = 3;
     double worst = 0;
     sample s;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         double dyad[N_FORCES], matrix[N_FORCES], largest = 0, arm;
         double A[9][9], b[9], x[9];
@@ -483,14 +479,13 @@ static void add(sum *s, fourlink_vector at, double x, double y, double couple)
 
 /* Newton and Euler for each link by itself: joints, weight and loads give m a_G, and about G I alpha.  The force of
 ** the slider on the lever is F34 at B, and the couple M34. */
-static void test_free_bodies(void **unused)
+TEST(test_free_bodies)
 {
     const fourlink_vector A = {0, 0};
     uint64_t seed = 4;
     sample s;
     int n, i, link;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         const fourlink_forces *f = &s.forces;
         fourlink_vector B, D = {0, 0};
@@ -535,13 +530,12 @@ static void test_free_bodies(void **unused)
 
 /* theta2, gamma, offset and all that is across turned round mirror the motion at the x axis, and swap the
 ** signs of what turns; the branch stays. */
-static void test_mirror(void **unused)
+TEST(test_mirror)
 {
     uint64_t seed = 4;
     sample s;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         sample m;
         double size;
@@ -579,12 +573,11 @@ static void test_mirror(void **unused)
 }
 
 /* A lever of no length, or one that is a length beyond its slide, is the lever without. */
-static void test_forms(void **unused)
+TEST(test_forms)
 {
     uint64_t seed = 5;
     int n;
 
-    (void)unused;
     for (n = 0; n < n_samples; n++) {
         double a = uniform(&seed, 0.1, 1), d = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1);
         double gamma = uniform(&seed, -3, 3), theta2 = uniform(&seed, 0.1, 6);
@@ -610,13 +603,12 @@ static void test_forms(void **unused)
 
 /* The lever swings back to where it was, or turns once, with the crank; extremes of its angle, its speed
 ** and the transmission angle are the limits. */
-static void test_limits(void **unused)
+TEST(test_limits)
 {
     const int steps = 2000;
     uint64_t seed = 6;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 300; n++) {
         double a = uniform(&seed, 0.1, 1), d = uniform(&seed, 0.1, 1);
         double h = uniform(&seed, -0.95, 0.95) * fabs(a - d), turned = 0, gamma = n % 3 ? 0 : 0.7;
@@ -672,14 +664,13 @@ static void test_limits(void **unused)
 }
 
 /* Whitworth's ratio: the tool goes back where the slide is at right angles to AD. */
-static void test_whitworth(void **unused)
+TEST(test_whitworth)
 {
     fourlink_mechanism m = prepared(0.15, 0.06, 0, 0, 0);
     double half = acos(0.06 / 0.15);
     fourlink_limits limits;
     fourlink_state state;
 
-    (void)unused;
     assert_int_equal(fourlink_limits_of(&m, FOURLINK_OPEN, &limits), FOURLINK_OK);
     assert_near(limits.time_ratio, (PI - half) / half, 1e-13);
     assert_false(limits.has_swing);
@@ -701,7 +692,7 @@ static void test_whitworth(void **unused)
 }
 
 /* One range around 180 deg, whose ends are dead positions; none where the slide passes too far. */
-static void test_reach(void **unused)
+TEST(test_reach)
 {
     fourlink_mechanism m = prepared(0.2, 0.3, 0.25, 0, 0);
     double first = acos((0.04 + 0.09 - 0.0625) / 0.12);
@@ -710,7 +701,6 @@ static void test_reach(void **unused)
     fourlink_state state;
     fourlink_type type;
 
-    (void)unused;
     assert_int_equal(fourlink_reach_of(&m, &reach), FOURLINK_OK);
     assert_int_equal(reach.n_ranges, 1);
     assert_near(reach.from[0], first, 1e-14);
@@ -731,14 +721,13 @@ static void test_reach(void **unused)
 }
 
 /* The motion goes smoothly through a change point, and comes back after two turns. */
-static void test_change_points(void **unused)
+TEST(test_change_points)
 {
     static const double h[] = {0.1, -0.1, 0};
     fourlink_state state, after;
     fourlink_type type;
     int i, n;
 
-    (void)unused;
     for (i = 0; i < 3; i++) {
         double a = 0.3, d = i < 2 ? 0.2 : 0.3, step = PI / 500;
         fourlink_mechanism m = prepared(a, d, h[i], 0, 0);
@@ -769,12 +758,11 @@ static void test_change_points(void **unused)
 }
 
 /* B close to D: digits are not lost. */
-static void test_near_D(void **unused)
+TEST(test_near_D)
 {
     static const double near[] = {1e-3, 1e-6, 1e-9, -1e-9, -1e-6};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof near / sizeof near[0]; i++) {
         double d = 1, a = 1 + near[i], theta2 = 0.5 * fabs(near[i]);
         double slack = a - d, x = slack - 2 * a * pow(sin(theta2 / 2), 2), y = a * sin(theta2);
@@ -788,7 +776,7 @@ static void test_near_D(void **unused)
     }
 }
 
-static void test_bad_designs(void **unused)
+TEST(test_bad_designs)
 {
     static const double bad[] = {-1, 1e-20, 1e20, NAN};
     static const int status[] = {FOURLINK_BAD_LENGTH, FOURLINK_BAD_NUMBER, FOURLINK_BAD_NUMBER,
@@ -796,7 +784,6 @@ static void test_bad_designs(void **unused)
     fourlink_mechanism m;
     int i;
 
-    (void)unused;
     for (i = 0; i < 4; i++) {
         fourlink_design design = lengths(1, 1, 0, bad[i], 0);
 
@@ -819,12 +806,11 @@ static void test_bad_designs(void **unused)
 }
 
 /* At the ends of the range of numbers a position that is found has no infinite results. */
-static void test_extreme_numbers(void **unused)
+TEST(test_extreme_numbers)
 {
     uint64_t seed = 7;
     int n, i, found = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         double large = pow(10, uniform(&seed, -15, 14.5)),
                small = pow(10, uniform(&seed, -15, 14.5));
@@ -852,7 +838,7 @@ static void test_extreme_numbers(void **unused)
 }
 
 /* The call for FORTRAN 77. */
-static void test_fortran(void **unused)
+TEST(test_fortran)
 {
     static const double gravity[2] = {0, -9.81};
     double links[20] = {0}, loads[7], state[36], slide[4], forces[10];
@@ -860,7 +846,6 @@ static void test_fortran(void **unused)
     double crank[3];
     sample s;
 
-    (void)unused;
     make_reference(2, &s);
     s.crank.theta2 = 110 * DEG;
     for (i = 1; i <= 4; i++) {
@@ -902,17 +887,7 @@ static void test_fortran(void **unused)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference),     cmocka_unit_test(test_closure),
-        cmocka_unit_test(test_differences),   cmocka_unit_test(test_solvers),
-        cmocka_unit_test(test_free_bodies),   cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_forms),         cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_whitworth),     cmocka_unit_test(test_reach),
-        cmocka_unit_test(test_change_points), cmocka_unit_test(test_near_D),
-        cmocka_unit_test(test_bad_designs),   cmocka_unit_test(test_extreme_numbers),
-        cmocka_unit_test(test_fortran)};
-
     if (argc > 1)
         n_samples = atoi(argv[1]);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

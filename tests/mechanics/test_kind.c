@@ -5,7 +5,7 @@
 */
 #include "samples.h"
 
-static void test_names(void **unused)
+TEST(test_names)
 {
     static const int kinds[3] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
                                  FOURLINK_INVERTED_SLIDER_CRANK};
@@ -19,7 +19,6 @@ static void test_names(void **unused)
     static const int none[] = {-1, 0, 3};
     int kind, i, k;
 
-    (void)unused;
     assert_string_equal(fourlink_kind_text(FOURLINK_INVERTED_SLIDER_CRANK),
                         "inverted slider-crank");
     assert_string_equal(fourlink_kind_text(FOURLINK_FOUR_BAR), "four-bar linkage");
@@ -45,11 +44,10 @@ static void test_names(void **unused)
 }
 
 /* The piston slides along the ground, the slider along the lever, and no other link. */
-static void test_sliders(void **unused)
+TEST(test_sliders)
 {
     int link;
 
-    (void)unused;
     for (link = -1; link <= 6; link++) {
         assert_int_equal(fourlink_slides(FOURLINK_FOUR_BAR, link), 0);
         assert_int_equal(fourlink_slides(FOURLINK_SLIDER_CRANK, link),
@@ -71,14 +69,13 @@ static void draw(uint64_t *seed, int n, sample *s)
 }
 
 /* The unknowns solve the system of their position. */
-static void test_unknowns(void **unused)
+TEST(test_unknowns)
 {
     uint64_t seed = 1;
     double A[9][9], b[9], x[9];
     sample s;
     int n, i, j;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         draw(&seed, n, &s);
         assert_int_equal(fourlink_system(&s.mechanism, &s.state, s.load, s.n_loads, A, b),
@@ -100,13 +97,12 @@ static void test_unknowns(void **unused)
 }
 
 /* Links turn fully, and their angles are those of their axes. */
-static void test_angles(void **unused)
+TEST(test_angles)
 {
     uint64_t seed = 2;
     sample s;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 100000; n++) {
         draw(&seed, n, &s);
         for (i = FOURLINK_COUPLER; i <= FOURLINK_FOLLOWER; i++) {
@@ -119,7 +115,7 @@ static void test_angles(void **unused)
 }
 
 /* A rod that is at 180 deg but for rounding is at 180 deg, not at -180. */
-static void test_half_turn(void **unused)
+TEST(test_half_turn)
 {
     static const struct {
         double slope, open, crossed;
@@ -129,7 +125,6 @@ static void test_half_turn(void **unused)
     fourlink_state state;
     size_t i;
 
-    (void)unused;
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_SLIDER_CRANK;
     design.link[FOURLINK_CRANK].length = 0.25;
@@ -146,7 +141,7 @@ static void test_half_turn(void **unused)
 }
 
 /* A mechanism that was not prepared. */
-static void test_not_prepared(void **unused)
+TEST(test_not_prepared)
 {
     uint64_t seed = 3;
     double A[9][9], b[9];
@@ -156,7 +151,6 @@ static void test_not_prepared(void **unused)
     fourlink_limits limits;
     sample s;
 
-    (void)unused;
     draw(&seed, 0, &s);
     memset(&none, 0, sizeof none);
     assert_int_equal(fourlink_type_of(&none, &type), FOURLINK_BAD_KIND);
@@ -171,13 +165,12 @@ static void test_not_prepared(void **unused)
 }
 
 /* Every type belongs to one kind. */
-static void test_types(void **unused)
+TEST(test_types)
 {
     static const int kinds[3] = {FOURLINK_FOUR_BAR, FOURLINK_SLIDER_CRANK,
                                  FOURLINK_INVERTED_SLIDER_CRANK};
     int type, i, counts[3] = {0};
 
-    (void)unused;
     for (type = -1; type < 40; type++) {
         int n = 0, is_known = strcmp(fourlink_type_text(type), "unknown type") != 0;
 
@@ -197,12 +190,5 @@ static void test_types(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_names),     cmocka_unit_test(test_sliders),
-        cmocka_unit_test(test_unknowns),  cmocka_unit_test(test_angles),
-        cmocka_unit_test(test_half_turn), cmocka_unit_test(test_not_prepared),
-        cmocka_unit_test(test_types),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

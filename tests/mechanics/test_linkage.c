@@ -93,12 +93,11 @@ static long turns_of(const fourlink_mechanism *mechanism, fourlink_branch branch
     return lround(sum / (2 * PI));
 }
 
-static void test_types_by_turning(void **unused)
+TEST(test_types_by_turning)
 {
     int seen[FOURLINK_TRIPLE_ROCKER + 1] = {0}, i, k;
     uint64_t seed = 1;
 
-    (void)unused;
     for (i = 0; i < 4000; i++) {
         double x[4], s = 2, l = 0, sum = 0, a, b, c, d;
         int crank, rocker, on_crank, on_rocker;
@@ -160,12 +159,11 @@ static void check_change_point(double a, double b, double c, double d, fourlink_
     assert_true(at_0 == FOURLINK_CHANGE_POINT || at_180 == FOURLINK_CHANGE_POINT);
 }
 
-static void test_types_with_change_point(void **unused)
+TEST(test_types_with_change_point)
 {
     uint64_t seed = 2;
     int i, generic = 0;
 
-    (void)unused;
     for (i = 0; i < 2000; i++) {
         double x = millimetres(&seed), y = millimetres(&seed), z = millimetres(&seed), w;
 
@@ -190,11 +188,10 @@ static void test_types_with_change_point(void **unused)
 }
 
 /* A millionth beside the change point the linkage is of one of the other types. */
-static void test_types_beside_change_point(void **unused)
+TEST(test_types_beside_change_point)
 {
     fourlink_mechanism m = four_bar(0.020, 0.066, 0.056, 0.070);
 
-    (void)unused;
     assert_int_equal(type_of(&m), FOURLINK_CRANK_ROCKER);
     m = four_bar(0.020, 0.066, 0.056, 0.102);
     assert_int_equal(type_of(&m), FOURLINK_CHANGE_POINT_LINKAGE);
@@ -213,12 +210,11 @@ static void test_types_beside_change_point(void **unused)
     assert_int_equal(type_of(&m), FOURLINK_TRIPLE_ROCKER);
 }
 
-static void test_types_of_slider_cranks(void **unused)
+TEST(test_types_of_slider_cranks)
 {
     int seen[2] = {0}, i;
     uint64_t seed = 3;
 
-    (void)unused;
     for (i = 0; i < 2000; i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 3), e = uniform(&seed, -1, 1);
         fourlink_mechanism m = slider_crank(r, l, e);
@@ -248,7 +244,7 @@ static void test_types_of_slider_cranks(void **unused)
     }
 }
 
-static void test_type_names(void **unused)
+TEST(test_type_names)
 {
     static const struct {
         double a, b, c, d;
@@ -265,7 +261,6 @@ static void test_type_names(void **unused)
     fourlink_mechanism m;
     int i, j;
 
-    (void)unused;
     for (i = 0; i < (int)(sizeof table / sizeof table[0]); i++) {
         /* at any size */
         for (j = -12; j <= 12; j += 4) {
@@ -377,12 +372,11 @@ static int check_reach(const fourlink_mechanism *mechanism, double slow)
     return reach.n_ranges;
 }
 
-static void test_reach_of_four_bars(void **unused)
+TEST(test_reach_of_four_bars)
 {
     int seen[4] = {0}, around_0 = 0, i;
     uint64_t seed = 4;
 
-    (void)unused;
     for (i = 0; i < 4000; i++) {
         double a = uniform(&seed, 0.1, 1), b = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1),
                d = uniform(&seed, 0.1, 1);
@@ -399,12 +393,11 @@ static void test_reach_of_four_bars(void **unused)
     assert_true(around_0 > 200 && seen[1] - around_0 > 200);
 }
 
-static void test_reach_of_slider_cranks(void **unused)
+TEST(test_reach_of_slider_cranks)
 {
     int seen[4] = {0}, i;
     uint64_t seed = 5;
 
-    (void)unused;
     for (i = 0; i < 4000; i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 1.5),
                e = uniform(&seed, -1.5, 1.5);
@@ -419,13 +412,12 @@ static void test_reach_of_slider_cranks(void **unused)
 }
 
 /* 300, 400, 500, 750 mm: the triangle ABD has its side BD = 900 mm at the limit. */
-static void test_reach_by_hand(void **unused)
+TEST(test_reach_by_hand)
 {
     fourlink_mechanism m = four_bar(0.3, 0.4, 0.5, 0.75);
     double end = acos((0.09 + 0.5625 - 0.81) / (2 * 0.3 * 0.75));
     fourlink_reach reach;
 
-    (void)unused;
     assert_int_equal(fourlink_reach_of(&m, &reach), FOURLINK_OK);
     assert_int_equal(reach.n_ranges, 1);
     assert_near(reach.from[0], -end, 1e-15);
@@ -574,12 +566,11 @@ static void assert_no_stroke(const fourlink_limits *limits)
     assert_true(limits->stroke == 0 && limits->inner == 0 && limits->outer == 0);
 }
 
-static void test_limits_of_rockers(void **unused)
+TEST(test_limits_of_rockers)
 {
     uint64_t seed = 6;
     int i, k, n = 0, quick[2] = {0};
 
-    (void)unused;
     for (i = 0; i < 4000 && n < 150; i++) {
         double a = uniform(&seed, 0.1, 0.5), b = uniform(&seed, 0.3, 1), c = uniform(&seed, 0.3, 1),
                d = uniform(&seed, 0.3, 1.5);
@@ -630,12 +621,11 @@ static void test_limits_of_rockers(void **unused)
     assert_true(quick[0] > 20 && quick[1] > 20);
 }
 
-static void test_transmission_angles_of_four_bars(void **unused)
+TEST(test_transmission_angles_of_four_bars)
 {
     int seen[FOURLINK_TRIPLE_ROCKER + 1] = {0}, below_90 = 0, i, k;
     uint64_t seed = 7;
 
-    (void)unused;
     for (i = 0; i < 500; i++) {
         double a = uniform(&seed, 0.1, 1), b = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1),
                d = uniform(&seed, 0.1, 1);
@@ -677,12 +667,11 @@ static void test_transmission_angles_of_four_bars(void **unused)
     assert_true(below_90 > 10);
 }
 
-static void test_limits_of_pistons(void **unused)
+TEST(test_limits_of_pistons)
 {
     uint64_t seed = 8;
     int n = 0, i, k;
 
-    (void)unused;
     for (i = 0; i < 150; i++) {
         double r = uniform(&seed, 0.1, 0.5), e = uniform(&seed, -0.7, 0.7),
                l = (r + fabs(e)) * uniform(&seed, 1.02, 4);
@@ -728,13 +717,12 @@ static void test_limits_of_pistons(void **unused)
 }
 
 /* Quick return by an offset: crank 1.4, rod 4, offset 1, dead centres at 10.671 and 202.620 deg, by hand. */
-static void test_time_ratio_of_an_offset(void **unused)
+TEST(test_time_ratio_of_an_offset)
 {
     static const double offsets[] = {1, -1};
     fourlink_mechanism m;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 2; i++)
         for (k = 0; k < 2; k++) {
             m = slider_crank(1.4, 4, offsets[i]);
@@ -746,12 +734,11 @@ static void test_time_ratio_of_an_offset(void **unused)
     assert_true(limits_of(&m, FOURLINK_OPEN).time_ratio == 0);
 }
 
-static void test_transmission_angles_of_slider_cranks(void **unused)
+TEST(test_transmission_angles_of_slider_cranks)
 {
     int seen[3] = {0}, i, k;
     uint64_t seed = 9;
 
-    (void)unused;
     for (i = 0; i < 500; i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 1), e = uniform(&seed, -1, 1);
         fourlink_mechanism m = slider_crank(r, l, e);
@@ -781,7 +768,7 @@ static void test_transmission_angles_of_slider_cranks(void **unused)
 
 /* Alvi, section 5.1: 20, 66, 56, 80 mm.  The limits by the law of cosines in the triangles of sides
 ** 80, 56, 86 and 80, 56, 46, the transmission angles in those of sides 66, 56, 60 and 66, 56, 100. */
-static void test_alvi_by_hand(void **unused)
+TEST(test_alvi_by_hand)
 {
     fourlink_mechanism m = four_bar(0.020, 0.066, 0.056, 0.080);
     fourlink_limits open = limits_of(&m, FOURLINK_OPEN), crossed = limits_of(&m, FOURLINK_CROSSED);
@@ -790,7 +777,6 @@ static void test_alvi_by_hand(void **unused)
            extended = acos((6400. + 7396 - 3136) / (2 * 80 * 86)),
            folded = acos((6400. + 2116 - 3136) / (2 * 80 * 46)) + PI;
 
-    (void)unused;
     assert_int_equal(type_of(&m), FOURLINK_CRANK_ROCKER);
     assert_true(open.has_swing && crossed.has_swing);
     assert_near(open.theta4_min, PI - outer, 1e-14);
@@ -818,12 +804,11 @@ static void test_alvi_by_hand(void **unused)
 }
 
 /* An engine with its line of stroke through the crankshaft: stroke 2 r, dead centres at 0 and 180. */
-static void test_engine_by_hand(void **unused)
+TEST(test_engine_by_hand)
 {
     fourlink_mechanism m = slider_crank(0.15, 0.45, 0);
     fourlink_limits open = limits_of(&m, FOURLINK_OPEN), crossed = limits_of(&m, FOURLINK_CROSSED);
 
-    (void)unused;
     assert_near(open.stroke, 0.3, 1e-16);
     check_angle(open.inner, 0, 0);
     check_angle(open.outer, PI, 1e-15);
@@ -842,13 +827,12 @@ static void test_engine_by_hand(void **unused)
 }
 
 /* A mechanism with a change point passes it, and has neither limits nor dead centres. */
-static void test_limits_with_change_point(void **unused)
+TEST(test_limits_with_change_point)
 {
     fourlink_mechanism m = four_bar(0.3, 0.8, 0.6, 0.5);
     fourlink_limits limits;
     int k;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         m = four_bar(0.3, 0.5, 0.6, 0.8);
         assert_int_equal(type_of(&m), FOURLINK_CHANGE_POINT_LINKAGE);
@@ -869,14 +853,13 @@ static void test_limits_with_change_point(void **unused)
 ** Statuses
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_statuses(void **unused)
+TEST(test_statuses)
 {
     fourlink_mechanism m = four_bar(0.02, 0.066, 0.056, 0.08);
     fourlink_limits limits, filled;
     fourlink_reach reach;
     fourlink_type type;
 
-    (void)unused;
     memset(&filled, 0x5a, sizeof filled);
     limits = filled;
     assert_int_equal(fourlink_type_of(NULL, &type), FOURLINK_NULL);
@@ -909,12 +892,11 @@ static void assert_same_row(const fourlink_row *x, const fourlink_row *y)
                 x->crank.alpha2 == y->crank.alpha2);
 }
 
-static void test_motion_at_rows(void **unused)
+TEST(test_motion_at_rows)
 {
     int stops = 0, run_ups = 0, i;
     uint64_t seed = 10;
 
-    (void)unused;
     for (i = 0; i < 600; i++) {
         fourlink_motion motion;
         fourlink_range range;
@@ -952,12 +934,11 @@ static void test_motion_at_rows(void **unused)
 }
 
 /* Between the rows: the work of the acceleration, and the speed as the change of angle in time. */
-static void test_motion_at_between_rows(void **unused)
+TEST(test_motion_at_between_rows)
 {
     uint64_t seed = 11;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 300; i++) {
         fourlink_motion motion;
         fourlink_row row, before, after;
@@ -1001,12 +982,11 @@ static void test_motion_at_between_rows(void **unused)
     }
 }
 
-static void test_motion_at_statuses(void **unused)
+TEST(test_motion_at_statuses)
 {
     fourlink_motion motion;
     fourlink_row row, filled;
 
-    (void)unused;
     memset(&motion, 0, sizeof motion);
     motion.angle_unit = 1;
     memset(&filled, 0x5a, sizeof filled);
@@ -1018,28 +998,5 @@ static void test_motion_at_statuses(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_types_by_turning),
-        cmocka_unit_test(test_types_with_change_point),
-        cmocka_unit_test(test_types_beside_change_point),
-        cmocka_unit_test(test_types_of_slider_cranks),
-        cmocka_unit_test(test_type_names),
-        cmocka_unit_test(test_reach_of_four_bars),
-        cmocka_unit_test(test_reach_of_slider_cranks),
-        cmocka_unit_test(test_reach_by_hand),
-        cmocka_unit_test(test_limits_of_rockers),
-        cmocka_unit_test(test_transmission_angles_of_four_bars),
-        cmocka_unit_test(test_limits_of_pistons),
-        cmocka_unit_test(test_transmission_angles_of_slider_cranks),
-        cmocka_unit_test(test_time_ratio_of_an_offset),
-        cmocka_unit_test(test_alvi_by_hand),
-        cmocka_unit_test(test_engine_by_hand),
-        cmocka_unit_test(test_limits_with_change_point),
-        cmocka_unit_test(test_statuses),
-        cmocka_unit_test(test_motion_at_rows),
-        cmocka_unit_test(test_motion_at_between_rows),
-        cmocka_unit_test(test_motion_at_statuses),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

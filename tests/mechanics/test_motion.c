@@ -53,13 +53,12 @@ static fourlink_row row_of(const fourlink_motion *motion, const fourlink_range *
 ** The paper's three motions
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_one_revolution(void **unused)
+TEST(test_one_revolution)
 {
     fourlink_motion motion = degrees(0, 360, 40, 10.5, 0);
     fourlink_range range = range_of(&motion);
     unsigned long i;
 
-    (void)unused;
     assert_int_equal(range.n_rows, 10);
     assert_false(range.stops);
     for (i = 0; i < range.n_rows; i++) {
@@ -100,9 +99,8 @@ static void check_run_up(int limit, int interval, double acceleration)
     }
 }
 
-static void test_run_up(void **unused)
+TEST(test_run_up)
 {
-    (void)unused;
     check_run_up(120, 40, 2);
     check_run_up(720, 40, 0.5);
     check_run_up(720, 10, -3);
@@ -111,14 +109,13 @@ static void test_run_up(void **unused)
 }
 
 /* A limit between two rows is kept exactly, and the revolution ends one after it. */
-static void test_run_up_between_rows(void **unused)
+TEST(test_run_up_between_rows)
 {
     fourlink_motion motion = degrees(15, 0, 40, 0, 2);
     double omega2 = sqrt(2 * 2 * 100 * DEG), time = omega2 / 2;
     fourlink_range range;
     fourlink_row row;
 
-    (void)unused;
     motion.run_up = 100;
     range = range_of(&motion);
     assert_int_equal(range.n_rows, 13); /* 15, 55 ... 455, and 475 */
@@ -135,11 +132,10 @@ static void test_run_up_between_rows(void **unused)
 }
 
 /* The last row of a run-up in whole degrees is a whole number of degrees. */
-static void test_run_up_stays_whole(void **unused)
+TEST(test_run_up_stays_whole)
 {
     int from, limit;
 
-    (void)unused;
     for (from = -180; from <= 180; from += 45)
         for (limit = 30; limit <= 1080; limit += 30) {
             fourlink_motion motion = degrees(from, 0, 15, 0, limit % 4 ? 2 : -2);
@@ -154,12 +150,11 @@ static void test_run_up_stays_whole(void **unused)
         }
 }
 
-static void test_one_instant(void **unused)
+TEST(test_one_instant)
 {
     const double speeds[] = {10.5, -10.5, 0}, accelerations[] = {0, 3, -3};
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 3; i++)
         for (k = 0; k < 3; k++) {
             fourlink_motion motion = degrees(40, 40, 10, speeds[i], accelerations[k]);
@@ -197,12 +192,11 @@ static double quadrature(double speed, double acceleration, double s)
     return sum;
 }
 
-static void test_accelerated_range(void **unused)
+TEST(test_accelerated_range)
 {
     uint64_t seed = 1;
     int n;
 
-    (void)unused;
     for (n = 0; n < 400; n++) {
         double sign = n % 2 ? 1 : -1, span = uniform(&seed, 1, 2000);
         double speed = n % 5 ? uniform(&seed, 0.5, 20) : 0;
@@ -238,13 +232,12 @@ static void test_accelerated_range(void **unused)
     }
 }
 
-static void test_constant_speed_both_ways(void **unused)
+TEST(test_constant_speed_both_ways)
 {
     const double ends[2] = {-360, 360}, speeds[2] = {-2, 2};
     int i, k;
     unsigned long n;
 
-    (void)unused;
     for (i = 0; i < 2; i++)
         for (k = 0; k < 2; k++) {
             fourlink_motion motion = degrees(0, ends[i], 45, speeds[k], 0);
@@ -262,13 +255,12 @@ static void test_constant_speed_both_ways(void **unused)
         }
 }
 
-static void test_crank_at_rest(void **unused)
+TEST(test_crank_at_rest)
 {
     fourlink_motion motion = degrees(0, 90, 30, 0, 0);
     fourlink_range range = range_of(&motion);
     unsigned long i;
 
-    (void)unused;
     assert_int_equal(range.n_rows, 4);
     for (i = 0; i < 4; i++) {
         fourlink_row row = row_of(&motion, &range, i);
@@ -278,13 +270,12 @@ static void test_crank_at_rest(void **unused)
     }
 }
 
-static void test_hold(void **unused)
+TEST(test_hold)
 {
     const double accelerations[] = {0, 100, -100};
     int k, backwards;
     unsigned long i;
 
-    (void)unused;
     for (k = 0; k < 3; k++)
         for (backwards = 0; backwards < 2; backwards++) {
             double to = backwards ? -360 : 360;
@@ -310,11 +301,10 @@ static void test_hold(void **unused)
 ** A crank that stops
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_stops_on_its_way(void **unused)
+TEST(test_stops_on_its_way)
 {
     int backwards;
 
-    (void)unused;
     for (backwards = 0; backwards < 2; backwards++) {
         double sign = backwards ? -1 : 1;
         /* 10^2/(2 5) = 10 rad */
@@ -332,13 +322,12 @@ static void test_stops_on_its_way(void **unused)
     }
 }
 
-static void test_stops_at_a_row(void **unused)
+TEST(test_stops_at_a_row)
 {
     fourlink_motion motion = degrees(0, 3, 0.5, 2, -1);
     fourlink_range range;
     fourlink_row row;
 
-    (void)unused;
     motion.angle_unit = 1;
     range = range_of(&motion);
     assert_true(range.stops);
@@ -356,14 +345,13 @@ static void test_stops_at_a_row(void **unused)
     assert_true(row_of(&motion, &range, 0).crank.omega2 == 2);
 }
 
-static void test_stops_at_the_end(void **unused)
+TEST(test_stops_at_the_end)
 {
     fourlink_motion motion = degrees(0, -2, 0.5, -2, 1);
     fourlink_range range;
     fourlink_row row;
     int degree;
 
-    (void)unused;
     motion.angle_unit = 1;
     range = range_of(&motion);
     assert_false(range.stops);
@@ -411,9 +399,8 @@ static void check_rows(double from, double to, double interval, unsigned long n_
     assert_true(row.angle == to);
 }
 
-static void test_intervals(void **unused)
+TEST(test_intervals)
 {
-    (void)unused;
     check_rows(0, 360, 360, 2);
     check_rows(0, 360, 1000, 2);
     check_rows(0, 360, 40, 10);
@@ -437,13 +424,12 @@ static void test_intervals(void **unused)
 }
 
 /* What is a whole number of degrees on paper is one in the table. */
-static void test_whole_degrees(void **unused)
+TEST(test_whole_degrees)
 {
     static const int parts[] = {1, 2, 4, 5, 10, 20, 100, 1000, 10000};
     size_t k;
     int degree, backwards;
 
-    (void)unused;
     for (backwards = 0; backwards < 2; backwards++)
         for (k = 0; k < sizeof parts / sizeof parts[0]; k++) {
             fourlink_motion motion =
@@ -460,13 +446,12 @@ static void test_whole_degrees(void **unused)
 }
 
 /* A range of many rows still has its last, short interval, and no long one. */
-static void test_short_last_interval(void **unused)
+TEST(test_short_last_interval)
 {
     const double whole[] = {10, 1e3, 1e6, 1e8, 1e9, 1e10, 1e12};
     const double rest[] = {0.1, 0.3, 0.5, 0.7, 0.9};
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 7 && whole[i] + 2 <= (double)ULONG_MAX; i++) /* rows are counted in it */
         for (k = 0; k < 5; k++) {
             fourlink_motion motion = degrees(0, whole[i] + rest[k], 1, 1, 0);
@@ -492,7 +477,7 @@ static void assert_no_range(const fourlink_motion *motion, int status)
     assert_memory_equal(&range, &pattern, sizeof range);
 }
 
-static void test_bad_motions(void **unused)
+TEST(test_bad_motions)
 {
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY, 1.1e30, -1e31};
     const fourlink_motion good = degrees(0, 360, 10, 5, 1);
@@ -500,7 +485,6 @@ static void test_bad_motions(void **unused)
     size_t i;
     int field;
 
-    (void)unused;
     assert_no_range(NULL, FOURLINK_NULL);
     assert_int_equal(fourlink_motion_range(&good, NULL), FOURLINK_NULL);
     for (field = 0; field < 7; field++)
@@ -536,14 +520,13 @@ static void test_bad_motions(void **unused)
 }
 
 /* Outputs stay as they are. */
-static void test_no_row_of_no_motion(void **unused)
+TEST(test_no_row_of_no_motion)
 {
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
     fourlink_motion motion = degrees(0, 360, 10, 5, 1);
     fourlink_row row, before;
     size_t i;
 
-    (void)unused;
     memset(&before, 0xa5, sizeof before);
     row = before;
     for (i = 0; i < 3; i++)
@@ -562,7 +545,7 @@ static void test_no_row_of_no_motion(void **unused)
 }
 
 /* The square of a tiny speed is 0, the speed is not. */
-static void test_tiny_speeds(void **unused)
+TEST(test_tiny_speeds)
 {
     static const double speeds[] = {5e-324, -5e-324, 1e-310, 1e-200, -1e-200, 1e-163};
     fourlink_motion motion;
@@ -570,7 +553,6 @@ static void test_tiny_speeds(void **unused)
     fourlink_row row;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof speeds / sizeof speeds[0]; i++) {
         motion = degrees(30, 30, 10, speeds[i], 0);
         assert_int_equal(fourlink_motion_at(&motion, 30, &row), FOURLINK_OK);
@@ -592,12 +574,11 @@ static void test_tiny_speeds(void **unused)
     assert_true(row.time > 0 && row.time <= DBL_MAX && row.crank.omega2 > 0);
 }
 
-static void test_too_many_rows(void **unused)
+TEST(test_too_many_rows)
 {
     fourlink_motion bad = degrees(0, 360, 1e-13, 5, 0);
     fourlink_range range;
 
-    (void)unused;
     assert_no_range(&bad, FOURLINK_TOO_MANY_ROWS);
     bad.interval = 1e-300;
     assert_no_range(&bad, FOURLINK_TOO_MANY_ROWS);
@@ -614,7 +595,7 @@ static void test_too_many_rows(void **unused)
     assert_int_equal(range.n_rows, 3);
 }
 
-static void test_bad_ranges(void **unused)
+TEST(test_bad_ranges)
 {
     static const struct {
         double to, speed, acceleration;
@@ -631,7 +612,6 @@ static void test_bad_ranges(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fourlink_motion motion = degrees(0, cases[i].to, 10, cases[i].speed, cases[i].acceleration);
 
@@ -644,13 +624,12 @@ static void test_bad_ranges(void **unused)
     }
 }
 
-static void test_no_such_row(void **unused)
+TEST(test_no_such_row)
 {
     const fourlink_motion motion = degrees(0, 360, 40, 5, 1);
     const fourlink_range range = range_of(&motion);
     fourlink_row row, pattern;
 
-    (void)unused;
     memset(&row, 0xa5, sizeof row);
     memset(&pattern, 0xa5, sizeof pattern);
     assert_int_equal(fourlink_motion_row(&motion, &range, 10, &row), FOURLINK_NO_SUCH_ROW);
@@ -665,29 +644,5 @@ static void test_no_such_row(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_revolution),
-        cmocka_unit_test(test_run_up),
-        cmocka_unit_test(test_run_up_between_rows),
-        cmocka_unit_test(test_run_up_stays_whole),
-        cmocka_unit_test(test_one_instant),
-        cmocka_unit_test(test_accelerated_range),
-        cmocka_unit_test(test_constant_speed_both_ways),
-        cmocka_unit_test(test_crank_at_rest),
-        cmocka_unit_test(test_hold),
-        cmocka_unit_test(test_stops_on_its_way),
-        cmocka_unit_test(test_stops_at_a_row),
-        cmocka_unit_test(test_stops_at_the_end),
-        cmocka_unit_test(test_intervals),
-        cmocka_unit_test(test_whole_degrees),
-        cmocka_unit_test(test_short_last_interval),
-        cmocka_unit_test(test_bad_motions),
-        cmocka_unit_test(test_no_row_of_no_motion),
-        cmocka_unit_test(test_tiny_speeds),
-        cmocka_unit_test(test_too_many_rows),
-        cmocka_unit_test(test_bad_ranges),
-        cmocka_unit_test(test_no_such_row),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

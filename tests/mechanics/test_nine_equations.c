@@ -266,12 +266,11 @@ static void solve_with_multipliers(const sample *s, const double q[9], fourlink_
         f->M14 = b[6];
 }
 
-static void test_multipliers(void **unused)
+TEST(test_multipliers)
 {
     uint64_t seed = 1;
     int n;
 
-    (void)unused;
     for (n = 0; n < 4000; n++) {
         double q[9], arm, sine, tolerance;
         fourlink_forces expected;
@@ -319,13 +318,12 @@ static double small_step(const sample *s)
 
 /* The kinetic energy is I(theta2) omega2^2/2, I from the derivatives of the positions, and the
 ** power Ts omega2 + Q.q' its rate of change: Ts = I alpha2 + I' omega2^2/2 - Q.dq/dtheta2. */
-static void test_energy(void **unused)
+TEST(test_energy)
 {
     enum { N = 9 };
     uint64_t seed = 2;
     int n, i, k;
 
-    (void)unused;
     for (n = 0; n < 3000; n++) {
         double q[N][9], Q[9], inertia[N] = {0}, power = 0, slope, Ts, scale, h, reduced;
         sample s;
@@ -366,12 +364,11 @@ static void test_energy(void **unused)
 
 /* For each link, the forces on it change its momentum, and their moments about the far pin its
 ** moment of momentum: accelerations by second differences of the assembled positions in time. */
-static void test_momentum(void **unused)
+TEST(test_momentum)
 {
     uint64_t seed = 3;
     int n, i, k, link;
 
-    (void)unused;
     for (n = 0; n < 3000; n++) {
         const fourlink_forces *f;
         double q[5][9], a[9], Q[9], t, scale, speed, length;
@@ -458,11 +455,10 @@ static fourlink_link link_of(double length, double mass, double k, double rg, do
 }
 
 /* The paper's linkage with masses: the forces of an independent multibody program. */
-static void test_four_bar_reference(void **unused)
+TEST(test_four_bar_reference)
 {
     sample s;
 
-    (void)unused;
     memset(&s, 0, sizeof s);
     s.design.kind = FOURLINK_FOUR_BAR;
     s.design.link[1].length = 0.080;
@@ -503,11 +499,10 @@ static void engine(sample *s, double r, double l, double rod_mass, double k, dou
 }
 
 /* ME3491, example 1: gas pressure 2 MPa on a bore of 115 mm, horizontal. */
-static void test_ME3491_example_1(void **unused)
+TEST(test_ME3491_example_1)
 {
     sample s;
 
-    (void)unused;
     engine(&s, 0.15, 0.45, 2, 0.175, 0.15, 2.5, 40 * DEG, 1000);
     s.design.gravity.y = -9.81;
     s.load[0].link = FOURLINK_FOLLOWER;
@@ -528,12 +523,11 @@ static void test_ME3491_example_1(void **unused)
 }
 
 /* ME3491, example 2: vertical, k from the period of swings about the gudgeon pin, no piston. */
-static void test_ME3491_example_2(void **unused)
+TEST(test_ME3491_example_2)
 {
     double L = 9.81 * (2.5 / (2 * PI)) * (2.5 / (2 * PI)), k = sqrt(1.175 * (L - 1.175));
     sample s;
 
-    (void)unused;
     engine(&s, 0.4, 2, 300, k, 0.825, 0, 45 * DEG, 200);
     s.design.gravity.x = -9.81;
     assert_int_equal(solve(&s), FOURLINK_OK);
@@ -541,11 +535,10 @@ static void test_ME3491_example_2(void **unused)
 }
 
 /* DFA, example 2: horizontal, no gas. */
-static void test_DFA_example_2(void **unused)
+TEST(test_DFA_example_2)
 {
     sample s;
 
-    (void)unused;
     engine(&s, 0.1, 0.4, 100, 0.12, 0.16, 125, 30 * DEG, 750);
     s.design.gravity.y = -9.81;
     assert_int_equal(solve(&s), FOURLINK_OK);
@@ -554,12 +547,11 @@ static void test_DFA_example_2(void **unused)
 
 /* The rod's mass split between its ends, with the couple that corrects its moment of inertia
 ** (ME3491, DFA), in exact form: the torque of any engine, its line of stroke inclined by gamma. */
-static void test_analytical_method(void **unused)
+TEST(test_analytical_method)
 {
     uint64_t seed = 4;
     int n;
 
-    (void)unused;
     for (n = 0; n < 3000; n++) {
         double r, l, e, b, k, g, gamma, gas, theta, omega, alpha, side;
         double c, z, phi, dphi, ddphi, dX, ddX, ma, mb, L, F, delivered, scale;
@@ -626,12 +618,11 @@ static void test_analytical_method(void **unused)
 
 /* The obliquity bridges the height of the crank pin over the line of stroke, and no more than a
 ** right angle: l sin(phi) = r sin(theta2) - e, on both branches. */
-static void test_obliquity(void **unused)
+TEST(test_obliquity)
 {
     uint64_t seed = 13;
     int n;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         double height;
         sample s;
@@ -655,12 +646,11 @@ static int slider_crank(double r, double l, double e, fourlink_branch branch, do
 
 /* r = l: the rod mirrors the crank, X = 2 r cos(theta2), or (crossed) turns with it and the piston
 ** stays over A. */
-static void test_equal_lengths(void **unused)
+TEST(test_equal_lengths)
 {
     sample s;
     int i;
 
-    (void)unused;
     for (i = 0; i < 1920; i++) {
         double theta2 = (-719.875 + i * 0.75) * DEG;
         double tolerance = 1e-14 / fabs(cos(theta2));
@@ -677,7 +667,7 @@ static void test_equal_lengths(void **unused)
 
 /* One change point, at +90 deg (l + e = r) or at -90 deg: the piston passes it without a jump, each
 ** step of it that of the trapezoidal rule, and is on the other side after one revolution. */
-static void test_one_change_point(void **unused)
+TEST(test_one_change_point)
 {
     static const struct {
         double r, l, e;
@@ -687,7 +677,6 @@ static void test_one_change_point(void **unused)
     size_t k;
     int i, crossed;
 
-    (void)unused;
     for (k = 0; k < sizeof lengths / sizeof lengths[0]; k++)
         for (crossed = 0; crossed < 2; crossed++) {
             double r = lengths[k].r, l = lengths[k].l, e = lengths[k].e;
@@ -728,12 +717,11 @@ static void test_one_change_point(void **unused)
 }
 
 /* Whole millimetres, as in the test of the four-bar. */
-static void test_change_points_of_decimal_lengths(void **unused)
+TEST(test_change_points_of_decimal_lengths)
 {
     uint64_t seed = 15;
     int n, tested = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         int r = (int)uniform(&seed, 5, 1000), l = (int)uniform(&seed, 5, 1000);
         int e = n % 2 ? r - l : l - r;
@@ -753,13 +741,12 @@ static void test_change_points_of_decimal_lengths(void **unused)
 }
 
 /* The rod reaches while |r sin(theta2) - e| <= l. */
-static void test_rod_too_short(void **unused)
+TEST(test_rod_too_short)
 {
     const double r = 1, l = 0.8, e = 0.1, limit = asin(0.9), lower = asin(-0.7);
     int crossed;
     sample s;
 
-    (void)unused;
     for (crossed = 0; crossed < 2; crossed++) {
         fourlink_branch branch = crossed ? FOURLINK_CROSSED : FOURLINK_OPEN;
 
@@ -775,12 +762,11 @@ static void test_rod_too_short(void **unused)
 }
 
 /* Within the range of numbers, nothing overflows. */
-static void test_extreme_numbers(void **unused)
+TEST(test_extreme_numbers)
 {
     uint64_t seed = 14;
     int n, solved = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         sample s;
 
@@ -798,12 +784,11 @@ static void test_extreme_numbers(void **unused)
 ** ------------------------------------------------------------------------------------------- */
 
 /* Loads and weights at rest, and inertia alone, add up to both together. */
-static void test_superposition(void **unused)
+TEST(test_superposition)
 {
     uint64_t seed = 5;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 3000; n++) {
         double a[N_FORCES], b[N_FORCES], sum[N_FORCES], arm, scale;
         sample s, at_rest, bare;
@@ -827,12 +812,11 @@ static void test_superposition(void **unused)
     }
 }
 
-static void test_residual(void **unused)
+TEST(test_residual)
 {
     uint64_t seed = 6;
     int n;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         sample s;
 
@@ -902,18 +886,17 @@ static double try_residuals(long rows, long *over)
     return worst;
 }
 
-static void test_residual_of_uneven_links(void **unused)
+TEST(test_residual_of_uneven_links)
 {
     long over;
 
-    (void)unused;
     assert_in_range((unsigned long)try_residuals(100000, &over), 0, 300);
     assert_int_equal(over, 0);
 }
 
 /* A balanced crank at constant speed, its centre of mass off its line: each term of the balance is what
 ** rounding leaves of a right angle, and the residual is its rounding still. */
-static void test_residual_of_a_balance(void **unused)
+TEST(test_residual_of_a_balance)
 {
     fourlink_design design;
     fourlink_mechanism mechanism;
@@ -921,7 +904,6 @@ static void test_residual_of_a_balance(void **unused)
     fourlink_state state;
     int i;
 
-    (void)unused;
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_FOUR_BAR;
     design.link[1].length = 0.080;
@@ -948,11 +930,10 @@ static void test_residual_of_a_balance(void **unused)
 }
 
 /* The couple of the guide has the size of a force times the length of the rod, however long that is. */
-static void test_scale_of_the_couple(void **unused)
+TEST(test_scale_of_the_couple)
 {
     double size;
 
-    (void)unused;
     for (size = 1e-12; size < 1e13; size *= 10) {
         fourlink_state state;
         fourlink_forces forces;
@@ -974,12 +955,11 @@ static void test_scale_of_the_couple(void **unused)
 
 /* Two links far longer than the others: the position keeps its digits, but for the square of the ratio, or
 ** is refused. */
-static void test_unequal_links(void **unused)
+TEST(test_unequal_links)
 {
     uint64_t seed = 77;
     int n, found = 0, lost = 0;
 
-    (void)unused;
     for (n = 0; n < 20000; n++) {
         fourlink_design design;
         fourlink_mechanism mechanism;
@@ -1007,7 +987,7 @@ static void test_unequal_links(void **unused)
 }
 
 /* A mechanism that was not prepared, a state that was not filled. */
-static void test_not_filled(void **unused)
+TEST(test_not_filled)
 {
     static const double no_numbers[] = {NAN, INFINITY, -INFINITY};
     fourlink_mechanism none;
@@ -1017,7 +997,6 @@ static void test_not_filled(void **unused)
     size_t i;
     int field;
 
-    (void)unused;
     memset(&none, 0, sizeof none);
     assert_int_equal(fourlink_position(&none, FOURLINK_OPEN, 1, &state), FOURLINK_BAD_KIND);
     memset(&before, 0xa5, sizeof before);
@@ -1047,13 +1026,12 @@ static void test_not_filled(void **unused)
 
 /* The residual compares two different computations: velocities that do not belong to the position
 ** show in it.  And it is 0, not 0/0, when nothing acts. */
-static void test_residual_notices(void **unused)
+TEST(test_residual_notices)
 {
     uint64_t seed = 7;
     int n, noticed = 0;
     sample s;
 
-    (void)unused;
     for (n = 0; n < 200; n++) {
         fourlink_forces forces;
 
@@ -1125,12 +1103,11 @@ static void expected_matrix(const sample *s, double A[9][9])
     A[2][8] = 1;
 }
 
-static void test_system(void **unused)
+TEST(test_system)
 {
     uint64_t seed = 8;
     int n, i, j;
 
-    (void)unused;
     for (n = 0; n < 3000; n++) {
         double A[9][9], expected[9][9], b[9], x[N_FORCES], q[9], Q[9], sum, scale;
         sample s;
@@ -1225,13 +1202,12 @@ void free(void *old)
     __libc_free(old);
 }
 
-static void test_no_allocation(void **unused)
+TEST(test_no_allocation)
 {
     unsigned long before = allocations;
     uint64_t seed = 9;
     int n;
 
-    (void)unused;
     gsl_vector_free(gsl_vector_alloc(9));
     assert_true(allocations > before); /* the counter sees what GSL allocates */
     for (n = 0; n < 200; n++) {
@@ -1290,7 +1266,7 @@ static void handler(const char *reason, const char *file, int line, int error)
     handled++;
 }
 
-static void test_singular(void **unused)
+TEST(test_singular)
 {
     gsl_error_handler_t *old = gsl_set_error_handler(handler);
     double two[2] = {0, 0}, three[3] = {0, 0, 0};
@@ -1301,7 +1277,6 @@ static void test_singular(void **unused)
     sample s;
     int n;
 
-    (void)unused;
     memset(&forces, 0xa5, sizeof forces);
     memset(&pattern, 0xa5, sizeof pattern);
     for (n = 0; n < 8; n++) {
@@ -1351,14 +1326,13 @@ static void assert_refused(const sample *s, const fourlink_load *loads, unsigned
     assert_memory_equal(&out, &pattern, sizeof out);
 }
 
-static void test_bad_loads(void **unused)
+TEST(test_bad_loads)
 {
     fourlink_load loads[2];
     uint64_t seed = 11;
     sample s;
     int n;
 
-    (void)unused;
     for (n = 0; n < 2; n++) {
         draw(&seed, n, 0.1, &s);
         memset(loads, 0, sizeof loads);
@@ -1372,13 +1346,12 @@ static void test_bad_loads(void **unused)
     }
 }
 
-static void test_null(void **unused)
+TEST(test_null)
 {
     uint64_t seed = 12;
     double A[9][9], b[9];
     sample s;
 
-    (void)unused;
     draw(&seed, 0, 0.1, &s);
     assert_int_equal(fourlink_solve(NULL, &s.state, NULL, 0, &s.forces), FOURLINK_NULL);
     assert_int_equal(fourlink_solve(&s.mechanism, NULL, NULL, 0, &s.forces), FOURLINK_NULL);
@@ -1392,38 +1365,6 @@ static void test_null(void **unused)
 /* test_nine_equations ROWS prints the largest residual of so many rows of very unequal links. */
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_four_bar_reference),
-        cmocka_unit_test(test_ME3491_example_1),
-        cmocka_unit_test(test_ME3491_example_2),
-        cmocka_unit_test(test_DFA_example_2),
-        cmocka_unit_test(test_multipliers),
-        cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_momentum),
-        cmocka_unit_test(test_analytical_method),
-        cmocka_unit_test(test_obliquity),
-        cmocka_unit_test(test_equal_lengths),
-        cmocka_unit_test(test_one_change_point),
-        cmocka_unit_test(test_change_points_of_decimal_lengths),
-        cmocka_unit_test(test_rod_too_short),
-        cmocka_unit_test(test_extreme_numbers),
-        cmocka_unit_test(test_superposition),
-        cmocka_unit_test(test_residual),
-        cmocka_unit_test(test_residual_of_uneven_links),
-        cmocka_unit_test(test_residual_of_a_balance),
-        cmocka_unit_test(test_residual_notices),
-        cmocka_unit_test(test_scale_of_the_couple),
-        cmocka_unit_test(test_unequal_links),
-        cmocka_unit_test(test_not_filled),
-        cmocka_unit_test(test_system),
-#ifdef COUNTS_MEMORY
-        cmocka_unit_test(test_no_allocation),
-#endif
-        cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_bad_loads),
-        cmocka_unit_test(test_null),
-    };
-
     if (argc > 1) {
         long rows = atol(argv[1]), over;
         double worst = try_residuals(rows, &over);
@@ -1432,5 +1373,5 @@ int main(int argc, char **argv)
                worst, over);
         return over > 0;
     }
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -31,12 +31,11 @@ static double extent2(double r, double l, double e, double theta2)
 
 /* theory.md section 4 for e = 0, and the classical acceleration; the crossed branch is the open one
 ** turned by 180 deg, but for phi, whose sine is r sin(theta2) / l on both. */
-static void test_closed_forms(void **unused)
+TEST(test_closed_forms)
 {
     uint64_t seed = 1;
     int i;
 
-    (void)unused;
     for (i = 0; i < 10000; i++) {
         double r = uniform(&seed, 0.01, 2), n = 1 + exp(uniform(&seed, -4, 3)), l = n * r;
         double theta2 = uniform(&seed, -4 * PI, 4 * PI), w = uniform(&seed, -100, 100);
@@ -67,12 +66,11 @@ static void test_closed_forms(void **unused)
 
 /* The piston is where the circle about the crank pin cuts the line of stroke: at +x of the pin
 ** or at -x of it. */
-static void test_coordinates(void **unused)
+TEST(test_coordinates)
 {
     uint64_t seed = 2;
     int i, tested = 0;
 
-    (void)unused;
     for (i = 0; i < 20000; i++) {
         double r = uniform(&seed, 0.05, 1), l = uniform(&seed, 0.05, 3);
         double e = i % 5 ? uniform(&seed, -1.5, 1.5) : 0, theta2 = uniform(&seed, -20, 20);
@@ -125,13 +123,12 @@ static double second(const double f[7], double h)
 
 /* Speeds and accelerations are the differences of coordinates of a crank that turns either way and
 ** speeds up or slows down. */
-static void test_differences(void **unused)
+TEST(test_differences)
 {
     const double step = 0.01;
     uint64_t seed = 3;
     int i, k, tested = 0;
 
-    (void)unused;
     for (i = 0; i < 8000; i++) {
         double r = uniform(&seed, 0.05, 1), l = uniform(&seed, 0.05, 3);
         double e = uniform(&seed, -1.2, 1.2), theta2 = uniform(&seed, -10, 10);
@@ -194,13 +191,12 @@ static double extreme(const fourlink_mechanism *m, fourlink_branch branch, doubl
 
 /* A crank that turns fully: displacement 0 at the inner dead centre, where crank and rod are
 ** stretched in line, nowhere less; the stroke to where they are folded in line. */
-static void test_dead_centres(void **unused)
+TEST(test_dead_centres)
 {
     enum { STEPS = 72 };
     uint64_t seed = 4;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 400; i++) {
         double r = uniform(&seed, 0.05, 1), e = i % 4 < 2 ? uniform(&seed, -1, 1) : 0;
         double l = (r + fabs(e)) * uniform(&seed, 1.02, 4), size = l + r, in, out;
@@ -249,12 +245,11 @@ static void test_dead_centres(void **unused)
 
 /* The displacement is never negative, however short the rod; its foot is where crank and rod are
 ** stretched in line, which every mechanism reaches that reaches any angle. */
-static void test_displacement_of_any(void **unused)
+TEST(test_displacement_of_any)
 {
     uint64_t seed = 6;
     int i, k, full = 0;
 
-    (void)unused;
     for (i = 0; i < 3000; i++) {
         double r = uniform(&seed, 0.05, 1), l = uniform(&seed, 0.05, 1);
         double e = uniform(&seed, -0.95, 0.95) * (r + l), in = asin(e / (r + l));
@@ -275,12 +270,11 @@ static void test_displacement_of_any(void **unused)
 
 /* A rod as long as the crank: on the open branch it mirrors the crank, on the crossed one it lies
 ** along it with the piston pin on A, and passes +-90 deg smoothly. */
-static void test_equal_lengths(void **unused)
+TEST(test_equal_lengths)
 {
     uint64_t seed = 7;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 6000; i++) {
         double r = uniform(&seed, 0.01, 2), w = uniform(&seed, -50, 50);
         double al = uniform(&seed, -500, 500), theta2 = uniform(&seed, -15, 15), c, s, tolerance;
@@ -322,13 +316,12 @@ static void test_equal_lengths(void **unused)
 /* A rod shorter than the crank, or an offset, leaves angles out: there the status says so and the
 ** state is untouched; at all others the piston is on the line of stroke, a rod's length from the
 ** pin.  With an offset beyond r + l no angle is left. */
-static void test_left_out(void **unused)
+TEST(test_left_out)
 {
     enum { SHORT_ROD, OFFSET, BOTH, NEVER, KINDS };
     uint64_t seed = 8;
     int i, k, reached[KINDS] = {0}, left_out[KINDS] = {0};
 
-    (void)unused;
     for (i = 0; i < 4000; i++) {
         int kind = i % KINDS;
         double r = uniform(&seed, 0.1, 1), l = r * uniform(&seed, 0.05, 0.99), e = 0;
@@ -383,15 +376,5 @@ static void test_left_out(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms),
-        cmocka_unit_test(test_coordinates),
-        cmocka_unit_test(test_differences),
-        cmocka_unit_test(test_dead_centres),
-        cmocka_unit_test(test_displacement_of_any),
-        cmocka_unit_test(test_equal_lengths),
-        cmocka_unit_test(test_left_out),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -83,7 +83,7 @@ static void reference_springs(const fourlink_mechanism *m, fourlink_spring s[4])
     s[3] = torsional(m, 4, 3, 0.4, 60 * DEG, 0, 0.005);
 }
 
-static void test_reference(void **unused)
+TEST(test_reference)
 {
     static const double references[2][12] = {
         {40, -13.94686838673, -7.086571136206, -10.61334679921, -3.124365680511, 0.08786954953999,
@@ -95,7 +95,6 @@ static void test_reference(void **unused)
     fourlink_spring springs[4];
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         const double *r = references[i];
         sample s = rocker(r[0]);
@@ -145,12 +144,11 @@ static int draw(uint64_t *seed, int n, sample *s, fourlink_spring springs[3])
 }
 
 /* At rest, without weight: Ts = dU/dtheta2, by differences of sixth order. */
-static void test_energy(void **unused)
+TEST(test_energy)
 {
     uint64_t seed = 5;
     int n = 0, tried = 0;
 
-    (void)unused;
     while (n < 300) {
         static const double weight[6] = {-1, 9, -45, 45, -9, 1}, step[6] = {-3, -2, -1, 1, 2, 3};
         fourlink_spring springs[3];
@@ -182,13 +180,12 @@ static void test_energy(void **unused)
 }
 
 /* Over a cycle at constant speed the crank puts in what the dampers take: masses, weights and springs give back all. */
-static void test_work_of_dampers(void **unused)
+TEST(test_work_of_dampers)
 {
     double work = 0, lost = 0;
     fourlink_spring springs[4];
     int i;
 
-    (void)unused;
     for (i = 0; i < 360; i++) {
         sample s = rocker(i);
         sum all;
@@ -265,9 +262,8 @@ static void follow_all(int kind, double a, double b, double c, double d, double 
             }
 }
 
-static void test_turns(void **unused)
+TEST(test_turns)
 {
-    (void)unused;
     follow_all(FOURLINK_FOUR_BAR, 1, 3, 3, 4, 0);     /* crank-rocker */
     follow_all(FOURLINK_FOUR_BAR, 3, 3, 3.5, 1, 0);   /* double crank */
     follow_all(FOURLINK_FOUR_BAR, 3, 1, 2.5, 3, 0);   /* double rocker */
@@ -301,13 +297,12 @@ static void test_turns(void **unused)
     follow_all(FOURLINK_INVERTED_SLIDER_CRANK, 2, 0, 0, 1, 1);
 }
 
-static void test_no_direction(void **unused)
+TEST(test_no_direction)
 {
     sample s = rocker(40);
     fourlink_spring_state at, before;
     fourlink_spring k;
 
-    (void)unused;
     assert_int_equal(move(&s), FOURLINK_OK);
     k = spring(&s.mechanism, 4, 1, 100, 0, 0, 0);
     k.to_at.x = 0.08; /* D */
@@ -325,7 +320,7 @@ static void test_no_direction(void **unused)
     assert_memory_equal(&at, &before, sizeof at);
 }
 
-static void test_bad(void **unused)
+TEST(test_bad)
 {
     sample s = rocker(40);
     fourlink_spring good, k;
@@ -333,7 +328,6 @@ static void test_bad(void **unused)
     double *numbers[8];
     int i;
 
-    (void)unused;
     assert_int_equal(move(&s), FOURLINK_OK);
     good = spring(&s.mechanism, 4, 1, 100, 0, 0, 0);
     k = good;
@@ -372,10 +366,5 @@ static void test_bad(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference),       cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_work_of_dampers), cmocka_unit_test(test_turns),
-        cmocka_unit_test(test_no_direction),    cmocka_unit_test(test_bad),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -66,13 +66,12 @@ static int same(const answer *x, const answer *y)
     return memcmp(&x->forces, &y->forces, sizeof x->forces) == 0;
 }
 
-static void test_two_threads(void **unused)
+TEST(test_two_threads)
 {
     work alone[2] = {{1, NULL}, {2, NULL}}, together[2] = {{1, NULL}, {2, NULL}};
     pthread_t threads[2];
     int i, n, good = 0;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         alone[i].answers = calloc(POSITIONS, sizeof(answer));
         together[i].answers = calloc(POSITIONS, sizeof(answer));
@@ -123,13 +122,12 @@ static void *read_decks(void *data)
     return NULL;
 }
 
-static void test_decks_in_two_threads(void **unused)
+TEST(test_decks_in_two_threads)
 {
     double alone, together[2];
     pthread_t threads[2];
     int i;
 
-    (void)unused;
     read_decks(&alone);
     assert_true(-3 < alone && alone < 0);
     for (i = 0; i < 2; i++)
@@ -142,8 +140,5 @@ static void test_decks_in_two_threads(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_threads),
-                                       cmocka_unit_test(test_decks_in_two_threads)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

@@ -49,9 +49,8 @@ static const char *shown(const char *words, size_t length)
 
 #define REPLACED "\xef\xbf\xbd"
 
-static void test_texts(void **unused)
+TEST(test_texts)
 {
-    (void)unused;
     assert_string_equal(shown("<a href=\"x\" id='y'>&amp;]]>", 27),
                         "&lt;a href=&quot;x&quot; id=&#39;y&#39;&gt;&amp;amp;]]&gt;");
     assert_string_equal(shown("caf\xc3\xa9 \xf0\x9f\x98\x80\t\n", 12),
@@ -67,11 +66,10 @@ static void test_texts(void **unused)
     assert_string_equal(shown("\xe2\x82\xac", 2), REPLACED REPLACED);
 }
 
-static void test_print(void **unused)
+TEST(test_print)
 {
     page p = new_page();
 
-    (void)unused;
     page_print(&p, "%s|%m|%d|%lu|%.4g|%.2f|%.3g|%.2f|100 %%", "<", "<br/>", -3, 7UL, 3.14159265,
                2.0 / 3, -0.0, -0.001);
     assert_string_equal(take(p.out), "&lt;|<br/>|-3|7|3.142|0.67|0|0.00|100 %");
@@ -90,9 +88,8 @@ static const char *in_base64(const char *bytes)
 }
 
 /* RFC 4648, section 10 */
-static void test_base64(void **unused)
+TEST(test_base64)
 {
-    (void)unused;
     assert_string_equal(in_base64(""), "");
     assert_string_equal(in_base64("f"), "Zg==");
     assert_string_equal(in_base64("fo"), "Zm8=");
@@ -111,11 +108,10 @@ static const char *digest(const char *bytes, size_t length)
 }
 
 /* The examples of FIPS 180-4, and lengths around a block. */
-static void test_sha256(void **unused)
+TEST(test_sha256)
 {
     char *million = malloc(1000000);
 
-    (void)unused;
     assert_non_null(million);
     memset(million, 'a', 1000000);
     assert_string_equal(digest("", 0),
@@ -170,9 +166,8 @@ static const char *equation(const char *words, double beta)
     return text_of(written);
 }
 
-static void test_equations(void **unused)
+TEST(test_equations)
 {
-    (void)unused;
     /* a negative number has brackets, but not at the beginning; a power of ten; an angle in degrees */
     assert_string_equal(equation("a * b + a", 1), "\n\xcf\x89"
                                                   "3=a\xe2\x81\xa2"
@@ -208,9 +203,8 @@ static const char *shortened(const char *svg)
     return take(out);
 }
 
-static void test_groups(void **unused)
+TEST(test_groups)
 {
-    (void)unused;
     assert_string_equal(
         shortened("<svg>\n<g id=\"gnuplot_canvas\">\n<defs> </defs>\n"
                   "<g fill=\"none\" color=\"black\" stroke=\"currentColor\">\n</g>\n"
@@ -224,9 +218,8 @@ static void test_groups(void **unused)
                         "<defs></defs><text>rgb( d='M1,2'  fill=\"none\" ]]&gt; </text>");
 }
 
-static void test_paths(void **unused)
+TEST(test_paths)
 {
-    (void)unused;
     /* relative, in tenths; points on a line are left out, but not where it turns back */
     assert_string_equal(
         shortened("<defs></defs><path d='M10.00,20.00 L11.00,20.00 L12.00,20.04 L20.00,20.00 "
@@ -248,11 +241,5 @@ static void test_paths(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texts),     cmocka_unit_test(test_print),
-        cmocka_unit_test(test_base64),    cmocka_unit_test(test_sha256),
-        cmocka_unit_test(test_equations), cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_paths)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

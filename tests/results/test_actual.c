@@ -71,7 +71,7 @@ static double energy_of(fourlink_results *r, const fourlink_instant *at)
 }
 
 /* A free machine keeps its energy over 100 turns, though its speed changes by more than half. */
-static void test_energy(void **unused)
+TEST(test_energy)
 {
     fourlink_results *r =
         opened(ROCKER "[motion]\nmode = free\nspeed = 40 rad/s\nturns = 100\ninterval = 37 deg\n");
@@ -80,7 +80,6 @@ static void test_energy(void **unused)
     double least = 1e9, most = 0;
     unsigned long i;
 
-    (void)unused;
     for (i = 1; i < problem_of(r).n_rows; i++) {
         at = row_of(r, i);
         worst = fmax(worst, fabs(energy_of(r, &at) - first));
@@ -108,14 +107,13 @@ static void check_rows(fourlink_results *r, double inertia)
     }
 }
 
-static void test_shaft(void **unused)
+TEST(test_shaft)
 {
     static const char *const motions[] = {"mode = run-up", "mode = free\nspeed = 9 rad/s",
                                           "mode = steady"};
     static const char *const friction[] = {"", FRICTION};
     size_t i, j;
 
-    (void)unused;
     for (i = 0; i < 3; i++)
         for (j = 0; j < 2; j++) {
             fourlink_results *r =
@@ -129,12 +127,11 @@ static void test_shaft(void **unused)
 
 /* A run-up ends in the steady motion, with flywheels of all sizes: one cycle leaves from hardly any to nearly all of a
 ** difference. */
-static void test_ends_of_run_ups(void **unused)
+TEST(test_ends_of_run_ups)
 {
     uint64_t seed = 18;
     int i, compared = 0;
 
-    (void)unused;
     for (i = 0; i < 30; i++) {
         double w = uniform(&seed, 10, 50), T = uniform(&seed, 20, 200);
         char machine[2000];
@@ -167,11 +164,10 @@ static void test_ends_of_run_ups(void **unused)
 
 /* Friction has corners where a force of a joint is zero, at angles that depend on the speed: the energy after a cycle
 ** is known to some 1e-10, but the steady motion is found, and closes within 1e-9. */
-static void test_friction_of_motors(void **unused)
+TEST(test_friction_of_motors)
 {
     double torque, last = 0;
 
-    (void)unused;
     for (torque = 100.6; torque < 104; torque += 0.3) {
         fourlink_results *r =
             opened(print("%s[motor]\nstall_torque = %g\nno_load_speed = 14\n%s[motion]\nmode = "
@@ -218,7 +214,7 @@ static int equations(double theta2, const double y[], double dy[], void *of_deck
 }
 
 /* A second opinion: GSL's rk8pd, from one point of the curve to the next. */
-static void test_second_opinion(void **unused)
+TEST(test_second_opinion)
 {
     static const double corners[] = {0,   60,  120, 180, 200, 240, 300, 360,
                                      420, 480, 540, 560, 600, 660, 720};
@@ -230,7 +226,6 @@ static void test_second_opinion(void **unused)
     double theta2 = 0, y[2] = {12.5, 0};
     size_t i;
 
-    (void)unused;
     for (i = 1; i < sizeof corners / sizeof corners[0]; i++) {
         gsl_odeiv2_driver_reset(driver);
         assert_int_equal(gsl_odeiv2_driver_apply(driver, &theta2, corners[i] * DEG, y),
@@ -253,7 +248,7 @@ static void read_deck(const char *contents, deck *d)
 }
 
 /* A tolerance that is a tenth changes none of ten digits; one that is a thousand times larger would. */
-static void test_tolerance(void **unused)
+TEST(test_tolerance)
 {
     static const double tolerance[] = {1e-12, 1e-13, 1e-9};
     double speed[3], time[3];
@@ -262,7 +257,6 @@ static void test_tolerance(void **unused)
     deck d;
     int i;
 
-    (void)unused;
     read_deck(PUMP FORCE FAN MOTOR FLYWHEEL "[motion]\nmode = run-up\nturns = 3\n", &d);
     assert_true(flk_analysis_open(&a, &d));
     memset(&p, 0, sizeof p);
@@ -291,13 +285,12 @@ static void test_tolerance(void **unused)
 /* ------------------------------------------------------------------------------------ limits */
 
 /* With a large flywheel the torque tends to that at constant speed, at first order. */
-static void test_large_flywheel(void **unused)
+TEST(test_large_flywheel)
 {
     fourlink_results *given = opened(PUMP FORCE "[motion]\nspeed = 12 rad/s\ninterval = 15 deg\n");
     double off[2] = {0, 0}, angle;
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         fourlink_results *r = opened(print("%s[motor]\ntorque = constant\n[flywheel]\ninertia = "
                                            "%s kg m2\n[motion]\nmode = steady\nmean_speed = 12 "
@@ -315,13 +308,12 @@ static void test_large_flywheel(void **unused)
 
 /* Values of the theory of flywheels: 12 rad/s in the mean over time is 12.089 over the angle, and the textbooks'
 ** coefficient of fluctuation, 0.25825, is not the true one. */
-static void test_fluctuation(void **unused)
+TEST(test_fluctuation)
 {
     fourlink_results *r =
         opened(PUMP FORCE "[motor]\ntorque = constant\n[flywheel]\ninertia = 2 "
                           "kg m2\n[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
 
-    (void)unused;
     assert_close(value_at(r, "mean_speed", 0), 12.0, 1e-10);
     assert_near(value_at(r, "mean(omega2)", 0), 12.089, 5e-4);
     assert_near(value_at(r, "fluctuation_exact", 0), 0.25712, 6e-6);
@@ -335,7 +327,7 @@ static void test_fluctuation(void **unused)
 }
 
 /* The rate of the map of the energy over a cycle is that by which a run-up comes to the steady speed. */
-static void test_rate(void **unused)
+TEST(test_rate)
 {
     fourlink_results *r = opened(PUMP FORCE FAN "[motor]\nstall_torque = 120 N m\nno_load_speed "
                                                 "= 14 rad/s\n[flywheel]\ninertia = 8 kg m2\n"
@@ -347,7 +339,6 @@ static void test_rate(void **unused)
     double E = value_at(steady, "energy", 0), rate = value_at(steady, "steady_rate", 0);
     double before = value_at(r, "energy", 5 * 360) - E, after = value_at(r, "energy", 6 * 360) - E;
 
-    (void)unused;
     assert_in_range(rate * 1000, 100, 900);
     assert_close(value_at(r, "steady_rate", 0), rate, 1e-9);
     assert_close(after / before, rate, 5e-3);
@@ -365,7 +356,7 @@ static void test_rate(void **unused)
 
 /* A motor that balances the loads has a steady motion with any flywheel, though the crank nearly comes to rest; two
 ** values are those of an independent integration, by Runge and Kutta's method in 4000 steps. */
-static void test_small_flywheels(void **unused)
+TEST(test_small_flywheels)
 {
     static const struct {
         double inertia, fluctuation, torque;
@@ -377,7 +368,6 @@ static void test_small_flywheels(void **unused)
     double last = 0, fluctuation;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof sample / sizeof sample[0]; i++) {
         fourlink_results *r = opened(print("%s[flywheel]\ninertia = %g kg m2\n%s",
                                            PUMP FORCE FAN BALANCED, sample[i].inertia, TEN));
@@ -398,13 +388,12 @@ static void test_small_flywheels(void **unused)
 }
 
 /* The flywheel for a fluctuation that only a small one has. */
-static void test_wanted_fluctuation(void **unused)
+TEST(test_wanted_fluctuation)
 {
     fourlink_results *r =
         opened(PUMP FORCE FAN BALANCED "[flywheel]\nfluctuation = 240 %\nexact = yes\n" TEN);
     double inertia = value_at(r, "flywheel_inertia", 0);
 
-    (void)unused;
     fourlink_results_free(r);
     r = opened(
         print("%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP FORCE FAN BALANCED, inertia, TEN));
@@ -413,13 +402,12 @@ static void test_wanted_fluctuation(void **unused)
 }
 
 /* With a flywheel so small that the crank stands still, but for rounding, none is found, and no torque is told. */
-static void test_no_flywheel(void **unused)
+TEST(test_no_flywheel)
 {
     fourlink_results *r = opened(PUMP FORCE FAN BALANCED "[flywheel]\ninertia = 0.001 kg m2\n" TEN);
     fourlink_value v;
     double angle;
 
-    (void)unused;
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_NO_STEADY);
     assert_int_not_equal(fourlink_results_value(r, "motor_torque", FOURLINK_OPEN, 0, &v),
                          FOURLINK_OK);
@@ -429,7 +417,7 @@ static void test_no_flywheel(void **unused)
 /* ------------------------------------------------------------------------------------ symmetries */
 
 /* A machine seen from behind: the mirror image turns clockwise. */
-static void test_mirror(void **unused)
+TEST(test_mirror)
 {
     static const char motor[] = "[motor]\nstall_torque = %s60 N m\nno_load_speed = %s14 rad/s\n"
                                 "inertia = 0.01 kg m2\nratio = 3\n";
@@ -442,7 +430,6 @@ static void test_mirror(void **unused)
     fourlink_results *r, *s;
     double angle;
 
-    (void)unused;
     sprintf(left, links, "", "", FRICTION, "-");
     sprintf(left + strlen(left), motor, "", "");
     sprintf(right, links, "-", "-", FRICTION, "");
@@ -460,7 +447,7 @@ static void test_mirror(void **unused)
 }
 
 /* Rows do not depend on the interval, nor on the rows before them. */
-static void test_any_angle(void **unused)
+TEST(test_any_angle)
 {
     fourlink_results *fine = opened(PUMP FORCE FAN MOTOR FLYWHEEL
                                     "[motion]\nmode = run-up\nturns = 1\ninterval = 0.1 deg\n"),
@@ -468,7 +455,6 @@ static void test_any_angle(void **unused)
                                       "[motion]\nmode = run-up\nturns = 1\ninterval = 90 deg\n");
     double angle;
 
-    (void)unused;
     for (angle = 360; angle >= 0; angle -= 0.7) {
         assert_near(value_at(fine, "omega2", angle), value_at(coarse, "omega2", angle), 0);
         assert_near(value_at(fine, "time", angle), value_at(coarse, "time", angle), 0);
@@ -478,7 +464,7 @@ static void test_any_angle(void **unused)
 }
 
 /* A parallelogram runs through its change points, and a linkage with dead positions up to the first. */
-static void test_positions(void **unused)
+TEST(test_positions)
 {
     fourlink_results *r = opened(
         "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = 0.3 m\nmass = 1 kg\n"
@@ -488,7 +474,6 @@ static void test_positions(void **unused)
     double angle, h, J, t;
     fourlink_instant at;
 
-    (void)unused;
     /* all of it turns as one mass, J = sum m r^2, under its weight */
     J = 2 * (1 * 0.15 * 0.15) + 2 * 0.3 * 0.3;
     for (angle = 30; angle <= 1110; angle += 40) {
@@ -514,7 +499,7 @@ static void test_positions(void **unused)
 /* ------------------------------------------------------------------------------------ by time */
 
 /* Rows by time are those by angle at the same time. */
-static void test_time_and_angle(void **unused)
+TEST(test_time_and_angle)
 {
     fourlink_results *r = opened(PUMP FORCE FAN MOTOR FLYWHEEL
                                  "[motion]\nmode = run-up\nrows = time\ntime_step = 10 ms\n"
@@ -523,7 +508,6 @@ static void test_time_and_angle(void **unused)
                                  "[motion]\nmode = run-up\nturns = 1\n");
     unsigned long i, n = problem_of(r).n_rows;
 
-    (void)unused;
     assert_int_equal(n, 57);
     for (i = 0; i < n; i++) {
         fourlink_instant at = row_of(r, i);
@@ -538,7 +522,7 @@ static void test_time_and_angle(void **unused)
 }
 
 /* A pendulum swings between the angles at which its energy is that of its weight, as often as it should. */
-static void test_pendulum(void **unused)
+TEST(test_pendulum)
 {
     fourlink_results *r = opened(PUMP "[motion]\nmode = free\nspeed = 8 rad/s\nrows = time\n"
                                       "time_step = 5 ms\nduration = 3 s\n"),
@@ -548,7 +532,6 @@ static void test_pendulum(void **unused)
     unsigned long i, n = problem_of(r).n_rows, turns = 0;
     int forward = 1;
 
-    (void)unused;
     assert_int_equal(fourlink_results_end(s, FOURLINK_OPEN, &stall), FOURLINK_STALLS);
     for (i = 1; i < n; i++) {
         at = row_of(r, i);
@@ -575,16 +558,5 @@ static void test_pendulum(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_energy),          cmocka_unit_test(test_shaft),
-        cmocka_unit_test(test_ends_of_run_ups), cmocka_unit_test(test_friction_of_motors),
-        cmocka_unit_test(test_second_opinion),  cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_large_flywheel),  cmocka_unit_test(test_fluctuation),
-        cmocka_unit_test(test_small_flywheels), cmocka_unit_test(test_wanted_fluctuation),
-        cmocka_unit_test(test_no_flywheel),     cmocka_unit_test(test_rate),
-        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_any_angle),
-        cmocka_unit_test(test_positions),       cmocka_unit_test(test_time_and_angle),
-        cmocka_unit_test(test_pendulum)};
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -81,9 +81,8 @@ static void check_descriptions(const char *contents, unsigned long at_least)
     fourlink_results_free(r);
 }
 
-static void test_descriptions(void **unused)
+TEST(test_descriptions)
 {
-    (void)unused;
     check_descriptions(linkage(""), 70);
     check_descriptions(linkage(UNITS), 70);
     check_descriptions(gas_engine(UNITS), 80);
@@ -92,7 +91,7 @@ static void test_descriptions(void **unused)
 }
 
 /* What a deck does not give, it has no column for. */
-static void test_columns_that_are_not_there(void **unused)
+TEST(test_columns_that_are_not_there)
 {
     static const char *const moving = "[motion]\nspeed = 1 rad/s\n";
     const struct {
@@ -110,7 +109,6 @@ static void test_columns_that_are_not_there(void **unused)
                  {slider_crank(0.1, 0.4, 0.01, moving), "klein_OM", "x_series"}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_results *r = opened(cases[i].contents);
         fourlink_value v;
@@ -124,7 +122,7 @@ static void test_columns_that_are_not_there(void **unused)
 }
 
 /* The columns that a deck asks for, in its order, each once. */
-static void test_choice(void **unused)
+TEST(test_choice)
 {
     static const struct {
         const char *columns;
@@ -138,7 +136,6 @@ static void test_choice(void **unused)
     unsigned long n, i;
     size_t k;
 
-    (void)unused;
     for (k = 0; k < COUNT(cases); k++) {
         r = opened(linkage(print("[table]\ncolumns = %s\n", cases[k].columns)));
         n = list_of(r, FOURLINK_COLUMNS, &list);
@@ -155,7 +152,7 @@ static void test_choice(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_columns_that_cannot_be_chosen(void **unused)
+TEST(test_columns_that_cannot_be_chosen)
 {
     static const struct {
         const char *columns, *message;
@@ -173,7 +170,6 @@ static void test_columns_that_cannot_be_chosen(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_source source = deck_source(four_bar(
             0.020, 0.066, 0.056, 0.080,
@@ -285,9 +281,8 @@ static void check_values(const char *contents, const place *own_places)
     fourlink_results_free(r);
 }
 
-static void test_values(void **unused)
+TEST(test_values)
 {
-    (void)unused;
     check_values(linkage(""), of_linkage);
     check_values(linkage(UNITS), of_linkage);
     check_values(gas_engine(""), of_engine);
@@ -303,14 +298,13 @@ static double value_at(fourlink_results *r, const char *name)
 }
 
 /* Columns made of two numbers, and those of a point. */
-static void test_composed_values(void **unused)
+TEST(test_composed_values)
 {
     fourlink_results *r = opened(linkage("[units]\nforce = kN\nlength = mm\npower = kW\n"));
     double x = value_at(r, "F12x"), y = value_at(r, "F12y");
     fourlink_vector at = {0.040, 0.025}, p, v, a;
     fourlink_instant instant;
 
-    (void)unused;
     assert_close(value_at(r, "F12"), hypot(x, y), 1e-14);
     assert_close(value_at(r, "F12_dir"), atan2(y, x), 1e-14);
     assert_close(value_at(r, "power"), 10 * value_at(r, "Ts"), 1e-14);
@@ -365,7 +359,7 @@ static char *lever(const char *length)
 }
 
 /* Pins and centres of mass have columns without a [point]. */
-static void test_points_of_every_deck(void **unused)
+TEST(test_points_of_every_deck)
 {
     fourlink_results *r =
         opened("mechanism = four-bar\n[ground]\nlength = 80 mm\n[coupler]\nlength = 66 mm\n"
@@ -373,7 +367,6 @@ static void test_points_of_every_deck(void **unused)
                "mass = 1 kg\ncg = (20, -5) mm\n[motion]\nspeed = 10 rad/s\n[units]\n"
                "length = mm\nspeed = km/h\n");
 
-    (void)unused;
     check_point(r, "B", 2, 0.020, 0);
     check_point(r, "C", 3, 0.066, 0);
     check_point(r, "C", 4, 0.056, 0);
@@ -401,14 +394,13 @@ static void test_points_of_every_deck(void **unused)
 }
 
 /* A [point] of the same name hides them; they are not among the usual columns. */
-static void test_hidden_points(void **unused)
+TEST(test_hidden_points)
 {
     fourlink_results *r = opened(linkage("[point C]\nlink = rocker\nat = 10 mm\n"));
     const fourlink_value *list;
     unsigned long n = list_of(r, FOURLINK_ALL_COLUMNS, &list), i, found = 0;
     fourlink_value v;
 
-    (void)unused;
     check_point(r, "C", 4, 0.010, 0);
     check_point(r, "B", 2, 0.020, 0);
     for (i = 0; i < n; i++)
@@ -424,7 +416,7 @@ static void test_hidden_points(void **unused)
 }
 
 /* Where the links do not reach, the crank's columns have values and no others. */
-static void test_values_out_of_reach(void **unused)
+TEST(test_values_out_of_reach)
 {
     fourlink_results *r =
         opened(four_bar(0.3, 0.4, 0.5, 0.75,
@@ -435,7 +427,6 @@ static void test_values_out_of_reach(void **unused)
     unsigned long n, i;
     fourlink_value v;
 
-    (void)unused;
     n = list_of(r, FOURLINK_COLUMNS, &list);
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 150, values, NULL, NULL),
                      FOURLINK_TOO_FAR);
@@ -454,17 +445,5 @@ static void test_values_out_of_reach(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_descriptions),
-        cmocka_unit_test(test_columns_that_are_not_there),
-        cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_columns_that_cannot_be_chosen),
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_composed_values),
-        cmocka_unit_test(test_points_of_every_deck),
-        cmocka_unit_test(test_hidden_points),
-        cmocka_unit_test(test_values_out_of_reach),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

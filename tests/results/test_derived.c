@@ -119,11 +119,10 @@ static void add_given(const sample *x, double F[3])
 }
 
 /* d'Alembert: the frame gets weights and loads less m a_G and I alpha of the links. */
-static void test_d_Alembert(void **unused)
+TEST(test_d_Alembert)
 {
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 5000; n++) {
         double F[3] = {0, 0, 0}, scale = 1000;
         sample x;
@@ -149,11 +148,10 @@ static void test_d_Alembert(void **unused)
 }
 
 /* Gas alone, in an engine at rest or without masses: the frame holds itself, whatever the pressure. */
-static void test_gas_alone(void **unused)
+TEST(test_gas_alone)
 {
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         sample x;
 
@@ -179,12 +177,11 @@ static void test_gas_alone(void **unused)
 }
 
 /* The frame gets what weights and loads give, less what the momentum takes up. */
-static void test_shaking(void **unused)
+TEST(test_shaking)
 {
     const double h = 1e-4;
     int n, i, k;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         double p[4][3], F[3] = {0, 0, 0}, scale = 100;
         sample x;
@@ -206,11 +203,10 @@ static void test_shaking(void **unused)
     }
 }
 
-static void test_axes(void **unused)
+TEST(test_axes)
 {
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         sample x;
         double t;
@@ -232,11 +228,10 @@ static void test_axes(void **unused)
 }
 
 /* The single force in its place does what inertia force and couple do about any point, here A. */
-static void test_offset_inertia_force(void **unused)
+TEST(test_offset_inertia_force)
 {
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         sample x;
 
@@ -271,11 +266,10 @@ static fourlink_vector moving_with(const sample *x, int i, fourlink_vector P)
     return v;
 }
 
-static void test_instantaneous_centres(void **unused)
+TEST(test_instantaneous_centres)
 {
     int n;
 
-    (void)unused;
     for (n = 0; n < 2000; n++) {
         fourlink_vector v, w;
         double far;
@@ -301,11 +295,10 @@ static void test_instantaneous_centres(void **unused)
 }
 
 /* A light linkage at rest: what the crank needs to hold a load, by the nine equations. */
-static void test_mechanical_advantage(void **unused)
+TEST(test_mechanical_advantage)
 {
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         fourlink_crank still = {0, 0, 0};
         fourlink_load load = {4, FOURLINK_FRAME_GROUND, {0, 0}, {0, 0}, 0};
@@ -333,11 +326,10 @@ static void test_mechanical_advantage(void **unused)
 }
 
 /* tan(theta4 / 2) is a root of Freudenstein's equation. */
-static void test_freudenstein(void **unused)
+TEST(test_freudenstein)
 {
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         double s, c;
         sample x;
@@ -356,12 +348,11 @@ static void test_freudenstein(void **unused)
 }
 
 /* What has no value is NaN: centres at infinity, the offset of no force. */
-static void test_undefined(void **unused)
+TEST(test_undefined)
 {
     const double right = 90 * DEG;
     int n, i;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         sample x;
 
@@ -388,13 +379,12 @@ static void test_undefined(void **unused)
 }
 
 /* A link whose centre of mass is not accelerated, but for rounding: it is at the pole. */
-static void test_rounding_is_no_force(void **unused)
+TEST(test_rounding_is_no_force)
 {
     fourlink_link_state *rod;
     sample x;
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         fourlink_vector at, a, e;
         double square;
@@ -415,11 +405,10 @@ static void test_rounding_is_no_force(void **unused)
     }
 }
 
-static void test_superposition(void **unused)
+TEST(test_superposition)
 {
     int n;
 
-    (void)unused;
     for (n = 0; n < 1000; n++) {
         sample x;
 
@@ -433,19 +422,5 @@ static void test_superposition(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_d_Alembert),
-        cmocka_unit_test(test_gas_alone),
-        cmocka_unit_test(test_shaking),
-        cmocka_unit_test(test_axes),
-        cmocka_unit_test(test_offset_inertia_force),
-        cmocka_unit_test(test_instantaneous_centres),
-        cmocka_unit_test(test_mechanical_advantage),
-        cmocka_unit_test(test_freudenstein),
-        cmocka_unit_test(test_undefined),
-        cmocka_unit_test(test_rounding_is_no_force),
-        cmocka_unit_test(test_superposition),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

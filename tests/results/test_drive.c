@@ -53,7 +53,7 @@ static void check_row(fourlink_results *r, double angle, const double expected[7
         check_value(r, names[i], angle, expected[i]);
 }
 
-static void test_run_up(void **unused)
+TEST(test_run_up)
 {
     static const double at_45[] = {0.105222531727,  11.70599690827, 43.49993530184,  19.66288364339,
                                    -2.087084007533, 126.7487020372, -0.2405524127144},
@@ -62,7 +62,6 @@ static void test_run_up(void **unused)
     fourlink_results *r = opened(PUMP MOTOR FLYWHEEL RUN_UP);
     double angle;
 
-    (void)unused;
     check_row(r, 45, at_45);
     check_row(r, 720, at_720);
     assert_int_equal(problem_of(r).mode, FOURLINK_MODE_RUN_UP);
@@ -82,7 +81,7 @@ static void test_run_up(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_steady(void **unused)
+TEST(test_steady)
 {
     static const double at_180[] = {0.233819683268,   14.02793279833, -5.890331291283,
                                     -0.2394239856987, 2.705741659943, 319.5615188388,
@@ -90,7 +89,6 @@ static void test_steady(void **unused)
     fourlink_results *r = opened(PUMP MOTOR FLYWHEEL STEADY);
     double max, min;
 
-    (void)unused;
     check_row(r, 180, at_180);
     check_value(r, "period", 0, 0.5610716958147);
     check_value(r, "mean_speed", 0, 2 * M_PI / 0.5610716958147);
@@ -110,14 +108,13 @@ static void test_steady(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_ends(void **unused)
+TEST(test_ends)
 {
     fourlink_results *r =
         opened(PUMP "[motor]\nstall_torque = 60 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL RUN_UP);
     double angle = 0, values[64];
     fourlink_instant at;
 
-    (void)unused;
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_STALLS);
     assert_close(value_at(r, "stall_angle", 0).value, angle, 1e-15);
     assert_in_range(angle * 10, 2905, 2906);
@@ -149,7 +146,7 @@ static void test_ends(void **unused)
 
 /* A run-up that stalls below its steady motion has no facts of it, also where the rows end before it stalls; the steady
 ** motion is there by itself. */
-static void test_steady_motion_that_is_not_reached(void **unused)
+TEST(test_steady_motion_that_is_not_reached)
 {
     static const char *const names[] = {"mean_speed",        "mean_speed_textbook", "period",
                                         "fluctuation_exact", "steady_rate",         "run_up_time"};
@@ -166,7 +163,6 @@ static void test_steady_motion_that_is_not_reached(void **unused)
     char deck[2000];
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int is_steady = cases[i].motion[0] == 's';
         fourlink_results *r;
@@ -188,13 +184,12 @@ static void test_steady_motion_that_is_not_reached(void **unused)
 }
 
 /* The flywheel that is found gives the fluctuation, whatever its size. */
-static void test_wanted_flywheel(void **unused)
+TEST(test_wanted_flywheel)
 {
     static const double wanted[] = {1e-4, 0.01, 0.1, 0.5, 0.75};
     char deck[2000];
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
         fourlink_results *r;
         double inertia;
@@ -223,7 +218,7 @@ static void test_wanted_flywheel(void **unused)
 
 /* The rotor of the motor is there besides: the flywheel that is found gives the fluctuation, in a deck that has both,
 ** and a large rotor needs none. */
-static void test_wanted_flywheel_beside_a_rotor(void **unused)
+TEST(test_wanted_flywheel_beside_a_rotor)
 {
     static const double ratios[] = {1, -5};
     const double rotor = 0.01;
@@ -233,7 +228,6 @@ static void test_wanted_flywheel_beside_a_rotor(void **unused)
     double inertia, omega;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof ratios / sizeof ratios[0]; i++) {
         const double at_crank = ratios[i] * ratios[i] * rotor;
         char motor[200];
@@ -283,13 +277,12 @@ static void test_wanted_flywheel_beside_a_rotor(void **unused)
 }
 
 /* A constant torque that balances the loads, at any mean speed; the exact fluctuation is not the textbooks'. */
-static void test_balancing_motor(void **unused)
+TEST(test_balancing_motor)
 {
     fourlink_results *r = opened(PUMP "[motor]\ntorque = constant\n[flywheel]\ninertia = 20 kg m2\n"
                                       "[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
     double exact, textbook;
 
-    (void)unused;
     check_value(r, "mean_speed", 0, 12);
     assert_close(value_at(r, "period", 0).value, 2 * M_PI / 12, 1e-9);
     assert_close(value_at(r, "motor_torque", 0).value, value_at(r, "T_motor", 100).value, 1e-12);
@@ -300,7 +293,7 @@ static void test_balancing_motor(void **unused)
 }
 
 /* In FORTRAN 77 by the same names. */
-static void test_fortran(void **unused)
+TEST(test_fortran)
 {
     const char deck[] = PUMP MOTOR FLYWHEEL STEADY;
     fourlink_results *handle = NULL;
@@ -308,7 +301,6 @@ static void test_fortran(void **unused)
     char message[80];
     int status, open = 1;
 
-    (void)unused;
     flopen_(deck, &handle, &status, message, sizeof deck - 1, sizeof message);
     assert_int_equal(status, FOURLINK_OK);
     flval_(&handle, "omega2", &open, &angle, &value, &status, 6);
@@ -320,14 +312,13 @@ static void test_fortran(void **unused)
 }
 
 /* Columns and facts of the actual motion are not those of a given one. */
-static void test_given(void **unused)
+TEST(test_given)
 {
     static const char *const names[] = {"T_motor", "J", "energy", "energy_residual"};
     fourlink_results *r = opened(PUMP "[motion]\nspeed = 12 rad/s\n");
     double angle;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < 4; i++)
         assert_int_equal(status_of(r, names[i], 0), FOURLINK_NO_SUCH_NAME);
     assert_int_equal(status_of(r, "mean_speed", 0), FOURLINK_NO_SUCH_FACT);
@@ -339,15 +330,5 @@ static void test_given(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_run_up),
-                                       cmocka_unit_test(test_steady),
-                                       cmocka_unit_test(test_ends),
-                                       cmocka_unit_test(test_steady_motion_that_is_not_reached),
-                                       cmocka_unit_test(test_wanted_flywheel),
-                                       cmocka_unit_test(test_wanted_flywheel_beside_a_rotor),
-                                       cmocka_unit_test(test_balancing_motor),
-                                       cmocka_unit_test(test_fortran),
-                                       cmocka_unit_test(test_given)};
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -65,19 +65,17 @@ static double root(double A, double B, double C, int sign)
 
 static const double K = (20. * 20 - 66. * 66 + 56. * 56 + 80. * 80) / 2;
 
-static void A1_twice_K(void **unused)
+TEST(A1_twice_K)
 {
-    (void)unused;
     assert_near(2 * K, 5580, 1e-9); /* printed 5588 */
     assert_near(K, 2790, 1e-9);
 }
 
-static void A2_output_angles(void **unused)
+TEST(A2_output_angles)
 {
     double th = 40 * DEG, A = K - a * (d - c) * cos(th) - c * d, B = -2 * a * c * sin(th),
            C = K - a * (d + c) * cos(th) + c * d, substituted;
 
-    (void)unused;
     /* printed -113.27 and 120 */
     assert_near(row(40, FOURLINK_CROSSED).link[4].theta / DEG, -126.30, 0.005);
     assert_near(row(40, FOURLINK_OPEN).link[4].theta / DEG, 103.82, 0.005);
@@ -94,7 +92,7 @@ static void A2_output_angles(void **unused)
     assert_near(row(40, FOURLINK_OPEN).link[4].theta / DEG, 103.8208, 5e-5);
 }
 
-static void A3_velocity_of_coupler(void **unused)
+TEST(A3_velocity_of_coupler)
 {
     fourlink_state s = row(40, FOURLINK_OPEN);
     double th = s.link[2].theta, be = s.link[3].theta, ph = s.link[4].theta;
@@ -102,7 +100,6 @@ static void A3_velocity_of_coupler(void **unused)
     double right = a * omega * sin(ph - th) / (b * sin(be - ph));
     double h = 1e-6, rate;
 
-    (void)unused;
     rate = (row(40 + h / DEG, FOURLINK_OPEN).link[3].theta -
             row(40 - h / DEG, FOURLINK_OPEN).link[3].theta) /
            (2 * h) * omega;
@@ -111,7 +108,7 @@ static void A3_velocity_of_coupler(void **unused)
     assert_near(printed, -161.41, 0.005);
 }
 
-static void A4_label_of_alpha_c(void **unused)
+TEST(A4_label_of_alpha_c)
 {
     fourlink_state s = row(40, FOURLINK_OPEN);
     double th = s.link[2].theta, be = s.link[3].theta, ph = s.link[4].theta;
@@ -121,7 +118,6 @@ static void A4_label_of_alpha_c(void **unused)
     double h = 1e-4, f[3];
     int i;
 
-    (void)unused;
     for (i = -1; i <= 1; i++)
         f[i + 1] = row(40 + i * h / DEG, FOURLINK_OPEN).link[4].theta;
     assert_near((f[0] - 2 * f[1] + f[2]) / (h * h) * omega * omega, second, 1e-4);
@@ -129,54 +125,48 @@ static void A4_label_of_alpha_c(void **unused)
     assert_near(s.link[3].alpha, 20.96, 0.005);
 }
 
-static void A5_table_120(void **unused)
+TEST(A5_table_120)
 {
-    (void)unused;
     assert_near(row(120, FOURLINK_CROSSED).link[3].omega, 3.1952, 5e-5); /* printed 3.26 */
 }
 
-static void A6_table_160_200(void **unused)
+TEST(A6_table_160_200)
 {
-    (void)unused;
     assert_near(row(160, FOURLINK_OPEN).link[3].alpha, 23.9325, 5e-5); /* printed 23.99 */
     assert_near(row(200, FOURLINK_CROSSED).link[3].alpha, -23.9325, 5e-5);
 }
 
-static void A7_table_280(void **unused)
+TEST(A7_table_280)
 {
-    (void)unused;
     assert_near(row(280, FOURLINK_CROSSED).link[3].alpha, -22.42, 0.005); /* printed +22.42 */
 }
 
-static void A8_parentheses(void **unused)
+TEST(A8_parentheses)
 {
     double th = 40 * DEG, A = K - a * (d - c * cos(th)) - c * d, B = -2 * a * c * sin(th),
            C = K - a * d + c * cos(th) + c * d;
 
-    (void)unused;
     assert_near(root(A, B, C, -1), 103.34, 0.005); /* right: 103.82 */
 }
 
-static void A9_sign_of_bb(void **unused)
+TEST(A9_sign_of_bb)
 {
     double th = 40 * DEG, A = K - a * (d - c) * cos(th) - c * d, B = 2 * a * c * sin(th),
            C = K - a * (d + c) * cos(th) + c * d;
     double ph = root(A, B, C, 1) * DEG;
 
-    (void)unused;
     assert_near(ph / DEG, -103.82, 0.005); /* the mirrored rocker, with the crank where it was */
     assert_near((c * sin(ph) - a * sin(th)) / b, -1.0187, 5e-5); /* has no arcsine */
 }
 
-static void A10_interval_in_integers(void **unused)
+TEST(A10_interval_in_integers)
 {
     int theta = 50, iht = 360 / theta;
 
-    (void)unused;
     assert_near(360.0 / iht, 51.43, 0.005); /* the rows are at 51.43 deg, labelled 50 */
 }
 
-static void A11_arcsine(void **unused)
+TEST(A11_arcsine)
 {
     const double ground = 20, crank = 50, coupler = 45, rocker = 60, th = 60 * DEG;
     const fourlink_crank at = {60 * DEG, 1, 0};
@@ -185,7 +175,6 @@ static void A11_arcsine(void **unused)
     fourlink_state s;
     double ph, be, wrong, rest;
 
-    (void)unused;
     memset(&design, 0, sizeof design);
     design.kind = FOURLINK_FOUR_BAR;
     design.link[1].length = ground;
@@ -215,11 +204,10 @@ static void A11_arcsine(void **unused)
     assert_near(s.link[4].omega, 1.015, 5e-4);
 }
 
-static void A12_row_at_360(void **unused)
+TEST(A12_row_at_360)
 {
     int iht = 360 / 40;
 
-    (void)unused;
     /* the loop is for j < iht + 1 */
     assert_near(40 * iht, 360, 1e-9);
     assert_near(40 * (iht - 1), 320, 1e-9); /* where the table ends */
@@ -228,35 +216,32 @@ static void A12_row_at_360(void **unused)
 }
 
 /* What ME3491's program computes for one link's centre of mass, and where it goes wrong. */
-static void M1_arms(void **unused)
+TEST(M1_arms)
 {
     fourlink_state s = row(40, FOURLINK_OPEN);
     double th = 40 * DEG, r = 0.020, rg = 0.010, A[9][9], bb[9];
 
-    (void)unused;
     assert_int_equal(fourlink_system(&alvi, &s, NULL, 0, A, bb), FOURLINK_OK);
     assert_near(r * sin(th) - rg * cos(th), 0.005195, 5e-7); /* eq. 12 as printed */
     assert_near(A[2][2], 0.006428, 5e-7);                    /* right: sin */
     assert_near(A[2][2], r * sin(th) - rg * sin(th), 1e-15);
 }
 
-static void M2_row_9_column_6(void **unused)
+TEST(M2_row_9_column_6)
 {
     fourlink_state s = row(40, FOURLINK_OPEN);
     double ph = s.link[4].theta, rg3 = 0.030, rg4 = 0.028, at = -5 * DEG, A[9][9], bb[9];
 
-    (void)unused;
     assert_int_equal(fourlink_system(&alvi, &s, NULL, 0, A, bb), FOURLINK_OK);
     assert_near(0.056 * cos(ph) + rg3 * cos(ph + at), -0.01798, 5e-6); /* as printed */
     assert_near(A[8][5], -0.00908, 5e-6);
     assert_near(A[8][5], 0.056 * cos(ph) - rg4 * cos(ph + at), 1e-15);
 }
 
-static void M3_R_in_the_program(void **unused)
+TEST(M3_R_in_the_program)
 {
     double th = 40 * DEG, P = K - a * (d - c) * cos(th) - c * d, Q = -2 * a * c * sin(th);
 
-    (void)unused;
     /* with - cd for + cd in R the program reports "wrong values of the link lengths" */
     assert_near(Q * Q - 4 * P * (K - a * (d + c) * cos(th) - c * d), -28986952, 1);
     assert_near(root(P, Q, K - a * (d + c) * cos(th) + c * d, -1), 103.82, 0.005);
@@ -278,7 +263,7 @@ static double a_G3(double degrees, int y)
     return (f[0] - 2 * f[1] + f[2]) / (h * h) * omega * omega;
 }
 
-static void M4_acceleration_of_coupler(void **unused)
+TEST(M4_acceleration_of_coupler)
 {
     fourlink_state s = row(40, FOURLINK_OPEN), wrong = s;
     double angle = s.link[3].theta + 10 * DEG, w = s.link[3].omega, al = s.link[3].alpha;
@@ -286,7 +271,6 @@ static void M4_acceleration_of_coupler(void **unused)
     double printed_y = 0.030 * (al * cos(angle) - w * w * sin(angle));
     fourlink_forces f, g;
 
-    (void)unused;
     assert_near(printed_x, -0.6703, 5e-5);
     assert_near(printed_y, 0.1873, 5e-5);
     assert_near(a_G3(40, 0), -2.3595, 5e-5);
@@ -298,7 +282,7 @@ static void M4_acceleration_of_coupler(void **unused)
     assert_near(g.Ts, 0.03231, 5e-6); /* the torque without the acceleration of B */
 }
 
-static void M5_sign_of_b(void **unused)
+TEST(M5_sign_of_b)
 {
     fourlink_state s = row(40, FOURLINK_OPEN);
     const fourlink_load Tl = {4, FOURLINK_FRAME_GROUND, {0, 0}, {0, 0}, 0.5};
@@ -308,7 +292,6 @@ static void M5_sign_of_b(void **unused)
     gsl_vector_view bv = gsl_vector_view_array(F_g, 9), xv = gsl_vector_view_array(x, 9);
     gsl_permutation *p = gsl_permutation_alloc(9);
 
-    (void)unused;
     /* b = +F_g as printed is minus m a_G: the inertia and load enter with the wrong sign */
     assert_int_equal(fourlink_system(&alvi, &s, &Tl, 1, A, bb), FOURLINK_OK);
     for (i = 0; i < 9; i++)
@@ -319,12 +302,11 @@ static void M5_sign_of_b(void **unused)
     assert_near(x[8], -0.03138, 5e-6);
 }
 
-static void M6_angles_raised_by_pi(void **unused)
+TEST(M6_angles_raised_by_pi)
 {
     double ph = row(40, FOURLINK_CROSSED).link[4].theta + 3.1415926;
     double be = asin((c * sin(ph) - a * sin(40 * DEG)) / b), gap;
 
-    (void)unused;
     assert_near(ph / DEG, 53.70, 0.005); /* right: -126.30 */
     gap = a * cos(40 * DEG) + b * cos(be) - d - c * cos(ph);
     assert_near(gap, -40.26, 0.005); /* mm: the loop does not close */
@@ -457,12 +439,11 @@ static double T_c(const engine *e)
     return couple(e, alpha_c(e)) * cos(e->theta * DEG) / root_n(e);
 }
 
-static void E1_brackets(void **unused)
+TEST(E1_brackets)
 {
     const engine *e = &ME3491_1;
     double th = e->theta * DEG, n = ratio(e), w = rpm(e->omega), m = e->m_p + m_b(e);
 
-    (void)unused;
     assert_near(e->r * w * sin(th) + sin(2 * th) / (2 * root_n(e)) * w, 27.69, 0.005);
     assert_near(w * arm(e), 12.74, 0.005);
     assert_near(e->r * w * w * cos(th) + cos(2 * th) / n * w * w, 1894.8, 0.05);
@@ -472,13 +453,12 @@ static void E1_brackets(void **unused)
     assert_near(m * a_series(e), 4291.8, 0.05);
 }
 
-static void E2_outer_dead_centre(void **unused)
+TEST(E2_outer_dead_centre)
 {
     engine e = ME3491_1;
     double rw2 = e.r * rpm(e.omega) * rpm(e.omega), n = ratio(&e);
     fourlink_state s;
 
-    (void)unused;
     e.theta = 180;
     exact(&e, 1, &s);
     assert_near(rw2 * (1 + 1 / n), 2193.25, 0.005); /* printed first */
@@ -491,21 +471,19 @@ static void E2_outer_dead_centre(void **unused)
     assert_true(s.link[4].origin.x > 0);
 }
 
-static void E3_second_term(void **unused)
+TEST(E3_second_term)
 {
-    (void)unused;
     /* sin(2 theta)/2n beside sin(theta) at 40 deg: negligible for large n, not for small */
     assert_near(sin(80 * DEG) / (2 * 3) / sin(40 * DEG), 0.26, 0.005);
     assert_near(sin(80 * DEG) / (2 * 100) / sin(40 * DEG), 0.0077, 0.00005);
 }
 
-static void E4_example_1(void **unused)
+TEST(E4_example_1)
 {
     const engine *e = &ME3491_1;
     double th = e->theta * DEG, m = e->m_p + m_b(e), w = 104.7;
     double T = (e->gas - m * a_series(e)) * arm(e), T_a = m_a(e) * 9.81 * e->r * cos(th);
 
-    (void)unused;
     assert_near(rpm(e->omega), 104.72, 0.005);
     assert_near(m * a_series(e), 4291.8, 0.05);
     assert_near(alpha_c(e), -2241.1, 0.05);
@@ -522,14 +500,13 @@ static void E4_example_1(void **unused)
     assert_near(exact_torque(e, -1), 1982.28, 0.005);
 }
 
-static void E5_example_2(void **unused)
+TEST(E5_example_2)
 {
     const engine *e = &ME3491_2;
     double th = e->theta * DEG, n = ratio(e), T = m_b(e) * a_series(e) * arm(e);
     double T_a = m_a(e) * 9.81 * e->r * sin(th), T_b = m_b(e) * 9.81 * arm(e);
     double slip = sin(th) + sin(2 * th) / (2 * sqrt(n * n - sin(2 * th) * sin(2 * th)));
 
-    (void)unused;
     assert_near(m_a(e), 176.25, 1e-9);          /* printed 176.35 */
     assert_near(e->m * e->b * e->l, 705, 1e-9); /* kg m2, by the printed formula */
     assert_near(sqrt(e->k2), 0.6665, 5e-5);
@@ -540,18 +517,17 @@ static void E5_example_2(void **unused)
     assert_near(-exact_torque(e, 1), 5477.58, 0.005);
 }
 
-static void E6_torque(void **unused)
+TEST(E6_torque)
 {
     const engine *e = &ME3491_1;
     double th = e->theta * DEG, be = asin(sin(th) / ratio(e));
 
-    (void)unused;
     assert_near((sin(th) + cos(th) * sin(be)) / cos(be), 0.826, 5e-4);
     assert_near((sin(th) * cos(be) + cos(th) * sin(be)) / cos(be), 0.811, 5e-4);
     assert_near(arm(e) / e->r, 0.811, 5e-4);
 }
 
-static void E7_graphical_torque(void **unused)
+TEST(E7_graphical_torque)
 {
     const engine *e = &ME3491_2;
     double F_C = 300 * 20.94 * 20.94 * 0.3282; /* the lengths of the text's figure, in m */
@@ -560,7 +536,6 @@ static void E7_graphical_torque(void **unused)
     fourlink_vector I, C, G, a_G, at = {0, 0};
     fourlink_state s;
 
-    (void)unused;
     assert_near(F_C, 43173.1, 0.05);
     assert_near(F_T, 13718, 0.5); /* printed 13714, and 13705 in the next line */
     assert_near(F_T * e->r, 5487, 0.5);
@@ -590,12 +565,11 @@ static void E7_graphical_torque(void **unused)
     assert_near(F_T * e->r, 5477.58, 0.005);
 }
 
-static void E8_speed_rounded(void **unused)
+TEST(E8_speed_rounded)
 {
     const engine *e = &ME3491_2;
     double w = rpm(e->omega), L = 1.553;
 
-    (void)unused;
     assert_near(w, 20.944, 5e-4);
     assert_near(m_b(e) * a_at(e, 20.94), 15348, 0.5);
     assert_near(m_b(e) * a_series(e), 15353.5, 0.05);
@@ -609,11 +583,10 @@ static void E8_speed_rounded(void **unused)
     assert_near(300 * w * w * 0.3282, 43189.4, 0.05);
 }
 
-static void E9_parts_not_equivalent(void **unused)
+TEST(E9_parts_not_equivalent)
 {
     const engine *one = &ME3491_1, *two = &ME3491_2;
 
-    (void)unused;
     /* the two parts about the centre of mass, and the rod */
     assert_near(m_a(one) * pow(one->l - one->b, 2) + m_b(one) * one->b * one->b, 0.09, 1e-9);
     assert_near(one->m * one->k2, 0.06125, 1e-9);
@@ -621,24 +594,22 @@ static void E9_parts_not_equivalent(void **unused)
     assert_near(two->m * two->k2, 133.3, 0.05);
 }
 
-static void E10_chain_of_T_c(void **unused)
+TEST(E10_chain_of_T_c)
 {
     const engine *e = &ME3491_1;
     double th = e->theta * DEG, be = asin(sin(th) / ratio(e)), c1 = couple(e, alpha_c(e));
 
-    (void)unused;
     assert_near(c1 / cos(be) * e->r * cos(th), -7.58, 0.005);              /* N m2, l is lost */
     assert_near(c1 * cos(th) / (ratio(e) * 1 / root_n(e)), -48.21, 0.005); /* n 1/sqrt */
     assert_near(c1 * cos(th) / (ratio(e) * cos(be)), -16.84, 0.005);
     assert_near(T_c(e), -16.84, 0.005);
 }
 
-static void D1_example_1(void **unused)
+TEST(D1_example_1)
 {
     const engine *e = &DFA_1;
     double F = e->gas - e->m_p * a_series(e), th = e->theta * DEG, ph = asin(sin(th) / ratio(e));
 
-    (void)unused;
     assert_near(rpm(250), 26.18, 0.005);
     assert_near(F, 24869, 0.5); /* printed 26870 */
     assert_near(F * arm(e), 2255.6, 0.05);
@@ -646,7 +617,7 @@ static void D1_example_1(void **unused)
     assert_near(F * cos(th + ph) / cos(ph), 20034, 0.5);
 }
 
-static void D2_example_2(void **unused)
+TEST(D2_example_2)
 {
     const engine *e = &DFA_2;
     double th = e->theta * DEG, w = rpm(e->omega), n = ratio(e);
@@ -654,7 +625,6 @@ static void D2_example_2(void **unused)
     double couple_1 = couple(e, -w * w * sin(th) / n), T_2 = couple_1 * cos(th) / root_n(e);
     double T_3 = m_a(e) * 9.81 * e->r * cos(th);
 
-    (void)unused;
     assert_near(F, 100867, 0.5);       /* printed 6144.8 N, which is the torque */
     assert_near(T_1, 6143.9, 0.05);    /* printed 6145 */
     assert_near(couple_1, -1851, 0.5); /* the couple on the rod, added as a torque on the crank */
@@ -665,13 +635,12 @@ static void D2_example_2(void **unused)
     assert_near(-exact_torque(e, 1), 6607.22, 0.005);
 }
 
-static void D3_torque_of_the_couple(void **unused)
+TEST(D3_torque_of_the_couple)
 {
     const engine *e = &DFA_2;
     double th = e->theta * DEG, ph = asin(sin(th) / ratio(e)), w = rpm(e->omega);
     double couple_1 = couple(e, -w * w * sin(th) / ratio(e));
 
-    (void)unused;
     assert_near(couple_1 * cos(ph) * e->r * cos(th), -159.0, 0.05); /* N m2, l is lost */
     assert_near(couple_1 / (e->l * cos(ph)) * e->r * cos(th), -403.8, 0.05);
     /* -1851 x 0.1 x cos 30 / 0.4 x cos 7.18, read as it is written and as it is meant */
@@ -681,39 +650,5 @@ static void D3_torque_of_the_couple(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(A1_twice_K),
-        cmocka_unit_test(A2_output_angles),
-        cmocka_unit_test(A3_velocity_of_coupler),
-        cmocka_unit_test(A4_label_of_alpha_c),
-        cmocka_unit_test(A5_table_120),
-        cmocka_unit_test(A6_table_160_200),
-        cmocka_unit_test(A7_table_280),
-        cmocka_unit_test(A8_parentheses),
-        cmocka_unit_test(A9_sign_of_bb),
-        cmocka_unit_test(A10_interval_in_integers),
-        cmocka_unit_test(A11_arcsine),
-        cmocka_unit_test(A12_row_at_360),
-        cmocka_unit_test(M1_arms),
-        cmocka_unit_test(M2_row_9_column_6),
-        cmocka_unit_test(M3_R_in_the_program),
-        cmocka_unit_test(M4_acceleration_of_coupler),
-        cmocka_unit_test(M5_sign_of_b),
-        cmocka_unit_test(M6_angles_raised_by_pi),
-        cmocka_unit_test(E1_brackets),
-        cmocka_unit_test(E2_outer_dead_centre),
-        cmocka_unit_test(E3_second_term),
-        cmocka_unit_test(E4_example_1),
-        cmocka_unit_test(E5_example_2),
-        cmocka_unit_test(E6_torque),
-        cmocka_unit_test(E7_graphical_torque),
-        cmocka_unit_test(E8_speed_rounded),
-        cmocka_unit_test(E9_parts_not_equivalent),
-        cmocka_unit_test(E10_chain_of_T_c),
-        cmocka_unit_test(D1_example_1),
-        cmocka_unit_test(D2_example_2),
-        cmocka_unit_test(D3_torque_of_the_couple),
-    };
-
-    return cmocka_run_group_tests(tests, prepare, NULL);
+    return run_all_tests(prepare);
 }

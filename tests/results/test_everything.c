@@ -181,11 +181,10 @@ static void read_whole(const char *path, char *text, size_t size)
 }
 
 #ifdef COUNTS_MEMORY
-static void test_memory_is_counted(void **unused)
+TEST(test_memory_is_counted)
 {
     void *volatile memory;
 
-    (void)unused;
     allocations = 0;
     watches_memory = 1;
     memory = malloc(10);
@@ -195,7 +194,7 @@ static void test_memory_is_counted(void **unused)
 }
 #endif
 
-static void test_everything_of_the_decks(void **unused)
+TEST(test_everything_of_the_decks)
 {
     static const char *const folders[] = {SOURCE_DIR "/data/*.deck",
                                           SOURCE_DIR "/tests/decks/*.deck"};
@@ -204,7 +203,6 @@ static void test_everything_of_the_decks(void **unused)
     size_t i, k;
     int n = 0;
 
-    (void)unused;
     for (k = 0; k < COUNT(folders); k++) {
         assert_int_equal(glob(folders[k], 0, NULL, &found), 0);
         for (i = 0; i < found.gl_pathc; i++) {
@@ -222,7 +220,7 @@ static void test_everything_of_the_decks(void **unused)
 }
 
 /* Linkages that reach in part or nowhere, pass change points, stop, or are far out of proportion. */
-static void test_everything_of_odd_mechanisms(void **unused)
+TEST(test_everything_of_odd_mechanisms)
 {
     static const double bars[][4] = {
         {0.3, 0.4, 0.5, 0.75}, {0.75, 0.4, 0.5, 0.35}, {0.4, 0.5, 0.45, 0.35},
@@ -239,7 +237,6 @@ static void test_everything_of_odd_mechanisms(void **unused)
     unsigned long refused = 0;
     size_t i, k;
 
-    (void)unused;
     for (k = 0; k < COUNT(motions); k++) {
         const char *more =
             print("[load]\nlink = crank\ntorque = 5 N m\nfrom = 20 deg\nto = 100 deg\n"
@@ -286,7 +283,7 @@ static void *work_on(void *data)
 }
 
 /* Two threads, each with results of its own, of one source. */
-static void test_two_threads(void **unused)
+TEST(test_two_threads)
 {
     char *contents = four_bar(0.020, 0.066, 0.056, 0.080,
                               "[load]\nlink = rocker\ntorque = 3 N m\n[motion]\n"
@@ -296,7 +293,6 @@ static void test_two_threads(void **unused)
     work w[2];
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         memset(&w[i], 0, sizeof w[i]);
         w[i].source = with_columns(contents, some);
@@ -310,14 +306,5 @@ static void test_two_threads(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-#ifdef COUNTS_MEMORY
-        cmocka_unit_test(test_memory_is_counted),
-#endif
-        cmocka_unit_test(test_everything_of_the_decks),
-        cmocka_unit_test(test_everything_of_odd_mechanisms),
-        cmocka_unit_test(test_two_threads),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -71,7 +71,7 @@ static char *engine(double rod, const char *expectations)
                  rod, expectations);
 }
 
-static void test_half_of_the_last_digit(void **unused)
+TEST(test_half_of_the_last_digit)
 {
     static const struct {
         double rod; /* mm, with a crank of 100 mm */
@@ -116,7 +116,6 @@ static void test_half_of_the_last_digit(void **unused)
                  {250, "-2.50", 0.005, DIFFERS}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_check c =
             one_check(engine(cases[i].rod, print("[expect]\nn = %s\n", cases[i].printed)));
@@ -134,7 +133,7 @@ static void test_half_of_the_last_digit(void **unused)
 }
 
 /* In the unit that was printed, whatever that of the deck. */
-static void test_printed_units(void **unused)
+TEST(test_printed_units)
 {
     static const struct {
         const char *printed;
@@ -153,7 +152,6 @@ static void test_printed_units(void **unused)
                  {"249", 249, 0.5, DIFFERS}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(table); i++) {
         fourlink_check c =
             one_check(engine(300, print("[expect]\nstroke = %s\n", table[i].printed)));
@@ -167,7 +165,7 @@ static void test_printed_units(void **unused)
     }
 }
 
-static void test_tolerances(void **unused)
+TEST(test_tolerances)
 {
     static const struct {
         const char *tolerance;
@@ -195,7 +193,6 @@ static void test_tolerances(void **unused)
                  {"0.05", 200.04, OK}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_check c =
             one_check(engine(300, print("[expect]\ntolerance = %s\nstroke = %.10g mm\n",
@@ -208,14 +205,13 @@ static void test_tolerances(void **unused)
 }
 
 /* Per cent of a negative value; a tolerance holds for all values of its section alone. */
-static void test_tolerances_of_sections(void **unused)
+TEST(test_tolerances_of_sections)
 {
     static const fourlink_verdict expected[] = {OK, DIFFERS, OK, DIFFERS, DIFFERS};
     taken t = {0};
     fourlink_results *r;
     unsigned long i;
 
-    (void)unused;
     r = checked(four_bar(0.020, 0.066, 0.056, 0.080,
                          "[motion]\nspeed = 10.5 rad/s\n[expect]\n"
                          "at = 40 deg\ntolerance = 1 %\n"
@@ -235,12 +231,11 @@ static void test_tolerances_of_sections(void **unused)
 }
 
 /* A tolerance below 0 is a mistake in both of its forms. */
-static void test_negative_tolerances(void **unused)
+TEST(test_negative_tolerances)
 {
     static const char *const forms[] = {"-3 mm", "-2 %"};
     int outcome[2], i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         taken t = {0};
 
@@ -282,7 +277,7 @@ static char *alvi(const char *expectations)
                     print("[motion]\nspeed = 10.5 rad/s\n%s", expectations));
 }
 
-static void test_misprints(void **unused)
+TEST(test_misprints)
 {
     static const verdict_of cases[] = {
         {"[expect]\nstroke = 200 mm\n", OK},
@@ -295,11 +290,10 @@ static void test_misprints(void **unused)
         {"[misprint]\ntype = double rocker\n", FOURLINK_MISPRINT},
         {"[misprint]\ntype = slider-crank, the crank turns fully\n", FOURLINK_NO_MISPRINT}};
 
-    (void)unused;
     check_verdicts(engine_of_300, cases, COUNT(cases));
 }
 
-static void test_angles_modulo_a_turn(void **unused)
+TEST(test_angles_modulo_a_turn)
 {
     static const char *const right[] = {"103.820765 deg",  "463.820765 deg",  "-256.179235 deg",
                                         "3703.820765 deg", "1.812014178 rad", "0.28839101 rev",
@@ -321,7 +315,6 @@ static void test_angles_modulo_a_turn(void **unused)
     fourlink_check c;
     int i;
 
-    (void)unused;
     for (i = 0; i < 7; i++) {
         c = one_check(alvi(print("[expect]\nat = 40 deg\ntheta4 = %s\n", right[i])));
         if (c.verdict != FOURLINK_AGREES)
@@ -336,7 +329,7 @@ static void test_angles_modulo_a_turn(void **unused)
     check_verdicts(alvi, cases, COUNT(cases));
 }
 
-static void test_facts_in_words(void **unused)
+TEST(test_facts_in_words)
 {
     static const verdict_of cases[] = {{"[expect]\ntype = crank-rocker\n", OK},
                                        {"[expect]\ntype = Crank-Rocker\n", OK},
@@ -345,7 +338,6 @@ static void test_facts_in_words(void **unused)
                                        {"[expect]\ntype = 5 mm\n", DIFFERS}};
     size_t i;
 
-    (void)unused;
     check_verdicts(alvi, cases, COUNT(cases));
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_check c = one_check(alvi(cases[i].expectation));
@@ -355,7 +347,7 @@ static void test_facts_in_words(void **unused)
     }
 }
 
-static void test_branches_of_expectations(void **unused)
+TEST(test_branches_of_expectations)
 {
     static const verdict_of cases[] = {
         {"[expect]\nat = 40 deg\ntheta4 = 103.820765 deg\n", OK}, /* open where it does not say */
@@ -367,22 +359,20 @@ static void test_branches_of_expectations(void **unused)
          "theta4 = -126.30 deg\n",
          OK}};
 
-    (void)unused;
     check_verdicts(alvi, cases, COUNT(cases));
 }
 
 /* The branches of the table are a matter of what is printed, for facts as for columns. */
-static void test_fact_of_a_branch_not_printed(void **unused)
+TEST(test_fact_of_a_branch_not_printed)
 {
     static const verdict_of cases[] = {{"[table]\nbranch = open\n[expect]\nbranch = crossed\n"
                                         "theta4_max = -103.818044198 deg\n",
                                         OK}};
 
-    (void)unused;
     check_verdicts(alvi, cases, COUNT(cases));
 }
 
-static void test_extremes_expected(void **unused)
+TEST(test_extremes_expected)
 {
     static const verdict_of cases[] = {
         {"[expect]\nmax(theta4) = 145.906609 deg\n", OK},
@@ -390,7 +380,6 @@ static void test_extremes_expected(void **unused)
         {"[expect]\nmin(theta4) = 145.906609 deg\n", DIFFERS},
         {"[expect]\nbranch = crossed\nmax(theta4) = -103.818044 deg\n", OK}};
 
-    (void)unused;
     check_verdicts(alvi, cases, COUNT(cases));
     assert_false(one_check(alvi(cases[0].expectation)).has_angle);
     assert_int_equal(
@@ -399,11 +388,10 @@ static void test_extremes_expected(void **unused)
 }
 
 /* Each of two ranges of the crank has facts by the same names. */
-static void test_expectations_of_the_second_range(void **unused)
+TEST(test_expectations_of_the_second_range)
 {
     fourlink_check c = one_check(slider_crank(0.4, 0.2, 0, "[expect]\ntheta2_to = 30.0 deg\n"));
 
-    (void)unused;
     assert_int_equal(c.verdict, OK);
     c = one_check(slider_crank(0.4, 0.2, 0, "[expect]\ntheta2_to = 210.0 deg\n"));
     assert_int_equal(c.verdict, OK);
@@ -411,13 +399,12 @@ static void test_expectations_of_the_second_range(void **unused)
     assert_int_equal(c.verdict, DIFFERS);
 }
 
-static void test_expectations_at_one_instant(void **unused)
+TEST(test_expectations_at_one_instant)
 {
     fourlink_check c = one_check(four_bar(0.020, 0.066, 0.056, 0.080,
                                           "[motion]\nspeed = 100 rpm\nat = 40 deg\n[expect]\n"
                                           "theta4 = 103.820765 deg\n"));
 
-    (void)unused;
     assert_int_equal(c.verdict, OK);
     assert_true(c.has_angle);
     c = one_check(four_bar(0.020, 0.066, 0.056, 0.080,
@@ -465,16 +452,14 @@ static void check_mistake(const char *contents, long line, const char *message)
     fourlink_results_free(r);
 }
 
-static void test_mistakes_of_names(void **unused)
+TEST(test_mistakes_of_names)
 {
-    (void)unused;
     check_mistake(engine(300, "[expect]\nn = 3\nstrok = 200 mm\n"), 11,
                   "'strok' is neither a column nor a fact of this deck; did you mean 'stroke'?");
 }
 
-static void test_mistakes_of_columns(void **unused)
+TEST(test_mistakes_of_columns)
 {
-    (void)unused;
     check_mistake(engine(300, "[expect]\nat = 40 deg\nomga3 = 3 rad/s\n"), 11,
                   "'omga3' is neither a column nor a fact of this deck; did you mean 'omega3'?");
     check_mistake(engine(300, "[expect]\nxyzzy = 3 rad/s\n"), 10,
@@ -492,9 +477,8 @@ static void test_mistakes_of_columns(void **unused)
                   "'speed' is neither a column nor a fact of this deck");
 }
 
-static void test_mistakes_of_units(void **unused)
+TEST(test_mistakes_of_units)
 {
-    (void)unused;
     check_mistake(engine(300, "[expect]\nstroke = 200 deg\n"), 10,
                   "'200 deg' is an angle; expected a length, such as 80 mm");
     check_mistake(engine(300, "[expect]\nn = 3 mm\n"), 10,
@@ -513,9 +497,8 @@ static void test_mistakes_of_units(void **unused)
                   "'nan mm' is not a finite number");
 }
 
-static void test_mistakes_of_tolerances(void **unused)
+TEST(test_mistakes_of_tolerances)
 {
-    (void)unused;
     check_mistake(engine(300, "[expect]\ntolerance = 1 kg\nstroke = 200 mm\n"), 10,
                   "'1 kg' is a mass; expected a length, such as 80 mm");
     check_mistake(engine(300, "[expect]\ntolerance = 1 mm\nn = 3\n"), 10,
@@ -524,9 +507,8 @@ static void test_mistakes_of_tolerances(void **unused)
                   "expected a number, such as 0.02, not 'none'");
 }
 
-static void test_mistakes_of_places(void **unused)
+TEST(test_mistakes_of_places)
 {
-    (void)unused;
     check_mistake(engine(300, "[expect]\nx = 20 mm\n"), 10,
                   "a column needs a crank angle: add 'at = ...' to this section");
     check_mistake(engine(300, "[expect]\nn = 3\nat = 40 mm\n"), 11,
@@ -545,7 +527,7 @@ static void test_mistakes_of_places(void **unused)
 }
 
 /* The rocker of a drag link goes on and on: theta4 has no largest value, but the links reach. */
-static void test_mistake_of_an_angle_without_extremes(void **unused)
+TEST(test_mistake_of_an_angle_without_extremes)
 {
     taken t = {0};
     fourlink_results *r = checked(four_bar(0.50, 0.45, 0.60, 0.20,
@@ -553,7 +535,6 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
                                            "max(theta4) = 180 deg\n"),
                                   &t);
 
-    (void)unused;
     if (t.list[0].verdict == FOURLINK_NO_VALUE) {
         assert_int_equal(t.list[0].message_line, 13);
         assert_string_not_equal(t.list[0].message,
@@ -563,9 +544,8 @@ static void test_mistake_of_an_angle_without_extremes(void **unused)
 }
 
 /* The crank comes to rest after 143.2 deg: at 150 deg there is nothing to compare with. */
-static void test_mistake_beyond_the_end_of_a_motion(void **unused)
+TEST(test_mistake_beyond_the_end_of_a_motion)
 {
-    (void)unused;
     check_mistake(four_bar(0.020, 0.066, 0.056, 0.080,
                            "[motion]\nspeed = 10 rad/s\nacceleration = -20 rad/s2\n[expect]\n"
                            "at = 150 deg\nomega4 = 0 rad/s\n"),
@@ -573,7 +553,7 @@ static void test_mistake_beyond_the_end_of_a_motion(void **unused)
 }
 
 /* Each value has a mistake of its own, where it stands. */
-static void test_all_mistakes_in_one_run(void **unused)
+TEST(test_all_mistakes_in_one_run)
 {
     static const long lines[] = {11, 12, 14, 17};
     taken t = {0};
@@ -582,7 +562,6 @@ static void test_all_mistakes_in_one_run(void **unused)
                                   &t);
     int i;
 
-    (void)unused;
     assert_int_equal(t.n, 5); /* the first is in order, the others have no value */
     assert_int_equal(t.list[0].verdict, FOURLINK_AGREES);
     for (i = 0; i < 4; i++) {
@@ -593,13 +572,12 @@ static void test_all_mistakes_in_one_run(void **unused)
 }
 
 /* A file of its own takes the place of the deck's expectations; its mistakes have its name and lines. */
-static void test_expectations_of_another_file(void **unused)
+TEST(test_expectations_of_another_file)
 {
     fourlink_mistake mistake;
     fourlink_results *r;
     taken t = {0};
 
-    (void)unused;
     assert_int_equal(open_with_answers(engine(300, "[expect]\nn = 3\n"),
                                        "[misprint]\nn = 4\n[expect]\nstroke = 20 cm\n", &r,
                                        &mistake),
@@ -626,43 +604,16 @@ static void test_expectations_of_another_file(void **unused)
     assert_int_equal(mistake.line, 2);
 }
 
-static void test_nothing_expected(void **unused)
+TEST(test_nothing_expected)
 {
     taken t = {0};
     fourlink_results *r = checked(engine(300, ""), &t);
 
-    (void)unused;
     assert_int_equal(t.n, 0);
     fourlink_results_free(r);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_half_of_the_last_digit),
-        cmocka_unit_test(test_printed_units),
-        cmocka_unit_test(test_tolerances),
-        cmocka_unit_test(test_tolerances_of_sections),
-        cmocka_unit_test(test_negative_tolerances),
-        cmocka_unit_test(test_misprints),
-        cmocka_unit_test(test_angles_modulo_a_turn),
-        cmocka_unit_test(test_facts_in_words),
-        cmocka_unit_test(test_branches_of_expectations),
-        cmocka_unit_test(test_fact_of_a_branch_not_printed),
-        cmocka_unit_test(test_extremes_expected),
-        cmocka_unit_test(test_expectations_of_the_second_range),
-        cmocka_unit_test(test_expectations_at_one_instant),
-        cmocka_unit_test(test_mistakes_of_names),
-        cmocka_unit_test(test_mistakes_of_columns),
-        cmocka_unit_test(test_mistakes_of_units),
-        cmocka_unit_test(test_mistakes_of_tolerances),
-        cmocka_unit_test(test_mistakes_of_places),
-        cmocka_unit_test(test_mistake_of_an_angle_without_extremes),
-        cmocka_unit_test(test_mistake_beyond_the_end_of_a_motion),
-        cmocka_unit_test(test_all_mistakes_in_one_run),
-        cmocka_unit_test(test_expectations_of_another_file),
-        cmocka_unit_test(test_nothing_expected),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

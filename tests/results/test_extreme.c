@@ -94,13 +94,12 @@ static void check_revolution(const char *contents, const own_entry *columns, own
     check_extremes(contents, columns, &whole, 1, 1, what);
 }
 
-static void test_extremes_of_rockers(void **unused)
+TEST(test_extremes_of_rockers)
 {
     own o = {0.020L, 0.066L, 0.056L, 0.080L, 1, 0, 10.5L, 0, 0, 0};
     uint64_t seed = 1;
     int i;
 
-    (void)unused;
     check_revolution(four_bar(0.020, 0.066, 0.056, 0.080, revolution(10.5)), of_four_bar, o,
                      VALUES | ANGLES);
     for (i = 0; i < 12; i++) {
@@ -111,12 +110,11 @@ static void test_extremes_of_rockers(void **unused)
     }
 }
 
-static void test_extremes_of_pistons(void **unused)
+TEST(test_extremes_of_pistons)
 {
     uint64_t seed = 2;
     int i;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_engine(&seed, i % 2);
 
@@ -126,12 +124,11 @@ static void test_extremes_of_pistons(void **unused)
     }
 }
 
-static void test_extremes_of_torques(void **unused)
+TEST(test_extremes_of_torques)
 {
     uint64_t seed = 3;
     int i;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_engine(&seed, i % 2);
         double bore = uniform(&seed, 0.02, 0.2), p = uniform(&seed, 1e4, 1e6);
@@ -147,14 +144,13 @@ static void test_extremes_of_torques(void **unused)
 }
 
 /* Both cranks turn fully: what does not go on and on. */
-static void test_extremes_of_a_drag_link(void **unused)
+TEST(test_extremes_of_a_drag_link)
 {
     static const own_entry columns[] = {{"omega3", own_omega3}, {"alpha3", own_alpha3},
                                         {"omega4", own_omega4}, {"alpha4", own_alpha4},
                                         {"mu", own_mu},         {NULL, NULL}};
     own o = {0.50L, 0.45L, 0.60L, 0.20L, 1, 0, 3, 0, 0, 0};
 
-    (void)unused;
     check_revolution(four_bar(0.50, 0.45, 0.60, 0.20, revolution(3)), columns, o, VALUES);
 }
 
@@ -167,7 +163,7 @@ static void check_at(double angle, double expected, double turn)
 ** on through the gap of the revolution, wherever this begins.  On the open branch it is greatest where
 ** BCD is a line, the crank at -dead, and least where ABC is a line;
 ** on the crossed branch the mirror image of this. */
-static void test_extremes_of_an_angle_over_a_gap(void **unused)
+TEST(test_extremes_of_an_angle_over_a_gap)
 {
     static const double a = 0.040, b = 0.030, c = 0.050, d = 0.075;
     static const char *const motions[] = {"speed = 2 rad/s\n", "speed = -2 rad/s\n",
@@ -179,7 +175,6 @@ static void test_extremes_of_an_angle_over_a_gap(void **unused)
     size_t i;
     fourlink_results *r;
 
-    (void)unused;
     for (i = 0; i < sizeof motions / sizeof motions[0]; i++) {
         fourlink_value open, crossed;
 
@@ -199,7 +194,7 @@ static void test_extremes_of_an_angle_over_a_gap(void **unused)
 }
 
 /* Peaks of a motion that ends in a gap, one of them between the last sample and the gap: by dense samples. */
-static void test_extremes_of_angles_beside_gaps(void **unused)
+TEST(test_extremes_of_angles_beside_gaps)
 {
     static const struct {
         double a, b, c, d;
@@ -211,7 +206,6 @@ static void test_extremes_of_angles_beside_gaps(void **unused)
     size_t i;
     fourlink_results *r;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         r = opened(four_bar(cases[i].a, cases[i].b, cases[i].c, cases[i].d,
                             print("[motion]\n%s", cases[i].motion)));
@@ -225,13 +219,12 @@ static void test_extremes_of_angles_beside_gaps(void **unused)
 
 /* A horizontal engine: with s = sin^2(theta2), n = l / r, the speed of the piston is greatest where
 ** s^3 - n^2 s^2 - n^4 s + n^4 = 0. */
-static void test_extremes_of_an_engine_in_closed_form(void **unused)
+TEST(test_extremes_of_an_engine_in_closed_form)
 {
     static const double ratios[] = {1.5, 3, 4, 10, 1000};
     size_t i, j;
     int k;
 
-    (void)unused;
     for (i = 0; i < sizeof ratios / sizeof ratios[0]; i++) {
         double n = ratios[i], length = 0.15, omega = 12, low = 0, high = 1, s, t, v, mu;
         fourlink_results *r = opened(slider_crank(length, n * length, 0, revolution(omega)));
@@ -279,11 +272,10 @@ static void test_extremes_of_an_engine_in_closed_form(void **unused)
 }
 
 /* At its dead centre the displacement of the piston is 0, not what rounding leaves of two lengths. */
-static void test_least_displacement(void **unused)
+TEST(test_least_displacement)
 {
     int i, k;
 
-    (void)unused;
     for (i = -10; i <= 10; i++) {
         fourlink_results *r = opened(slider_crank(0.05, 0.0934, 7e-4 * i, revolution(-24)));
 
@@ -294,12 +286,11 @@ static void test_least_displacement(void **unused)
 }
 
 /* The limits of a crank-rocker are the extremes of theta4 and mu. */
-static void test_extremes_and_limits_agree(void **unused)
+TEST(test_extremes_and_limits_agree)
 {
     uint64_t seed = 4;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 10; i++) {
         own o = random_rocker(&seed);
         fourlink_results *r =
@@ -328,14 +319,13 @@ static void test_extremes_and_limits_agree(void **unused)
 ** Extremes of other motions
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_extremes_at_the_ends_of_a_range(void **unused)
+TEST(test_extremes_at_the_ends_of_a_range)
 {
     static const char *const ranges[] = {"from = 10 deg\nto = 50 deg\n",
                                          "from = 50 deg\nto = 10 deg\n"};
     own o = {0.15L, 0.45L, 0, 0, 1, 0, 12, 0, 0, 0};
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         part p = {o, 10 * PIL / 180, 50 * PIL / 180};
         char *contents = slider_crank(
@@ -354,7 +344,7 @@ static void test_extremes_at_the_ends_of_a_range(void **unused)
 }
 
 /* A minimum of theta4 a little inside the first, or the last, angle of a range. */
-static void test_extremes_just_inside_an_end(void **unused)
+TEST(test_extremes_just_inside_an_end)
 {
     static const own_entry columns[] = {{"theta4", own_theta4}, {"mu", own_mu}, {NULL, NULL}};
     static const double insets[] = {0.9, 0.3, 0.01, 1e-5, 0};
@@ -362,7 +352,6 @@ static void test_extremes_just_inside_an_end(void **unused)
     double at = acos((6400. + 7396 - 3136) / (2 * 80 * 86)) / DEG;
     int i, end;
 
-    (void)unused;
     for (i = 0; i < 5; i++)
         for (end = 0; end < 2; end++) {
             double from = end ? at - 200 : at - insets[i], to = end ? at + insets[i] : at + 200;
@@ -377,13 +366,12 @@ static void test_extremes_just_inside_an_end(void **unused)
 }
 
 /* From rest: 2 alpha s = omega^2 up to an angle, where alpha jumps to 0, then a revolution. */
-static void test_extremes_of_a_run_up(void **unused)
+TEST(test_extremes_of_a_run_up)
 {
     static const double angles_[] = {100, 37.5, 200.25};
     uint64_t seed = 5;
     int i, sign;
 
-    (void)unused;
     for (i = 0; i < 6; i++)
         for (sign = -1; sign <= 1; sign += 2) {
             own o = i % 2 ? random_engine(&seed, 1) : random_rocker(&seed), after;
@@ -413,12 +401,11 @@ static void test_extremes_of_a_run_up(void **unused)
         }
 }
 
-static void test_extremes_of_accelerated_motion(void **unused)
+TEST(test_extremes_of_accelerated_motion)
 {
     uint64_t seed = 6;
     int i;
 
-    (void)unused;
     for (i = 0; i < 6; i++) {
         own o = i % 2 ? random_engine(&seed, 1) : random_rocker(&seed);
         double to =
@@ -443,14 +430,13 @@ static void test_extremes_of_accelerated_motion(void **unused)
 }
 
 /* 10 rad/s, -20 rad/s2: the crank comes to rest after 2.5 rad = 143.2 deg, whatever the interval. */
-static void test_extremes_of_a_crank_that_stops(void **unused)
+TEST(test_extremes_of_a_crank_that_stops)
 {
     static const double intervals[] = {0.1, 1, 40, 143};
     own o = {0.020L, 0.066L, 0.056L, 0.080L, 1, 0, 10, -20, 0, 0};
     part p = {o, 0, 2.5L};
     int i;
 
-    (void)unused;
     for (i = 0; i < 4; i++)
         check_extremes(four_bar(0.020, 0.066, 0.056, 0.080,
                                 print("[motion]\nspeed = 10 rad/s\nacceleration = -20 rad/s2\n"
@@ -459,7 +445,7 @@ static void test_extremes_of_a_crank_that_stops(void **unused)
                        of_four_bar, &p, 1, 0, VALUES);
 }
 
-static void test_extremes_do_not_depend_on_the_interval(void **unused)
+TEST(test_extremes_do_not_depend_on_the_interval)
 {
     static const char *const names[] = {"theta3", "omega3", "alpha3", "theta4", "omega4",
                                         "alpha4", "mu",     "Ts",     "F12",    "F14x"};
@@ -467,7 +453,6 @@ static void test_extremes_do_not_depend_on_the_interval(void **unused)
     fourlink_value first[2 * 10];
     int i, j;
 
-    (void)unused;
     for (i = 0; i < 5; i++) {
         fourlink_results *r;
 
@@ -490,14 +475,13 @@ static void test_extremes_do_not_depend_on_the_interval(void **unused)
 
 /* Where the crank does not turn fully, columns that stay finite have their extremes at dead positions,
 ** which they approach as a square root does. */
-static void test_extremes_towards_dead_positions(void **unused)
+TEST(test_extremes_towards_dead_positions)
 {
     double end = acos((0.09 + 0.5625 - 0.81) / (2 * 0.3 * 0.75));
     fourlink_results *r;
     fourlink_value e;
     int k;
 
-    (void)unused;
     r = opened(four_bar(0.3, 0.4, 0.5, 0.75, revolution(1)));
     for (k = 0; k < 2; k++) {
         e = extreme_of(r, "mu", branches[k], -1);
@@ -508,12 +492,11 @@ static void test_extremes_towards_dead_positions(void **unused)
 }
 
 /* r = 400, l = 200 mm: x is least at the inner dead centre; at the ends X = 400 cos(30 deg). */
-static void test_extremes_towards_dead_positions_of_a_piston(void **unused)
+TEST(test_extremes_towards_dead_positions_of_a_piston)
 {
     fourlink_results *r;
     fourlink_value e;
 
-    (void)unused;
     r = opened(slider_crank(
         0.4, 0.2, 0,
         "[motion]\nspeed = 1 rad/s\nfrom = -100 deg\nto = 80 deg\ninterval = 7 deg\n"));
@@ -526,12 +509,11 @@ static void test_extremes_towards_dead_positions_of_a_piston(void **unused)
 }
 
 /* A pressure that rises and falls within three degrees, of a card that is else flat. */
-static void test_extremes_of_a_narrow_card(void **unused)
+TEST(test_extremes_of_a_narrow_card)
 {
     fourlink_results *r;
     fourlink_value e;
 
-    (void)unused;
     r = opened(slider_crank(0.15, 0.45, 0,
                             print("[gas]\nbore = 100 mm\nindicator = 0 deg 1 bar, 12.2 deg 1 bar,\n"
                                   "13.7 deg 60 bar, 15.2 deg 1 bar, 200 deg 1 bar\n%s",
@@ -544,12 +526,11 @@ static void test_extremes_of_a_narrow_card(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_extremes_in_the_units_of_the_deck(void **unused)
+TEST(test_extremes_in_the_units_of_the_deck)
 {
     fourlink_results *r;
     fourlink_value e;
 
-    (void)unused;
     r = opened(slider_crank(0.15, 0.45, 0,
                             "[motion]\nspeed = 12 rad/s\n[units]\nlength = mm\nangle = rad\n"));
     e = extreme_of(r, "x", FOURLINK_OPEN, 1);
@@ -562,13 +543,12 @@ static void test_extremes_in_the_units_of_the_deck(void **unused)
 }
 
 /* One instant is its own maximum and minimum. */
-static void test_extremes_of_one_instant(void **unused)
+TEST(test_extremes_of_one_instant)
 {
     fourlink_results *r;
     fourlink_value e;
     int sign;
 
-    (void)unused;
     r = opened(slider_crank(0.15, 0.45, 0, "[motion]\nspeed = 12 rad/s\nat = 60 deg\n"));
     for (sign = -1; sign <= 1; sign += 2) {
         e = extreme_of(r, "x", FOURLINK_OPEN, sign);
@@ -580,7 +560,7 @@ static void test_extremes_of_one_instant(void **unused)
 
 /* A linkage whose crank swings between two dead positions: what is infinite there has no largest value,
 ** angles and transmission angles do. */
-static void test_extremes_beyond_all_bounds(void **unused)
+TEST(test_extremes_beyond_all_bounds)
 {
     static const struct {
         const char *column;
@@ -593,7 +573,6 @@ static void test_extremes_beyond_all_bounds(void **unused)
     size_t i;
     int k;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++)
         for (k = 0; k < 2; k++) {
             fourlink_value e = extreme_of(r, cases[i].column, branches[k], cases[i].sign);
@@ -606,7 +585,7 @@ static void test_extremes_beyond_all_bounds(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_extremes_where_the_links_never_reach(void **unused)
+TEST(test_extremes_where_the_links_never_reach)
 {
     static const char *const names[] = {"max(theta4)", "min(theta4)", "max(omega3)", "min(mu)"};
     fourlink_results *r = opened(four_bar(0.3, 0.4, 0.5, 0.75,
@@ -615,7 +594,6 @@ static void test_extremes_where_the_links_never_reach(void **unused)
     size_t i;
     int k;
 
-    (void)unused;
     for (i = 0; i < sizeof names / sizeof names[0]; i++)
         for (k = 0; k < 2; k++) {
             fourlink_value e = {0}, before = e;
@@ -629,30 +607,5 @@ static void test_extremes_where_the_links_never_reach(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extremes_of_rockers),
-        cmocka_unit_test(test_extremes_of_pistons),
-        cmocka_unit_test(test_extremes_of_torques),
-        cmocka_unit_test(test_extremes_of_a_drag_link),
-        cmocka_unit_test(test_extremes_of_an_angle_over_a_gap),
-        cmocka_unit_test(test_extremes_of_angles_beside_gaps),
-        cmocka_unit_test(test_extremes_of_an_engine_in_closed_form),
-        cmocka_unit_test(test_least_displacement),
-        cmocka_unit_test(test_extremes_and_limits_agree),
-        cmocka_unit_test(test_extremes_at_the_ends_of_a_range),
-        cmocka_unit_test(test_extremes_just_inside_an_end),
-        cmocka_unit_test(test_extremes_of_a_run_up),
-        cmocka_unit_test(test_extremes_of_accelerated_motion),
-        cmocka_unit_test(test_extremes_of_a_crank_that_stops),
-        cmocka_unit_test(test_extremes_do_not_depend_on_the_interval),
-        cmocka_unit_test(test_extremes_towards_dead_positions),
-        cmocka_unit_test(test_extremes_towards_dead_positions_of_a_piston),
-        cmocka_unit_test(test_extremes_of_a_narrow_card),
-        cmocka_unit_test(test_extremes_in_the_units_of_the_deck),
-        cmocka_unit_test(test_extremes_of_one_instant),
-        cmocka_unit_test(test_extremes_beyond_all_bounds),
-        cmocka_unit_test(test_extremes_where_the_links_never_reach),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -2,16 +2,7 @@
 **
 ** test_extreme_cases.c - extremes of decks whose right values are known.
 */
-#include <stdio.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
+#include "check.h"
 #include "fourlink.h"
 
 static fourlink_results *open_results(const char *deck)
@@ -55,14 +46,13 @@ static void check(const char *deck, fourlink_branch branch, const char *name, do
     "[motion]\ninterval = 40 deg\n"
 
 /* A direction that turns fully goes on to its end. */
-static void test_full_turns(void **state)
+TEST(test_full_turns)
 {
     static const char slow[] = CRANK_ROCKER "speed = 10.5 rad/s\n"
                                             "[load]\nlink = rocker\ntorque = 0.5 N m\n";
     static const char fast[] = CRANK_ROCKER "speed = 300 rad/s\n"
                                             "[load]\nlink = rocker\ntorque = 0.5 N m\n";
 
-    (void)state;
     check(slow, FOURLINK_CROSSED, "max(Fi3_dir)", 342.723876927, 1e-6);
     check(slow, FOURLINK_CROSSED, "min(Fi3_dir)", -17.4174074131, 1e-6);
     check(fast, FOURLINK_OPEN, "max(F23_dir)", 217.914689843, 1e-6);
@@ -70,47 +60,44 @@ static void test_full_turns(void **state)
 }
 
 /* The corners of a load move no direction that has nothing to do with it. */
-static void test_corners(void **state)
+TEST(test_corners)
 {
     static const char deck[] = CRANK_ROCKER
         "speed = 10.5 rad/s\n"
         "[load]\nlink = rocker\ntorque = 7 deg 0.5 N m, 178 deg 0.4 N m, 266 deg 0.6 N m\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(Fi2_dir)", 360, 1e-9);
     check(deck, FOURLINK_OPEN, "min(Fi2_dir)", 0, 1e-9);
 }
 
 /* omega3 of a deltoid goes from 2.5 to 7.5 rad/s through its change point; |alpha3| reaches 25 / sqrt(3). */
-static void test_deltoid(void **state)
+TEST(test_deltoid)
 {
     static const char deck[] =
         "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = 1 m\n"
         "[coupler]\nlength = 2 m\n[rocker]\nlength = 2 m\n"
         "[motion]\nspeed = 10 rad/s\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(omega3)", 7.5, 7.5e-9);
     check(deck, FOURLINK_OPEN, "min(omega3)", 2.5, 7.5e-9);
     check(deck, FOURLINK_OPEN, "max(alpha3)", 25 / sqrt(3), 2e-8);
 }
 
 /* A parallelogram with masses: forces grow without end towards its change points. */
-static void test_parallelogram(void **state)
+TEST(test_parallelogram)
 {
     static const char deck[] =
         "mechanism = four-bar\n[ground]\nlength = 2 m\n[crank]\nlength = 1 m\nmass = 1 kg\n"
         "[coupler]\nlength = 2 m\nmass = 1 kg\ncg = 1 m\n[rocker]\nlength = 1 m\nmass = 1 kg\n"
         "[motion]\nspeed = 10 rad/s\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(F12x)", INFINITY, 0);
     check(deck, FOURLINK_OPEN, "min(F12x)", -INFINITY, 0);
     check(deck, FOURLINK_OPEN, "max(Ts)", 9.81, 1e-8);
 }
 
 /* A constant column has its extremes at the first row, though rounding makes it vary. */
-static void test_constant(void **state)
+TEST(test_constant)
 {
     static const char deck[] =
         "mechanism = four-bar\n[ground]\nlength = 1 m\nangle = -14.3 deg\n[crank]\nlength = 2.25 "
@@ -123,7 +110,6 @@ static void test_constant(void **state)
     static const int first[] = {0, 10};
     size_t i, k;
 
-    (void)state;
     for (k = 0; k < 2; k++)
         for (i = 0; i < 4; i++) {
             char text[sizeof deck];
@@ -145,14 +131,13 @@ static void test_constant(void **state)
 }
 
 /* Fsy = weight and inertia of the rod, bounded at the dead positions: its limits. */
-static void test_limits(void **state)
+TEST(test_limits)
 {
     static const char deck[] =
         "mechanism = slider-crank\n[crank]\nlength = 500 mm\n"
         "[rod]\nlength = 400 mm\nmass = 1 kg\ncg = 200 mm\ninertia = 0.01 kg m2\n"
         "[piston]\nmass = 1 kg\n[motion]\nspeed = 10 rad/s\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(Fsy)", 0.38, 4e-8);
     check(deck, FOURLINK_OPEN, "min(Fsy)", -39.62, 4e-8);
 }
@@ -160,7 +145,7 @@ static void test_limits(void **state)
 /* The first reach of this slider-crank is 0.031 deg long.  The crank's mass m at distance x gives
 ** Fsy = -m x (alpha cos(theta2) - omega2^2 sin(theta2)): at rest -m x alpha; at the constant speed after the run-up it
 ** is largest at an end of reach, where sin(theta2) = (l + e) / r.  Forces grow without end there. */
-static void test_short_reach(void **state)
+TEST(test_short_reach)
 {
     static const char deck[] =
         "mechanism = slider-crank\n[ground]\noffset = -0.728924815289952 m\n"
@@ -170,7 +155,6 @@ static void test_short_reach(void **state)
         "[motion]\nrun_up = 24 deg\nacceleration = 7 rad/s2\ninterval = 26 deg\n";
     double mx = 4.6 * 0.6, square = 2 * 7 * 24 * acos(-1) / 180;
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "min(Fsy)", -mx * 7, 1e-8);
     check(deck, FOURLINK_OPEN, "max(Fsy)",
           mx * square * (0.729714747386441 - 0.728924815289952) / 1.4578496305799, 1e-8);
@@ -178,30 +162,28 @@ static void test_short_reach(void **state)
 }
 
 /* The lever turns as fast as the crank where I24 is at infinity: here at 270 deg, at a sample of the search. */
-static void test_pole_at_sample(void **state)
+TEST(test_pole_at_sample)
 {
     static const char deck[] = "mechanism = inverted-slider-crank\n[ground]\nlength = 0.5 m\n"
                                "[crank]\nlength = 1 m\n[lever]\noffset = 0.5 m\n"
                                "[motion]\nspeed = 16 rad/s\ninterval = 14 deg\n";
 
-    (void)state;
     check(deck, FOURLINK_CROSSED, "max(I24x)", HUGE_VAL, 0);
     check(deck, FOURLINK_CROSSED, "min(I24x)", -HUGE_VAL, 0);
 }
 
 /* A direction that is 0 or 180 deg leaps by half a turn and adds up to no more. */
-static void test_half_turns(void **state)
+TEST(test_half_turns)
 {
     static const char deck[] = "mechanism = slider-crank\n[crank]\nlength = 1\n[rod]\nlength = 3\n"
                                "[piston]\nmass = 1 kg\n[motion]\nspeed = 10 rad/s\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(Fi4_dir)", 180, 1e-9);
     check(deck, FOURLINK_OPEN, "min(Fi4_dir)", 0, 1e-9);
 }
 
 /* Time has extremes, and a point's beside an edge of reach. */
-static void test_time_and_edge(void **state)
+TEST(test_time_and_edge)
 {
     static const char turn[] = CRANK_ROCKER "speed = 10.5 rad/s\n";
     static const char edge[] =
@@ -209,14 +191,13 @@ static void test_time_and_edge(void **state)
         "[rocker]\nlength = 0.204\n[point P]\nlink = coupler\nat = (-0.02, -0.38)\n"
         "[motion]\nspeed = -10 rad/s\nfrom = 134 deg\nto = -143 deg\n";
 
-    (void)state;
     check(turn, FOURLINK_OPEN, "max(time)", 2 * 3.14159265358979323846 / 10.5, 1e-12);
     check(turn, FOURLINK_OPEN, "min(time)", 0, 0);
     check(edge, FOURLINK_CROSSED, "min(P.y)", -0.820561910932, 1e-9);
 }
 
 /* Dips and peaks that are narrow, or end at a corner. */
-static void test_narrow(void **state)
+TEST(test_narrow)
 {
     static const char reach[] = "mechanism = four-bar\n"
                                 "[ground]\n"
@@ -338,7 +319,6 @@ static void test_narrow(void **state)
                                  "[flywheel]\n"
                                  "inertia = 22.435025296873096 kg m2\n";
 
-    (void)state;
     check(reach, FOURLINK_OPEN, "min(F34)", 16.3785567558, 2e-7);
     check(gas, FOURLINK_CROSSED, "min(F12)", 27.6747598507, 1e-6);
     check(tracer, FOURLINK_OPEN, "max(P.x)", 0.330205256025, 1e-9);
@@ -394,7 +374,7 @@ static double angle_of(const char *deck, const char *name)
     "interval = 0.01 deg\n[table]\ncolumns = Ts, N, friction_guide, power_friction\n"
 
 /* Friction in the guide locks the engine where tan(phi) = 1 / mu; towards that angle forces are unbounded. */
-static void test_lock(void **state)
+TEST(test_lock)
 {
     static const char deck[] = PISTON "[friction]\nguide = 5\n";
     static const char narrow[] = PISTON "[friction]\nguide = 3.8731\n";
@@ -403,7 +383,6 @@ static void test_lock(void **state)
     double right = asin(4 / sqrt(26)) * 45 / atan(1);
     size_t i;
 
-    (void)state;
     for (i = 0; i < 3; i++) {
         check(deck, FOURLINK_OPEN, unbounded[i], HUGE_VAL, 0);
         assert_true(fabs(angle_of(deck, unbounded[i]) - right) < 1e-6);
@@ -415,7 +394,7 @@ static void test_lock(void **state)
 }
 
 /* Where the friction of pins locks a linkage forces end at a finite value, with an infinite slope. */
-static void test_lock_of_pins(void **state)
+TEST(test_lock_of_pins)
 {
     static const char deck[] =
         "mechanism = four-bar\n[crank]\nlength = 20 mm\n"
@@ -426,7 +405,6 @@ static void test_lock_of_pins(void **state)
         "[motion]\nspeed = 10 rad/s\ninterval = 0.01 deg\n"
         "[table]\ncolumns = Ts, F23, F34, F14, power_friction\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(Ts)", 0.3277405, 2e-6);
     assert_true(fabs(angle_of(deck, "max(Ts)") - 14.52918) < 1e-4);
     check_rows(deck, FOURLINK_OPEN);
@@ -451,7 +429,7 @@ static double lock_of(fourlink_results *results, double is_free, double is_locke
 
 /* Where friction locks within 0.0005 deg of a dead position, or less, Ts grows as the inverse of the distance, and the
 ** torque without friction ends at the value of the last row. */
-static void test_lock_near_dead(void **state)
+TEST(test_lock_near_dead)
 {
     static const double parts[] = {1, 0.5, 0.25, 0.17, 0.1, 0.03};
     static const char *const names[] = {"max(Ts)", "max(F12y)", "max(F34)"};
@@ -460,7 +438,6 @@ static void test_lock_near_dead(void **state)
     char deck[1000];
     size_t i, k;
 
-    (void)state;
     for (i = 0; i < sizeof parts / sizeof *parts; i++) {
         snprintf(deck, sizeof deck,
                  "solver = dyad\nmechanism = four-bar\n[ground]\nlength = 0.71\n"
@@ -489,7 +466,7 @@ static void test_lock_near_dead(void **state)
 }
 
 /* Towards such a range a piston stays where it is, beside the dead position: C is at most r + l from A. */
-static void test_stroke_to_lock(void **state)
+TEST(test_stroke_to_lock)
 {
     static const char deck[] =
         "solver = dyad\nmechanism = slider-crank\n[crank]\nlength = 0.467\n"
@@ -498,7 +475,6 @@ static void test_stroke_to_lock(void **state)
         "C = 0.209\nradius_C = 0.00091\n[load P]\nlink = piston\nforce = -146.6\n"
         "[motion]\nspeed = 18.8\n[table]\ncolumns = x, C.x, Ts, efficiency\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "min(x)", 0, 1e-9);
     check(deck, FOURLINK_OPEN, "max(C.x)", 0.467 + 0.229, 1e-9);
     check(deck, FOURLINK_OPEN, "min(C.x)", -sqrt(0.467 * 0.467 - 0.229 * 0.229), 1e-6);
@@ -508,14 +484,13 @@ static void test_stroke_to_lock(void **state)
 
 /* A free motion that repeats itself has its extremes in its first turn, though the integration makes a later one
 ** larger by its error.  Below, 3 kg m2 have fallen 7 kg m: 3/2 (omega2^2 - 1) = 7 g. */
-static void test_free_turns(void **state)
+TEST(test_free_turns)
 {
     static const char deck[] =
         "mechanism = four-bar\n[ground]\nlength = 1\n[crank]\nlength = 1\nmass = 1\nuniform = yes\n"
         "[coupler]\nlength = 1\nmass = 2\nuniform = yes\n[rocker]\nlength = 1\nmass = 2\n"
         "uniform = yes\n[motion]\nmode = free\nspeed = -1\nfrom = 90\nturns = -6\ninterval = 4\n";
 
-    (void)state;
     check(deck, FOURLINK_OPEN, "max(omega2)", -1, 1e-10);
     assert_true(angle_of(deck, "max(omega2)") == 90);
     check(deck, FOURLINK_OPEN, "min(omega2)", -sqrt(1 + 14 * 9.81 / 3), 1e-10);
@@ -523,7 +498,7 @@ static void test_free_turns(void **state)
 }
 
 /* Beyond the locked range small extremes are found as ever. */
-static void test_behind_lock(void **state)
+TEST(test_behind_lock)
 {
     static const char deck[] =
         "mechanism = slider-crank\n[crank]\nlength = 44.34 mm\nmass = 0.193 kg\ncg = 41.71 mm\n"
@@ -533,7 +508,6 @@ static void test_behind_lock(void **state)
         "radius_C = 7.17 mm\n[motion]\nspeed = -2.2 rad/s\ninterval = 0.01 deg\n"
         "[table]\ncolumns = Ts, N, F34, Fsx, power_friction\n";
 
-    (void)state;
     check(deck, FOURLINK_CROSSED, "max(power_friction)", HUGE_VAL, 0);
     check_rows(deck, FOURLINK_OPEN);
     check_rows(deck, FOURLINK_CROSSED);
@@ -541,17 +515,5 @@ static void test_behind_lock(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_turns),     cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_deltoid),        cmocka_unit_test(test_parallelogram),
-        cmocka_unit_test(test_constant),       cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_short_reach),    cmocka_unit_test(test_pole_at_sample),
-        cmocka_unit_test(test_half_turns),     cmocka_unit_test(test_time_and_edge),
-        cmocka_unit_test(test_narrow),         cmocka_unit_test(test_lock),
-        cmocka_unit_test(test_lock_of_pins),   cmocka_unit_test(test_free_turns),
-        cmocka_unit_test(test_behind_lock),    cmocka_unit_test(test_lock_near_dead),
-        cmocka_unit_test(test_stroke_to_lock),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

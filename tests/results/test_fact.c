@@ -4,12 +4,11 @@
 */
 #include "machines.h"
 
-static void test_facts_of_linkages(void **unused)
+TEST(test_facts_of_linkages)
 {
     static fact_list list;
     const fourlink_value *f;
 
-    (void)unused;
     facts_of(four_bar(0.020, 0.066, 0.056, 0.080, revolution(10.5)), &list);
     f = find_fact(&list, "type", FOURLINK_OPEN);
     assert_non_null(f);
@@ -35,7 +34,7 @@ static void test_facts_of_linkages(void **unused)
 
 /* The limits of link 4 where the crank does not turn fully, with A, B, C in one line: 300 + 400 mm from
 ** A to C in the triangle of 500 and 750 mm; in a crank-rocker a range above the ground and one below. */
-static void test_reach_of_link_4(void **unused)
+TEST(test_reach_of_link_4)
 {
     static fact_list list;
     double half = acos((0.25 + 0.5625 - 0.49) / (2 * 0.5 * 0.75)) / DEG;
@@ -44,7 +43,6 @@ static void test_reach_of_link_4(void **unused)
     int n_from = 0, n_to = 0, above;
     unsigned long i;
 
-    (void)unused;
     facts_of(four_bar(0.3, 0.4, 0.5, 0.75, ""), &list);
     check_fact(&list, "theta4_from", FOURLINK_OPEN, 180 - half, 1e-12);
     check_fact(&list, "theta4_to", FOURLINK_OPEN, 180 + half, 1e-12);
@@ -80,14 +78,13 @@ static void test_reach_of_link_4(void **unused)
     assert_int_equal(n_from, 2);
 }
 
-static void test_facts_of_engines(void **unused)
+TEST(test_facts_of_engines)
 {
     static fact_list list;
     const char *rod = "mechanism = slider-crank\n[units]\nlength = mm\n[crank]\nlength = 150\n"
                       "[rod]\nlength = 450\nmass = 2 kg\ngyration = 175\ncg = 150\n";
     const fourlink_value *f;
 
-    (void)unused;
     facts_of(rod, &list);
     f = find_fact(&list, "type", FOURLINK_OPEN);
     assert_string_equal(f->words, "slider-crank, the crank turns fully");
@@ -115,11 +112,5 @@ static void test_facts_of_engines(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_facts_of_linkages),
-        cmocka_unit_test(test_reach_of_link_4),
-        cmocka_unit_test(test_facts_of_engines),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -42,12 +42,11 @@ static int column(fourlink_results *handle, int i, char name[8], char unit[8])
     return status;
 }
 
-static void test_open(void **context)
+TEST(test_open)
 {
     fourlink_results *handle = NULL;
     char msg[60];
 
-    (void)context;
     assert_int_equal(open_deck(deck, &handle, msg, sizeof msg), FOURLINK_OK);
     assert_non_null(handle);
     assert_int_equal(msg[0], ' ');
@@ -56,12 +55,11 @@ static void test_open(void **context)
     flshut_(&handle);
 }
 
-static void test_mistake(void **context)
+TEST(test_mistake)
 {
     fourlink_results *handle = NULL;
     char msg[60], cut[6];
 
-    (void)context;
     assert_int_equal(open_deck("mechanism = four-bar\n[krank]\n", &handle, msg, sizeof msg),
                      FOURLINK_BAD_DECK);
     assert_null(handle);
@@ -71,13 +69,12 @@ static void test_mistake(void **context)
     assert_memory_equal(cut, "1: ", 3);
 }
 
-static void test_values(void **context)
+TEST(test_values)
 {
     fourlink_results *handle;
     char msg[60];
     double v = 7;
 
-    (void)context;
     assert_int_equal(open_deck(deck, &handle, msg, sizeof msg), FOURLINK_OK);
     assert_int_equal(value(handle, "theta4   ", 1, 40, &v), FOURLINK_OK);
     assert_true(fabs(v - 103.820764813) < 1e-9);
@@ -101,14 +98,13 @@ static void test_values(void **context)
     assert_int_equal(value(handle, "mu_min", 1, 0, &v), FOURLINK_NULL);
 }
 
-static void test_rows(void **context)
+TEST(test_rows)
 {
     fourlink_results *handle;
     char msg[60], name[8], unit[8];
     double values[4] = {7, 7, 7, 7};
     int rows = -1, columns = -1;
 
-    (void)context;
     assert_int_equal(open_deck(deck, &handle, msg, sizeof msg), FOURLINK_OK);
     flnrow_(&handle, &rows, &columns);
     assert_int_equal(rows, 10);
@@ -134,7 +130,7 @@ static void test_rows(void **context)
 }
 
 /* A row that is not reached has the crank's columns, and no others. */
-static void test_unreached(void **context)
+TEST(test_unreached)
 {
     static const char reach[] = "mechanism=four-bar\n[ground]\nlength=750 mm\n[crank]\n"
                                 "length=300 mm\n[coupler]\nlength=400 mm\n[rocker]\n"
@@ -144,7 +140,6 @@ static void test_unreached(void **context)
     char msg[60];
     double values[2], v = 7;
 
-    (void)context;
     assert_int_equal(open_deck(reach, &handle, msg, sizeof msg), FOURLINK_OK);
     assert_int_equal(row(handle, 1, 4, 2, values), FOURLINK_TOO_FAR);
     assert_true(values[0] == 120 && isnan(values[1]));
@@ -157,9 +152,5 @@ static void test_unreached(void **context)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_open), cmocka_unit_test(test_mistake),
-                                       cmocka_unit_test(test_values), cmocka_unit_test(test_rows),
-                                       cmocka_unit_test(test_unreached)};
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

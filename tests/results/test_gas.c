@@ -93,13 +93,12 @@ static void check_card(const cylinder *c, const char *links, const char *gas, do
     fourlink_results_free(without);
 }
 
-static void test_force_and_power(void **unused)
+TEST(test_force_and_power)
 {
     const double area = PI / 4 * 0.08 * 0.08, rod = PI / 4 * 0.03 * 0.03;
     static const char *const links[] = {LINKS_WITHOUT_MASS, LINKS};
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < COUNT(cylinders); i++)
         for (k = 0; k < COUNT(links); k++) {
             check_card(&cylinders[i], links[k], "[gas]\nbore = 80 mm\nindicator = " CARD "\n", area,
@@ -113,14 +112,13 @@ static void test_force_and_power(void **unused)
 
 /* In one turn the crank takes up the area of the card over the way: the mean torque against the trapezoidal
 ** rule on the column and the way above. */
-static void test_work_of_a_turn(void **unused)
+TEST(test_work_of_a_turn)
 {
     const cylinder *c = &cylinders[1];
     static fact_list list;
     double work = 0;
     int i, n = 7200;
 
-    (void)unused;
     facts_of(deck_of(c, LINKS, "[gas]\nbore = 80 mm\nindicator = " CARD "\n"), &list);
     for (i = 0; i < n; i++) {
         double at = 360. * i / n;
@@ -133,13 +131,12 @@ static void test_work_of_a_turn(void **unused)
 }
 
 /* The largest force is at the highest point of the card. */
-static void test_extremes(void **unused)
+TEST(test_extremes)
 {
     fourlink_results *r = opened(
         deck_of(&cylinders[0], LINKS_WITHOUT_MASS, "[gas]\nbore = 80 mm\nindicator = " CARD "\n"));
     fourlink_value v;
 
-    (void)unused;
     assert_int_equal(fourlink_results_value(r, "max(gas_force)", FOURLINK_CROSSED, 0, &v),
                      FOURLINK_OK);
     assert_close(v.value, 31 * BAR * PI / 4 * 0.0064, 1e-12);
@@ -152,7 +149,7 @@ static void test_extremes(void **unused)
 }
 
 /* A lever without gas has no such column; an engine has it whatever its rod. */
-static void test_who_has_it(void **unused)
+TEST(test_who_has_it)
 {
     fourlink_source source =
         deck_source(deck_of(&cylinders[0], LINKS, "[table]\ncolumns = gas_force\n"));
@@ -160,7 +157,6 @@ static void test_who_has_it(void **unused)
     fourlink_mistake mistake;
     fourlink_value v;
 
-    (void)unused;
     assert_int_equal(fourlink_results_value(r, "gas_force", FOURLINK_OPEN, 30, &v),
                      FOURLINK_NO_SUCH_NAME);
     fourlink_results_free(r);
@@ -177,12 +173,5 @@ static void test_who_has_it(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_force_and_power),
-        cmocka_unit_test(test_work_of_a_turn),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_who_has_it),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

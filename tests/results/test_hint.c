@@ -24,7 +24,7 @@ static char *alvi(const char *expectations)
 }
 
 /* A deck that asks for one branch is checked on that one. */
-static void test_answers_for_one_branch(void **unused)
+TEST(test_answers_for_one_branch)
 {
     static const struct {
         const char *answers, *branch;
@@ -49,7 +49,6 @@ static void test_answers_for_one_branch(void **unused)
     fourlink_check check;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         assert_int_equal(open_with_answers(alvi(print("[table]\nbranch = %s\n", cases[i].branch)),
                                            cases[i].answers, &r, &mistake),
@@ -64,7 +63,7 @@ static void test_answers_for_one_branch(void **unused)
     }
 }
 
-static void test_hints(void **unused)
+TEST(test_hints)
 {
     static const struct {
         const char *expectation, *hint;
@@ -80,7 +79,6 @@ static void test_hints(void **unused)
                  {"[expect]\ntype = double rocker\n", ""}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_results *r = opened(engine(300, cases[i].expectation));
         fourlink_check check;
@@ -93,10 +91,5 @@ static void test_hints(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_answers_for_one_branch),
-        cmocka_unit_test(test_hints),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

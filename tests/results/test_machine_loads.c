@@ -82,9 +82,8 @@ static void check_value(const char *contents, const char *name, double angle, do
     fourlink_results_free(r);
 }
 
-static void test_references(void **unused)
+TEST(test_references)
 {
-    (void)unused;
     check_value(ROCKER SPRINGS, "Ts", 40, 0.08786954953999);
     check_value(ROCKER SPRINGS, "F34x", 40, -13.1545732336);
     check_value(ROCKER SPRINGS, "Fsx", 40, 1.182805882024);
@@ -104,14 +103,11 @@ static void test_references(void **unused)
 
 /* The shaking moment of springs and friction: the ground's part of all torques about A, by the balance of the whole
 ** machine, which is at rest and without weight: then forces and moments on the ground are those of the loads. */
-static void test_shaking_moment(void **unused)
+TEST(test_shaking_moment)
 {
-
     fourlink_results *r = opened(
         "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n"
         "length = 66 mm\n[rocker]\nlength = 56 mm\n[gravity]\nacceleration = 0\n" SPRINGS PINS);
-
-    (void)unused;
 
     assert_near(value(r, "Fs", 50), 0, 1e-13);
     assert_close(value(r, "Ms", 50), 0.5,
@@ -178,13 +174,12 @@ static void check_contact(fourlink_results *r, double angle, double gas)
     assert_near(value(r, "F43_across", angle), -F34y * ux + F34x * uy, size);
 }
 
-static void test_contact(void **unused)
+TEST(test_contact)
 {
     static const char *const decks[] = {LEVER, "solver = dyad\n" LEVER, LEVER GAS};
     size_t i;
     int angle;
 
-    (void)unused;
     for (i = 0; i < 3; i++) {
         fourlink_results *r = opened(decks[i]);
 
@@ -233,14 +228,13 @@ static void compare_rows(const char *contents, const char *name)
     fourlink_results_free(r);
 }
 
-static void test_scans(void **unused)
+TEST(test_scans)
 {
     static const char *const names[] = {"Ts",         "Ts0",        "power_friction",
                                         "friction_A", "friction_B", "F12x",
                                         "F34",        "Fs",         "efficiency"};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof names / sizeof names[0]; i++) {
         compare_rows(ROCKER PINS, names[i]);
         compare_rows(LEVER, names[i]);
@@ -274,7 +268,7 @@ static void test_scans(void **unused)
 }
 
 /* Work of a cycle: what the crank puts in, friction and dampers take; loads without a law of their own give it back. */
-static void test_work(void **unused)
+TEST(test_work)
 {
     fourlink_results *r = opened(ROCKER SPRINGS PINS);
     double Ts = value(r, "mean(Ts)", 0) * 10.5, Ts0 = value(r, "mean(Ts0)", 0) * 10.5;
@@ -282,7 +276,6 @@ static void test_work(void **unused)
     double dampers = value(r, "mean(S.power)", 0) + value(r, "mean(T.power)", 0) +
                      value(r, "mean(U.power)", 0) + value(r, "mean(V.power)", 0);
 
-    (void)unused;
     assert_true(lost > 0 && dampers < 0);
     assert_near(Ts, lost - dampers, 1e-6 * Ts);
     assert_near(Ts0, -dampers, 1e-6 * Ts);
@@ -294,14 +287,13 @@ static void test_work(void **unused)
 }
 
 /* A crank at rest: impending motion, in either direction. */
-static void test_at_rest(void **unused)
+TEST(test_at_rest)
 {
     fourlink_results *r =
         opened(ROCKER PINS "[load K]\nlink = rocker\ntorque = 1 N m\nover = theta4\nback = 2 N m\n"
                            "[table]\ncolumns = Ts\n");
     fourlink_load loads[16];
 
-    (void)unused;
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 110, NULL, NULL, loads), FOURLINK_OK);
     assert_true(loads[1].torque == 1); /* omega4 > 0 */
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 290, NULL, NULL, loads), FOURLINK_OK);
@@ -309,14 +301,13 @@ static void test_at_rest(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_power_law(void **unused)
+TEST(test_power_law)
 {
     fourlink_results *r = opened(ROCKER "[load fan]\nlink = crank\ntorque = -2 N m\nover = omega2\n"
                                         "at_speed = 21 rad/s\nexponent = 2\n");
     fourlink_load load;
     const char *name;
 
-    (void)unused;
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 30, NULL, NULL, &load), FOURLINK_OK);
     assert_close(load.torque, -0.5, 1e-14);
     assert_int_equal(fourlink_deck_loads(fourlink_results_deck(r), FOURLINK_OPEN, 0, &load, NULL),
@@ -328,14 +319,13 @@ static void test_power_law(void **unused)
 }
 
 /* Beyond the ends of a curve that is not periodic its values hold. */
-static void test_ends_of_curves(void **unused)
+TEST(test_ends_of_curves)
 {
     fourlink_results *r = opened(
         PUMP
         "[load P]\nlink = piston\nover = x\nforce = 20 mm -100 N, 50 mm -300 N, 60 mm -900 N\n");
     fourlink_load load;
 
-    (void)unused;
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 2, NULL, NULL, &load), FOURLINK_OK);
     assert_true(load.force.x == -100);
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 180, NULL, NULL, &load), FOURLINK_OK);
@@ -347,7 +337,7 @@ static void test_ends_of_curves(void **unused)
 ** Springs, friction and loads for a host; counterweights; sweeps
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_host(void **unused)
+TEST(test_host)
 {
     fourlink_results *r = opened(ROCKER SPRINGS PINS);
     const fourlink_deck *deck = fourlink_results_deck(r);
@@ -360,7 +350,6 @@ static void test_host(void **unused)
     const char *name;
     int i, j, has_torque;
 
-    (void)unused;
     assert_int_equal(p.n_springs, 4);
     assert_int_equal(p.n_spring_loads, 6);
     assert_int_equal(p.n_friction_loads, FOURLINK_FRICTION_LOADS);
@@ -395,13 +384,12 @@ static void test_host(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_balance(void **unused)
+TEST(test_balance)
 {
     const char *weightless = "[gravity]\nacceleration = 0\n[balance]\ncrank = yes\nrocker = yes\n"
                              "radius = 40 mm\n";
     fourlink_results *r = opened(print("%s%s", ROCKER, weightless));
 
-    (void)unused;
     assert_true(value(r, "max(Fs)", 0) > 0.5);
     /* -[m2 z2 + m3 a (1 - z3 / b)] */
     assert_close(value(r, "balance_crank", 0) * cos(value(r, "balance_crank_angle", 0)),
@@ -420,7 +408,7 @@ static void test_balance(void **unused)
     fourlink_results_free(r);
 }
 
-static void test_sweep(void **unused)
+TEST(test_sweep)
 {
     static const char *const sweeps[] = {"spring U.stiffness = 0.5 N m/rad, 2.5 N m/rad\n",
                                          "spring S.stiffness = 100 N/m, 900 N/m\n",
@@ -428,7 +416,6 @@ static void test_sweep(void **unused)
                                          "friction.D = 0.05, 0.2\n"};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < 4; i++) {
         fourlink_source source =
             deck_source(print("%s[sweep]\noutput = max(Ts)\n%s", ROCKER SPRINGS PINS, sweeps[i]));
@@ -454,7 +441,7 @@ static void test_sweep(void **unused)
     "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\n[coupler]\n" \
     "length = 66 mm\n[rocker]\nlength = 56 mm\n"
 
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     static const struct {
         const char *more;
@@ -510,7 +497,6 @@ static void test_mistakes(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fourlink_source source = deck_source(print("%s%s", BARE, cases[i].more));
         fourlink_results *r;
@@ -537,7 +523,7 @@ static void test_mistakes(void **unused)
 }
 
 /* A position at which friction locks the machine is a row with its reason. */
-static void test_locked(void **unused)
+TEST(test_locked)
 {
     fourlink_results *r = opened("mechanism = slider-crank\n[crank]\nlength = 100 mm\n[rod]\n"
                                  "length = 120 mm\n[load P]\nlink = piston\nforce = -100 N\n"
@@ -545,7 +531,6 @@ static void test_locked(void **unused)
                                  "[table]\ncolumns = theta2 Ts\n");
     double values[2];
 
-    (void)unused;
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, -300, values, NULL, NULL),
                      FOURLINK_LOCKED);
     assert_true(isnan(values[1]));
@@ -555,14 +540,5 @@ static void test_locked(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_references), cmocka_unit_test(test_shaking_moment),
-        cmocka_unit_test(test_contact),    cmocka_unit_test(test_scans),
-        cmocka_unit_test(test_work),       cmocka_unit_test(test_at_rest),
-        cmocka_unit_test(test_power_law),  cmocka_unit_test(test_ends_of_curves),
-        cmocka_unit_test(test_host),       cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_sweep),      cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_locked),
-    };
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

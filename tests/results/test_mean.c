@@ -81,7 +81,7 @@ static void check_formulas(const char *contents, const formula *list, size_t n, 
         }
 }
 
-static void test_rockers(void **unused)
+TEST(test_rockers)
 {
     static const formula list[] = {{"theta4", own_theta4}, {"omega3", own_omega3},
                                    {"omega4", own_omega4}, {"alpha3", own_alpha3},
@@ -89,7 +89,6 @@ static void test_rockers(void **unused)
     uint64_t seed = 31;
     int i;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_rocker(&seed);
 
@@ -99,14 +98,13 @@ static void test_rockers(void **unused)
     }
 }
 
-static void test_engines(void **unused)
+TEST(test_engines)
 {
     static const formula list[] = {{"x", own_x},   {"v", own_v},     {"a", own_a},
                                    {"Ts", own_Ts}, {"phi", own_phi}, {"omega3", own_rod_omega3}};
     uint64_t seed = 32;
     int i;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_engine(&seed, i % 2);
 
@@ -130,7 +128,7 @@ static const char crusher[] = "mechanism = four-bar\n"
                               "[load F]\nlink = rocker\nat = (115, -24) cm\nforce = (-5000, 0) N\n"
                               "from = 47 deg\nto = 225 deg\n";
 
-static void test_cycles(void **unused)
+TEST(test_cycles)
 {
     const char *one = print("%s[motion]\nspeed = -500 rpm\ninterval = 7 deg\n", crusher);
     const char *many =
@@ -144,7 +142,6 @@ static void test_cycles(void **unused)
     size_t i;
     int k;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         facts_of(one, &facts);
         check_value(one, "mean(Ts)", branches[k], -value_of(&facts, "mean_torque", branches[k]),
@@ -176,14 +173,13 @@ static double dead_theta4(double *theta2)
 }
 
 /* The integral of a velocity is a distance: over a gap with dead positions on both sides, too. */
-static void test_distances(void **unused)
+TEST(test_distances)
 {
     const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
     const char *part = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nto = 30 deg\n");
     double theta2, swing = 2 * (dead_theta4(&theta2) - PI);
     int k;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         fourlink_results *r = opened(part);
         fourlink_value from, to;
@@ -198,7 +194,7 @@ static void test_distances(void **unused)
 }
 
 /* An angle goes on over a gap: the mean is that of the range in one piece. */
-static void test_angles_over_a_gap(void **unused)
+TEST(test_angles_over_a_gap)
 {
     static const char *const names[] = {"mean(theta3)", "mean(theta4)", "mean(mu)"};
     const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
@@ -206,7 +202,6 @@ static void test_angles_over_a_gap(void **unused)
         four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nfrom = -180 deg\nto = 180 deg\n");
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(names); i++) {
         double whole = value(range, names[i], FOURLINK_OPEN);
         double found = value(gap, names[i], FOURLINK_OPEN);
@@ -216,7 +211,7 @@ static void test_angles_over_a_gap(void **unused)
 }
 
 /* The angles of a drag link turn with the crank. */
-static void test_turning_angles(void **unused)
+TEST(test_turning_angles)
 {
     own o = {0.05L, 0.06L, 0.055L, 0.03L, 1, 0, 3, 0, 0, 0};
     const char *contents =
@@ -227,7 +222,6 @@ static void test_turning_angles(void **unused)
     fourlink_value first;
     int j;
 
-    (void)unused;
     assert_int_equal(fourlink_results_value(r, "theta4", FOURLINK_OPEN, 0, &first), FOURLINK_OK);
     fourlink_results_free(r);
     before = first.value;
@@ -245,39 +239,36 @@ static void test_turning_angles(void **unused)
 }
 
 /* From rest omega^2 = 2 alpha theta: its mean is half of the last, that of omega two thirds. */
-static void test_start_from_rest(void **unused)
+TEST(test_start_from_rest)
 {
     const char *start =
         four_bar(0.02, 0.066, 0.056, 0.08, "[motion]\nacceleration = 3 rad/s2\nto = 90 deg\n");
     double last = sqrt(2 * 3 * PI / 2);
 
-    (void)unused;
     check_value(start, "mean(omega2)", FOURLINK_OPEN, last * 2 / 3, 1e-10);
     check_value(start, "rms(omega2)", FOURLINK_OPEN, last / sqrt(2), 1e-10);
     check_value(start, "mean(alpha2)", FOURLINK_OPEN, 3, 1e-12);
     check_value(start, "mean(time)", FOURLINK_OPEN, last / 3 * 2 / 3, 1e-10);
 }
 
-static void test_one_instant(void **unused)
+TEST(test_one_instant)
 {
     const char *instant = four_bar(0.02, 0.066, 0.056, 0.08,
                                    "[motion]\nspeed = -3 rad/s\nfrom = 40 deg\nto = 40 deg\n");
 
-    (void)unused;
     check_value(instant, "mean(omega2)", FOURLINK_OPEN, -3, 0);
     check_value(instant, "rms(omega2)", FOURLINK_OPEN, 3, 0);
 }
 
 /* ---- where there is none */
 
-static void test_poles(void **unused)
+TEST(test_poles)
 {
     const char *gap = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\n");
     const char *up = four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 2 rad/s\nto = 150 deg\n");
     fourlink_value v = {0}, before = v;
     int k;
 
-    (void)unused;
     for (k = 0; k < 2; k++) {
         double sign = k ? -1 : 1;
 
@@ -294,7 +285,7 @@ static void test_poles(void **unused)
     }
 }
 
-static void test_nothing_to_integrate(void **unused)
+TEST(test_nothing_to_integrate)
 {
     const char *never =
         four_bar(0.3, 0.4, 0.5, 0.75, "[motion]\nspeed = 1 rad/s\nfrom = 120 deg\nto = 200 deg\n");
@@ -303,7 +294,6 @@ static void test_nothing_to_integrate(void **unused)
     fourlink_value v = {0}, before = v;
     size_t i;
 
-    (void)unused;
     assert_int_equal(status_of(never, "mean(theta4)", FOURLINK_OPEN, &v), FOURLINK_NOT_REACHED);
     assert_int_equal(status_of(never, "rms(omega2)", FOURLINK_OPEN, &v), FOURLINK_NOT_REACHED);
     for (i = 0; i < COUNT(wrong); i++)
@@ -313,7 +303,7 @@ static void test_nothing_to_integrate(void **unused)
 
 /* ---- by name elsewhere */
 
-static void test_expectations_and_outputs(void **unused)
+TEST(test_expectations_and_outputs)
 {
     static const int verdicts[] = {FOURLINK_AGREES, FOURLINK_DIFFERS, FOURLINK_NO_VALUE,
                                    FOURLINK_NO_VALUE};
@@ -325,7 +315,6 @@ static void test_expectations_and_outputs(void **unused)
     fourlink_check check;
     unsigned long n, i;
 
-    (void)unused;
     for (i = 0; i < COUNT(verdicts); i++) {
         assert_int_equal(fourlink_results_check(r, i, &check), FOURLINK_OK);
         assert_int_equal(check.verdict, verdicts[i]);
@@ -346,19 +335,5 @@ static void test_expectations_and_outputs(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rockers),
-        cmocka_unit_test(test_engines),
-        cmocka_unit_test(test_cycles),
-        cmocka_unit_test(test_distances),
-        cmocka_unit_test(test_angles_over_a_gap),
-        cmocka_unit_test(test_turning_angles),
-        cmocka_unit_test(test_start_from_rest),
-        cmocka_unit_test(test_one_instant),
-        cmocka_unit_test(test_poles),
-        cmocka_unit_test(test_nothing_to_integrate),
-        cmocka_unit_test(test_expectations_and_outputs),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

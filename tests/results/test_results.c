@@ -20,7 +20,7 @@ static char *linkage(const char *more)
 ** Opening
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_null_pointers(void **unused)
+TEST(test_null_pointers)
 {
     fourlink_source source = deck_source(linkage("")), none = source;
     fourlink_results *r = NULL;
@@ -32,7 +32,6 @@ static void test_null_pointers(void **unused)
     unsigned long n;
     double x;
 
-    (void)unused;
     none.text = NULL;
     assert_int_equal(fourlink_results_open(NULL, 1, &r, &mistake, &n), FOURLINK_NULL);
     assert_int_equal(fourlink_results_open(&none, 1, &r, &mistake, &n), FOURLINK_NULL);
@@ -71,7 +70,7 @@ static void test_null_pointers(void **unused)
 }
 
 /* Mistakes of the deck, of the names of its columns, and of its sweep's outputs, in the order of lines. */
-static void test_mistakes(void **unused)
+TEST(test_mistakes)
 {
     static const struct {
         const char *more; /* from line 16 on */
@@ -98,7 +97,6 @@ static void test_mistakes(void **unused)
     };
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_source source = deck_source(linkage(cases[i].more));
         fourlink_results *r = NULL;
@@ -119,7 +117,7 @@ static void test_mistakes(void **unused)
 }
 
 /* The text is not needed after the call, and may be one that does not end in a null. */
-static void test_text_is_not_kept(void **unused)
+TEST(test_text_is_not_kept)
 {
     char *contents = linkage("[table]\ncolumns = Ts, mu\n[expect]\nat = 40 deg\nmu = 50.0 deg\n");
     fourlink_results *kept = opened(contents), *r;
@@ -129,7 +127,6 @@ static void test_text_is_not_kept(void **unused)
     fourlink_check check;
     unsigned long n;
 
-    (void)unused;
     contents[source.length] = '?';
     assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
     memset(contents, '?', source.length);
@@ -148,7 +145,7 @@ static void test_text_is_not_kept(void **unused)
 }
 
 /* A deck of one crank angle as a cycle, all of it with that angle's speed and acceleration. */
-static void test_whole_cycle(void **unused)
+TEST(test_whole_cycle)
 {
     static const struct {
         const char *motion;
@@ -159,7 +156,6 @@ static void test_whole_cycle(void **unused)
                  {"at = 30 deg\nspeed = 10 rad/s\ncycle = 720 deg\n", 720, 10, 0}};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         char *contents =
             four_bar(0.020, 0.066, 0.056, 0.080,
@@ -209,7 +205,7 @@ static void test_whole_cycle(void **unused)
     "[sweep]\ncrank.length = -1 mm, 0 mm, 18 mm, 19 mm\nmotion.speed = 100 rpm, 200 rpm\n" \
     "output = max(Ts), mu_min, energy_fluctuation\n[units]\nlength = mm\nangular_speed = rpm\n"
 
-static void test_designs(void **unused)
+TEST(test_designs)
 {
     static const struct {
         unsigned long design, is; /* the first that is in order is the fifth */
@@ -223,7 +219,6 @@ static void test_designs(void **unused)
     fourlink_source source = deck_source(linkage(SWEEP));
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_results *r = NULL;
         const fourlink_value *list;
@@ -267,13 +262,12 @@ static void test_designs(void **unused)
 }
 
 /* None of the designs is in order: the mistakes are those of the first. */
-static void test_no_design_in_order(void **unused)
+TEST(test_no_design_in_order)
 {
     fourlink_source source = deck_source(linkage("[sweep]\ncrank.length = -1 mm, 0 mm\n"));
     fourlink_mistake of_any, of_first;
     fourlink_results *r = NULL;
 
-    (void)unused;
     source.design = FOURLINK_ANY_DESIGN;
     assert_int_equal(fourlink_results_open(&source, 1, &r, &of_any, NULL), FOURLINK_BAD_DECK);
     source.design = 0;
@@ -287,7 +281,7 @@ static void test_no_design_in_order(void **unused)
 ** Lists
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_lists_that_are_not_there(void **unused)
+TEST(test_lists_that_are_not_there)
 {
     static const int which[] = {0, -1, FOURLINK_CONDITIONS + 1, 1000};
     fourlink_results *r = opened(linkage(""));
@@ -295,7 +289,6 @@ static void test_lists_that_are_not_there(void **unused)
     unsigned long n = 77;
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(which); i++) {
         assert_int_equal(fourlink_results_list(r, which[i], &list, &n), FOURLINK_NO_SUCH_LIST);
         assert_true(!list && n == 77);
@@ -308,7 +301,7 @@ static void test_lists_that_are_not_there(void **unused)
 }
 
 /* The inputs of a deck in its units, each with the value that the deck gives it. */
-static void test_inputs(void **unused)
+TEST(test_inputs)
 {
     static const char deck[] =
         "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
@@ -334,7 +327,6 @@ static void test_inputs(void **unused)
     const fourlink_value *list, *again;
     unsigned long n, i;
 
-    (void)unused;
     assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
     for (i = 0; i < n && i < COUNT(inputs); i++) {
         assert_string_equal(list[i].name, inputs[i].name);
@@ -432,7 +424,7 @@ static void check_rows(const char *contents)
     fourlink_results_free(r);
 }
 
-static void test_rows(void **unused)
+TEST(test_rows)
 {
     static const char *const motions[] = {
         "interval = 40 deg\nspeed = 10 rad/s\n", "speed = -5 rad/s\nfrom = 20 deg\nto = -400 deg\n",
@@ -441,7 +433,6 @@ static void test_rows(void **unused)
         "at = 77 deg\nspeed = 3 rad/s\nacceleration = 1 rad/s2\n"};
     size_t i;
 
-    (void)unused;
     for (i = 0; i < COUNT(motions); i++) {
         const char *motion = print("[motion]\n%s", motions[i]);
         const char *load = "[load]\nlink = crank\ntorque = 0 deg 3 N m, 50 deg 9 N m\n";
@@ -457,7 +448,7 @@ static void test_rows(void **unused)
     }
 }
 
-static void test_rows_that_are_not_there(void **unused)
+TEST(test_rows_that_are_not_there)
 {
     static const double beyond[] = {9.9,       50.1, 180,   -180, 369.9,  410.1,      INFINITY,
                                     -INFINITY, NAN,  1e300, 1e17, -1e300, 3.14159e60, 1e18};
@@ -470,7 +461,6 @@ static void test_rows_that_are_not_there(void **unused)
     fourlink_value v, v_before;
     size_t i;
 
-    (void)unused;
     memset(values, 5, sizeof values);
     memset(&x, 5, sizeof x);
     memset(&load, 5, sizeof load);
@@ -512,7 +502,7 @@ static void test_rows_that_are_not_there(void **unused)
 ** Values and facts
 ** ------------------------------------------------------------------------------------------- */
 
-static void test_statuses_of_values(void **unused)
+TEST(test_statuses_of_values)
 {
     static const struct {
         const char *name;
@@ -542,7 +532,6 @@ static void test_statuses_of_values(void **unused)
     int k, b;
     size_t i;
 
-    (void)unused;
     decks[0] = opened(linkage(""));
     decks[1] = opened(four_bar(0.3, 0.4, 0.5, 0.75, revolution(1)));
     decks[2] = opened(slider_crank(0.1, 0.3, 0, revolution(1)));
@@ -571,7 +560,7 @@ static void test_statuses_of_values(void **unused)
 
 /* The groups of facts are parts of the whole, in the deck's branches or in one; extremes are those that are
 ** asked for by name. */
-static void test_groups_of_facts(void **unused)
+TEST(test_groups_of_facts)
 {
     static const struct {
         const char *branch;
@@ -581,7 +570,6 @@ static void test_groups_of_facts(void **unused)
                                  FOURLINK_FACTS_TURNING};
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < COUNT(decks); i++) {
         fourlink_results *r = opened(linkage(
             print("[table]\ncolumns = theta2, Ts, mu, omega4\nbranch = %s\n", decks[i].branch)));
@@ -624,13 +612,12 @@ static void test_groups_of_facts(void **unused)
     }
 }
 
-static void test_statuses_of_turning_moment_and_checks(void **unused)
+TEST(test_statuses_of_turning_moment_and_checks)
 {
     fourlink_results *r = opened(linkage("[expect]\nmu_min = 58.2 deg\n"));
     fourlink_turning t, t_before;
     fourlink_check c, c_before;
 
-    (void)unused;
     memset(&t, 5, sizeof t);
     memset(&c, 5, sizeof c);
     t_before = t, c_before = c;
@@ -646,21 +633,5 @@ static void test_statuses_of_turning_moment_and_checks(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_null_pointers),
-        cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_text_is_not_kept),
-        cmocka_unit_test(test_whole_cycle),
-        cmocka_unit_test(test_designs),
-        cmocka_unit_test(test_no_design_in_order),
-        cmocka_unit_test(test_lists_that_are_not_there),
-        cmocka_unit_test(test_inputs),
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_rows_that_are_not_there),
-        cmocka_unit_test(test_statuses_of_values),
-        cmocka_unit_test(test_groups_of_facts),
-        cmocka_unit_test(test_statuses_of_turning_moment_and_checks),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }

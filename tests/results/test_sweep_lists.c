@@ -15,7 +15,7 @@ static char *linkage(const char *more)
 }
 
 /* The neighbours on the grid: none beyond the ends of a range, in a list, or of a tolerance. */
-static void test_neighbours(void **unused)
+TEST(test_neighbours)
 {
     static const double expected[][3][2] = {{{18, 19}, {100, 100}, {56, 56}},
                                             {{18, 19}, {200, 200}, {56, 56}},
@@ -29,7 +29,6 @@ static void test_neighbours(void **unused)
     double low[3], high[3], values[3];
     size_t i, k;
 
-    (void)unused;
     for (i = 0; i < COUNT(expected); i++) {
         source.design = (unsigned long)i;
         assert_int_equal(fourlink_source_neighbours(&source, 3, low, high), FOURLINK_OK);
@@ -44,14 +43,13 @@ static void test_neighbours(void **unused)
 }
 
 /* The conditions of a yield: outputs with limits, in the deck's units. */
-static void test_conditions(void **unused)
+TEST(test_conditions)
 {
     fourlink_results *r = opened(linkage("[sweep]\ncrank.length = 18 mm, 19 mm\noutput = swing\n"
                                          "yield = mu_min > 0.5 rad, swing <= 40\n"));
     const fourlink_value *list;
     unsigned long n;
 
-    (void)unused;
     assert_true(problem_of(r).has_outputs && problem_of(r).has_statistics);
     assert_int_equal(fourlink_results_list(r, FOURLINK_OUTPUTS, &list, &n), FOURLINK_OK);
     assert_int_equal(n, 2);
@@ -71,10 +69,5 @@ static void test_conditions(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_conditions),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL);
 }

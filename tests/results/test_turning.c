@@ -8,13 +8,12 @@
 static const char still[] = "[gravity]\nacceleration = 0\n";
 
 /* A piston alone takes up and gives back its kinetic energy. */
-static void test_energy_of_a_piston(void **unused)
+TEST(test_energy_of_a_piston)
 {
     static fact_list list;
     uint64_t seed = 7;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_engine(&seed, i % 2);
         double m = uniform(&seed, 1, 50), omega = (double)o.speed;
@@ -51,13 +50,12 @@ static long double own_energy(const own *o, long double t)
     return o->gas * own_x(o, t) - o->mass * v * v / 2;
 }
 
-static void test_energy_of_gas_and_piston(void **unused)
+TEST(test_energy_of_gas_and_piston)
 {
     static fact_list list;
     uint64_t seed = 8;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 12; i++) {
         own o = random_engine(&seed, i % 2);
         double bore = uniform(&seed, 0.02, 0.2), p = uniform(&seed, -1e5, 1e6);
@@ -85,13 +83,12 @@ static void test_energy_of_gas_and_piston(void **unused)
 }
 
 /* Weights, with all inertia: conservative, so that the mean is 0 as well. */
-static void test_mean_torque_of_conservative_machines(void **unused)
+TEST(test_mean_torque_of_conservative_machines)
 {
     static fact_list list;
     uint64_t seed = 9;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 8; i++) {
         own o = i % 2 ? random_engine(&seed, 1) : random_rocker(&seed);
 
@@ -121,13 +118,12 @@ static void test_mean_torque_of_conservative_machines(void **unused)
 
 /* A constant torque on the rocker of a massless crank-rocker does its work over the swing; a constant
 ** force on a piston over the stroke. */
-static void test_energy_is_force_times_way(void **unused)
+TEST(test_energy_is_force_times_way)
 {
     static fact_list list;
     uint64_t seed = 10;
     int i, k;
 
-    (void)unused;
     for (i = 0; i < 8; i++) {
         own o = random_rocker(&seed);
 
@@ -157,13 +153,12 @@ static void test_energy_is_force_times_way(void **unused)
 
 /* A drag link under a constant torque M on link 4, which turns once with the crank: the mean of the
 ** turning moment is M, the energy M times the lead of link 4 over the crank. */
-static void test_energy_of_a_drag_link(void **unused)
+TEST(test_energy_of_a_drag_link)
 {
     static fact_list list;
     own o = {0.50L, 0.45L, 0.60L, 0.20L, 1, 0, 1, 0, 0, 0};
     int i, k;
 
-    (void)unused;
     facts_of(four_bar(0.50, 0.45, 0.60, 0.20,
                       print("%s[load]\nlink = rocker\ntorque = 5 N m\n", revolution(4))),
              &list);
@@ -202,13 +197,12 @@ static char *with_curve(const char *torque, const char *more)
 /* 100 N m for a quarter, 300 N m for a quarter, and two rises between them: a smooth curve that does not
 ** overshoot is level on the levels, so that the rises are cubics, 100 + 200 (3 t^2 - 2 t^3), that cross
 ** the mean of 200 half way.  Above it are 31.25 + 100 + 31.25 N m, times a quarter turn. */
-static void test_turning_moment_in_closed_form(void **unused)
+TEST(test_turning_moment_in_closed_form)
 {
     static fact_list list;
     double dE = 162.5 * PI / 2;
     int k;
 
-    (void)unused;
     facts_of(with_curve("0 deg 100, 90 deg 100, 180 deg 300, 270 deg 300",
                         "[motion]\nspeed = 20 rad/s\ninterval = 40 deg\n"),
              &list);
@@ -252,7 +246,7 @@ static double torque_at(const fourlink_results *r, double theta2)
 
 /* A four-stroke engine's curve, over 720 deg: the mean, and the energy between the crossings of the
 ** mean, by Gauss's rule of three points, exact for the cubics between the points. */
-static void test_turning_moment_of_four_strokes(void **unused)
+TEST(test_turning_moment_of_four_strokes)
 {
     static const double angle[] = {0,   20,  60,  110, 170, 200, 270, 340, 380, 395,
                                    420, 480, 540, 560, 600, 640, 660, 690, 705},
@@ -265,7 +259,6 @@ static void test_turning_moment_of_four_strokes(void **unused)
     int i, j, k, pass;
     fourlink_results *r;
 
-    (void)unused;
     for (i = 0; i < POINTS; i++)
         sprintf(points + strlen(points), "%s%g deg %g N m", i ? ", " : "", angle[i], torque[i]);
     contents = with_curve(points, "[motion]\nspeed = 30 rad/s\ncycle = 720 deg\n[flywheel]\n"
@@ -317,13 +310,12 @@ static void test_turning_moment_of_four_strokes(void **unused)
 
 /* A cycle of two revolutions in which all repeats after one: the same fluctuation, over twice the
 ** work. */
-static void test_cycle_of_two_revolutions(void **unused)
+TEST(test_cycle_of_two_revolutions)
 {
     static fact_list once, twice;
     const char *masses = "[load]\nlink = crank\ntorque = 50 N m\n[piston]\nmass = 5 kg\n[motion]\n"
                          "speed = 30 rad/s\n";
 
-    (void)unused;
     facts_of(slider_crank(0.15, 0.45, 0, masses), &once);
     facts_of(slider_crank(0.15, 0.45, 0, print("%scycle = 720 deg\n", masses)), &twice);
     check_fact(&once, "mean_torque", FOURLINK_OPEN, 50, 5e-8);
@@ -336,7 +328,7 @@ static void test_cycle_of_two_revolutions(void **unused)
 
 /* A torque between two crank angles, the oldest exercise: M from .. to gives the mean M w / c, and the
 ** area above it (M - mean) w. */
-static void test_turning_moment_in_steps(void **unused)
+TEST(test_turning_moment_in_steps)
 {
     static const double windows[][3] = {{0, 90, 360},  {10.3, 100.7, 360}, {350, 370, 360},
                                         {0, 180, 720}, {33.33, 35.9, 360}, {700, 719.5, 720},
@@ -344,7 +336,6 @@ static void test_turning_moment_in_steps(void **unused)
     static fact_list list;
     int i;
 
-    (void)unused;
     for (i = 0; i < 7; i++) {
         double from = windows[i][0], to = windows[i][1], cycle = windows[i][2],
                w = (to - from) * DEG, mean = 80 * (to - from) / cycle, dE = (80 - mean) * w;
@@ -374,26 +365,23 @@ static void check_peak(double width)
     check_fact(&list, "mean_torque", FOURLINK_OPEN, mean, 1e-9 * mean);
 }
 
-static void test_turning_moment_of_a_peak(void **unused)
+TEST(test_turning_moment_of_a_peak)
 {
-    (void)unused;
     check_peak(30);
     check_peak(3);
 }
 
 /* What comes and goes within a degree: the mean, and the energy M w of a step. */
-static void test_turning_moment_within_a_degree(void **unused)
+TEST(test_turning_moment_within_a_degree)
 {
-    (void)unused;
     check_peak(0.5);
 }
 
-static void test_step_within_a_degree(void **unused)
+TEST(test_step_within_a_degree)
 {
     static fact_list list;
     double w = 0.7 * DEG, mean = 80 * 0.7 / 360;
 
-    (void)unused;
     facts_of(four_bar(0.020, 0.066, 0.056, 0.080,
                       "[load]\nlink = crank\ntorque = 80 N m\nfrom = 0.2 deg\nto = 0.9 deg\n"
                       "[motion]\nspeed = 10 rad/s\n"),
@@ -444,12 +432,11 @@ static void check_areas(const char *contents, int at_least)
     fourlink_results_free(r);
 }
 
-static void test_areas_of_the_turning_moment(void **unused)
+TEST(test_areas_of_the_turning_moment)
 {
     static const char *const speeds[] = {"10 rad/s", "-10 rad/s"};
     int i;
 
-    (void)unused;
     for (i = 0; i < 2; i++) {
         check_areas(four_bar(0.020, 0.066, 0.056, 0.080,
                              print("[load]\nlink = crank\ntorque = 80 N m\nfrom = 30 deg\n"
@@ -465,13 +452,12 @@ static void test_areas_of_the_turning_moment(void **unused)
 }
 
 /* dE = I Cs omega^2 */
-static void test_flywheel(void **unused)
+TEST(test_flywheel)
 {
     static fact_list list;
     const char *torque = "0 deg 100, 90 deg 100, 180 deg 300, 270 deg 300";
     double dE = 162.5 * PI / 2, I, omega = 120 * 2 * PI / 60;
 
-    (void)unused;
     facts_of(with_curve(torque, "[motion]\nspeed = 120 rpm\n[flywheel]\nfluctuation = 0.04\n"),
              &list);
     I = dE / (0.04 * omega * omega);
@@ -501,14 +487,13 @@ static void test_flywheel(void **unused)
 }
 
 /* The interval and range of the table do not matter to the turning moment, nor does one instant. */
-static void test_turning_moment_of_any_range(void **unused)
+TEST(test_turning_moment_of_any_range)
 {
     static const char *const motions[] = {"interval = 40 deg\n", "at = 30 deg\n",
                                           "from = 20 deg\nto = 50 deg\n", "hold = yes\n"};
     static fact_list list;
     int i;
 
-    (void)unused;
     for (i = 0; i < 4; i++) {
         facts_of(with_curve("0 deg 100, 90 deg 100, 180 deg 300, 270 deg 300",
                             print("[motion]\nspeed = 20 rad/s\n%s", motions[i])),
@@ -545,13 +530,12 @@ static void check_no_turning_moment(const char *contents)
     }
 }
 
-static void test_no_turning_moment(void **unused)
+TEST(test_no_turning_moment)
 {
     const char *load_ = "[load]\nlink = crank\ntorque = 5 N m\n[flywheel]\nfluctuation = 0.02\n";
     static fact_list list;
     char *good = print("%s[motion]\nspeed = 10 rad/s\n", load_);
 
-    (void)unused;
     facts_of(four_bar(0.020, 0.066, 0.056, 0.080, good), &list);
     check_fact(&list, "mean_torque", FOURLINK_OPEN, 5, 5e-9);
     /* a constant torque does not fluctuate */
@@ -576,14 +560,13 @@ static void test_no_turning_moment(void **unused)
 
 /* The areas of a cycle add up to nothing, and the greatest sum of some that follow each other is the
 ** fluctuation; the deck's facts are those of the turning moment. */
-static void test_areas_add_up_to_the_fluctuation(void **unused)
+TEST(test_areas_add_up_to_the_fluctuation)
 {
     static fact_list list;
     const char *torque = "0 deg 100, 90 deg 100, 180 deg 300, 270 deg 300";
     const char *decks[4];
     int i, j, k;
 
-    (void)unused;
     decks[0] = with_curve(torque, "[motion]\nspeed = 20 rad/s\n[flywheel]\ninertia = 2 kg m2\n");
     decks[1] = with_curve(torque, "[motion]\nspeed = -20 rad/s\ncycle = 720 deg\n");
     decks[2] = slider_crank(0.15, 0.45, 0.02,
@@ -620,25 +603,5 @@ static void test_areas_add_up_to_the_fluctuation(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_energy_of_a_piston),
-        cmocka_unit_test(test_energy_of_gas_and_piston),
-        cmocka_unit_test(test_mean_torque_of_conservative_machines),
-        cmocka_unit_test(test_energy_is_force_times_way),
-        cmocka_unit_test(test_energy_of_a_drag_link),
-        cmocka_unit_test(test_turning_moment_in_closed_form),
-        cmocka_unit_test(test_turning_moment_of_four_strokes),
-        cmocka_unit_test(test_cycle_of_two_revolutions),
-        cmocka_unit_test(test_turning_moment_in_steps),
-        cmocka_unit_test(test_turning_moment_of_a_peak),
-        cmocka_unit_test(test_turning_moment_within_a_degree),
-        cmocka_unit_test(test_step_within_a_degree),
-        cmocka_unit_test(test_areas_of_the_turning_moment),
-        cmocka_unit_test(test_flywheel),
-        cmocka_unit_test(test_turning_moment_of_any_range),
-        cmocka_unit_test(test_no_turning_moment),
-        cmocka_unit_test(test_areas_add_up_to_the_fluctuation),
-    };
-
-    return cmocka_run_group_tests(tests, watch_gsl, NULL);
+    return run_all_tests(watch_gsl);
 }
