@@ -44,7 +44,9 @@ static inline int run_all_tests(CMFixtureFunction setup)
     return _cmocka_run_group_tests("tests", tests.list, tests.n, setup, NULL);
 }
 
-#define DEG (3.14159265358979323846 / 180)
+#define PI 3.14159265358979323846
+#define DEG (PI / 180)
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* |actual - expected| <= tolerance, absolutely; a NaN fails. */
 #define assert_near(actual, expected, tolerance) \

@@ -17,7 +17,7 @@ static inline int set_comma_locale(void)
                                         "de_DE",       "fr_FR",      "nl_NL.UTF-8", "it_IT.UTF-8"};
     size_t i;
 
-    for (i = 0; i < sizeof names / sizeof names[0]; i++)
+    for (i = 0; i < COUNT(names); i++)
         if (setlocale(LC_ALL, names[i]) && strcmp(localeconv()->decimal_point, ",") == 0)
             return 1;
     setlocale(LC_ALL, "C");

@@ -11,7 +11,6 @@
 #include "check.h"
 #include "source.h"
 
-#define PI 3.14159265358979323846
 #define PIL 3.14159265358979323846264338327950288L
 
 static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
@@ -43,6 +42,32 @@ static inline fourlink_results *opened(const char *contents)
     if (fourlink_results_open(&source, 1, &results, &mistake, NULL) != FOURLINK_OK)
         fail_msg("%s\n%s", mistake.message, contents);
     return results;
+}
+
+/* What has this name: a column at a crank angle, a fact, an extreme or a mean. */
+static inline fourlink_value named(fourlink_results *r, const char *name, fourlink_branch branch,
+                                   double angle)
+{
+    fourlink_value v;
+    int status = fourlink_results_value(r, name, branch, angle, &v);
+
+    if (status != FOURLINK_OK)
+        fail_msg("%s at %g: %s", name, angle, fourlink_status_text(status));
+    return v;
+}
+
+/* Its value on the open branch, in the deck's unit. */
+static inline double value_at(fourlink_results *r, const char *name, double angle)
+{
+    return named(r, name, FOURLINK_OPEN, angle).value;
+}
+
+static inline double si_value(fourlink_results *r, const char *name, fourlink_branch branch,
+                              double angle)
+{
+    fourlink_value v = named(r, name, branch, angle);
+
+    return v.value * v.to_si;
 }
 
 static inline fourlink_problem problem_of(const fourlink_results *results)

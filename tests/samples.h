@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** samples.h - random mechanisms with masses and loads, for the tests of both solutions of the nine
-** equations.
+** samples.h - Alvi's linkage with masses, and random mechanisms with masses and loads, for the tests of forces.
 */
 #ifndef FOURLINK_SAMPLES_H
 #define FOURLINK_SAMPLES_H
@@ -9,7 +8,6 @@
 #include "check.h"
 #include "fourlink.h"
 
-#define PI 3.14159265358979323846
 #define MOST_LOADS 4
 
 typedef struct sample {
@@ -88,6 +86,54 @@ static inline void draw_extreme(uint64_t *seed, int n, sample *s)
     s->n_loads = 1;
 }
 
+/* Alvi's linkage with the masses of the matrix example. */
+static inline sample rocker(double degrees)
+{
+    static const double length[5] = {0, 0.080, 0.020, 0.066, 0.056};
+    static const double mass[5] = {0, 0, 0.1, 0.3, 0.25}, k[5] = {0, 0, 0.008, 0.025, 0.020};
+    sample s;
+    int i;
+
+    memset(&s, 0, sizeof s);
+    s.design.kind = FOURLINK_FOUR_BAR;
+    for (i = 1; i <= 4; i++) {
+        s.design.link[i].length = length[i];
+        s.design.link[i].mass = mass[i];
+        s.design.link[i].inertia = mass[i] * k[i] * k[i];
+    }
+    s.design.link[2].cg.x = 0.010;
+    s.design.link[3].cg.x = 0.030 * cos(10 * DEG);
+    s.design.link[3].cg.y = 0.030 * sin(10 * DEG);
+    s.design.link[4].cg.x = 0.028 * cos(5 * DEG);
+    s.design.link[4].cg.y = -0.028 * sin(5 * DEG);
+    s.design.gravity.y = -9.81;
+    s.branch = FOURLINK_OPEN;
+    s.crank.theta2 = degrees * DEG;
+    s.crank.omega2 = 10.5;
+    return s;
+}
+
+/* As draw_design, and every third an inverted slider-crank. */
+static inline void draw_any(uint64_t *seed, int n, sample *s)
+{
+    draw_design(seed, n, s);
+    if (n % 3 != 2)
+        return;
+    s->design.kind = FOURLINK_INVERTED_SLIDER_CRANK;
+    if (n % 2)
+        s->design.link[4].length = 0;
+    s->design.offset = uniform(seed, -0.3, 0.3);
+    s->design.angle = n % 2 ? 0 : uniform(seed, -3, 3);
+}
+
+/* Its motion; a status. */
+static inline int move(sample *s)
+{
+    assert_int_equal(fourlink_prepare(&s->design, &s->mechanism), FOURLINK_OK);
+    return fourlink_analyse(&s->mechanism, s->branch, &s->crank, s->load, s->n_loads, &s->state,
+                            &s->forces);
+}
+
 #define N_FORCES 10
 
 /* All forces of one answer, for comparison: moments divided by the crank's length. */
@@ -131,7 +177,7 @@ static inline void try_bad_loads(const sample *s, fourlink_load loads[2],
     memset(loads, 0, 2 * sizeof loads[0]);
     loads[0].link = loads[1].link = FOURLINK_FOLLOWER;
     assert_refused(s, NULL, 1, FOURLINK_NULL);
-    for (i = 0; i < sizeof no_links / sizeof no_links[0]; i++) {
+    for (i = 0; i < COUNT(no_links); i++) {
         loads[1].link = no_links[i];
         assert_refused(s, loads, 2, FOURLINK_BAD_LINK);
     }
@@ -145,7 +191,7 @@ static inline void try_bad_loads(const sample *s, fourlink_load loads[2],
     numbers[3] = &loads[1].at.y;
     numbers[4] = &loads[1].torque;
     for (field = 0; field < 5; field++)
-        for (i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; i++) {
+        for (i = 0; i < COUNT(no_numbers); i++) {
             *numbers[field] = no_numbers[i];
             assert_refused(s, loads, 2, FOURLINK_BAD_NUMBER);
             *numbers[field] = 0;

@@ -106,11 +106,11 @@ for document in README.md doc/library.md; do
   [ -x "$work/$(basename "$document")/example" ]
   result $? "$document has no whole program in C"
 done
-for name in $(grep -o '`[a-z/]*\(test_[a-zA-Z0-9_]*\|brute_extremes\)[.chs]*`' doc/accuracy.md | tr -d '`'); do
+for name in $(grep -o '`\(expect/[a-z0-9-]*\|[a-z/]*\(test_[a-zA-Z0-9_]*\|brute_extremes\)\)[.a-z]*`' doc/accuracy.md | tr -d '`'); do
   case $name in
   */*.*) [ -f "tests/${name#tests/}" ] ;;
   *.*) find tests -name "$name" | grep -q . ;;
-  *) grep -rqE --include='*.c' "^static void $name\(" tests ;;
+  *) grep -rqE --include='*.c' "^TEST\($name\)" tests ;;
   esac
   result $? "doc/accuracy.md names a test that is not there: $name"
 done

@@ -123,7 +123,7 @@ static void test_ends_of_ranges(void **unused)
     size_t k;
 
     (void)unused;
-    for (k = 0; k < sizeof values / sizeof values[0]; k++)
+    for (k = 0; k < COUNT(values); k++)
         check_all(values[k]);
     for (power = -60; power <= 60; power++) {
         double ten = pow(10, power), two = exp2(power);

@@ -60,7 +60,7 @@ TEST(test_numbers_in_messages)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    for (i = 0; i < COUNT(cases); i++)
         assert_string_equal(number(cases[i].value, cases[i].digits), cases[i].text);
     number(DBL_MAX, 9);
     number(DBL_MIN / 8, 9);
@@ -152,7 +152,7 @@ TEST(test_quantities)
     char why[MESSAGE_SIZE];
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         text t = flk_text_of(cases[i].text);
         quantity_value v;
 
@@ -189,7 +189,7 @@ TEST(test_no_quantities)
     char why[MESSAGE_SIZE];
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         text t = flk_text_of(cases[i].text);
         quantity_value v;
 

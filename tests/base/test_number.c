@@ -54,7 +54,7 @@ static void test_read(void **unused)
     size_t i;
 
     (void)unused;
-    for (i = 0; i < sizeof readings / sizeof readings[0]; i++) {
+    for (i = 0; i < COUNT(readings); i++) {
         text rest = flk_text_of(readings[i].text);
         double value = -77;
 
@@ -92,13 +92,13 @@ static void test_refused(void **unused)
     size_t i;
 
     (void)unused;
-    for (i = 0; i < sizeof none / sizeof none[0]; i++)
+    for (i = 0; i < COUNT(none); i++)
         check_refused(none[i], NUMBER_NONE);
-    for (i = 0; i < sizeof not_finite / sizeof not_finite[0]; i++)
+    for (i = 0; i < COUNT(not_finite); i++)
         check_refused(not_finite[i], NUMBER_NOT_FINITE);
-    for (i = 0; i < sizeof hex / sizeof hex[0]; i++)
+    for (i = 0; i < COUNT(hex); i++)
         check_refused(hex[i], NUMBER_HEX);
-    for (i = 0; i < sizeof comma / sizeof comma[0]; i++)
+    for (i = 0; i < COUNT(comma); i++)
         check_refused(comma[i], NUMBER_COMMA);
 }
 
@@ -237,7 +237,7 @@ static void test_nearest(void **unused)
     size_t i;
 
     (void)unused;
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         const char *nearest = flk_text_nearest(flk_text_of(cases[i].word), words);
 
         print_message("%s\n", cases[i].word);
@@ -292,7 +292,7 @@ static void test_copy(void **unused)
     t.length = sizeof control;
     assert_string_equal(flk_text_copy(t, out, sizeof out), "a?b???\303\251");
 
-    for (i = 0; i < sizeof long_texts / sizeof long_texts[0]; i++)
+    for (i = 0; i < COUNT(long_texts); i++)
         for (size = 8; size <= strlen(long_texts[i]); size++) {
             size_t n;
 

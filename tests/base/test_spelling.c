@@ -68,7 +68,7 @@ TEST(test_plain)
 {
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         size_t n = strlen(cases[i].typed);
         char out[SPELLING_SIZE(100)];
         text t = flk_spelling_plain(flk_text_of(cases[i].typed), out);
@@ -90,7 +90,7 @@ TEST(test_room)
                                          "1" TIMES "10^3", "x",        TIMES};
     size_t i, k;
 
-    for (i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
+    for (i = 0; i < COUNT(pieces); i++) {
         char typed[800] = "", out[SPELLING_SIZE(800)];
 
         for (k = 0; k < 100; k++)

@@ -7,8 +7,6 @@
 #include "check.h"
 #include "base/units.h"
 
-#define PI 3.14159265358979323846
-
 /* Values of NIST SP 811, appendix B; those of the inch-pound system are exact by definition (1 in =
 ** 25.4 mm, 1 lb = 0.45359237 kg, g = 9.80665 m/s2) and are written with all the digits of a double.
 */
@@ -107,7 +105,7 @@ TEST(test_values)
 {
     size_t i;
 
-    for (i = 0; i < sizeof units / sizeof units[0]; i++) {
+    for (i = 0; i < COUNT(units); i++) {
         unit u;
         text bad;
 
@@ -138,7 +136,7 @@ TEST(test_dimensions)
                                            "rad", "rad/s2", "1/min", "W"};
     size_t i;
 
-    for (i = 0; i < sizeof no_speed / sizeof no_speed[0]; i++)
+    for (i = 0; i < COUNT(no_speed); i++)
         check_is(no_speed[i], QUANTITY_ANGULAR_SPEED, 0);
     check_is("rpm", QUANTITY_ANGULAR_SPEED, 1);
     check_is("mrad/ms", QUANTITY_ANGULAR_SPEED, 1);
@@ -249,7 +247,7 @@ TEST(test_refused)
     };
     size_t i;
 
-    for (i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    for (i = 0; i < COUNT(refused); i++) {
         unit u;
         text bad;
 
@@ -284,8 +282,8 @@ TEST(test_no_overflow)
     char name[2000];
     size_t i, j;
 
-    for (i = 0; i < sizeof factors / sizeof factors[0]; i++)
-        for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
+    for (i = 0; i < COUNT(factors); i++)
+        for (j = 0; j < COUNT(factors); j++) {
             unit u;
             text bad;
             int k;
@@ -357,7 +355,7 @@ TEST(test_nearest)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         text t = flk_text_of(cases[i].unit), word = t;
         const char *nearest;
 
@@ -386,7 +384,7 @@ TEST(test_words)
     };
     size_t i;
 
-    for (i = 0; i < sizeof same / sizeof same[0]; i++) {
+    for (i = 0; i < COUNT(same); i++) {
         unit u, v;
         text bad;
 

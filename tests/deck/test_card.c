@@ -62,7 +62,7 @@ TEST(test_forms)
 {
     size_t i;
 
-    for (i = 0; i < sizeof same / sizeof same[0]; i++) {
+    for (i = 0; i < COUNT(same); i++) {
         char contents[400];
         deck d;
 
@@ -139,7 +139,7 @@ TEST(test_refused)
 {
     size_t i;
 
-    for (i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    for (i = 0; i < COUNT(refused); i++) {
         char contents[400];
         deck d;
 

@@ -8,7 +8,6 @@
 
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
 #define MOST 14
 
 typedef struct sample {
@@ -103,14 +102,14 @@ TEST(test_periodic)
             double x = uniform(&seed, -1, 2) * s.period, y = flk_curve_value(&s.c, x);
 
             changing += fabs(flk_curve_value(&s.c, x + s.period / 2) - y) > 1e-3 * s.largest;
-            for (i = 0; i < sizeof periods / sizeof periods[0]; i++) {
+            for (i = 0; i < COUNT(periods); i++) {
                 double far = x + periods[i] * s.period;
 
                 assert_near(flk_curve_value(&s.c, far), y, rounding(&s, far));
             }
         }
         for (k = 0; k < (int)s.n; k++)
-            for (i = 0; i < sizeof periods / sizeof periods[0]; i++) {
+            for (i = 0; i < COUNT(periods); i++) {
                 double far = s.x[k] + periods[i] * s.period;
 
                 assert_near(flk_curve_value(&s.c, far), s.y[k], rounding(&s, far));
@@ -282,7 +281,7 @@ TEST(test_constant_and_straight)
     int k;
     curve c;
 
-    for (i = 0; i < sizeof constants / sizeof constants[0]; i++)
+    for (i = 0; i < COUNT(constants); i++)
         for (n = 2; n <= 8; n++) {
             double y[8];
             size_t j;

@@ -58,7 +58,7 @@ static const char *load_file(void *host, const char *file_name, unsigned long *l
     assert_ptr_equal(host, files);
     free(copy);
     copy = NULL;
-    for (i = 0; i < sizeof files / sizeof files[0]; i++)
+    for (i = 0; i < COUNT(files); i++)
         if (strcmp(file_name, files[i][0]) == 0) {
             *length = strlen(files[i][1]);
             copy = malloc(*length); /* without a null character, as the loader promises none */
@@ -357,7 +357,7 @@ TEST(test_every_mistake)
 {
     size_t i, failed = 0;
 
-    for (i = 0; i < sizeof all_mistaken / sizeof all_mistaken[0]; i++) {
+    for (i = 0; i < COUNT(all_mistaken); i++) {
         const mistaken *x = &all_mistaken[i];
         const struct mistake *first;
         deck d;
@@ -404,7 +404,7 @@ TEST(test_blamed_line)
 {
     size_t i, failed = 0;
 
-    for (i = 0; i < sizeof blamed / sizeof blamed[0]; i++) {
+    for (i = 0; i < COUNT(blamed); i++) {
         deck d;
 
         if (read_changed(blamed[i].contents, NULL, 0, &d) != 0 ||
@@ -447,7 +447,7 @@ TEST(test_all_in_one_run)
     size_t i;
 
     assert_int_equal(read_changed(contents, NULL, 0, &d), 0);
-    assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
+    assert_int_equal(d.mistakes.count, COUNT(lines));
     for (i = 0; i < d.mistakes.count; i++) {
         assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
         assert_non_null(strstr(d.mistakes.list[i].message, words[i]));
@@ -578,7 +578,7 @@ TEST(test_engine)
     static const double card[][2] = {{0, 1e5}, {90, 32e5}, {180, 4e5}, {270, -0.5e5}};
     static const double torque[][2] = {{0, 0}, {90, 10}, {180, -3}};
     static const double card_file[][2] = {{0, 1e5}, {90.5, 32e5}, {180, 4e5}, {270, 2e5}};
-    double turns = 2 / (2 * 3.14159265358979323846), L = 9.81 * turns * turns;
+    double turns = 2 / (2 * PI), L = 9.81 * turns * turns;
     deck d;
     int i;
 
@@ -652,7 +652,7 @@ TEST(test_all_mistakes)
 
     assert_int_equal(read_deck(contents, &d), 0);
     flk_mistakes_sort(&d.mistakes);
-    assert_int_equal(d.mistakes.count, sizeof lines / sizeof lines[0]);
+    assert_int_equal(d.mistakes.count, COUNT(lines));
     for (i = 0; i < d.mistakes.count; i++)
         assert_int_equal(d.mistakes.list[i].place.line, lines[i]);
     flk_deck_free(&d);
@@ -669,7 +669,7 @@ TEST(test_mistakes_of_files)
     char contents[500];
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         deck d;
 
         sprintf(contents, SLIDER_CRANK "[gas]\nbore = 1 m\nindicator = file %s\n", cases[i].name);
@@ -701,7 +701,7 @@ TEST(test_odd_curves)
     fourlink_change change = {"--set", NULL};
     size_t i;
 
-    for (i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+    for (i = 0; i < COUNT(curves); i++) {
         deck d;
         int k;
 
@@ -895,7 +895,7 @@ TEST(test_vectors)
     char assignment[100];
     size_t i;
 
-    for (i = 0; i < sizeof quarters / sizeof quarters[0]; i++) {
+    for (i = 0; i < COUNT(quarters); i++) {
         sprintf(assignment, "crank.cg=10 mm at %s", quarters[i].angle);
         check_vector(assignment, 0.01 * quarters[i].x, 0.01 * quarters[i].y, 0);
         sprintf(assignment, "load.force=-3 N at %s", quarters[i].angle);
@@ -1020,7 +1020,7 @@ TEST(test_changed_parts)
     size_t i;
     deck d;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         fourlink_change changes[2] = {{"--set", NULL}, {"--set", NULL}};
 
         changes[0].assignment = cases[i].first;
@@ -1088,7 +1088,7 @@ TEST(test_mistaken_changes)
     fourlink_change change = {"--set", NULL};
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         deck d;
 
         change.assignment = cases[i].assignment;
@@ -1311,7 +1311,7 @@ static void mutate(const char *original, size_t size, uint64_t seed)
                 break;
             case 6: /* a word in place of some bytes */
             default:
-                token = tokens[pick(&seed, sizeof tokens / sizeof tokens[0])];
+                token = tokens[pick(&seed, COUNT(tokens))];
                 n = *token ? strlen(token) : 1;
                 length = splice(contents, length, where, pick(&seed, 6), token, n);
             }
@@ -1381,7 +1381,7 @@ TEST(test_large)
     check_repeated(FOUR_BAR "[table]\ncolumns = theta2,", "theta2,\n", 100000, "mu\n", 1);
     check_repeated(FOUR_BAR "mass = 1", "0", 500, " kg\n", 0);
     check_repeated(FOUR_BAR "mass = 0.", "0", 300, "1 kg\n", 1);
-    for (i = 0; i < sizeof pieces / sizeof pieces[0]; i++) {
+    for (i = 0; i < COUNT(pieces); i++) {
         check_repeated(FOUR_BAR, pieces[i], 10000, "\n", 0);
         check_repeated(FOUR_BAR "cg = ", pieces[i], 10000, "\n", 0);
         check_repeated(FOUR_BAR "mass = 1 ", pieces[i], 10000, "\n", 0);

@@ -96,8 +96,7 @@ TEST(test_places_of_loads)
     flk_deck_free(&d);
     /* 50 g cm2 about G, 2 s about the end: as with cg = 33 mm and swing_pin = 66 mm */
     check_body(FOUR_BAR LENGTH "mass = 1 kg\ncg = mid\nswing_period = 2 s\nswing_pin = 100 %\n", 3,
-               1, 0.033 * (9.81 / (3.14159265358979323846 * 3.14159265358979323846) - 0.033), 0.033,
-               0);
+               1, 0.033 * (9.81 / (PI * PI) - 0.033), 0.033, 0);
 }
 
 TEST(test_refused)

@@ -218,7 +218,7 @@ TEST(test_mistakes)
 {
     size_t i;
 
-    for (i = 0; i < sizeof mistaken / sizeof mistaken[0]; i++)
+    for (i = 0; i < COUNT(mistaken); i++)
         check_mistake(mistaken[i].contents, NULL, mistaken[i].line, mistaken[i].message);
 }
 

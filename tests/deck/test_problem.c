@@ -128,7 +128,7 @@ TEST(test_branches)
     fourlink_problem p;
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         sprintf(contents, "mechanism = slider-crank\n[crank]\nlength = 1\n[rod]\nlength = 4\n%s",
                 cases[i].table);
         assert_int_equal(read_deck(contents, NULL, &deck, NULL, 0, NULL), FOURLINK_OK);
@@ -445,7 +445,7 @@ TEST(test_fortran77_refuses)
     char text[60];
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         double links[20] = {0};
         double numbers[7] = {4, 0, 0, 0, 0, 0, 0.5}, state[36], forces[10];
         int status = 77;

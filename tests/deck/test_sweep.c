@@ -80,12 +80,8 @@ static const expected_values all_values[] = {
     {"crank.length = 0.5 in to 1 in step 0.25 in", IN_MM, 3, {12.7, 19.05, 25.4}, 1e-14},
     {"crank.length = 0.5 in to 1 in in 3", IN_MM, 3, {12.7, 19.05, 25.4}, 1e-14},
     {"crank.length = 10 mm to 1 in in 2", IN_MM, 2, {10, 25.4}, 1e-14},
-    {"motion.speed = 10 rad/s, 100 rpm", "", 2, {10, 100 * 2 * 3.14159265358979323846 / 60}, 1e-14},
-    {"motion.speed = 10 rad/s, 100 rpm",
-     IN_RPM,
-     2,
-     {10 * 60 / (2 * 3.14159265358979323846), 100},
-     1e-14},
+    {"motion.speed = 10 rad/s, 100 rpm", "", 2, {10, 100 * 2 * PI / 60}, 1e-14},
+    {"motion.speed = 10 rad/s, 100 rpm", IN_RPM, 2, {10 * 60 / (2 * PI), 100}, 1e-14},
     {"motion.speed = 100 rpm to 300 rpm step 100 rpm", IN_RPM, 3, {100, 200, 300}, 0},
     {"motion.from = 10 deg to 30 deg step 10 deg", "", 3, {10, 20, 30}, 0},
     {"motion.from = 0.5 rad, 1 rad, 0.25 rev", "", 3, {0.5 / DEG, 1 / DEG, 90}, 1e-14},
@@ -110,7 +106,7 @@ TEST(test_values)
     unsigned long i;
     deck d;
 
-    for (k = 0; k < sizeof all_values / sizeof all_values[0]; k++) {
+    for (k = 0; k < COUNT(all_values); k++) {
         const expected_values *x = &all_values[k];
 
         for (i = 0; i < x->n; i++) {
@@ -279,7 +275,7 @@ TEST(test_distributions)
     check_distribution(sample[3], 56, 0.3, 0.1 * CUT_DEVIATION, CUT_KURTOSIS);
     check_distribution(sample[4], 66, 0.1, 0.1 / 3 * CUT_DEVIATION, CUT_KURTOSIS);
     check_distribution(sample[5], 56, 0.1, 0.1 / 3 * CUT_DEVIATION, CUT_KURTOSIS);
-    for (i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+    for (i = 0; i < COUNT(pairs); i++)
         for (lag = 0; lag < 3; lag++) {
             assert_near(correlation(sample[pairs[i][0]], sample[pairs[i][1]], lag), 0, 4 / sqrt(N));
             assert_near(correlation(sample[pairs[i][1]], sample[pairs[i][0]], lag), 0, 4 / sqrt(N));
@@ -330,7 +326,7 @@ TEST(test_tolerances)
     size_t i, k, failed = 0;
     char lines[200];
 
-    for (i = 0; i < sizeof same / sizeof same[0]; i++) {
+    for (i = 0; i < COUNT(same); i++) {
         double value[2];
 
         for (k = 0; k < 2; k++) {
@@ -427,7 +423,7 @@ TEST(test_mistakes)
 {
     size_t i, k, failed = 0;
 
-    for (i = 0; i < sizeof mistaken / sizeof mistaken[0]; i++) {
+    for (i = 0; i < COUNT(mistaken); i++) {
         deck d;
 
         if (read_design(mistaken[i].lines, "", 0, &d) != 0 || d.mistakes.count != 1 ||
@@ -454,7 +450,7 @@ TEST(test_twice)
                                         "load W.torque = 1 N m, 2 N m\nload.torque = 3 N m, 4 N m"};
     size_t i, failed = 0;
 
-    for (i = 0; i < sizeof again / sizeof again[0]; i++) {
+    for (i = 0; i < COUNT(again); i++) {
         deck d;
 
         if (read_design(again[i], "", 0, &d) != 0) {

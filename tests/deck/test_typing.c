@@ -140,7 +140,7 @@ TEST(test_values)
 {
     size_t i, failed = 0;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         fourlink_source source =
             deck_source(FOUR_BAR "length = 20 mm\n[load]\nlink = crank\ntorque = 1 N m\n");
         fourlink_change change = {"--set", NULL};

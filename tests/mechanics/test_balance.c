@@ -3,7 +3,7 @@
 ** test_balance.c - counterweights: the shaking force of balanced machines in any motion, and what is left of it in an
 ** engine that is balanced in part.
 */
-#include "references.h"
+#include "samples.h"
 
 /* The shaking force, and the largest of its parts. */
 static double shaking(const sample *s, double *largest)

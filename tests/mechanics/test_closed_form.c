@@ -459,7 +459,7 @@ TEST(test_singular)
         sample s, bad;
 
         draw(&seed, n, &s);
-        for (i = 0; i < sizeof in_line / sizeof in_line[0]; i++) {
+        for (i = 0; i < COUNT(in_line); i++) {
             bad = s;
             bad.state.sine = in_line[i];
             assert_int_equal(fourlink_solve_dyad(&bad.mechanism, &bad.state, NULL, 0, &forces),

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_friction.c - friction: against an independent solver, against the fixed point on random machines, locking
-** against statics by hand, mirrored and reversed motions.
+** test_friction.c - friction: against the fixed point on random machines, locking against statics
+** by hand, mirrored and reversed motions.
 */
-#include "references.h"
+#include "samples.h"
 
 /* Both solvers, which agree; the status of both. */
 static int solve(const sample *s, const fourlink_friction *friction, fourlink_forces *f,
@@ -39,96 +39,6 @@ static fourlink_friction pins(double circle)
     for (i = 0; i < 4; i++)
         friction.circle[i] = circle;
     return friction;
-}
-
-/* theta2, F12x, F12y, F23x, F23y, F14x, F14y, Ts, Ts0, lost power, efficiency; N34 and M34, or F34x and F34y */
-typedef struct reference {
-    double degrees, force[6], Ts, Ts0, power, efficiency, F34[2];
-} reference;
-
-static void assert_reference(sample s, const fourlink_friction *friction, const reference *r)
-{
-    fourlink_forces f;
-    fourlink_losses l;
-
-    assert_int_equal(move(&s), FOURLINK_OK);
-    assert_int_equal(solve(&s, friction, &f, &l), FOURLINK_OK);
-    assert_close(f.F12x, r->force[0], 1e-9);
-    assert_close(f.F12y, r->force[1], 1e-9);
-    assert_close(f.F23x, r->force[2], 1e-9);
-    assert_close(f.F23y, r->force[3], 1e-9);
-    assert_close(f.F14x, r->force[4], 1e-9);
-    assert_close(f.F14y, r->force[5], 1e-9);
-    assert_close(f.Ts, r->Ts, 1e-9);
-    assert_close(l.Ts0, r->Ts0, 1e-9);
-    assert_close(l.power, r->power, 1e-9);
-    assert_close(l.efficiency, r->efficiency, 1e-9);
-    assert_close(f.N34 != 0 ? f.N34 : f.F34x, r->F34[0], 1e-9);
-    assert_close(f.N34 != 0 ? f.M34 : f.F34y, r->F34[1], 1e-9);
-    assert_close(f.Ts_work, f.Ts, 1e-12);
-    assert_near(f.residual, 0, 1e-13);
-    assert_close((f.Ts - l.Ts0) * s.crank.omega2, l.power, 1e-9);
-}
-
-TEST(test_four_bar)
-{
-    static const reference references[] = {{110,
-                                            {8.766144791062, 6.861707989146, 8.72843707026,
-                                             5.984309100588, -8.613884475295, -1.165095204646},
-                                            -0.1953021404763,
-                                            -0.2127901021527,
-                                            0.1836235976018,
-                                            0.9178159063817,
-                                            {8.618222854256, 3.512273815718}},
-                                           {290,
-                                            {5.437921324441, 13.29681071566, 5.475629045243,
-                                             12.21220960422, -5.211263694417, -6.253027943911},
-                                            0.2064494505283,
-                                            0.1869562212887,
-                                            0.2046789070158,
-                                            0.9055786819015,
-                                            {5.387176335761, 8.779931080159}}};
-    fourlink_friction friction = pins(0.1 * 0.006);
-    int i;
-
-    for (i = 0; i < 2; i++) {
-        sample s = rocker(references[i].degrees);
-
-        s.load[0].link = 4;
-        s.load[0].torque = 0.5;
-        s.n_loads = 1;
-        assert_reference(s, &friction, &references[i]);
-    }
-}
-
-TEST(test_lever)
-{
-    static const reference references[] = {{35,
-                                            {31.11529688947, 113.7959744092, 34.208360607,
-                                             108.5044088088, 95.99269631206, -142.1698628334},
-                                            8.905418404292,
-                                            7.022088406826,
-                                            18.83329997466,
-                                            0.7885186397802,
-                                            {-113.118331184, 0.09565743423756}},
-                                           {205,
-                                            {10.07969068443, 2.004225220451, 6.589697380043,
-                                             -7.824266318364, 151.8004276763, 39.68875722477},
-                                            0.8684111045763,
-                                            0.691394431308,
-                                            1.770166732683,
-                                            0.7961602836082,
-                                            {12.63840407024, 0.02241174975554}}};
-    fourlink_friction friction = pins(0);
-    int i;
-
-    friction.circle[0] = 0.1 * 0.015;
-    friction.circle[1] = 0.1 * 0.010;
-    friction.circle[3] = 0.1 * 0.020;
-    friction.guide = 0.12;
-    friction.guide_length = 0.050;
-    for (i = 0; i < 2; i++)
-        assert_reference(lever(references[i].degrees), &friction, &references[i]);
 }
 
 /* ---------------------------------------------------------------------------------------------

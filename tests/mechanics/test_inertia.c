@@ -235,12 +235,12 @@ TEST(test_motors_out_of_range)
     good.n_curve = 3;
     good.ratio = 2;
     for (i = 0; i < 5; i++)
-        for (k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
+        for (k = 0; k < COUNT(wrong); k++) {
             double *const numbers[] = {&m.ratio, &m.torque,     &m.stall_torque, &m.no_load_speed,
                                        &m.power, &m.max_torque, &speed[2],       &at[0]};
             static const char *const kinds_of[] = {"01234", "04", "1", "1", "3", "3", "2", "2"};
 
-            for (n = 0; n < sizeof numbers / sizeof numbers[0]; n++) {
+            for (n = 0; n < COUNT(numbers); n++) {
                 int is_used = strchr(kinds_of[n], '0' + (int)i) != NULL;
 
                 m = good;

@@ -11,8 +11,6 @@
 #include "check.h"
 #include "fourlink.h"
 
-#define PI 3.14159265358979323846
-
 static int n_samples = 3000;
 
 typedef struct sample {
@@ -242,7 +240,7 @@ TEST(test_reference)
     size_t n;
     int solver, i;
 
-    for (n = 0; n < sizeof reference / sizeof reference[0]; n++)
+    for (n = 0; n < COUNT(reference); n++)
         for (solver = 0; solver < 2; solver++) {
             const double *value = reference[n].value;
             sample s;
@@ -763,7 +761,7 @@ TEST(test_near_D)
     static const double near[] = {1e-3, 1e-6, 1e-9, -1e-9, -1e-6};
     size_t i;
 
-    for (i = 0; i < sizeof near / sizeof near[0]; i++) {
+    for (i = 0; i < COUNT(near); i++) {
         double d = 1, a = 1 + near[i], theta2 = 0.5 * fabs(near[i]);
         double slack = a - d, x = slack - 2 * a * pow(sin(theta2 / 2), 2), y = a * sin(theta2);
         fourlink_mechanism m = prepared(a, d, 0, 0, 0);

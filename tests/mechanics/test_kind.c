@@ -129,7 +129,7 @@ TEST(test_half_turn)
     design.kind = FOURLINK_SLIDER_CRANK;
     design.link[FOURLINK_CRANK].length = 0.25;
     design.link[FOURLINK_COUPLER].length = 1;
-    for (i = 0; i < sizeof rods / sizeof rods[0]; i++) {
+    for (i = 0; i < COUNT(rods); i++) {
         design.offset = rods[i].slope;
         assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
         assert_int_equal(fourlink_position(&mechanism, FOURLINK_OPEN, 0, &state), FOURLINK_OK);

@@ -9,7 +9,6 @@
 #include "check.h"
 #include "fourlink.h"
 
-#define PI 3.14159265358979323846
 #define EPS 2.220446049250313e-16
 
 /* A range in degrees. */
@@ -431,7 +430,7 @@ TEST(test_whole_degrees)
     int degree, backwards;
 
     for (backwards = 0; backwards < 2; backwards++)
-        for (k = 0; k < sizeof parts / sizeof parts[0]; k++) {
+        for (k = 0; k < COUNT(parts); k++) {
             fourlink_motion motion =
                 degrees(backwards ? 360 : -360, backwards ? -360 : 360, 1.0 / parts[k], 1, 0);
             fourlink_range range = range_of(&motion);
@@ -488,7 +487,7 @@ TEST(test_bad_motions)
     assert_no_range(NULL, FOURLINK_NULL);
     assert_int_equal(fourlink_motion_range(&good, NULL), FOURLINK_NULL);
     for (field = 0; field < 7; field++)
-        for (i = 0; i < sizeof no_numbers / sizeof no_numbers[0]; i++) {
+        for (i = 0; i < COUNT(no_numbers); i++) {
             double *numbers[7];
 
             bad = good;
@@ -553,7 +552,7 @@ TEST(test_tiny_speeds)
     fourlink_row row;
     size_t i;
 
-    for (i = 0; i < sizeof speeds / sizeof speeds[0]; i++) {
+    for (i = 0; i < COUNT(speeds); i++) {
         motion = degrees(30, 30, 10, speeds[i], 0);
         assert_int_equal(fourlink_motion_at(&motion, 30, &row), FOURLINK_OK);
         assert_true(row.crank.omega2 == speeds[i] && row.time == 0);
@@ -612,7 +611,7 @@ TEST(test_bad_ranges)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         fourlink_motion motion = degrees(0, cases[i].to, 10, cases[i].speed, cases[i].acceleration);
 
         if (cases[i].status == FOURLINK_OK)

@@ -6,8 +6,6 @@
 */
 #include "mechanisms.h"
 
-#define PI 3.14159265358979323846
-
 static fourlink_state at(const fourlink_mechanism *m, fourlink_branch branch, double theta2)
 {
     fourlink_state state;

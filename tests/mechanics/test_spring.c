@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_spring.c - springs and dampers: against an independent solver, against their energy, and angles that count
-** turns against small steps.
+** test_spring.c - springs and dampers: against their energy, and angles that count turns against small steps.
 */
-#include "references.h"
+#include "samples.h"
 
 #define MOST_SPRINGS 4
 
@@ -67,7 +66,7 @@ static sum solve(const sample *s, const fourlink_spring *springs, int n)
     return all;
 }
 
-/* The springs of the reference. */
+/* The springs of tests/expect/springs.deck. */
 static void reference_springs(const fourlink_mechanism *m, fourlink_spring s[4])
 {
     s[0] = spring(m, 4, 1, 800, 0.05, 3, 12);
@@ -81,41 +80,6 @@ static void reference_springs(const fourlink_mechanism *m, fourlink_spring s[4])
     s[1].to_at.x = 0.005;
     s[2] = torsional(m, 4, 1, 1.5, 100 * DEG, 0.1, 0.02);
     s[3] = torsional(m, 4, 3, 0.4, 60 * DEG, 0, 0.005);
-}
-
-TEST(test_reference)
-{
-    static const double references[2][12] = {
-        {40, -13.94686838673, -7.086571136206, -10.61334679921, -3.124365680511, 0.08786954953999,
-         -13.1545732336, -10.57067977369, 3.211834601652, -0.06384142989009, 1.182805882024,
-         -5.875971398654},
-        {200, -49.93688821903, -28.36620084402, -49.4658454506, -27.74488399605, 0.1805714555034,
-         -50.50803964291, -32.60640095075, 26.31611054824, 3.956141882121, -0.7133737203754,
-         -6.846847433245}};
-    fourlink_spring springs[4];
-    int i;
-
-    for (i = 0; i < 2; i++) {
-        const double *r = references[i];
-        sample s = rocker(r[0]);
-        sum all;
-
-        assert_int_equal(move(&s), FOURLINK_OK);
-        reference_springs(&s.mechanism, springs);
-        all = solve(&s, springs, 4);
-        assert_close(all.f.F12x, r[1], 1e-9);
-        assert_close(all.f.F12y, r[2], 1e-9);
-        assert_close(all.f.F23x, r[3], 1e-9);
-        assert_close(all.f.F23y, r[4], 1e-9);
-        assert_close(all.f.Ts, r[5], 1e-9);
-        assert_close(all.f.F34x, r[6], 1e-9);
-        assert_close(all.f.F34y, r[7], 1e-9);
-        assert_close(all.f.F14x, r[8], 1e-9);
-        assert_close(all.f.F14y, r[9], 1e-9);
-        assert_close(-all.f.F12x - all.f.F14x + all.ground.x, r[10], 1e-9);
-        assert_close(-all.f.F12y - all.f.F14y + all.ground.y, r[11], 1e-9);
-        assert_near(all.f.residual, 0, 1e-13);
-    }
 }
 
 /* Any machine with springs of all sorts. */

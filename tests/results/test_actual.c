@@ -34,16 +34,6 @@
     "= 25 mm\ncg = 30 mm at 10 deg\n[rocker]\nlength = 56 mm\nmass = 0.25 kg\ngyration = " \
     "20 mm\ncg = 28 mm at -5 deg\n"
 
-static double value_at(fourlink_results *r, const char *name, double angle)
-{
-    fourlink_value v;
-    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
-
-    if (status != FOURLINK_OK)
-        fail_msg("%s at %g: %s", name, angle, fourlink_status_text(status));
-    return v.value;
-}
-
 static fourlink_instant row_of(fourlink_results *r, unsigned long i)
 {
     fourlink_instant at;
@@ -226,7 +216,7 @@ TEST(test_second_opinion)
     double theta2 = 0, y[2] = {12.5, 0};
     size_t i;
 
-    for (i = 1; i < sizeof corners / sizeof corners[0]; i++) {
+    for (i = 1; i < COUNT(corners); i++) {
         gsl_odeiv2_driver_reset(driver);
         assert_int_equal(gsl_odeiv2_driver_apply(driver, &theta2, corners[i] * DEG, y),
                          GSL_SUCCESS);
@@ -368,7 +358,7 @@ TEST(test_small_flywheels)
     double last = 0, fluctuation;
     size_t i;
 
-    for (i = 0; i < sizeof sample / sizeof sample[0]; i++) {
+    for (i = 0; i < COUNT(sample); i++) {
         fourlink_results *r = opened(print("%s[flywheel]\ninertia = %g kg m2\n%s",
                                            PUMP FORCE FAN BALANCED, sample[i].inertia, TEN));
 

@@ -5,7 +5,6 @@
 */
 #include "machines.h"
 
-#define COUNT(table) (sizeof table / sizeof table[0])
 #define MOST_COLUMNS 200
 
 #define UNITS                                                                                 \
@@ -289,39 +288,36 @@ TEST(test_values)
     check_values(gas_engine(UNITS), of_engine);
 }
 
-static double value_at(fourlink_results *r, const char *name)
+static double at_70(fourlink_results *r, const char *name)
 {
-    fourlink_value v;
-
-    assert_int_equal(fourlink_results_value(r, name, FOURLINK_OPEN, 70, &v), FOURLINK_OK);
-    return v.value * v.to_si;
+    return si_value(r, name, FOURLINK_OPEN, 70);
 }
 
 /* Columns made of two numbers, and those of a point. */
 TEST(test_composed_values)
 {
     fourlink_results *r = opened(linkage("[units]\nforce = kN\nlength = mm\npower = kW\n"));
-    double x = value_at(r, "F12x"), y = value_at(r, "F12y");
+    double x = at_70(r, "F12x"), y = at_70(r, "F12y");
     fourlink_vector at = {0.040, 0.025}, p, v, a;
     fourlink_instant instant;
 
-    assert_close(value_at(r, "F12"), hypot(x, y), 1e-14);
-    assert_close(value_at(r, "F12_dir"), atan2(y, x), 1e-14);
-    assert_close(value_at(r, "power"), 10 * value_at(r, "Ts"), 1e-14);
+    assert_close(at_70(r, "F12"), hypot(x, y), 1e-14);
+    assert_close(at_70(r, "F12_dir"), atan2(y, x), 1e-14);
+    assert_close(at_70(r, "power"), 10 * at_70(r, "Ts"), 1e-14);
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &instant, NULL), FOURLINK_OK);
     assert_int_equal(fourlink_point(&instant.state, 3, &at, &p, &v, &a), FOURLINK_OK);
-    assert_close(value_at(r, "P.x"), p.x, 1e-14);
-    assert_close(value_at(r, "P.y"), p.y, 1e-14);
-    assert_close(value_at(r, "P.vx"), v.x, 1e-14);
-    assert_close(value_at(r, "P.vy"), v.y, 1e-14);
-    assert_close(value_at(r, "P.ax"), a.x, 1e-14);
-    assert_close(value_at(r, "P.ay"), a.y, 1e-14);
-    assert_close(value_at(r, "P.v"), hypot(v.x, v.y), 1e-14);
-    assert_close(value_at(r, "P.a"), hypot(a.x, a.y), 1e-14);
+    assert_close(at_70(r, "P.x"), p.x, 1e-14);
+    assert_close(at_70(r, "P.y"), p.y, 1e-14);
+    assert_close(at_70(r, "P.vx"), v.x, 1e-14);
+    assert_close(at_70(r, "P.vy"), v.y, 1e-14);
+    assert_close(at_70(r, "P.ax"), a.x, 1e-14);
+    assert_close(at_70(r, "P.ay"), a.y, 1e-14);
+    assert_close(at_70(r, "P.v"), hypot(v.x, v.y), 1e-14);
+    assert_close(at_70(r, "P.a"), hypot(a.x, a.y), 1e-14);
     fourlink_results_free(r);
     r = opened(gas_engine(""));
-    assert_near(value_at(r, "x_diff"), value_at(r, "x_series") - value_at(r, "x"), 1e-16);
-    assert_near(value_at(r, "v_diff"), value_at(r, "v_series") - value_at(r, "v"), 1e-14);
+    assert_near(at_70(r, "x_diff"), at_70(r, "x_series") - at_70(r, "x"), 1e-16);
+    assert_near(at_70(r, "v_diff"), at_70(r, "v_series") - at_70(r, "v"), 1e-14);
     fourlink_results_free(r);
 }
 
@@ -345,7 +341,7 @@ static void check_point(fourlink_results *r, const char *name, int link, double 
     expected[6] = hypot(v.x, v.y);
     expected[7] = hypot(a.x, a.y);
     for (i = 0; i < 8; i++)
-        assert_near(value_at(r, print("%s%s", name, endings[i])), expected[i],
+        assert_near(at_70(r, print("%s%s", name, endings[i])), expected[i],
                     1e-13 * (1 + fabs(expected[i])));
 }
 
@@ -380,7 +376,7 @@ TEST(test_points_of_every_deck)
     check_point(r, "C", 4, 0, 0);
     check_point(r, "C", 3, 0.45, 0);
     check_point(r, "G4", 4, 0, 0);
-    assert_near(value_at(r, "C.vx"), -value_at(r, "v"), 1e-14);
+    assert_near(at_70(r, "C.vx"), -at_70(r, "v"), 1e-14);
     fourlink_results_free(r);
     r = opened(lever(""));
     check_point(r, "B", 3, 0, 0);

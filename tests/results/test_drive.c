@@ -17,19 +17,9 @@
 #define RUN_UP "[motion]\nmode = run-up\nturns = 2\ninterval = 45 deg\n"
 #define STEADY "[motion]\nmode = steady\ninterval = 45 deg\n"
 
-static fourlink_value value_at(fourlink_results *r, const char *name, double angle)
-{
-    fourlink_value v;
-    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
-
-    if (status != FOURLINK_OK)
-        fail_msg("%s: %s", name, fourlink_status_text(status));
-    return v;
-}
-
 static void check_value(fourlink_results *r, const char *name, double angle, double expected)
 {
-    double computed = value_at(r, name, angle).value;
+    double computed = value_at(r, name, angle);
 
     if (!(fabs(computed - expected) <= 1e-9 * fabs(expected)))
         fail_msg("%s at %g: %.13g, expected %.13g", name, angle, computed, expected);
@@ -69,14 +59,14 @@ TEST(test_run_up)
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_OK);
     assert_near(angle, 720, 0);
     /* reached between the rows, at the mean of the steady motion */
-    assert_in_range(value_at(r, "run_up_time", 0).value * 1e4, 900, 1000);
-    assert_true(fabs(value_at(r, "energy_residual", 720).value) < 1e-12);
+    assert_in_range(value_at(r, "run_up_time", 0) * 1e4, 900, 1000);
+    assert_true(fabs(value_at(r, "energy_residual", 720)) < 1e-12);
     /* the torque that the shaft brings to the crank */
-    assert_close(value_at(r, "Ts", 30).value,
-                 value_at(r, "T_motor", 30).value - 0.5 * value_at(r, "alpha2", 30).value, 1e-11);
-    assert_close(value_at(r, "energy", 30).value,
-                 0.5 * (0.5 + value_at(r, "J", 30).value) * value_at(r, "omega2", 30).value *
-                     value_at(r, "omega2", 30).value,
+    assert_close(value_at(r, "Ts", 30),
+                 value_at(r, "T_motor", 30) - 0.5 * value_at(r, "alpha2", 30), 1e-11);
+    assert_close(value_at(r, "energy", 30),
+                 0.5 * (0.5 + value_at(r, "J", 30)) * value_at(r, "omega2", 30) *
+                     value_at(r, "omega2", 30),
                  1e-11);
     fourlink_results_free(r);
 }
@@ -92,17 +82,16 @@ TEST(test_steady)
     check_row(r, 180, at_180);
     check_value(r, "period", 0, 0.5610716958147);
     check_value(r, "mean_speed", 0, 2 * M_PI / 0.5610716958147);
-    assert_close(value_at(r, "steady_rate", 0).value, 4.48615e-05, 1e-6);
-    max = value_at(r, "max(omega2)", 0).value;
-    min = value_at(r, "min(omega2)", 0).value;
-    assert_close(value_at(r, "mean_speed_textbook", 0).value, (max + min) / 2, 1e-9);
-    assert_close(value_at(r, "fluctuation_exact", 0).value,
-                 (max - min) / value_at(r, "mean_speed", 0).value, 1e-9);
+    assert_close(value_at(r, "steady_rate", 0), 4.48615e-05, 1e-6);
+    max = value_at(r, "max(omega2)", 0);
+    min = value_at(r, "min(omega2)", 0);
+    assert_close(value_at(r, "mean_speed_textbook", 0), (max + min) / 2, 1e-9);
+    assert_close(value_at(r, "fluctuation_exact", 0), (max - min) / value_at(r, "mean_speed", 0),
+                 1e-9);
     /* beside it, the textbooks' from the turning moment at the mean speed */
-    assert_close(value_at(r, "flywheel_fluctuation", 0).value,
-                 value_at(r, "energy_fluctuation", 0).value /
-                     (0.5 * pow(value_at(r, "mean_speed", 0).value, 2)),
-                 1e-12);
+    assert_close(
+        value_at(r, "flywheel_fluctuation", 0),
+        value_at(r, "energy_fluctuation", 0) / (0.5 * pow(value_at(r, "mean_speed", 0), 2)), 1e-12);
     assert_int_equal(status_of(r, "run_up_time", 0), FOURLINK_NO_SUCH_FACT);
     assert_int_equal(status_of(r, "stall_angle", 0), FOURLINK_NO_SUCH_FACT);
     fourlink_results_free(r);
@@ -116,7 +105,7 @@ TEST(test_ends)
     fourlink_instant at;
 
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_STALLS);
-    assert_close(value_at(r, "stall_angle", 0).value, angle, 1e-15);
+    assert_close(value_at(r, "stall_angle", 0), angle, 1e-15);
     assert_in_range(angle * 10, 2905, 2906);
     assert_int_equal(status_of(r, "omega2", 280), FOURLINK_OK);
     assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 7, values, &at, NULL), FOURLINK_STALLS);
@@ -163,7 +152,7 @@ TEST(test_steady_motion_that_is_not_reached)
     char deck[2000];
     size_t i, k;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         int is_steady = cases[i].motion[0] == 's';
         fourlink_results *r;
         fourlink_value v;
@@ -173,7 +162,7 @@ TEST(test_steady_motion_that_is_not_reached)
                 "[motion]\nmode = %s\ninterval = 45 deg\n",
                 PUMP, cases[i].stall_torque, cases[i].motion);
         r = opened(deck);
-        for (k = 0; k < sizeof names / sizeof names[0] - (size_t)is_steady; k++) {
+        for (k = 0; k < COUNT(names) - (size_t)is_steady; k++) {
             v.value = 7;
             if (fourlink_results_value(r, names[k], FOURLINK_OPEN, 0, &v) != cases[i].ends)
                 fail_msg("case %d: %s = %g", (int)i, names[k], v.value);
@@ -190,19 +179,19 @@ TEST(test_wanted_flywheel)
     char deck[2000];
     size_t i;
 
-    for (i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
+    for (i = 0; i < COUNT(wanted); i++) {
         fourlink_results *r;
         double inertia;
 
         sprintf(deck, "%s[flywheel]\nfluctuation = %.17g\nexact = yes\n%s", PUMP MOTOR, wanted[i],
                 STEADY);
         r = opened(deck);
-        assert_close(value_at(r, "fluctuation_exact", 0).value, wanted[i], 1e-9);
-        inertia = value_at(r, "flywheel_inertia", 0).value;
+        assert_close(value_at(r, "fluctuation_exact", 0), wanted[i], 1e-9);
+        inertia = value_at(r, "flywheel_inertia", 0);
         fourlink_results_free(r);
         sprintf(deck, "%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP MOTOR, inertia, STEADY);
         r = opened(deck);
-        assert_close(value_at(r, "fluctuation_exact", 0).value, wanted[i], 1e-8);
+        assert_close(value_at(r, "fluctuation_exact", 0), wanted[i], 1e-8);
         fourlink_results_free(r);
     }
     /* without a flywheel it fluctuates less */
@@ -210,8 +199,8 @@ TEST(test_wanted_flywheel)
     {
         fourlink_results *r = opened(deck);
 
-        assert_true(value_at(r, "fluctuation_exact", 0).value < 1);
-        assert_near(value_at(r, "flywheel_inertia", 0).value, 0, 0);
+        assert_true(value_at(r, "fluctuation_exact", 0) < 1);
+        assert_near(value_at(r, "flywheel_inertia", 0), 0, 0);
         fourlink_results_free(r);
     }
 }
@@ -228,7 +217,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
     double inertia, omega;
     size_t i;
 
-    for (i = 0; i < sizeof ratios / sizeof ratios[0]; i++) {
+    for (i = 0; i < COUNT(ratios); i++) {
         const double at_crank = ratios[i] * ratios[i] * rotor;
         char motor[200];
 
@@ -238,23 +227,23 @@ TEST(test_wanted_flywheel_beside_a_rotor)
                 120 / ratios[i], 14 * ratios[i], rotor, ratios[i]);
         sprintf(deck, "%s%s[flywheel]\nfluctuation = 0.1\nexact = yes\n%s", PUMP, motor, STEADY);
         r = opened(deck);
-        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-9);
-        inertia = value_at(r, "flywheel_inertia", 0).value;
-        omega = value_at(r, "mean_speed", 0).value;
+        assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-9);
+        inertia = value_at(r, "flywheel_inertia", 0);
+        omega = value_at(r, "mean_speed", 0);
         assert_true(omega > 0);
         assert_int_equal(fourlink_results_turning(r, FOURLINK_OPEN, &t), FOURLINK_OK);
         assert_near(t.inertia, inertia, 0);
         assert_close(t.fluctuation, t.energy_fluctuation / ((inertia + at_crank) * omega * omega),
                      1e-12);
-        assert_near(value_at(r, "flywheel_fluctuation", 0).value, t.fluctuation, 0);
+        assert_near(value_at(r, "flywheel_fluctuation", 0), t.fluctuation, 0);
         /* what the shaft outside the crank takes of the motor's torque */
-        assert_close(value_at(r, "T_motor", 30).value - value_at(r, "Ts", 30).value,
-                     (inertia + at_crank) * value_at(r, "alpha2", 30).value, 1e-9);
+        assert_close(value_at(r, "T_motor", 30) - value_at(r, "Ts", 30),
+                     (inertia + at_crank) * value_at(r, "alpha2", 30), 1e-9);
         fourlink_results_free(r);
         sprintf(deck, "%s%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP, motor, inertia, STEADY);
         r = opened(deck);
-        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-8);
-        assert_near(value_at(r, "flywheel_inertia", 0).value, inertia, 0);
+        assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-8);
+        assert_near(value_at(r, "flywheel_inertia", 0), inertia, 0);
         fourlink_results_free(r);
         /* a rotor that has the inertia of both */
         sprintf(deck,
@@ -262,8 +251,8 @@ TEST(test_wanted_flywheel_beside_a_rotor)
                 "inertia = %.17g kg m2\n[flywheel]\nfluctuation = 0.11\nexact = yes\n%s",
                 PUMP, inertia + at_crank, STEADY);
         r = opened(deck);
-        assert_near(value_at(r, "flywheel_inertia", 0).value, 0, 0);
-        assert_close(value_at(r, "fluctuation_exact", 0).value, 0.1, 1e-8);
+        assert_near(value_at(r, "flywheel_inertia", 0), 0, 0);
+        assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-8);
         assert_int_equal(fourlink_results_turning(r, FOURLINK_OPEN, &t), FOURLINK_OK);
         assert_true(t.inertia == 0 && t.fluctuation > 0.09);
         fourlink_results_free(r);
@@ -271,7 +260,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
         sprintf(deck, "%s%s%s", PUMP, motor, STEADY);
         r = opened(deck);
         assert_int_equal(status_of(r, "flywheel_inertia", 0), FOURLINK_NO_SUCH_FACT);
-        assert_true(value_at(r, "flywheel_fluctuation", 0).value > 0);
+        assert_true(value_at(r, "flywheel_fluctuation", 0) > 0);
         fourlink_results_free(r);
     }
 }
@@ -284,10 +273,10 @@ TEST(test_balancing_motor)
     double exact, textbook;
 
     check_value(r, "mean_speed", 0, 12);
-    assert_close(value_at(r, "period", 0).value, 2 * M_PI / 12, 1e-9);
-    assert_close(value_at(r, "motor_torque", 0).value, value_at(r, "T_motor", 100).value, 1e-12);
-    exact = value_at(r, "fluctuation_exact", 0).value;
-    textbook = value_at(r, "flywheel_fluctuation", 0).value;
+    assert_close(value_at(r, "period", 0), 2 * M_PI / 12, 1e-9);
+    assert_close(value_at(r, "motor_torque", 0), value_at(r, "T_motor", 100), 1e-12);
+    exact = value_at(r, "fluctuation_exact", 0);
+    textbook = value_at(r, "flywheel_fluctuation", 0);
     assert_in_range(1e6 * fabs(exact / textbook - 1), 10, 30000);
     fourlink_results_free(r);
 }

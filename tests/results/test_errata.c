@@ -9,8 +9,6 @@
 
 #include <gsl/gsl_linalg.h>
 
-#define PI (180 * DEG)
-
 /* Alvi's example, sections 4.1 and 5.1: mm, rad/s. */
 static const double a = 20, b = 66, c = 56, d = 80, omega = 10.5;
 

@@ -7,8 +7,6 @@
 #define OK FOURLINK_AGREES
 #define DIFFERS FOURLINK_DIFFERS
 
-#define COUNT(table) (sizeof table / sizeof table[0])
-
 /* The checks of an opened deck, all of them; they are there until its results are freed. */
 typedef struct taken {
     unsigned long n;

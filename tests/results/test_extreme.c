@@ -175,7 +175,7 @@ TEST(test_extremes_of_an_angle_over_a_gap)
     size_t i;
     fourlink_results *r;
 
-    for (i = 0; i < sizeof motions / sizeof motions[0]; i++) {
+    for (i = 0; i < COUNT(motions); i++) {
         fourlink_value open, crossed;
 
         r = opened(four_bar(a, b, c, d, print("[motion]\n%s", motions[i])));
@@ -225,7 +225,7 @@ TEST(test_extremes_of_an_engine_in_closed_form)
     size_t i, j;
     int k;
 
-    for (i = 0; i < sizeof ratios / sizeof ratios[0]; i++) {
+    for (i = 0; i < COUNT(ratios); i++) {
         double n = ratios[i], length = 0.15, omega = 12, low = 0, high = 1, s, t, v, mu;
         fourlink_results *r = opened(slider_crank(length, n * length, 0, revolution(omega)));
 
@@ -259,7 +259,7 @@ TEST(test_extremes_of_an_engine_in_closed_form)
                          {"x_harmonic", 1, 2 * length, 2e-9 * length, 0, 0},
                          {"v_harmonic", 1, length * omega, 1e-9 * length * omega, 0, 0}};
 
-            for (j = 0; j < sizeof cases / sizeof cases[0]; j++) {
+            for (j = 0; j < COUNT(cases); j++) {
                 fourlink_value e = extreme_of(r, cases[j].column, branches[k], cases[j].sign);
 
                 assert_near(e.value, cases[j].value, cases[j].tolerance);
@@ -573,7 +573,7 @@ TEST(test_extremes_beyond_all_bounds)
     size_t i;
     int k;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++)
+    for (i = 0; i < COUNT(cases); i++)
         for (k = 0; k < 2; k++) {
             fourlink_value e = extreme_of(r, cases[i].column, branches[k], cases[i].sign);
 
@@ -594,7 +594,7 @@ TEST(test_extremes_where_the_links_never_reach)
     size_t i;
     int k;
 
-    for (i = 0; i < sizeof names / sizeof names[0]; i++)
+    for (i = 0; i < COUNT(names); i++)
         for (k = 0; k < 2; k++) {
             fourlink_value e = {0}, before = e;
 

@@ -5,8 +5,6 @@
 */
 #include "machines.h"
 
-#define COUNT(table) (sizeof table / sizeof table[0])
-
 #define BAR 1e5
 
 /* At these crank angles the card of the tests has a point, so that its value is exact. */
@@ -44,15 +42,6 @@ static char *deck_of(const cylinder *c, const char *links, const char *more)
                  c->d, c->a, c->slide, links, more);
 }
 
-static double value_at(fourlink_results *r, const char *name, fourlink_branch branch, double angle)
-{
-    fourlink_value v;
-
-    if (fourlink_results_value(r, name, branch, angle, &v) != FOURLINK_OK)
-        fail_msg("no %s at %g deg", name, angle);
-    return v.value * v.to_si;
-}
-
 /* d BD'/d theta2 for D' the foot of the perpendicular from D to the slide: BD'^2 = BD^2 - h^2 and
 ** BD^2 = a^2 + d^2 - 2 a d cos(theta2).  Open: B is on the positive side of D'. */
 static double growth(const cylinder *c, fourlink_branch branch, double theta2)
@@ -76,15 +65,15 @@ static void check_card(const cylinder *c, const char *links, const char *gas, do
         for (k = 0; k < 2; k++) {
             double at = card[i].theta2, F = (card[i].bar * area - back_bar * back_area) * BAR;
             double way = growth(c, branches[k], at * PI / 180), scale = fabs(F) * c->a;
-            double Ts = value_at(with, "Ts", branches[k], at);
+            double Ts = si_value(with, "Ts", branches[k], at);
             fourlink_instant instant;
 
             if (without)
-                Ts -= value_at(without, "Ts", branches[k], at);
-            assert_close(value_at(with, "gas_force", branches[k], at), F, 1e-14);
-            assert_near(value_at(with, "slide_v", branches[k], at), 12 * way, 1e-14);
+                Ts -= si_value(without, "Ts", branches[k], at);
+            assert_close(si_value(with, "gas_force", branches[k], at), F, 1e-14);
+            assert_near(si_value(with, "slide_v", branches[k], at), 12 * way, 1e-14);
             assert_near(Ts, -F * way, 1e-12 * (scale + 10));
-            assert_true(value_at(with, "residual", branches[k], at) < 1e-12);
+            assert_true(si_value(with, "residual", branches[k], at) < 1e-12);
             assert_int_equal(fourlink_results_at(with, branches[k], at, NULL, &instant, NULL),
                              FOURLINK_OK);
             assert_close(instant.gas_force, F, 1e-14);
@@ -123,7 +112,7 @@ TEST(test_work_of_a_turn)
     for (i = 0; i < n; i++) {
         double at = 360. * i / n;
 
-        work += value_at(list.results, "gas_force", FOURLINK_OPEN, at) *
+        work += si_value(list.results, "gas_force", FOURLINK_OPEN, at) *
                 growth(c, FOURLINK_OPEN, at * PI / 180) * 2 * PI / n;
     }
     check_fact(&list, "mean_torque", FOURLINK_OPEN, work / (2 * PI), 1e-6 * fabs(work));
@@ -165,7 +154,7 @@ TEST(test_who_has_it)
     r = opened(
         "mechanism = slider-crank\n[crank]\nlength = 0.1 m\n[rod]\nlength = 0.3 m\nmass = 1 kg\n"
         "cg = (100, 20) mm\n[gas]\nbore = 80 mm\npressure = 2 bar\n[motion]\nspeed = 1 rad/s\n");
-    assert_close(value_at(r, "gas_force", FOURLINK_OPEN, 30), 2 * BAR * PI / 4 * 0.0064, 1e-14);
+    assert_close(si_value(r, "gas_force", FOURLINK_OPEN, 30), 2 * BAR * PI / 4 * 0.0064, 1e-14);
     assert_int_equal(fourlink_results_value(r, "piston_effort", FOURLINK_OPEN, 30, &v),
                      FOURLINK_NO_SUCH_NAME);
     fourlink_results_free(r);

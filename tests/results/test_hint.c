@@ -7,8 +7,6 @@
 #define OK FOURLINK_AGREES
 #define DIFFERS FOURLINK_DIFFERS
 
-#define COUNT(table) (sizeof table / sizeof table[0])
-
 /* An engine of n = l / r, in millimetres; 8 lines. */
 static char *engine(double rod, const char *expectations)
 {

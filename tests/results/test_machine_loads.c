@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** test_machine_loads.c - decks with springs, dampers, friction, loads over positions and speeds, and counterweights:
-** values of an independent solver by name, extremes and means against dense scans, and mistakes.
+** balances, extremes and means against dense scans, and mistakes.
 */
 #include "machines.h"
 
@@ -64,41 +64,7 @@
 
 static double value(fourlink_results *r, const char *name, double angle)
 {
-    fourlink_value v;
-    int status = fourlink_results_value(r, name, FOURLINK_OPEN, angle, &v);
-
-    if (status != FOURLINK_OK)
-        fail_msg("%s: %s", name, fourlink_status_text(status));
-    return v.value * v.to_si;
-}
-
-static void check_value(const char *contents, const char *name, double angle, double expected)
-{
-    fourlink_results *r = opened(contents);
-    double computed = value(r, name, angle);
-
-    if (!(fabs(computed - expected) <= 1e-9 * fabs(expected)))
-        fail_msg("%s at %g: %.13g, expected %.13g", name, angle, computed, expected);
-    fourlink_results_free(r);
-}
-
-TEST(test_references)
-{
-    check_value(ROCKER SPRINGS, "Ts", 40, 0.08786954953999);
-    check_value(ROCKER SPRINGS, "F34x", 40, -13.1545732336);
-    check_value(ROCKER SPRINGS, "Fsx", 40, 1.182805882024);
-    check_value(ROCKER SPRINGS, "Fs", 200, 6.883910359604);
-    check_value("solver = dyad\n" ROCKER SPRINGS, "F14y", 200, 3.956141882121);
-    check_value(ROCKER PINS, "Ts", 110, -0.1953021404763);
-    check_value(ROCKER PINS, "Ts0", 110, -0.2127901021527);
-    check_value(ROCKER PINS, "power_friction", 110, 0.1836235976018);
-    check_value(ROCKER PINS, "efficiency", 290, 0.9055786819015);
-    check_value(ROCKER PINS, "Fs", 290, 7.047428567704);
-    check_value("solver = dyad\n" LEVER, "Ts", 35, 8.905418404292);
-    check_value(LEVER, "N34", 35, -113.118331184);
-    check_value(LEVER, "power_friction", 205, 1.770166732683);
-    check_value(LEVER, "Fs", 205, 167.1630267304);
-    check_value(LEVER, "friction_guide", 35, 0.12 * 113.118331184);
+    return si_value(r, name, FOURLINK_OPEN, angle);
 }
 
 /* The shaking moment of springs and friction: the ground's part of all torques about A, by the balance of the whole
@@ -235,7 +201,7 @@ TEST(test_scans)
                                         "F34",        "Fs",         "efficiency"};
     size_t i;
 
-    for (i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (i = 0; i < COUNT(names); i++) {
         compare_rows(ROCKER PINS, names[i]);
         compare_rows(LEVER, names[i]);
         compare_rows(PUMP PUMP_FRICTION, names[i]);
@@ -497,7 +463,7 @@ TEST(test_mistakes)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         fourlink_source source = deck_source(print("%s%s", BARE, cases[i].more));
         fourlink_results *r;
         fourlink_mistake mistakes[4];

@@ -7,8 +7,6 @@
 
 #include "machines.h"
 
-#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
-
 static int status_of(const char *contents, const char *name, fourlink_branch branch,
                      fourlink_value *v)
 {
@@ -236,28 +234,6 @@ TEST(test_turning_angles)
     }
     check_value(contents, "mean(theta4)", FOURLINK_OPEN, (double)(sum / STEPS), 1e-3);
     check_value(contents, "rms(theta4)", FOURLINK_OPEN, sqrt((double)(squares / STEPS)), 1e-3);
-}
-
-/* From rest omega^2 = 2 alpha theta: its mean is half of the last, that of omega two thirds. */
-TEST(test_start_from_rest)
-{
-    const char *start =
-        four_bar(0.02, 0.066, 0.056, 0.08, "[motion]\nacceleration = 3 rad/s2\nto = 90 deg\n");
-    double last = sqrt(2 * 3 * PI / 2);
-
-    check_value(start, "mean(omega2)", FOURLINK_OPEN, last * 2 / 3, 1e-10);
-    check_value(start, "rms(omega2)", FOURLINK_OPEN, last / sqrt(2), 1e-10);
-    check_value(start, "mean(alpha2)", FOURLINK_OPEN, 3, 1e-12);
-    check_value(start, "mean(time)", FOURLINK_OPEN, last / 3 * 2 / 3, 1e-10);
-}
-
-TEST(test_one_instant)
-{
-    const char *instant = four_bar(0.02, 0.066, 0.056, 0.08,
-                                   "[motion]\nspeed = -3 rad/s\nfrom = 40 deg\nto = 40 deg\n");
-
-    check_value(instant, "mean(omega2)", FOURLINK_OPEN, -3, 0);
-    check_value(instant, "rms(omega2)", FOURLINK_OPEN, 3, 0);
 }
 
 /* ---- where there is none */

@@ -4,7 +4,6 @@
 */
 #include "machines.h"
 
-#define COUNT(table) (sizeof table / sizeof table[0])
 #define MOST_COLUMNS 200
 #define MOST_LOADS 10
 

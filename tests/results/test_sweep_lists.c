@@ -4,8 +4,6 @@
 */
 #include "machines.h"
 
-#define COUNT(table) (sizeof table / sizeof table[0])
-
 static char *linkage(const char *more)
 {
     return four_bar(0.020, 0.066, 0.056, 0.080,
