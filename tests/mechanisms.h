@@ -8,6 +8,30 @@
 #include "check.h"
 #include "fourlink.h"
 
+static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+
+static inline fourlink_design design_of(double a, double b, double c, double d)
+{
+    fourlink_design design;
+
+    memset(&design, 0, sizeof design);
+    design.kind = FOURLINK_FOUR_BAR;
+    design.link[FOURLINK_GROUND].length = d;
+    design.link[FOURLINK_CRANK].length = a;
+    design.link[FOURLINK_COUPLER].length = b;
+    design.link[FOURLINK_FOLLOWER].length = c;
+    return design;
+}
+
+static inline fourlink_mechanism four_bar(double a, double b, double c, double d)
+{
+    fourlink_design design = design_of(a, b, c, d);
+    fourlink_mechanism mechanism;
+
+    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
+    return mechanism;
+}
+
 static inline fourlink_mechanism slider_crank(double r, double l, double e)
 {
     fourlink_mechanism mechanism;

@@ -151,6 +151,29 @@ static inline void list(const fourlink_forces *f, double arm, double value[N_FOR
     value[9] = f->Ts / arm;
 }
 
+static inline double largest(const fourlink_forces *f, double arm)
+{
+    double value[N_FORCES], max = 0;
+    int i;
+
+    list(f, arm, value);
+    for (i = 0; i < N_FORCES; i++)
+        max = fmax(max, fabs(value[i]));
+    return max;
+}
+
+static inline void assert_same_forces(const fourlink_forces *actual,
+                                      const fourlink_forces *expected, double arm, double tolerance)
+{
+    double a[N_FORCES], e[N_FORCES];
+    int i;
+
+    list(actual, arm, a);
+    list(expected, arm, e);
+    for (i = 0; i < N_FORCES; i++)
+        assert_near(a[i], e[i], tolerance);
+}
+
 static inline void assert_finite(const fourlink_forces *f)
 {
     double value[N_FORCES];
@@ -196,6 +219,15 @@ static inline void try_bad_loads(const sample *s, fourlink_load loads[2],
             assert_refused(s, loads, 2, FOURLINK_BAD_NUMBER);
             *numbers[field] = 0;
         }
+}
+
+/* A handler of GSL's errors that counts them. */
+static int handled;
+
+static inline void count_in_gsl(const char *reason, const char *file, int line, int error)
+{
+    (void)reason, (void)file, (void)line, (void)error;
+    handled++;
 }
 
 #endif

@@ -4,8 +4,6 @@
 */
 #include <stdlib.h>
 
-#include <gsl/gsl_errno.h>
-
 #include "check.h"
 #include "read.h"
 
@@ -1466,14 +1464,7 @@ TEST(test_most_rows)
     flk_deck_free(&d);
 }
 
-/* The host's error handler of GSL, which is never to be reached. */
-static void handler(const char *reason, const char *file, int line, int code)
-{
-    fail_msg("GSL: %s (%s:%d, %d)", reason, file, line, code);
-}
-
 int main(void)
 {
-    gsl_set_error_handler(handler);
-    return run_all_tests(NULL);
+    return run_all_tests(watch_gsl);
 }

@@ -4,16 +4,7 @@
 ** the exact formulas, the two masses of the rod against the conditions they are to meet, the engine
 ** method against the nine equations, Klein's construction against circles.
 */
-#include "check.h"
-#include "fourlink.h"
-
-typedef struct sample {
-    fourlink_design design;
-    fourlink_mechanism mechanism;
-    fourlink_branch branch;
-    fourlink_crank crank;
-    fourlink_state state;
-} sample;
+#include "samples.h"
 
 static int solve(sample *s)
 {
@@ -401,8 +392,6 @@ static fourlink_klein klein_of(const sample *s)
     return klein;
 }
 
-#define MOST_LOADS 4
-
 typedef struct engine_sample {
     sample s;
     double gas;
@@ -700,7 +689,7 @@ TEST(test_approximations)
 
 enum { N_QUANTITIES = 13 };
 
-static void list(const fourlink_engine *e, double value[N_QUANTITIES])
+static void quantities(const fourlink_engine *e, double value[N_QUANTITIES])
 {
     value[0] = e->gas_force;
     value[1] = e->inertia_force;
@@ -744,8 +733,8 @@ static void assert_same_engine(const engine_sample *e, double half_turn, double 
     assert_int_equal(fourlink_engine_method(&s.mechanism, &s.state, e->gas, load, e->n_loads,
                                             FOURLINK_EXACT, &engine),
                      FOURLINK_OK);
-    list(&e->engine, a);
-    list(&engine, b);
+    quantities(&e->engine, a);
+    quantities(&engine, b);
     /* torques and what points along y change sign in a mirror, what points along y in a half
     ** turn */
     for (k = 0; k < N_QUANTITIES; k++)

@@ -8,30 +8,6 @@
 
 #define EPS 2.220446049250313e-16
 
-static const fourlink_branch both[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-
-static fourlink_design design_of(double a, double b, double c, double d)
-{
-    fourlink_design design;
-
-    memset(&design, 0, sizeof design);
-    design.kind = FOURLINK_FOUR_BAR;
-    design.link[FOURLINK_GROUND].length = d;
-    design.link[FOURLINK_CRANK].length = a;
-    design.link[FOURLINK_COUPLER].length = b;
-    design.link[FOURLINK_FOLLOWER].length = c;
-    return design;
-}
-
-static fourlink_mechanism four_bar(double a, double b, double c, double d)
-{
-    fourlink_design design = design_of(a, b, c, d);
-    fourlink_mechanism mechanism;
-
-    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
-    return mechanism;
-}
-
 static fourlink_state at(const fourlink_mechanism *mechanism, fourlink_branch branch, double theta2,
                          double omega2, double alpha2)
 {
@@ -77,7 +53,7 @@ static void draw(uint64_t *seed, double smallest_sine, sample *s)
         s->theta2 = uniform(seed, -3 * PI, 3 * PI);
         s->omega2 = uniform(seed, -20, 20);
         s->alpha2 = uniform(seed, -200, 200);
-        s->branch = both[uniform(seed, 0, 1) < 0.5];
+        s->branch = branches[uniform(seed, 0, 1) < 0.5];
         s->mechanism = four_bar(s->a, s->b, s->c, s->d);
     } while (analyse(&s->mechanism, s->branch, s->theta2, s->omega2, s->alpha2, &s->state) !=
                  FOURLINK_OK ||
@@ -447,8 +423,8 @@ TEST(test_deltoid_about_AC)
         for (k = 0; k < 2; k++) {
             double theta2 = odd_angle(i) * DEG, z = sin(theta2 / 2), c = cos(theta2 / 2);
             double root = sqrt(b * b - a * a * z * z);
-            double r = a * c + (both[k] == FOURLINK_OPEN ? root : -root);
-            fourlink_state s = at(&m, both[k], theta2, 1, 0);
+            double r = a * c + (branches[k] == FOURLINK_OPEN ? root : -root);
+            fourlink_state s = at(&m, branches[k], theta2, 1, 0);
             double tolerance = 1e-13 / fabs(s.sine);
 
             assert_near(turn(s.link[4].theta, atan2(r * z, r * c - a)), 0, tolerance);
@@ -493,15 +469,15 @@ TEST(test_full_turns)
         fourlink_mechanism m;
         fourlink_state s;
 
-        check_turns(drag_link, both[k], 1, 1, &reach);
+        check_turns(drag_link, branches[k], 1, 1, &reach);
         assert_true(reach > 170 * DEG);
-        check_turns(crank_rocker, both[k], 0, 0, &reach);
+        check_turns(crank_rocker, branches[k], 0, 0, &reach);
         assert_true(reach < 90 * DEG);
         m = four_bar(double_rocker[0], double_rocker[1], double_rocker[2], double_rocker[3]);
-        assert_int_equal(analyse(&m, both[k], PI, 1, 0, &s), FOURLINK_TOO_FAR);
-        assert_int_equal(analyse(&m, both[k], 0, 1, 0, &s), FOURLINK_TOO_NEAR);
-        assert_int_equal(analyse(&m, both[k], 75 * DEG, 1, 0, &s), FOURLINK_TOO_FAR);
-        assert_int_equal(analyse(&m, both[k], 45 * DEG, 1, 0, &s), FOURLINK_OK);
+        assert_int_equal(analyse(&m, branches[k], PI, 1, 0, &s), FOURLINK_TOO_FAR);
+        assert_int_equal(analyse(&m, branches[k], 0, 1, 0, &s), FOURLINK_TOO_NEAR);
+        assert_int_equal(analyse(&m, branches[k], 75 * DEG, 1, 0, &s), FOURLINK_TOO_FAR);
+        assert_int_equal(analyse(&m, branches[k], 45 * DEG, 1, 0, &s), FOURLINK_OK);
     }
 }
 
@@ -578,7 +554,7 @@ TEST(test_change_points_are_passed)
         assert_int_equal(m.change_stretched, change_points[i].at_180);
         assert_int_equal(m.change_folded, change_points[i].at_0);
         for (k = 0; k < 2; k++)
-            check_smooth(&m, both[k], 4);
+            check_smooth(&m, branches[k], 4);
     }
 }
 
@@ -595,9 +571,9 @@ TEST(test_change_points_are_said)
 
         for (n = 0; n < COUNT(turns); n++)
             for (k = 0; k < 2; k++) {
-                assert_int_equal(analyse(&m, both[k], turns[n] * DEG, 1, 0, &s),
+                assert_int_equal(analyse(&m, branches[k], turns[n] * DEG, 1, 0, &s),
                                  change_points[i].at_0 ? FOURLINK_CHANGE_POINT : FOURLINK_OK);
-                assert_int_equal(analyse(&m, both[k], (turns[n] + 180) * DEG, 1, 0, &s),
+                assert_int_equal(analyse(&m, branches[k], (turns[n] + 180) * DEG, 1, 0, &s),
                                  change_points[i].at_180 ? FOURLINK_CHANGE_POINT : FOURLINK_OK);
             }
     }
@@ -694,22 +670,22 @@ TEST(test_reach)
             if (fabs(farthest) < 1) {
                 double limit = acos(farthest);
 
-                assert_no_position(&m, both[k], limit, FOURLINK_DEAD_POSITION);
-                assert_no_position(&m, both[k], -limit, FOURLINK_DEAD_POSITION);
-                assert_no_position(&m, both[k], 2 * PI - limit, FOURLINK_DEAD_POSITION);
-                assert_no_position(&m, both[k], limit + 1e-9, FOURLINK_TOO_FAR);
-                assert_no_position(&m, both[k], PI, FOURLINK_TOO_FAR);
-                assert_int_equal(analyse(&m, both[k], limit - 1e-9, 1, 0, &s), FOURLINK_OK);
+                assert_no_position(&m, branches[k], limit, FOURLINK_DEAD_POSITION);
+                assert_no_position(&m, branches[k], -limit, FOURLINK_DEAD_POSITION);
+                assert_no_position(&m, branches[k], 2 * PI - limit, FOURLINK_DEAD_POSITION);
+                assert_no_position(&m, branches[k], limit + 1e-9, FOURLINK_TOO_FAR);
+                assert_no_position(&m, branches[k], PI, FOURLINK_TOO_FAR);
+                assert_int_equal(analyse(&m, branches[k], limit - 1e-9, 1, 0, &s), FOURLINK_OK);
                 assert_true(fabs(s.sine) < 1e-3);
                 limits++;
             }
             if (fabs(nearest) < 1) {
                 double limit = acos(nearest);
 
-                assert_no_position(&m, both[k], limit, FOURLINK_DEAD_POSITION);
-                assert_no_position(&m, both[k], limit - 1e-9, FOURLINK_TOO_NEAR);
-                assert_no_position(&m, both[k], 0, FOURLINK_TOO_NEAR);
-                assert_int_equal(analyse(&m, both[k], limit + 1e-9, 1, 0, &s), FOURLINK_OK);
+                assert_no_position(&m, branches[k], limit, FOURLINK_DEAD_POSITION);
+                assert_no_position(&m, branches[k], limit - 1e-9, FOURLINK_TOO_NEAR);
+                assert_no_position(&m, branches[k], 0, FOURLINK_TOO_NEAR);
+                assert_int_equal(analyse(&m, branches[k], limit + 1e-9, 1, 0, &s), FOURLINK_OK);
                 limits++;
             }
         }
@@ -719,8 +695,8 @@ TEST(test_reach)
     for (k = 0; k < 2; k++) {
         fourlink_mechanism never = four_bar(1, 1, 1, 10), inside = four_bar(1, 10, 1, 2);
 
-        assert_no_position(&never, both[k], 1, FOURLINK_TOO_FAR);
-        assert_no_position(&inside, both[k], 1, FOURLINK_TOO_NEAR);
+        assert_no_position(&never, branches[k], 1, FOURLINK_TOO_FAR);
+        assert_no_position(&inside, branches[k], 1, FOURLINK_TOO_NEAR);
     }
 }
 
@@ -900,7 +876,7 @@ TEST(test_extreme_numbers)
             length[i] = fmin(fmax(length[i], FOURLINK_LENGTH_MIN), FOURLINK_LENGTH_MAX);
         }
         m = four_bar(length[0], length[1], length[2], length[3]);
-        if (analyse(&m, both[n % 2], uniform(&seed, 0, 6.3), 1e30, -1e30, &s) != FOURLINK_OK)
+        if (analyse(&m, branches[n % 2], uniform(&seed, 0, 6.3), 1e30, -1e30, &s) != FOURLINK_OK)
             continue;
         positions++;
         assert_true(isfinite(s.sine) && isfinite(s.mu));

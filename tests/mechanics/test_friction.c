@@ -13,20 +13,14 @@ static int solve(const sample *s, const fourlink_friction *friction, fourlink_fo
     fourlink_losses lost;
     int status =
         fourlink_solve_friction(&s->mechanism, &s->state, s->load, s->n_loads, friction, 1, f, l);
-    double a[N_FORCES], b[N_FORCES], largest = 0, arm = s->design.link[2].length;
-    int i;
+    double arm = s->design.link[2].length;
 
     assert_int_equal(fourlink_solve_friction(&s->mechanism, &s->state, s->load, s->n_loads,
                                              friction, 0, &other, &lost),
                      status);
     if (status != FOURLINK_OK)
         return status;
-    list(f, arm, a);
-    list(&other, arm, b);
-    for (i = 0; i < N_FORCES; i++)
-        largest = fmax(largest, fabs(a[i]));
-    for (i = 0; i < N_FORCES; i++)
-        assert_near(a[i], b[i], 1e-10 * largest / fabs(s->state.sine));
+    assert_same_forces(f, &other, arm, 1e-10 * largest(f, arm) / fabs(s->state.sine));
     return status;
 }
 
@@ -190,9 +184,9 @@ TEST(test_fixed_point)
         fourlink_friction friction = draw_friction(&seed);
         fourlink_forces f, by_iteration;
         fourlink_losses l;
-        double a[N_FORCES], b[N_FORCES], largest = 0, sense;
+        double arm, sense;
         sample s;
-        int i, status;
+        int status;
 
         draw_any(&seed, tried++, &s);
         if (move(&s) != FOURLINK_OK || fabs(s.state.sine) < 0.1)
@@ -208,12 +202,8 @@ TEST(test_fixed_point)
             continue;
         }
         assert_int_equal(status, FOURLINK_OK);
-        list(&f, s.design.link[2].length, a);
-        list(&by_iteration, s.design.link[2].length, b);
-        for (i = 0; i < N_FORCES; i++)
-            largest = fmax(largest, fabs(b[i]));
-        for (i = 0; i < N_FORCES; i++)
-            assert_near(a[i], b[i], 1e-10 * largest);
+        arm = s.design.link[2].length;
+        assert_same_forces(&f, &by_iteration, arm, 1e-10 * largest(&by_iteration, arm));
         assert_near(f.residual, 0, 1e-12);
         assert_true(l.power >= 0 && l.efficiency >= 0 && l.efficiency <= 1 + 1e-12);
         assert_near((f.Ts - l.Ts0) * s.crank.omega2, l.power,

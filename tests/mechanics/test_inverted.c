@@ -8,20 +8,10 @@
 */
 #include <stdlib.h>
 
-#include "check.h"
-#include "fourlink.h"
+#include "mechanisms.h"
+#include "samples.h"
 
 static int n_samples = 3000;
-
-typedef struct sample {
-    fourlink_design design;
-    fourlink_mechanism mechanism;
-    fourlink_branch branch;
-    fourlink_crank crank;
-    fourlink_load load[2];
-    fourlink_state state;
-    fourlink_forces forces;
-} sample;
 
 static fourlink_design lengths(double a, double d, double offset, double c, double gamma)
 {
@@ -46,23 +36,12 @@ static fourlink_mechanism prepared(double a, double d, double offset, double c, 
     return m;
 }
 
-static int position(const fourlink_mechanism *m, fourlink_branch branch, double theta2, double w,
-                    double al, fourlink_state *state)
-{
-    fourlink_crank crank;
-
-    crank.theta2 = theta2;
-    crank.omega2 = w;
-    crank.alpha2 = al;
-    return fourlink_analyse(m, branch, &crank, NULL, 0, state, NULL);
-}
-
 static fourlink_state at(const fourlink_mechanism *m, fourlink_branch branch, double theta2,
                          double w, double al)
 {
     fourlink_state state;
 
-    assert_int_equal(position(m, branch, theta2, w, al, &state), FOURLINK_OK);
+    assert_int_equal(analyse(m, branch, theta2, w, al, &state), FOURLINK_OK);
     return state;
 }
 
@@ -401,10 +380,8 @@ TEST(test_differences)
     }
 }
 
-#define N_FORCES 10
-
 /* Couples as forces at the crank's length. */
-static void list(const fourlink_forces *f, double arm, double value[N_FORCES])
+static void forces_of(const fourlink_forces *f, double arm, double value[N_FORCES])
 {
     const double all[N_FORCES] = {f->F12x, f->F12y, f->F23x, f->F23y,      f->F34x,
                                   f->F34y, f->F14x, f->F14y, f->M34 / arm, f->Ts / arm};
@@ -429,8 +406,8 @@ TEST(test_solvers)
         arm = s.design.link[2].length;
         assert_int_equal(fourlink_solve(&s.mechanism, &s.state, s.load, 2, &by_matrix),
                          FOURLINK_OK);
-        list(&s.forces, arm, dyad);
-        list(&by_matrix, arm, matrix);
+        forces_of(&s.forces, arm, dyad);
+        forces_of(&by_matrix, arm, matrix);
         for (i = 0; i < N_FORCES; i++)
             largest = fmax(largest, fabs(dyad[i]));
         for (i = 0; i < N_FORCES; i++) {
@@ -709,13 +686,13 @@ TEST(test_reach)
     assert_near(limits.mu_min, 0, 0);
     assert_near(limits.mu_max, acos(0.5), 1e-14);
     assert_near(limits.time_ratio, 0, 0);
-    assert_int_equal(position(&m, FOURLINK_OPEN, first + 1e-9, 1, 0, &state), FOURLINK_OK);
-    assert_int_equal(position(&m, FOURLINK_OPEN, first - 1e-9, 1, 0, &state), FOURLINK_TOO_NEAR);
-    assert_int_equal(position(&m, FOURLINK_OPEN, first, 1, 0, &state), FOURLINK_DEAD_POSITION);
+    assert_int_equal(analyse(&m, FOURLINK_OPEN, first + 1e-9, 1, 0, &state), FOURLINK_OK);
+    assert_int_equal(analyse(&m, FOURLINK_OPEN, first - 1e-9, 1, 0, &state), FOURLINK_TOO_NEAR);
+    assert_int_equal(analyse(&m, FOURLINK_OPEN, first, 1, 0, &state), FOURLINK_DEAD_POSITION);
     m = prepared(0.2, 0.3, -0.51, 0, 0);
     assert_int_equal(fourlink_reach_of(&m, &reach), FOURLINK_OK);
     assert_int_equal(reach.n_ranges, 0);
-    assert_int_equal(position(&m, FOURLINK_CROSSED, PI, 1, 0, &state), FOURLINK_TOO_NEAR);
+    assert_int_equal(analyse(&m, FOURLINK_CROSSED, PI, 1, 0, &state), FOURLINK_TOO_NEAR);
 }
 
 /* The motion goes smoothly through a change point, and comes back after two turns. */
@@ -733,7 +710,7 @@ TEST(test_change_points)
         assert_int_equal(fourlink_type_of(&m, &type), FOURLINK_OK);
         assert_int_equal(type, FOURLINK_CHANGE_POINT_INVERTED);
         for (n = -2; n <= 2; n++) {
-            assert_int_equal(position(&m, FOURLINK_OPEN, 2 * PI * n, 1, 0, &state),
+            assert_int_equal(analyse(&m, FOURLINK_OPEN, 2 * PI * n, 1, 0, &state),
                              FOURLINK_CHANGE_POINT);
             state = at(&m, FOURLINK_OPEN, 2 * PI * n + 1e-5, 1, 0);
             after = at(&m, FOURLINK_OPEN, 2 * PI * n - 1e-5, 1, 0);

@@ -6,26 +6,8 @@
 */
 #include <stdlib.h>
 
+#include "formulas.h"
 #include "mechanisms.h"
-
-#define PIL 3.14159265358979323846264338327950288L
-
-static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-
-static fourlink_mechanism four_bar(double a, double b, double c, double d)
-{
-    fourlink_design design;
-    fourlink_mechanism mechanism;
-
-    memset(&design, 0, sizeof design);
-    design.kind = FOURLINK_FOUR_BAR;
-    design.link[1].length = d;
-    design.link[2].length = a;
-    design.link[3].length = b;
-    design.link[4].length = c;
-    assert_int_equal(fourlink_prepare(&design, &mechanism), FOURLINK_OK);
-    return mechanism;
-}
 
 static fourlink_type type_of(const fourlink_mechanism *mechanism)
 {
@@ -455,84 +437,19 @@ TEST(test_reach_by_hand)
 ** Limits
 ** ------------------------------------------------------------------------------------------- */
 
-/* A quantity over the crank angle, by formulas of this file. */
-typedef struct own {
-    long double a, b, c, d; /* of a slider-crank r, l, - and e */
-    int branch;
-} own;
-
-typedef long double own_function(const own *m, long double theta2);
-
-/* The rocker, from the triangles ABD and BCD. */
-static long double own_theta4(const own *m, long double theta2)
-{
-    long double f = sqrtl(m->a * m->a + m->d * m->d - 2 * m->a * m->d * cosl(theta2));
-    long double ADB = atan2l(m->a * sinl(theta2), m->d - m->a * cosl(theta2));
-    long double BDC = acosl((f * f + m->c * m->c - m->b * m->b) / (2 * f * m->c));
-
-    return PIL - ADB - m->branch * BDC;
-}
-
-/* Between coupler and rocker, or what is left to 180 deg */
-static long double own_mu(const own *m, long double theta2)
-{
-    long double f2 = m->a * m->a + m->d * m->d - 2 * m->a * m->d * cosl(theta2);
-    long double angle = acosl((m->b * m->b + m->c * m->c - f2) / (2 * m->b * m->c));
-
-    return angle > PIL / 2 ? PIL - angle : angle;
-}
-
-/* The piston, to the side on which it is. */
-static long double own_X(const own *m, long double theta2)
-{
-    long double h = m->a * sinl(theta2) - m->d;
-
-    return m->branch * m->a * cosl(theta2) + sqrtl(m->b * m->b - h * h);
-}
-
-static long double own_slider_mu(const own *m, long double theta2)
-{
-    return acosl(fabsl(m->a * sinl(theta2) - m->d) / m->b);
-}
-
 typedef struct peak {
     double value, theta2;
 } peak;
 
-/* The maximum (sign 1) or minimum (-1) between two crank angles: a dense scan, then golden sections.
-** What is NaN is passed over. */
-static peak own_extreme(own_function *f, const own *m, int sign, double from, double to)
+/* The maximum (sign 1) or minimum (-1) between two crank angles, in degrees or in metres. */
+static peak own_extreme(own_column *f, const own *o, int sign, double from, double to)
 {
-    const long double g = (sqrtl(5) - 1) / 2;
-    long double step = ((long double)to - from) / 720, best = -INFINITY, low, high;
+    peaks all = {0};
     peak found;
-    int i, at = -1;
 
-    for (i = 0; i <= 720; i++) {
-        long double y = sign * f(m, from + i * step);
-
-        if (y > best) {
-            best = y;
-            at = i;
-        }
-    }
-    assert_true(at >= 0);
-    low = from + (at - 1) * step;
-    high = from + (at + 1) * step;
-    for (i = 0; i < 70; i++) {
-        long double x = high - g * (high - low), z = low + g * (high - low);
-
-        if (sign * f(m, x) > sign * f(m, z))
-            high = z;
-        else
-            low = x;
-    }
-    found.theta2 = (double)((low + high) / 2);
-    found.value = (double)f(m, (low + high) / 2);
-    if (!(sign * found.value > (double)best)) { /* at an end */
-        found.theta2 = (double)(from + at * step);
-        found.value = (double)(sign * best);
-    }
+    scan(f, o, sign, from, to, &all);
+    found.value = (double)all.value;
+    found.theta2 = (double)all.theta2[0];
     return found;
 }
 
@@ -581,7 +498,7 @@ TEST(test_limits_of_rockers)
             continue;
         n++;
         for (k = 0; k < 2; k++) {
-            own o = {a, b, c, d, (int)branches[k]};
+            own o = {a, b, c, d, (int)branches[k], 0, 0, 0, 0, 0};
             fourlink_limits limits = limits_of(&m, branches[k]);
             peak max = own_extreme(own_theta4, &o, 1, 0, 2 * PI),
                  min = own_extreme(own_theta4, &o, -1, 0, 2 * PI);
@@ -591,8 +508,8 @@ TEST(test_limits_of_rockers)
 
             assert_true(limits.has_swing);
             assert_no_stroke(&limits);
-            assert_near(limits.theta4_max, max.value - turn, 1e-12);
-            assert_near(limits.theta4_min, min.value - turn, 1e-12);
+            assert_near(limits.theta4_max, max.value * DEG - turn, 1e-12);
+            assert_near(limits.theta4_min, min.value * DEG - turn, 1e-12);
             check_angle(limits.theta2_max, max.theta2, 1e-7);
             check_angle(limits.theta2_min, min.theta2, 1e-7);
             assert_true(0 <= limits.theta2_min && limits.theta2_min < 2 * PI);
@@ -629,7 +546,7 @@ TEST(test_transmission_angles_of_four_bars)
         double a = uniform(&seed, 0.1, 1), b = uniform(&seed, 0.1, 1), c = uniform(&seed, 0.1, 1),
                d = uniform(&seed, 0.1, 1);
         fourlink_mechanism m = four_bar(a, b, c, d);
-        own o = {a, b, c, d, 1};
+        own o = {a, b, c, d, 1, 0, 0, 0, 0, 0};
         double max = 0, min = 9;
         fourlink_reach reach;
         fourlink_limits limits;
@@ -641,9 +558,9 @@ TEST(test_transmission_angles_of_four_bars)
             double inset = full ? 0 : 1e-13;
             peak p = own_extreme(own_mu, &o, 1, reach.from[k] + inset, reach.to[k] - inset);
 
-            max = fmax(max, p.value);
+            max = fmax(max, p.value * DEG);
             p = own_extreme(own_mu, &o, -1, reach.from[k] + inset, reach.to[k] - inset);
-            min = fmin(min, full ? p.value : p.value < 1e-3 ? 0 : p.value);
+            min = fmin(min, full || p.value * DEG > 1e-3 ? p.value * DEG : 0);
         }
         if (!reach.n_ranges)
             continue;
@@ -677,18 +594,18 @@ TEST(test_limits_of_pistons)
         fourlink_mechanism m = slider_crank(r, l, e);
 
         for (k = 0; k < 2; k++) {
-            own o = {r, l, 0, e, (int)branches[k]};
+            own o = {r, l, 0, e, (int)branches[k], 0, 0, 0, 0, 0};
             fourlink_limits limits = limits_of(&m, branches[k]);
-            peak far = own_extreme(own_X, &o, 1, -1, 2 * PI - 1),
-                 near = own_extreme(own_X, &o, -1, -1, 2 * PI - 1);
-            peak most = own_extreme(own_slider_mu, &o, 1, 0, 2 * PI),
-                 least = own_extreme(own_slider_mu, &o, -1, 0, 2 * PI);
+            peak far = own_extreme(own_x, &o, -1, -1, 2 * PI - 1),
+                 near = own_extreme(own_x, &o, 1, -1, 2 * PI - 1);
+            peak most = own_extreme(own_rod_mu, &o, 1, 0, 2 * PI),
+                 least = own_extreme(own_rod_mu, &o, -1, 0, 2 * PI);
             double sector;
             fourlink_state state;
 
             assert_true(limits.has_stroke);
             assert_no_swing(&limits);
-            assert_near(limits.stroke, far.value - near.value, 1e-13);
+            assert_near(limits.stroke, near.value - far.value, 1e-13);
             check_angle(limits.inner, far.theta2, 1e-7);
             check_angle(limits.outer, near.theta2, 1e-7);
             sector = fabs(far.theta2 - near.theta2);
@@ -698,9 +615,9 @@ TEST(test_limits_of_pistons)
             assert_true(limits.time_ratio >= 1);
             assert_true(0 <= limits.inner && limits.inner < 2 * PI);
             assert_true(0 <= limits.outer && limits.outer < 2 * PI);
-            assert_near(limits.mu_min, least.value, 1e-9);
-            assert_near(limits.mu_max, most.value, 1e-9);
-            n += most.value < PI / 2 - 1e-6;
+            assert_near(limits.mu_min, least.value * DEG, 1e-9);
+            assert_near(limits.mu_max, most.value * DEG, 1e-9);
+            n += most.value < 90 - 1e-4;
             /* the piston stands still there */
             assert_int_equal(fourlink_position(&m, branches[k], limits.inner, &state), FOURLINK_OK);
             fourlink_velocity(&m, 1, &state);
@@ -723,7 +640,7 @@ TEST(test_transmission_angles_of_slider_cranks)
     for (i = 0; i < 500; i++) {
         double r = uniform(&seed, 0.1, 1), l = uniform(&seed, 0.1, 1), e = uniform(&seed, -1, 1);
         fourlink_mechanism m = slider_crank(r, l, e);
-        own o = {r, l, 0, e, 1};
+        own o = {r, l, 0, e, 1, 0, 0, 0, 0, 0};
         double max = 0;
         fourlink_limits limits;
         fourlink_reach reach;
@@ -732,9 +649,10 @@ TEST(test_transmission_angles_of_slider_cranks)
         if (!reach.n_ranges || l > r + fabs(e))
             continue;
         for (k = 0; k < reach.n_ranges; k++)
-            max = fmax(max,
-                       own_extreme(own_slider_mu, &o, 1, reach.from[k] + 1e-13, reach.to[k] - 1e-13)
-                           .value);
+            max = fmax(
+                max,
+                own_extreme(own_rod_mu, &o, 1, reach.from[k] + 1e-13, reach.to[k] - 1e-13).value *
+                    DEG);
         seen[reach.n_ranges]++;
         for (k = 0; k < 2; k++) {
             limits = limits_of(&m, branches[k]);

@@ -9,7 +9,6 @@
 
 #include <stdlib.h>
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_vector.h>
 
 #define EPS 2.220446049250313e-16
@@ -30,29 +29,6 @@ static void draw(uint64_t *seed, int n, double smallest_sine, sample *s)
     do
         draw_design(seed, n, s);
     while (solve(s) != FOURLINK_OK || fabs(s->state.sine) < smallest_sine);
-}
-
-static double largest(const fourlink_forces *f, double arm)
-{
-    double value[N_FORCES], max = 0;
-    int i;
-
-    list(f, arm, value);
-    for (i = 0; i < N_FORCES; i++)
-        max = fmax(max, fabs(value[i]));
-    return max;
-}
-
-static void assert_same_forces(const fourlink_forces *actual, const fourlink_forces *expected,
-                               double arm, double tolerance)
-{
-    double a[N_FORCES], e[N_FORCES];
-    int i;
-
-    list(actual, arm, a);
-    list(expected, arm, e);
-    for (i = 0; i < N_FORCES; i++)
-        assert_near(a[i], e[i], tolerance);
 }
 
 /* ---------------------------------------------------------------------------------------------
@@ -1168,20 +1144,9 @@ static void singular_state(fourlink_kind kind, sample *s)
     s->state.branch = FOURLINK_OPEN;
 }
 
-static int handled;
-
-static void handler(const char *reason, const char *file, int line, int error)
-{
-    (void)reason;
-    (void)file;
-    (void)line;
-    (void)error;
-    handled++;
-}
-
 TEST(test_singular)
 {
-    gsl_error_handler_t *old = gsl_set_error_handler(handler);
+    gsl_error_handler_t *old = gsl_set_error_handler(count_in_gsl);
     double two[2] = {0, 0}, three[3] = {0, 0, 0};
     gsl_vector_view short_one = gsl_vector_view_array(two, 2);
     gsl_vector_view long_one = gsl_vector_view_array(three, 3);

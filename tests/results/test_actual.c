@@ -13,26 +13,9 @@
 #include "results/actual_time.h"
 #include "results/analysis.h"
 
-#define PUMP                                                                                    \
-    "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
-    "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
-    "cg = 70 mm\n[ground]\noffset = 10 mm\n[piston]\nmass = 1.2 kg\n"
-#define FORCE                                                                                \
-    "[load P]\nlink = piston\nforce = 0 deg -100 N, 60 deg -150 N, 120 deg -150 N, 180 deg " \
-    "-300 N, 200 deg -900 N,\n240 deg -1400 N, 300 deg -1200 N\n"
-#define FAN                                                                                   \
-    "[load F]\nlink = crank\ntorque = -0.02 N m\nover = omega2\nat_speed = 1 rad/s\nexponent" \
-    " = 2\n"
-#define MOTOR "[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
-#define FLYWHEEL "[flywheel]\ninertia = 0.5 kg m2\n"
 #define FRICTION                                                                            \
     "[friction]\nguide = 0.1\nguide_length = 60 mm\nA = 0.05\nradius_A = 20 mm\nB = 0.05\n" \
     "radius_B = 20 mm\nC = 0.08\nradius_C = 10 mm\n"
-#define ROCKER                                                                             \
-    "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\nmass = 0.1 " \
-    "kg\ngyration = 8 mm\ncg = 10 mm\n[coupler]\nlength = 66 mm\nmass = 0.3 kg\ngyration " \
-    "= 25 mm\ncg = 30 mm at 10 deg\n[rocker]\nlength = 56 mm\nmass = 0.25 kg\ngyration = " \
-    "20 mm\ncg = 28 mm at -5 deg\n"
 
 static fourlink_instant row_of(fourlink_results *r, unsigned long i)
 {

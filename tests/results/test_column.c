@@ -205,32 +205,32 @@ typedef struct place {
     int of_forces;
 } place;
 
-#define STATE(member) offsetof(fourlink_state, member), 0
-#define FORCE(member) offsetof(fourlink_forces, member), 1
+#define OF_STATE(member) offsetof(fourlink_state, member), 0
+#define OF_FORCE(member) offsetof(fourlink_forces, member), 1
 
-static const place of_both[] = {{"theta3", STATE(link[3].theta)},
-                                {"omega3", STATE(link[3].omega)},
-                                {"alpha3", STATE(link[3].alpha)},
-                                {"mu", STATE(mu)},
-                                {"F12x", FORCE(F12x)},
-                                {"F12y", FORCE(F12y)},
-                                {"F23x", FORCE(F23x)},
-                                {"F23y", FORCE(F23y)},
-                                {"F34x", FORCE(F34x)},
-                                {"F34y", FORCE(F34y)},
-                                {"Ts", FORCE(Ts)},
-                                {"Ts_work", FORCE(Ts_work)},
-                                {"residual", FORCE(residual)},
+static const place of_both[] = {{"theta3", OF_STATE(link[3].theta)},
+                                {"omega3", OF_STATE(link[3].omega)},
+                                {"alpha3", OF_STATE(link[3].alpha)},
+                                {"mu", OF_STATE(mu)},
+                                {"F12x", OF_FORCE(F12x)},
+                                {"F12y", OF_FORCE(F12y)},
+                                {"F23x", OF_FORCE(F23x)},
+                                {"F23y", OF_FORCE(F23y)},
+                                {"F34x", OF_FORCE(F34x)},
+                                {"F34y", OF_FORCE(F34y)},
+                                {"Ts", OF_FORCE(Ts)},
+                                {"Ts_work", OF_FORCE(Ts_work)},
+                                {"residual", OF_FORCE(residual)},
                                 {NULL, 0, 0}};
-static const place of_linkage[] = {{"theta4", STATE(link[4].theta)},
-                                   {"omega4", STATE(link[4].omega)},
-                                   {"alpha4", STATE(link[4].alpha)},
-                                   {"F14x", FORCE(F14x)},
-                                   {"F14y", FORCE(F14y)},
+static const place of_linkage[] = {{"theta4", OF_STATE(link[4].theta)},
+                                   {"omega4", OF_STATE(link[4].omega)},
+                                   {"alpha4", OF_STATE(link[4].alpha)},
+                                   {"F14x", OF_FORCE(F14x)},
+                                   {"F14y", OF_FORCE(F14y)},
                                    {NULL, 0, 0}};
-static const place of_engine[] = {{"phi", STATE(phi)}, {"x", STATE(x)},    {"v", STATE(v)},
-                                  {"a", STATE(a)},     {"N", FORCE(F14y)}, {"M14", FORCE(M14)},
-                                  {NULL, 0, 0}};
+static const place of_engine[] = {
+    {"phi", OF_STATE(phi)}, {"x", OF_STATE(x)},     {"v", OF_STATE(v)}, {"a", OF_STATE(a)},
+    {"N", OF_FORCE(F14y)},  {"M14", OF_FORCE(M14)}, {NULL, 0, 0}};
 
 static double number(const void *start, size_t offset)
 {

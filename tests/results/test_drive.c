@@ -5,15 +5,7 @@
 */
 #include "machines.h"
 
-#define PUMP                                                                                    \
-    "mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 1.5 kg\ninertia = 0.002 kg m2\n" \
-    "cg = (12, 3) mm\n[rod]\nlength = 200 mm\nmass = 0.8 kg\ninertia = 0.0035 kg m2\n"          \
-    "cg = 70 mm\n[ground]\noffset = 10 mm\n[piston]\nmass = 1.2 kg\n[load P]\nlink = piston\n"  \
-    "force = 0 deg -100 N, 60 deg -150 N, 120 deg -150 N, 180 deg -300 N, 200 deg -900 N,\n"    \
-    "240 deg -1400 N, 300 deg -1200 N\n[load F]\nlink = crank\ntorque = -0.02 N m\n"            \
-    "over = omega2\nat_speed = 1 rad/s\nexponent = 2\n"
-#define MOTOR "[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
-#define FLYWHEEL "[flywheel]\ninertia = 0.5 kg m2\n"
+#define LOADED PUMP FORCE FAN
 #define RUN_UP "[motion]\nmode = run-up\nturns = 2\ninterval = 45 deg\n"
 #define STEADY "[motion]\nmode = steady\ninterval = 45 deg\n"
 
@@ -49,7 +41,7 @@ TEST(test_run_up)
                                    -2.087084007533, 126.7487020372, -0.2405524127144},
                         at_720[] = {1.168444468909, 11.25138487753, 40.48204147439, 23.55955819263,
                                     3.318537455433, 82.67895717049, 25.27059548348};
-    fourlink_results *r = opened(PUMP MOTOR FLYWHEEL RUN_UP);
+    fourlink_results *r = opened(LOADED MOTOR FLYWHEEL RUN_UP);
     double angle;
 
     check_row(r, 45, at_45);
@@ -76,7 +68,7 @@ TEST(test_steady)
     static const double at_180[] = {0.233819683268,   14.02793279833, -5.890331291283,
                                     -0.2394239856987, 2.705741659943, 319.5615188388,
                                     36.51062537359};
-    fourlink_results *r = opened(PUMP MOTOR FLYWHEEL STEADY);
+    fourlink_results *r = opened(LOADED MOTOR FLYWHEEL STEADY);
     double max, min;
 
     check_row(r, 180, at_180);
@@ -100,7 +92,7 @@ TEST(test_steady)
 TEST(test_ends)
 {
     fourlink_results *r =
-        opened(PUMP "[motor]\nstall_torque = 60 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL RUN_UP);
+        opened(LOADED "[motor]\nstall_torque = 60 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL RUN_UP);
     double angle = 0, values[64];
     fourlink_instant at;
 
@@ -116,13 +108,13 @@ TEST(test_ends)
     assert_int_equal(fourlink_results_end(r, (fourlink_branch)0, &angle), FOURLINK_BAD_BRANCH);
     fourlink_results_free(r);
 
-    r = opened(PUMP "[motor]\ntorque = -20 N m\n" FLYWHEEL
-                    "[motion]\nmode = run-up\nto = 90 deg\n");
+    r = opened(LOADED "[motor]\ntorque = -20 N m\n" FLYWHEEL
+                      "[motion]\nmode = run-up\nto = 90 deg\n");
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_DOES_NOT_START);
     assert_int_equal(status_of(r, "omega2", 45), FOURLINK_DOES_NOT_START);
     fourlink_results_free(r);
 
-    r = opened(PUMP "[motor]\nstall_torque = 20 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL STEADY);
+    r = opened(LOADED "[motor]\nstall_torque = 20 N m\nno_load_speed = 14 rad/s\n" FLYWHEEL STEADY);
     assert_int_equal(fourlink_results_end(r, FOURLINK_OPEN, &angle), FOURLINK_NO_STEADY);
     assert_int_equal(status_of(r, "mean_speed", 0), FOURLINK_NO_STEADY);
     assert_int_equal(status_of(r, "mean_torque", 0), FOURLINK_NO_STEADY);
@@ -160,7 +152,7 @@ TEST(test_steady_motion_that_is_not_reached)
         sprintf(deck,
                 "%s[motor]\nstall_torque = %g N m\nno_load_speed = 14 rad/s\n" FLYWHEEL
                 "[motion]\nmode = %s\ninterval = 45 deg\n",
-                PUMP, cases[i].stall_torque, cases[i].motion);
+                LOADED, cases[i].stall_torque, cases[i].motion);
         r = opened(deck);
         for (k = 0; k < COUNT(names) - (size_t)is_steady; k++) {
             v.value = 7;
@@ -183,19 +175,19 @@ TEST(test_wanted_flywheel)
         fourlink_results *r;
         double inertia;
 
-        sprintf(deck, "%s[flywheel]\nfluctuation = %.17g\nexact = yes\n%s", PUMP MOTOR, wanted[i],
+        sprintf(deck, "%s[flywheel]\nfluctuation = %.17g\nexact = yes\n%s", LOADED MOTOR, wanted[i],
                 STEADY);
         r = opened(deck);
         assert_close(value_at(r, "fluctuation_exact", 0), wanted[i], 1e-9);
         inertia = value_at(r, "flywheel_inertia", 0);
         fourlink_results_free(r);
-        sprintf(deck, "%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP MOTOR, inertia, STEADY);
+        sprintf(deck, "%s[flywheel]\ninertia = %.17g kg m2\n%s", LOADED MOTOR, inertia, STEADY);
         r = opened(deck);
         assert_close(value_at(r, "fluctuation_exact", 0), wanted[i], 1e-8);
         fourlink_results_free(r);
     }
     /* without a flywheel it fluctuates less */
-    sprintf(deck, "%s[flywheel]\nfluctuation = 2\nexact = yes\n%s", PUMP MOTOR, STEADY);
+    sprintf(deck, "%s[flywheel]\nfluctuation = 2\nexact = yes\n%s", LOADED MOTOR, STEADY);
     {
         fourlink_results *r = opened(deck);
 
@@ -225,7 +217,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
                 "[motor]\nstall_torque = %.17g N m\nno_load_speed = %.17g rad/s\n"
                 "inertia = %.17g kg m2\nratio = %.17g\n",
                 120 / ratios[i], 14 * ratios[i], rotor, ratios[i]);
-        sprintf(deck, "%s%s[flywheel]\nfluctuation = 0.1\nexact = yes\n%s", PUMP, motor, STEADY);
+        sprintf(deck, "%s%s[flywheel]\nfluctuation = 0.1\nexact = yes\n%s", LOADED, motor, STEADY);
         r = opened(deck);
         assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-9);
         inertia = value_at(r, "flywheel_inertia", 0);
@@ -240,7 +232,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
         assert_close(value_at(r, "T_motor", 30) - value_at(r, "Ts", 30),
                      (inertia + at_crank) * value_at(r, "alpha2", 30), 1e-9);
         fourlink_results_free(r);
-        sprintf(deck, "%s%s[flywheel]\ninertia = %.17g kg m2\n%s", PUMP, motor, inertia, STEADY);
+        sprintf(deck, "%s%s[flywheel]\ninertia = %.17g kg m2\n%s", LOADED, motor, inertia, STEADY);
         r = opened(deck);
         assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-8);
         assert_near(value_at(r, "flywheel_inertia", 0), inertia, 0);
@@ -249,7 +241,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
         sprintf(deck,
                 "%s[motor]\nstall_torque = 120 N m\nno_load_speed = 14 rad/s\n"
                 "inertia = %.17g kg m2\n[flywheel]\nfluctuation = 0.11\nexact = yes\n%s",
-                PUMP, inertia + at_crank, STEADY);
+                LOADED, inertia + at_crank, STEADY);
         r = opened(deck);
         assert_near(value_at(r, "flywheel_inertia", 0), 0, 0);
         assert_close(value_at(r, "fluctuation_exact", 0), 0.1, 1e-8);
@@ -257,7 +249,7 @@ TEST(test_wanted_flywheel_beside_a_rotor)
         assert_true(t.inertia == 0 && t.fluctuation > 0.09);
         fourlink_results_free(r);
         /* a rotor, and no [flywheel] */
-        sprintf(deck, "%s%s%s", PUMP, motor, STEADY);
+        sprintf(deck, "%s%s%s", LOADED, motor, STEADY);
         r = opened(deck);
         assert_int_equal(status_of(r, "flywheel_inertia", 0), FOURLINK_NO_SUCH_FACT);
         assert_true(value_at(r, "flywheel_fluctuation", 0) > 0);
@@ -268,8 +260,9 @@ TEST(test_wanted_flywheel_beside_a_rotor)
 /* A constant torque that balances the loads, at any mean speed; the exact fluctuation is not the textbooks'. */
 TEST(test_balancing_motor)
 {
-    fourlink_results *r = opened(PUMP "[motor]\ntorque = constant\n[flywheel]\ninertia = 20 kg m2\n"
-                                      "[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
+    fourlink_results *r =
+        opened(LOADED "[motor]\ntorque = constant\n[flywheel]\ninertia = 20 kg m2\n"
+                      "[motion]\nmode = steady\nmean_speed = 12 rad/s\n");
     double exact, textbook;
 
     check_value(r, "mean_speed", 0, 12);
@@ -284,7 +277,7 @@ TEST(test_balancing_motor)
 /* In FORTRAN 77 by the same names. */
 TEST(test_fortran)
 {
-    const char deck[] = PUMP MOTOR FLYWHEEL STEADY;
+    const char deck[] = LOADED MOTOR FLYWHEEL STEADY;
     fourlink_results *handle = NULL;
     double value = 0, angle = 180;
     char message[80];
@@ -304,7 +297,7 @@ TEST(test_fortran)
 TEST(test_given)
 {
     static const char *const names[] = {"T_motor", "J", "energy", "energy_residual"};
-    fourlink_results *r = opened(PUMP "[motion]\nspeed = 12 rad/s\n");
+    fourlink_results *r = opened(LOADED "[motion]\nspeed = 12 rad/s\n");
     double angle;
     size_t i;
 

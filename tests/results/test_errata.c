@@ -4,39 +4,22 @@
 ** printed, and what is right.  The tests bear the numbers of the page.  What goes in is the data of the
 ** source, or a number that it printed.
 */
-#include "check.h"
-#include "fourlink.h"
-
 #include <gsl/gsl_linalg.h>
+
+#include "samples.h"
 
 /* Alvi's example, sections 4.1 and 5.1: mm, rad/s. */
 static const double a = 20, b = 66, c = 56, d = 80, omega = 10.5;
 
 static fourlink_mechanism alvi;
 
-static void set_link(fourlink_link *link, double length, double mass, double k, double r, double at)
-{
-    link->length = length;
-    link->mass = mass;
-    link->inertia = mass * k * k;
-    link->cg.x = r * cos(at);
-    link->cg.y = r * sin(at);
-}
-
 /* Alvi's linkage with the masses of data/me3491-matrix.deck. */
 static int prepare(void **unused)
 {
-    fourlink_design design;
+    sample s = rocker(0);
 
     (void)unused;
-    memset(&design, 0, sizeof design);
-    design.kind = FOURLINK_FOUR_BAR;
-    design.link[1].length = 0.080;
-    set_link(&design.link[2], 0.020, 0.10, 0.008, 0.010, 0);
-    set_link(&design.link[3], 0.066, 0.30, 0.025, 0.030, 10 * DEG);
-    set_link(&design.link[4], 0.056, 0.25, 0.020, 0.028, -5 * DEG);
-    design.gravity.y = -9.81;
-    return fourlink_prepare(&design, &alvi);
+    return fourlink_prepare(&s.design, &alvi);
 }
 
 static fourlink_state row(double degrees, fourlink_branch branch)
