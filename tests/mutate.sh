@@ -27,7 +27,7 @@ for file; do
 done
 rm -rf "$work/tree" "$work/faults"
 mkdir -p "$work/tree" "$work/faults"
-git ls-files -z | xargs -0 cp -p --parents -t "$work/tree"
+git ls-files -z | xargs -0 cp --parents -t "$work/tree"
 [ -x "$work/python/bin/mutate" ] || {
     python3 -m venv "$work/python" && "$work/python/bin/pip" -q install universalmutator
 }
