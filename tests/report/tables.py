@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# tables.py FOURLINK DECK... - the tables of reports have the inputs, facts, extremes, rows and expected values that
+# the other outputs have: json of --summary and --check, and the table.
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+from linkage import Checks  # noqa: E402
+
+H = '{http://www.w3.org/1999/xhtml}'
+checks = Checks()
+
+
+def words_of(cell):
+    return ''.join(cell.itertext())
+
+
+def body(table):
+    """The cells of each row, as the page shows them."""
+    return [[words_of(cell) for cell in row] for row in table.find(H + 'tbody')]
+
+
+def tables_by_heading(root):
+    """The body of each table of facts, under its heading."""
+    found, heading = {}, None
+    for element in root.iter():
+        if element.tag == H + 'h3':
+            heading = words_of(element)
+        if element.tag == H + 'table' and element.get('class') == 'facts':
+            found[heading] = body(element)
+    return found
+
+
+def number(value, digits=6):
+    if value is None:
+        return '–'
+    if isinstance(value, str):
+        return {'inf': '∞', '-inf': '−∞'}.get(value, value)
+    return '%.*g' % (digits, value)
+
+
+def angle(fact, digits=6):
+    return '' if fact['theta2'] is None else '%.*g deg' % (digits, fact['theta2'])
+
+
+def unit(fact):
+    return '' if fact['unit'] == '1' else fact['unit']
+
+
+def is_words(fact):
+    return isinstance(fact['value'], str) and 'inf' not in fact['value']
+
+
+def wanted_fact(fact):
+    """What the table has of it: words take the place of value, unit, angle and branch."""
+    if is_words(fact):
+        return [fact['name'], fact['value'], fact['meaning']]
+    return [fact['name'], number(fact['value']), unit(fact), angle(fact), fact['branch'] or '', fact['meaning']]
+
+
+def wanted_input(value):
+    if is_words(value):
+        return [value['name'], value['value'], value['meaning']]
+    return [value['name'], number(value['value']), unit(value), value['meaning']]
+
+
+def once(facts):
+    """A fact that is the same on both branches stands there once, without a branch."""
+    kept = {}
+    for fact in facts:
+        if kept.setdefault(tuple(wanted_fact(fact)[:4]), fact) is not fact:
+            kept[tuple(wanted_fact(fact)[:4])] = dict(fact, branch=None)
+    return list(kept.values())
+
+
+def check_facts(found, summary):
+    checks.that(found.get('Inputs as understood') == [wanted_input(v) for v in summary['inputs']], 'the inputs')
+    facts = once(fact for fact in summary['facts'] if '(' not in fact['name'])
+    shown = [row for heading in ('Type and key facts', 'Turning moment', 'Actual motion') for row in found.get(heading, [])]
+    for fact in facts:
+        checks.that(wanted_fact(fact) in shown, 'the fact', wanted_fact(fact), 'is not shown')
+    checks.that(len(shown) == len(facts), 'facts', len(shown), 'expected', len(facts))
+
+
+def check_extremes(found, summary, branches):
+    for branch in branches:
+        shown = {row[0]: row[1:] for row in found.get('Smallest and largest values, %s branch' % branch, [])}
+        extremes = {fact['name']: fact for fact in summary['facts']
+                    if '(' in fact['name'] and fact['branch'] in (branch, None) and fact['name'][:3] in ('min', 'max') and 'residual' not in fact['name']}
+        names = {name[4:-1] for name in extremes}
+        checks.that(names <= set(shown), 'columns with extremes', names - set(shown), branch)
+        for name in names & set(shown):
+            least, most = extremes.get('min(%s)' % name), extremes.get('max(%s)' % name)
+            if least and most:
+                checks.that(shown[name] == [unit(least), number(least['value']), angle(least), number(most['value']), angle(most)],
+                            'extremes of', name, branch, shown[name])
+
+
+def check_rows(root, text, branches):
+    """The rows of the table: of each branch its head, and the words of its cells; reasons are one cell."""
+    wanted = {}
+    for line in text.splitlines():
+        if line.startswith('# branch: '):
+            rows = wanted.setdefault(line[10:], [])
+        elif line and not line.startswith('#'):
+            rows.append(line.split())
+    found = [table for table in root.iter(H + 'table') if table.get('class') == 'rows']
+    checks.that(len(found) == len(branches), 'tables of rows', len(found))
+    for table, branch in zip(found, branches):
+        rows = [row for row in body(table) if len(row) > 1]
+        checks.that(words_of(table.find(H + 'caption')).lower().startswith(branch), 'the caption of', branch)
+        checks.that(len(rows) == len(wanted[branch]), 'rows of', branch, len(rows), len(wanted[branch]))
+        for row, line in zip(rows, wanted[branch]):
+            checks.that(row == line, 'the row', row, 'expected', line)
+
+
+def check_expected(found, outcome):
+    wanted = [[c['name'], angle(c, 9), c['branch'] or '', c['printed'], number(c['computed'], 9), unit(c), number(c['tolerance'])
+               if c['tolerance'] is not None else '', c['result']] for c in outcome['checks']]
+    shown = found.get('Expected values', [])
+    checks.that(len(shown) == len(wanted), 'expected values', len(shown), len(wanted))
+    for row, line in zip(shown, wanted):
+        checks.that(row == line, 'the expected value', row, 'expected', line)
+
+
+def main(fourlink, *decks):
+    def run(*words):
+        without_gnuplot = {'PATH': ''}  # whose pictures take most of the time
+        return subprocess.run([fourlink] + list(words), capture_output=True, encoding='utf-8', env=without_gnuplot).stdout
+    for deck in decks:
+        checks.where = os.path.basename(deck)
+        with tempfile.TemporaryDirectory() as folder:
+            report = os.path.join(folder, 'tables.html')
+            run('--report=' + report, '--branch=both', deck)
+            root = xml.parse(report).getroot()
+        found = tables_by_heading(root)
+        summary = json.loads(run('--format=json', '--summary', '--branch=both', deck))
+        branches = ('open', 'crossed')
+        check_facts(found, summary)
+        check_extremes(found, summary, branches)
+        check_rows(root, run('--wide', '--branch=both', deck), branches)
+        outcome = run('--format=json', '--check', deck)
+        if outcome:
+            check_expected(found, json.loads(outcome))
+    return checks.finish()
+
+
+if __name__ == '__main__':
+    sys.exit(main(*sys.argv[1:]))
