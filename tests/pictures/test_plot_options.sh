@@ -190,4 +190,12 @@ lines err 1
 run 3 --plot-script=missing/x.gp turning.deck
 lines err 1
 
+# a title that is too long ends in an ellipsis; its letters are of two bytes
+long_title >long.deck
+for case in mechanism:97 motion:108; do
+    run 0 --plot-script=x.gp --plot-kind=${case%:*} long.deck
+    sed -n 's/^title = "\(\(äé\)*ä*\)…"$/\1/p' x.gp >title
+    check "letters of a long title: $(wc -c <title) bytes" test "$(wc -c <title)" -eq $((2 * ${case#*:} + 1))
+done
+
 finish

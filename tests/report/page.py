@@ -47,6 +47,10 @@ def check_structure(root):
     for e in root.iter(H + 'th'):
         if e.get('scope') not in ('col', 'row'):
             yield 'a heading of a table without scope: %s' % text(e)
+    for e in root.iter(H + 'table'):
+        widths = {sum(int(cell.get('colspan', 1)) for cell in row) for row in e.iter(H + 'tr')}
+        if len(widths) > 1:
+            yield 'rows of a table with %s cells' % sorted(widths)
     for e in root.iter(H + 'button'):
         if e.get('data-from') and e.get('data-from') not in ids:
             yield 'a button that saves nothing: %s' % e.get('data-from')
