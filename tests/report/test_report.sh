@@ -102,6 +102,8 @@ sound r.html odd.deck
 run 2 --report=r.html "$decks/mistakes.deck"
 mv err messages
 sound r.html "$decks/mistakes.deck"
+run 2 --report=r.html --set=crank.length=-1mm "$alvi"
+has '<li>--set: the length must be positive, not -1mm</li>'
 check 'a mistake for each message' test "$(grep -c '<li>' r.html)" -eq "$(wc -l <messages)"
 has '<mark class="text-line" id="line-7">'
 has 'Nothing was computed.'
