@@ -98,12 +98,12 @@ sed '/^title/d; s/$/\r/' "$fourbar" >>odd.deck
 run 0 --report=r.html odd.deck
 sound r.html odd.deck
 
+run 2 --report=r.html --set=crank.length=-1mm "$alvi"
+has '<li>--set: the length must be positive, not -1mm</li>'
 # mistakes: the deck with its mistakes, in place of results, and not an old report
 run 2 --report=r.html "$decks/mistakes.deck"
 mv err messages
 sound r.html "$decks/mistakes.deck"
-run 2 --report=r.html --set=crank.length=-1mm "$alvi"
-has '<li>--set: the length must be positive, not -1mm</li>'
 check 'a mistake for each message' test "$(grep -c '<li>' r.html)" -eq "$(wc -l <messages)"
 has '<mark class="text-line" id="line-7">'
 has 'Nothing was computed.'
