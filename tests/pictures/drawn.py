@@ -252,9 +252,11 @@ def check_places(panel, deck, position, row, size, has_angles=True):
         legs = [line for line in panel.lines if line.style == GROUND and abs(line.start - at) < 2e-6 * size and
                 line.vector.imag < 0 and line.vector.real]
         checks.that(len(legs) == 2 and abs(legs[0].vector + legs[1].vector.conjugate()) < 4e-6 * size, 'the support at', at)
-    for link in (2, 3, 4):
-        if deck.mass(link) > 0:
-            has_disc(panel, 'centre of mass of link %d' % link, position.point(link, deck.cg(link)), size, quarters=True)
+    centres = {link: position.point(link, deck.cg(link)) for link in (2, 3, 4) if deck.mass(link) > 0}
+    for link, at in centres.items():
+        has_disc(panel, 'centre of mass of link %d' % link, at, size, quarters=True)
+    for at, _, is_quarter, _ in panel.discs:
+        checks.that(not is_quarter or any(abs(at - one) < 2e-6 * size for one in centres.values()), 'no mass has its centre at', at)
     for name, link in deck.points():
         has_disc(panel, 'point ' + name, row.vector(name + '.'), size, 'black')
         has_label(panel, name)
