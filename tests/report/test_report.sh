@@ -71,9 +71,15 @@ done
 run 1 --report=r.html -b open "$decks/reach.deck"
 has '<th scope="row">omega4</th><td>rad/s</td><td>−∞</td><td></td><td>∞</td>'
 
-# one sample at one angle
+# the sections; one sample, of the first row that is reached if the usual angle is not; words where there are no forces
+run 1 --report=r.html -b open --set='motion.from=150 deg' --set='motion.to=350 deg' "$decks/reach.deck"
+check 'the sections' test "$(sed -n 's|.*<h2>\(.*\)</h2>|\1|p' r.html | tr '\n' ',')" = \
+    '1 Deck,2 Inputs and key facts,3 Mechanism,4 Sample calculation,5 Polygons and curves,6 Tables,7 Checks,8 Discussion,'
+has 'At θ₂ = 270 deg, open branch'
+has 'The deck has no masses and no loads, so there are no forces.'
 run 0 --report=r.html --plot-at='50 deg' "$fourbar"
 has 'At θ₂ = 50 deg'
+hasnt 'no masses and no loads'
 run 2 --report=none.html --plot-at='50 mm' "$fourbar"
 says '--plot-at: error:'
 run 2 --report=none.html --plot-at='50,60' "$fourbar"
