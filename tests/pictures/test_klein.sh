@@ -22,5 +22,9 @@ run 1 --plot-script=k.gp --plot-kind=klein --branch=open --set='rod.length=150 m
 check 'a crank as long as the rod is not enlarged' none 'enlarged' k.gp
 run 0 --plot-script=k.gp --plot-kind=klein --branch=open --set='motion.acceleration=5 rad/s2' "$engine"
 check 'with an acceleration it is said what the construction leaves out' grep -q '^set label "a and α₃ for α₂ = 0"' k.gp
+run 0 --plot-script=k.gp --plot-kind=klein --branch=open --plot-at='90 deg' "$engine"
+check 'no arms about a centre at infinity' none 'I[XY] = ' k.gp
+run 0 --plot-script=k.gp --plot-kind=klein --branch=open --plot-at='60 deg' "$engine"
+check 'arms about the centre' test "$(grep -c 'I[XY] = ' k.gp)" -eq 2
 
 finish
