@@ -82,9 +82,15 @@ for deck in rubbed-*.deck; do
         for angle in $angles; do
             sample $deck --branch=$branch --plot-at="$angle deg" --set='motion.acceleration=7.5 rad/s2'
             check "friction of $deck" grep -q '<h3>Friction</h3>' r-$n.html
+            case $deck in
+            rubbed-linkage.deck) check 'it has no guide' none 'the guide has the force' r-$n.html ;;
+            *) check 'its guide' grep -q 'the guide has the force μ |N|' r-$n.html ;;
+            esac
+            [ $deck != rubbed-crank.deck ] || check 'pin B does not rub' none 'Pin B has none' r-$n.html
         done
     done
 done
+check 'what s and h are' grep -q 'is h; θ₃ is the angle of the slide:' r-$n.html
 python3 "$tests/sample.py" r-*.html >checked 2>&1
 check "$(head -n 5 checked)" test "$(cat checked)" = "$n samples"
 
