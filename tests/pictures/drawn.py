@@ -18,6 +18,7 @@ from script import Script  # noqa: E402
 
 # Styles of lines
 GROUND, CRANK, COUPLER, FOLLOWER, PIN_FORCE, LOAD, THIN, RESULT, OTHER, GHOST = 1, 2, 3, 4, 7, 8, 9, 10, 11, 6
+GHOSTS = 12
 ANGLES = 12
 PREFIXES = {'': 1, 'n': 1e-9, '\u00b5': 1e-6, 'm': 1e-3, 'k': 1e3, 'M': 1e6, 'G': 1e9}
 
@@ -770,6 +771,14 @@ def check_several(deck, rows):
             check_block(panel, 'piston', OTHER, position.C, 1, size)
         elif not deck.slot:
             has_line(panel, 'the rocker of another position', position.D, position.C, OTHER, size)
+    panel = Script(deck.program.script(deck, 'mechanism', '--branch=' + picked[0].branch, *deck.options),
+                   cmath.exp(-1j * deck.turn)).panels[0]
+    size = extent(panel)
+    for k in range(GHOSTS):
+        row = rows[(len(rows) - 1) * k // GHOSTS]
+        if row.is_ok:
+            position = deck.at(row)
+            has_line(panel, 'the crank on its way', position.A, position.B, GHOST, size)
 
 
 # ---------------------------------------------------------------------------------------- Klein's construction

@@ -4,6 +4,7 @@
 # the other outputs have: json of --summary and --check, and the table.
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -119,6 +120,22 @@ def check_rows(root, text, branches):
             checks.that(row == line, 'the row', row, 'expected', line)
 
 
+def check_sides(root, matrix):
+    """What is known of the nine equations: m a less weight less loads, as the table of the matrix has it."""
+    tables = [table for table in root.iter(H + 'table') if table.get('class') == 'facts sides']
+    right = [float(line.split()[-1]) for line in matrix.splitlines() if not line.startswith('#')]
+    if not tables or not right:  # a motor's motion has no instant of its own
+        return
+    rows = body(tables[0])
+    checks.that(len(rows) == len(right) == 9, 'equations', len(rows), len(right))
+    size = max(map(abs, right))
+    for (name, *words), b in zip(rows, right):
+        inertia, weight, loads, found = map(float, words)
+        checks.near('the right side of ' + name, found, b, size, 1e-5)
+        checks.near('the parts of ' + name, inertia + weight + loads, b, size, 1e-4)
+        checks.that(not (name.endswith('moments') and weight), 'a weight has a moment', name)
+
+
 def check_expected(found, outcome):
     wanted = [[c['name'], angle(c, 9), c['branch'] or '', c['printed'], number(c['computed'], 9), unit(c), number(c['tolerance'])
                if c['tolerance'] is not None else '', c['result']] for c in outcome['checks']]
@@ -144,6 +161,9 @@ def main(fourlink, *decks):
         check_facts(found, summary)
         check_extremes(found, summary, branches)
         check_rows(root, run('--wide', '--branch=both', deck), branches)
+        place = re.search('At θ₂ = ([^,:]*), open branch', words_of(root))
+        if place:
+            check_sides(root, run('--matrix', '--branch=open', '--set=motion.at=' + place.group(1), deck))
         outcome = run('--format=json', '--check', deck)
         if outcome:
             check_expected(found, json.loads(outcome))
