@@ -215,6 +215,24 @@ def check_columns(deck, rows, names):
         check_texts(script, panel, True)
 
 
+def check_over_column(deck, x, y, is_to_scale):
+    """A column over another: both ranges fit, with a handful of numbers; two lengths have one scale."""
+    checks.where = '%s, %s over %s' % (deck.name, y, x)
+    script = Script(deck.program.script(deck, 'columns', '--branch=both', '--columns=' + y, '--plot-x=' + x))
+    panel = script.panels[0]
+    points = [p for block in panel.blocks.values() for p in block if p is not None]
+    fits = []
+    for axis, values in (('x', [p.real for p in points]), ('y', [p.imag for p in points])):
+        low, high = panel.range[axis]
+        checks.that(low < min(values) and max(values) < high, 'all is within the axes', axis, low, high)
+        fits.append((high - low) / (max(values) - min(values)))
+    checks.that(min(fits) < 1.7 and (is_to_scale or max(fits) < 1.7), 'the ranges fit', fits)
+    width = panel.range['x'][1] - panel.range['x'][0]
+    checks.that(2 < width / panel.tics['x'] < 20, 'numbers at the x axis', width, panel.tics)
+    pixels = Pixels(script, panel)
+    checks.that(not is_to_scale or abs(pixels.kx / pixels.ky - 1) < 1e-3, 'one scale', pixels.kx, pixels.ky)
+
+
 def check_polar(deck, rows):
     text = deck.program.script(deck, 'polar', '--branch=both')
     script = Script(text)
@@ -431,6 +449,9 @@ def main(fourlink, data, decks):
                     check_polar(own, rows)
         own = deck('coupler-point.deck')
         check_columns(own, fine_table(own), ['theta2', 'theta3', 'P.x', 'Ts', 'F12', 'F14'][1:])
+        check_over_column(own, 'P.x', 'P.y', True)
+        check_over_column(own, 'theta4', 'P.y', False)
+        check_over_column(own, 'omega4', 'Ts', False)
         own = deck('reach.deck')
         check_columns(own, fine_table(own), ['theta3', 'theta4', 'omega4', 'mu'])
         own = deck('gerstmayr-run-up.deck')

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# tables.py FOURLINK DECK... - the tables of reports have the inputs, facts, extremes, rows and expected values that
+# tables.py FOURLINK EXPECTATIONS DECK... - the tables of reports have the inputs, facts, extremes, rows and expected values that
 # the other outputs have: json of --summary and --check, and the table.
 import json
 import os
@@ -136,25 +136,47 @@ def check_sides(root, matrix):
         checks.that(not (name.endswith('moments') and weight), 'a weight has a moment', name)
 
 
+def wanted_check(c):
+    is_known = c['computed'] is not None
+    return [c['name'], angle(c, 9), c['branch'] or '', c['printed'], number(c['computed'], 9) if is_known else '', unit(c),
+            number(c['tolerance']) if c['tolerance'] is not None else '',
+            c['result'] + (': ' + c['message'] if not is_known else '')]
+
+
 def check_expected(found, outcome):
-    wanted = [[c['name'], angle(c, 9), c['branch'] or '', c['printed'], number(c['computed'], 9), unit(c), number(c['tolerance'])
-               if c['tolerance'] is not None else '', c['result']] for c in outcome['checks']]
+    wanted = [wanted_check(c) for c in outcome['checks']]
     shown = found.get('Expected values', [])
     checks.that(len(shown) == len(wanted), 'expected values', len(shown), len(wanted))
     for row, line in zip(shown, wanted):
         checks.that(row == line, 'the expected value', row, 'expected', line)
 
 
-def main(fourlink, *decks):
+WRONG = """
+[expect]
+at = 40
+phi = 104 deg
+theta3 = 347.6 deg
+no_such = 1
+stroke = 0.1 m
+[misprint]
+at = 90 deg
+phi = 19.47 deg
+"""
+
+
+def main(fourlink, expectations, *decks):
     def run(*words):
         without_gnuplot = {'PATH': ''}  # whose pictures take most of the time
         return subprocess.run([fourlink] + list(words), capture_output=True, encoding='utf-8', env=without_gnuplot).stdout
-    for deck in decks:
+    folder = tempfile.TemporaryDirectory()
+    wrong = os.path.join(folder.name, 'wrong.deck')
+    with open(expectations, encoding='utf-8') as given, open(wrong, 'w', encoding='utf-8') as out:
+        out.write(given.read() + WRONG)
+    for deck in (expectations, wrong) + decks:
         checks.where = os.path.basename(deck)
-        with tempfile.TemporaryDirectory() as folder:
-            report = os.path.join(folder, 'tables.html')
-            run('--report=' + report, '--branch=both', deck)
-            root = xml.parse(report).getroot()
+        report = os.path.join(folder.name, 'tables.html')
+        run('--report=' + report, '--branch=both', deck)
+        root = xml.parse(report).getroot()
         found = tables_by_heading(root)
         summary = json.loads(run('--format=json', '--summary', '--branch=both', deck))
         branches = ('open', 'crossed')
@@ -167,6 +189,7 @@ def main(fourlink, *decks):
         outcome = run('--format=json', '--check', deck)
         if outcome:
             check_expected(found, json.loads(outcome))
+    folder.cleanup()
     return checks.finish()
 
 

@@ -106,6 +106,8 @@ sound r.html odd.deck
 
 run 2 --report=r.html --set=crank.length=-1mm "$alvi"
 has '<li>--set: the length must be positive, not -1mm</li>'
+run 0 --report=r.html "$decks/expectations.deck"
+sound r.html "$decks/expectations.deck"
 # mistakes: the deck with its mistakes, in place of results, and not an old report
 run 2 --report=r.html "$decks/mistakes.deck"
 mv err messages
