@@ -37,6 +37,15 @@ done
 sound 'rows of two decks'
 "$fourlink" -f csv -S "$alvi" 'a "b", c.deck' >out 2>err
 sound 'summaries of two decks'
+# the names arrive as they are, with line ends in them too
+odd=$(printf 'a\nb,"c".deck')
+cp "$alvi" "$odd"
+"$fourlink" -f csv -S "$odd" 'a "b", c.deck' >out 2>err
+sound 'names with line ends'
+check 'the names' test "$(python3 -c "
+import csv
+records = list(csv.reader(open('out', encoding='utf-8', newline='')))
+print(sorted({record[0] for record in records[1:]}))")" = "['a\\nb,\"c\".deck', 'a \"b\", c.deck']"
 "$fourlink" -f csv --check=answers 'a "b", c.deck' >out 2>err
 sound 'a check'
 "$fourlink" -f csv --check=answers "$alvi" 'a "b", c.deck' bad.deck >out 2>err
