@@ -216,7 +216,7 @@ compare() {
 
 # run_tests NAME PATTERN: the tests of a build, but for those of a pattern; the variable TESTS selects others.
 run_tests() {
-    ctest --test-dir "$1/build" -j2 --timeout 3000 -E "$2" -R "${TESTS-.}" --output-on-failure >"$1/tests.log" 2>&1 || true
+    ctest --test-dir "$1/build" -j2 --timeout 3000 -LE '^long$' -E "$2" -R "${TESTS-.}" --output-on-failure >"$1/tests.log" 2>&1 || true
     while read -r _ _ _ name outcome; do
         status=0
         case $outcome in *Passed*) ;; *) status=1 ;; esac
