@@ -40,4 +40,7 @@ same out open
 run 0 -f paper -s motion.at=40 -b open "$alvi"
 lines out 2
 
+run 0 -f paper -i 7.25 -b open "$alvi"
+check 'an angle that is no whole number' test "$(sed -n '3p' out | cut -f1)" = 7.25
+
 finish
