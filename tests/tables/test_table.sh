@@ -140,4 +140,12 @@ holds 'the last row is the end of the range' '!/^#/ && NF {last = $1} END {exit 
 run 0 -i 0.1 "$alvi"
 holds 'no rounding in the angles' '!/^#/ && NF && $1 !~ /^[0-9]+\.[0-9]$/ {bad = 1} END {exit bad}'
 
+# crank angles have the decimals that first angle, interval and last angle need
+for case in '0 40 120:0 40 80 120' '0 7.25 15:0.00 7.25 14.50 15.00' '0 10 21.5:0.0 10.0 20.0 21.5' \
+    '0.125 10 10.125:0.125 10.125'; do
+    set -- ${case%%:*}
+    run 0 -b open -c theta2,mu -s motion.from=$1 -i $2 -s motion.to=$3 "$alvi"
+    check "crank angles: ${case#*:}" test "$(awk '!/^#/ {printf "%s%s", n++ ? " " : "", $1}' out)" = "${case#*:}"
+done
+
 finish
