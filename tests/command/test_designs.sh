@@ -147,4 +147,12 @@ same out lower
 run 0 -f csv -s "sweep.crank.length = 21 mm${tab}to${tab}22 mm${tab}step${tab}1 mm" t.deck
 same out lower
 
+# the head of a table of designs
+{ cat "$alvi"; printf '[sweep]\ncrank.length = 18 mm, 20 mm\noutput = mu_min, type\n'; } >head.deck
+run 0 head.deck
+prints '# branch: 1 open; -1 crossed'
+prints '# type: 1 crank-rocker; 2 rocker-crank; 3 double crank (drag link); 4 double rocker;'
+check 'it has a line for each column' grep -qx '#   design    crank.length    branch          mu_min            type' out
+check 'types of another kind' none 'slider' out
+
 finish

@@ -266,4 +266,12 @@ refused_step 'crank.length & crank.length = 18 mm & 60 mm' "'crank.length' is va
 refused_step 'crank.length & = 18 mm & 60 mm' "expected a quantity before and after '&'"
 refused_step 'crank.length = 18 mm & 60 mm, 20 mm & 66 mm' "unknown unit '& 60 mm'"
 
+# the table has one head, and with all digits the numbers of csv
+tolerances="--statistics -s table.digits=17 $data/../doc/tolerance.deck"
+run 0 $tolerances
+check 'one head' test "$(grep -c '^#  count  *mean' out)" -eq 1
+awk '!/^#/ && NF' out | tr -s ' ' ',' | sed 's/^,//' >rows
+"$fourlink" -f csv $tolerances | tr -d '\r' | sed 1d | cut -d, -f4-13 >expected
+check 'all digits' cmp rows expected
+
 finish

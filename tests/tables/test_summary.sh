@@ -120,6 +120,7 @@ run 0 -S long.deck
 holds 'a long name' '/^load a-load-.*force.x -12345.6 N +force, x$/ {n++} length > 100 {bad = 1} END {exit bad || n != 1}'
 
 run 0 -S "$alvi"
+prints '# result                    value unit      at deg branch  meaning'
 holds 'meanings stand below each other, behind value, unit, angle and branch' '
     /^# result/ {on = 1; next} on && $2 ~ /^-?[0-9.]+$/ {n++; if (substr($0, 59, 1) != " " || substr($0, 60, 1) == " ") bad = 1}
     END {exit bad || n < 20}'

@@ -148,4 +148,8 @@ for case in '0 40 120:0 40 80 120' '0 7.25 15:0.00 7.25 14.50 15.00' '0 10 21.5:
     check "crank angles: ${case#*:}" test "$(awk '!/^#/ {printf "%s%s", n++ ? " " : "", $1}' out)" = "${case#*:}"
 done
 
+# all lines of a block end in one column
+run 0 -b open -c theta2,theta4,Ts "$matrix"
+holds 'lines of one length' '/^# theta2/ {on = 1; n = length} on && length != n {bad = 1} END {exit !n || bad}'
+
 finish
