@@ -272,6 +272,15 @@ def check_places(panel, deck, position, row, size, has_angles=True):
     check_outlines(panel, deck, position, row, size)
 
 
+def check_labels(panel, back):
+    """Names stand within the axes."""
+    x, y = panel.range['x'], panel.range['y']
+    for words, at, side, rest in panel.labels:
+        if at is not None:
+            p = at / back
+            checks.that(x[0] <= p.real <= x[1] and y[0] <= p.imag <= y[1], 'the label', words, 'is within the axes', p, x, y)
+
+
 def check_frame(script, panel, drawn=None):
     """All that is drawn is within the axes, which have one scale and as many pixels as they have room."""
     x, y = panel.range['x'], panel.range['y']
@@ -527,6 +536,10 @@ def check_scale(panel, deck, largest, forces):
         return None
     bar = min(bars, key=lambda line: (line.start * cmath.exp(1j * deck.turn)).imag)
     checks.that(largest / 6 < words[0] <= largest * 1.01, 'a scale of a useful size', words[0], largest)
+    height = (bar.start * cmath.exp(1j * deck.turn)).imag
+    others = [(p * cmath.exp(1j * deck.turn)).imag for line in panel.lines if line is not bar and line.style != bar.style
+              for p in (line.start, line.end)]
+    checks.that(height < min(others) - 0.02 * (max(others) - min(others)), 'the scale is below the drawing', height, min(others))
     return abs(bar.vector) / words[0]
 
 
@@ -701,6 +714,7 @@ def check_mechanism(deck, text, row, position, rows):
     check_title(panel, row)
     check_places(panel, deck, position, row, size)
     check_frame(script, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
+    check_labels(panel, back)
     check_paths(panel, deck, rows, size)
     if 'F12x' not in row:
         checks.that(not any(line.style in (PIN_FORCE,) for line in panel.lines), 'no forces without loads and masses')

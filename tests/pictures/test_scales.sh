@@ -75,4 +75,15 @@ check 'the instant of a clockwise cycle' test "$(grep -c '^set arrow from -320,g
 run 0 --plot-script=x.gp --plot-kind=motion "$fourbar"
 check 'no instant of a range' none 'graph 0 to' x.gp
 
+# --- a picture is as high as its drawing: the ends of springs are in it
+height() { sed -n 's/^set terminal .* size [0-9]*,\([0-9]*\) .*/\1/p' x.gp; }
+run 0 --plot-script=x.gp --branch=open "$engine"
+low=$(height)
+for end in at to_at; do
+    { cat "$engine"; printf '[spring S]\nlink = rod\nto = ground\nstiffness = 10 N/m\nat = (60, 0) mm\nto_at = (60, 0) mm\n' |
+        sed "s/^$end = .*/$end = (60, 400) mm/"; } >far.deck
+    run 0 --plot-script=x.gp --branch=open far.deck
+    check "a spring with $end far above: $low, $(height)" test "$(height)" -gt $((low + 30))
+done
+
 finish
