@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# compare.py OLD NEW DECK... - do two builds of the program print the same of these decks?  Rows, summary, check, matrix and
+# json; reports of every tenth deck.  Exit statuses and messages are compared word for word, numbers of rows within 1e-9 of
+# the largest of their column, extremes within 1e-6 of it.  And does the new one hold: no row of a table ten times as fine
+# lies beyond an extreme.  Prints what differs, how much is the same to the byte, and "N passed, M failed".
+import csv
+import io
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+OUTPUTS = {
+    'csv': ['--format=csv', '--columns=all'],
+    'table': [],
+    'summary': ['--format=csv', '--summary', '--columns=all'],
+    'check': ['--check'],
+    'matrix': ['--matrix'],
+    'json': ['--format=json'],
+}
+ROWS, EXTREMES = 1e-9, 1e-6
+NUMBER = re.compile(r'-?\d[\d.]*(?:e[-+]?\d+)?|-?inf|nan')
+
+
+def run(program, arguments):
+    """Exit status, output and messages."""
+    try:
+        done = subprocess.run([program] + arguments, capture_output=True, stdin=subprocess.DEVNULL, timeout=300)
+    except subprocess.TimeoutExpired:
+        return 'no end', b'', b''
+    return done.returncode, done.stdout, done.stderr
+
+
+def sizes_of(output):
+    """The largest finite value of each column, by its name without its unit."""
+    records = list(csv.reader(io.StringIO(output.decode('utf-8', 'replace'))))
+    found = {}
+    for record in records[1:]:
+        for name, value in zip(records[0], record):
+            if re.fullmatch(NUMBER, value) and math.isfinite(float(value)):
+                key = name.split(' ')[0]
+                found[key] = max(found.get(key, 0), abs(float(value)))
+    return found
+
+
+def size_of(column, sizes):
+    """What is rounding itself has the size 1, and so has a column of zeros or words."""
+    return 1 if 'residual' in column or column == 'superposition' else sizes.get(column) or 1
+
+
+def difference(old, new):
+    """The words that differ apart from numbers, and the largest difference of a number."""
+    if re.sub(NUMBER, '#', old) != re.sub(NUMBER, '#', new):
+        return math.inf
+    worst = 0
+    for a, b in zip(re.findall(NUMBER, old), re.findall(NUMBER, new)):
+        if a != b:
+            worst = max(worst, abs(float(a) - float(b)) if math.isfinite(float(a)) and math.isfinite(float(b)) else math.inf)
+    return worst
+
+
+def compare_csv(old, new, sizes):
+    for line, other in zip(old.splitlines(), new.splitlines()):
+        if line == other:
+            continue
+        head = old.splitlines()[0].split(',')
+        for name, a, b in zip(head, line.split(','), other.split(',')):
+            size = size_of(name.split(' ')[0], sizes)
+            if a != b and difference(a, b) > ROWS * size:
+                yield '%s: %s, %s' % (name, a, b)
+    if len(old.splitlines()) != len(new.splitlines()):
+        yield 'another number of rows'
+
+
+def compare_summary(old, new, sizes):
+    ours, theirs = ({tuple(r[:1] + r[4:]): r for r in csv.reader(io.StringIO(text))} for text in (old, new))
+    for key in sorted(set(ours) ^ set(theirs)):
+        yield '%s is in one only' % ', '.join(key)
+    for key in set(ours) & set(theirs):
+        a, b = ours[key][1], theirs[key][1]
+        column = re.sub(r'^\w+\((.*)\)$', r'\1', key[0])
+        if a != b and difference(a, b) > EXTREMES * size_of(column, sizes):
+            yield '%s: %s, %s' % (', '.join(key), a, b)
+
+
+def beyond_extremes(program, deck, summary, sizes):
+    """Rows of a finer table beyond the extremes of the summary."""
+    wanted = {}
+    for r in csv.reader(io.StringIO(summary)):
+        match = re.fullmatch(r'(max|min)\((.*)\)', r[0])
+        if match and re.fullmatch(NUMBER, r[1]):
+            for branch in (r[4],) if r[4] else ('open', 'crossed'):
+                wanted[match.group(2), branch, match.group(1)] = float(r[1])
+    interval = [r[1:3] for r in csv.reader(io.StringIO(summary)) if r[0] == 'motion.interval']
+    if not interval:
+        return
+    fine = '--interval=%.17g %s' % (float(interval[0][0]) / 10, interval[0][1])
+    records = list(csv.reader(io.StringIO(run(program, ['--format=csv', '--columns=all', fine, deck])[1].decode())))
+    for record in records[1:]:
+        for name, value in zip(records[0], record):
+            column = name.split(' ')[0]
+            if name.endswith('(deg)') or not re.fullmatch(NUMBER, value) or not math.isfinite(float(value)):
+                continue
+            for which, sign in (('max', 1), ('min', -1)):
+                limit = wanted.get((column, record[0], which))
+                if limit is not None and sign * (float(value) - limit) > EXTREMES * size_of(column, sizes):
+                    yield '%s of %s is %s, at %s a row has %s' % (which, column, limit, record[1], value)
+
+
+def compare(old, new, deck, has_report):
+    """What differs, and how many outputs are the same to the byte."""
+    wrong, same, summary, sizes = [], 0, '', {}
+    outputs = dict(OUTPUTS)
+    with tempfile.TemporaryDirectory() as folder:
+        if has_report:
+            outputs['report'] = ['--report=' + os.path.join(folder, 'r.html')]
+        for name, arguments in outputs.items():
+            results = []
+            for program in (old, new):
+                status, out, messages = run(program, arguments + [deck])
+                if name == 'report' and os.path.exists(os.path.join(folder, 'r.html')):
+                    with open(os.path.join(folder, 'r.html'), 'rb') as page:
+                        out = page.read()
+                results.append((status, out, messages))
+            (status, out, messages), (status_new, out_new, messages_new) = results
+            if (status, messages) != (status_new, messages_new):
+                wrong.append('%s: %s %r, %s %r' % (name, status, messages[:200], status_new, messages_new[:200]))
+            sizes = sizes_of(out) if name == 'csv' else sizes
+            summary = out_new.decode('utf-8', 'replace') if name == 'summary' else summary
+            if out == out_new:
+                same += 1
+                continue
+            texts = out.decode('utf-8', 'replace'), out_new.decode('utf-8', 'replace')
+            if name == 'csv':
+                found = list(compare_csv(*texts, sizes))
+            elif name == 'summary':
+                found = list(compare_summary(*texts, sizes))
+            else:
+                found = ['other words'] if difference(*texts) == math.inf else []
+            wrong += ['%s: %s' % (name, words) for words in found]
+    wrong += list(beyond_extremes(new, deck, summary, sizes))
+    return deck, wrong, same, len(outputs)
+
+
+def main(old, new, *decks):
+    same = outputs = failed = 0
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for deck, wrong, n, of in pool.map(lambda k: compare(old, new, decks[k], k % 10 == 0), range(len(decks))):
+            same, outputs, failed = same + n, outputs + of, failed + bool(wrong)
+            for line in wrong[:20]:
+                print('%s: %s' % (os.path.basename(deck), line))
+    print('%d of %d outputs are the same to the byte' % (same, outputs))
+    print('%d passed, %d failed' % (len(decks) - failed, failed))
+    return failed > 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(*sys.argv[1:]))
