@@ -2,8 +2,9 @@
 #
 # compare.py OLD NEW DECK... - do two builds of the program print the same of these decks?  Rows, summary, check, matrix and
 # json; reports of every tenth deck.  Exit statuses and messages are compared word for word, numbers of rows within 1e-9 of
-# the largest of their column, extremes within 1e-6 of it.  And does the new one hold: no row of a table ten times as fine
-# lies beyond an extreme.  Prints what differs, how much is the same to the byte, and "N passed, M failed".
+# the largest of their column, extremes within 1e-6 of it.  Prints what differs, which rows of a table ten times as fine lie
+# beyond an extreme (where a joint with friction stands still they may), how much is the same to the byte, and "N passed, M
+# failed".
 import csv
 import io
 import math
@@ -36,7 +37,8 @@ def run(program, arguments):
 
 
 def sizes_of(output):
-    """The largest finite value of each column, by its name without its unit."""
+    """The largest finite value of each column, by its name without its unit; of one that is small beside others of its
+    unit, which may be rounding, a thousandth of theirs."""
     records = list(csv.reader(io.StringIO(output.decode('utf-8', 'replace'))))
     found = {}
     for record in records[1:]:
@@ -44,7 +46,9 @@ def sizes_of(output):
             if re.fullmatch(NUMBER, value) and math.isfinite(float(value)):
                 key = name.split(' ')[0]
                 found[key] = max(found.get(key, 0), abs(float(value)))
-    return found
+    units = dict(name.split(' ', 1) for name in (records[0] if records else ()) if ' ' in name)
+    of_unit = {unit: max(found.get(key, 0) for key in units if units[key] == unit) for unit in units.values()}
+    return {key: max(size, 1e-3 * of_unit.get(units.get(key), 0)) for key, size in found.items()}
 
 
 def size_of(column, sizes):
@@ -54,7 +58,7 @@ def size_of(column, sizes):
 
 def difference(old, new):
     """The words that differ apart from numbers, and the largest difference of a number."""
-    if re.sub(NUMBER, '#', old) != re.sub(NUMBER, '#', new):
+    if re.sub(NUMBER, '#', old).split() != re.sub(NUMBER, '#', new).split():
         return math.inf
     worst = 0
     for a, b in zip(re.findall(NUMBER, old), re.findall(NUMBER, new)):
@@ -103,7 +107,7 @@ def beyond_extremes(program, deck, summary, sizes):
     for record in records[1:]:
         for name, value in zip(records[0], record):
             column = name.split(' ')[0]
-            if name.endswith('(deg)') or not re.fullmatch(NUMBER, value) or not math.isfinite(float(value)):
+            if name.endswith(('(deg)', '(rad)')) or not re.fullmatch(NUMBER, value) or not math.isfinite(float(value)):
                 continue
             for which, sign in (('max', 1), ('min', -1)):
                 limit = wanted.get((column, record[0], which))
@@ -142,16 +146,15 @@ def compare(old, new, deck, has_report):
             else:
                 found = ['other words'] if difference(*texts) == math.inf else []
             wrong += ['%s: %s' % (name, words) for words in found]
-    wrong += list(beyond_extremes(new, deck, summary, sizes))
-    return deck, wrong, same, len(outputs)
+    return deck, wrong, list(beyond_extremes(new, deck, summary, sizes)), same, len(outputs)
 
 
 def main(old, new, *decks):
     same = outputs = failed = 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for deck, wrong, n, of in pool.map(lambda k: compare(old, new, decks[k], k % 10 == 0), range(len(decks))):
+        for deck, wrong, beyond, n, of in pool.map(lambda k: compare(old, new, decks[k], k % 10 == 0), range(len(decks))):
             same, outputs, failed = same + n, outputs + of, failed + bool(wrong)
-            for line in wrong[:20]:
+            for line in wrong[:20] + beyond[:3]:
                 print('%s: %s' % (os.path.basename(deck), line))
     print('%d of %d outputs are the same to the byte' % (same, outputs))
     print('%d passed, %d failed' % (len(decks) - failed, failed))

@@ -8,13 +8,13 @@
 **    rate          exp(integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2 over a cycle)
 */
 #include <math.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "actual_facts.h"
+#include "base/solve.h"
 #include "mechanics/mechanics.h"
-
-#define ITERATIONS 60
 
 void flk_facts_forget(flk_actual_facts *f)
 {
@@ -43,8 +43,10 @@ static int take(const flk_path *p, double s, sample *at)
 
 /* What is sought: the acceleration, or the speed less a value, is 0. */
 typedef struct goal {
+    const flk_path *p;
     int of_speed;
     double speed;
+    sample at; /* where the search is */
 } goal;
 
 static double value_of(const goal *g, const sample *at)
@@ -52,35 +54,22 @@ static double value_of(const goal *g, const sample *at)
     return g->of_speed ? at->speed - g->speed : at->alpha;
 }
 
-/* A zero between two samples whose values differ in sign, by false position that halves the value of an end that stays
-** (the Illinois method). */
-static void find_zero(const flk_path *p, const goal *g, sample low, sample high, sample *at)
+static double value_at(double s, void *data)
 {
-    double f_low = value_of(g, &low), f_high = value_of(g, &high), f;
-    double close = g->of_speed ? 1e-15 * g->speed : 1e-9 * GSL_MAX(fabs(f_low), fabs(f_high));
-    int k, side = 0;
+    goal *g = data;
 
-    *at = low;
-    for (k = 0; k < ITERATIONS && high.s - low.s > 4e-16 * high.s && f_high != f_low; k++) {
-        double s = low.s - f_low * (high.s - low.s) / (f_high - f_low);
+    return take(g->p, s, &g->at) ? value_of(g, &g->at) : GSL_NAN;
+}
 
-        if (!(s > low.s && s < high.s) || !take(p, s, at))
-            break;
-        f = value_of(g, at);
-        if (fabs(f) <= close)
-            break;
-        if ((f < 0) == (f_low < 0)) {
-            low = *at;
-            f_low = f;
-            f_high *= side == -1 ? 0.5 : 1;
-            side = -1;
-        } else {
-            high = *at;
-            f_high = f;
-            f_low *= side == 1 ? 0.5 : 1;
-            side = 1;
-        }
-    }
+/* A zero between two samples whose values differ in sign. */
+static void find_sample(goal *g, const sample *low, const sample *high, sample *at)
+{
+    flk_bracket b = flk_bracket_of(low->s, high->s, value_of(g, low), value_of(g, high));
+
+    g->at = *low;
+    flk_find_zero(value_at, g, &b,
+                  g->of_speed ? 1e-15 * g->speed : 1e-9 * GSL_MAX(fabs(b.f_low), fabs(b.f_high)));
+    *at = g->at;
 }
 
 static void widen(const sample *at, double *least, double *most)
@@ -93,11 +82,13 @@ static void widen(const sample *at, double *least, double *most)
 ** them.  Within a step it may be 0 twice, so the middle is looked at too. */
 static int find_range(const flk_path *p, double s, double *least, double *most)
 {
-    static const goal extreme = {0, 0};
+    goal extreme;
     sample last, now, between;
     size_t k;
     int half;
 
+    memset(&extreme, 0, sizeof extreme);
+    extreme.p = p;
     if (!take(p, s, &last))
         return 0;
     *least = *most = last.speed;
@@ -111,7 +102,7 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
                 return 0;
             widen(&now, least, most);
             if ((last.alpha < 0) != (now.alpha < 0)) {
-                find_zero(p, &extreme, last, now, &between);
+                find_sample(&extreme, &last, &now, &between);
                 widen(&between, least, most);
             }
             last = now;
@@ -137,14 +128,16 @@ void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
 
 void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
 {
-    goal reached = {1, 0};
+    goal reached;
     sample last, now;
     size_t k;
 
+    reached.p = p;
+    reached.of_speed = 1;
     reached.speed = p->sense * f->mean_speed;
     for (k = 0; k < p->n && take(p, p->node[k].s, &now); k++) {
         if (k > 0 && now.speed >= reached.speed) {
-            find_zero(p, &reached, last, now, &now);
+            find_sample(&reached, &last, &now, &now);
             f->run_up_time = now.time;
             return;
         }

@@ -26,6 +26,7 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_steady.h"
+#include "base/solve.h"
 
 #define PLACES 18
 #define SPEEDS 60 /* that are tried */
@@ -305,37 +306,25 @@ static int is_jump(const problem *q, double range, double f_low, double f_high)
     return !gsl_finite(f_low) && f_high * q->p->node[0].E > 10 * q->torque_unit * q->cycle * range;
 }
 
-/* Find x[i] where it is 0: by steps that double, then between values of both signs by false position that halves the
-** value of an end that stays (the Illinois method), and by halves while the crank stalls at the lower.  0 if there is
-** none. */
+/* Find x[i] where it is 0: by steps that double, then between values of both signs, and by halves while the crank
+** stalls at the lower.  0 if there is none. */
 static int find_zero(const problem *q, double *x, int i, rising *of, double close)
 {
-    double low = x[i], high = x[i], f_low = GSL_POSINF, f_high = GSL_NEGINF, f = of(q, x);
-    double h = GSL_MIN(2 * fabs(f), 0.2);
-    int k, side = 0;
+    double f = of(q, x), h = GSL_MIN(2 * fabs(f), 0.2);
+    flk_bracket b = flk_bracket_of(x[i], x[i], GSL_POSINF, GSL_NEGINF);
+    int k;
 
     for (k = 0; k < DOUBLINGS + STEPS && fabs(f) > close && q->p->budget > 0; k++) {
-        if (f < 0) {
-            low = x[i];
-            f_low = f;
-            f_high *= side == -1 ? 0.5 : 1;
-            side = gsl_finite(f) ? -1 : 0;
-        } else {
-            high = x[i];
-            f_high = f;
-            f_low *= side == 1 ? 0.5 : 1;
-            side = 1;
-        }
-        if (!(f_low < 0))
-            x[i] = high - h;
-        else if (!(f_high > 0))
-            x[i] = low + h;
-        else if (high - low <= NEAR * (1 + fabs(high)) ||
-                 (of == gain && is_jump(q, high - low, f_low, f_high)))
-            return gsl_finite(f_low);
+        flk_bracket_take(&b, x[i], f, 1);
+        if (!(b.f_low < 0))
+            x[i] = b.high - h;
+        else if (!(b.f_high > 0))
+            x[i] = b.low + h;
+        else if (b.high - b.low <= NEAR * (1 + fabs(b.high)) ||
+                 (of == gain && is_jump(q, b.high - b.low, b.f_low, b.f_high)))
+            return gsl_finite(b.f_low);
         else
-            x[i] = gsl_finite(f_low) ? low - f_low * (high - low) / (f_high - f_low)
-                                     : 0.5 * (low + high);
+            x[i] = flk_bracket_next(&b);
         h *= 2;
         f = of(q, x);
     }

@@ -20,6 +20,7 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_step.h"
+#include "base/solve.h"
 
 #define INSIDE 1e-11  /* of a cycle: corners are not touched, for torques may jump there */
 #define BESIDE 5e-3   /* rad, of a change point: nearer, values are those through angles about it */
@@ -29,7 +30,6 @@
 #define SHORTER 1e-4    /* ... and in another */
 #define SLOW 1e-2       /* of speed and energy at FIRST, and of the speed with the largest energy */
 #define FIRST 0.01      /* rad, from rest */
-#define ITERATIONS 60
 
 static double inside(const flk_equations *e, double s)
 {
@@ -246,34 +246,31 @@ double flk_actual_time_of(double speed, double alpha, double angle)
     return sum > 0 ? 2 * angle / sum : 0;
 }
 
-/* The part of a step at which y[i], which it passes, has a value, by false position that halves the residual of an end
-** that stays (the Illinois method). */
+/* What a value changes within a step, less a change that is sought. */
+typedef struct passing {
+    const flk_curve_of_step *within;
+    int i;
+    double change;
+} passing;
+
+static double passed_by(double part, void *data)
+{
+    const passing *x = data;
+
+    return flk_step_change(x->within, x->i, part) - x->change;
+}
+
+/* The part of a step at which y[i], which it passes, has a value. */
 double flk_actual_part(const flk_curve_of_step *within, int i, double change)
 {
-    double low = 0, high = 1, f_low = -change, f_high = flk_step_change(within, i, 1) - change;
-    double part = 1, f;
-    int k, side = 0;
+    flk_bracket b;
+    passing x;
 
-    for (k = 0; k < ITERATIONS && high - low > 2e-16 * high && f_high != f_low; k++) {
-        part = low - f_low * (high - low) / (f_high - f_low);
-        if (!(part > low && part < high))
-            break;
-        f = flk_step_change(within, i, part) - change;
-        if (f == 0)
-            break;
-        if ((f < 0) == (f_low < 0)) {
-            low = part;
-            f_low = f;
-            f_high *= side == -1 ? 0.5 : 1;
-            side = -1;
-        } else {
-            high = part;
-            f_high = f;
-            f_low *= side == 1 ? 0.5 : 1;
-            side = 1;
-        }
-    }
-    return part;
+    x.within = within;
+    x.i = i;
+    x.change = change;
+    b = flk_bracket_of(0, 1, -change, passed_by(1, &x));
+    return flk_find_zero(passed_by, &x, &b, 0);
 }
 
 int flk_actual_keep(flk_path *p, const flk_node *node)

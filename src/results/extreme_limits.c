@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/solve.h"
 #include "extreme_search.h"
 
 /* A column's size in a stretch, whatever it does at the ends. */
@@ -32,21 +33,29 @@ static double denominator_at(const flk_search *x, const flk_tracked *t, double s
 #define BESIDE_POLE 1e-8          /* s */
 #define ROUNDING_BESIDE_POLE 1e-6 /* there, in parts of the column's size */
 
+typedef struct divisor {
+    const flk_search *x;
+    const flk_tracked *t;
+} divisor;
+
+static double divisor_at(double s, void *data)
+{
+    const divisor *d = data;
+
+    return denominator_at(d->x, d->t, s);
+}
+
 /* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
 ** vanishes with it. */
 static void find_pole(const flk_search *x, flk_tracked *t, double low, double high, double at_low)
 {
-    double s, at, near;
-    int k;
+    flk_bracket b = flk_bracket_of(low, high, at_low, denominator_at(x, t, high));
+    double near;
+    divisor d;
 
-    for (k = 0; k < 60; k++) {
-        s = 0.5 * (low + high);
-        at = denominator_at(x, t, s);
-        if ((at > 0) == (at_low > 0))
-            low = s;
-        else
-            high = s;
-    }
+    d.x = x;
+    d.t = t;
+    low = flk_find_zero(divisor_at, &d, &b, 0);
     near = fabs(flk_search_value(x, t, low - BESIDE_POLE, 0));
     if (near > 1.5 * fabs(flk_search_value(x, t, low - 2 * BESIDE_POLE, 0))) {
         flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, low);

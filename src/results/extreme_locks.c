@@ -8,9 +8,8 @@
 */
 #include <gsl/gsl_math.h>
 
+#include "base/solve.h"
 #include "extreme_search.h"
-
-#define HALVINGS 60
 
 static int is_locked(const flk_search *x, double passed)
 {
@@ -20,10 +19,19 @@ static int is_locked(const flk_search *x, double passed)
     return row.at.status == FOURLINK_LOCKED;
 }
 
+/* Its sign says whether the mechanism is locked. */
+static double lock_at(double passed, void *data)
+{
+    const flk_search *const *x = data;
+
+    return is_locked(*x, passed) ? GSL_NEGINF : GSL_POSINF;
+}
+
 int flk_search_find_lock(const flk_search *x, double *edge)
 {
-    double low, high, middle;
-    int first, k;
+    double low, high;
+    flk_bracket b;
+    int first;
     size_t i;
 
     *edge = GSL_POSINF;
@@ -41,13 +49,8 @@ int flk_search_find_lock(const flk_search *x, double *edge)
     }
     if (high == low)
         return first;
-    for (k = 0; k < HALVINGS; k++) {
-        middle = 0.5 * (low + high);
-        if (is_locked(x, middle) == first)
-            low = middle;
-        else
-            high = middle;
-    }
-    *edge = first ? high : low;
+    b = flk_bracket_of(low, high, first ? GSL_NEGINF : GSL_POSINF, first ? GSL_POSINF : GSL_NEGINF);
+    flk_find_zero(lock_at, &x, &b, 0);
+    *edge = first ? b.high : b.low;
     return first;
 }

@@ -13,12 +13,12 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/solve.h"
 #include "deck/schema.h"
 #include "jumps.h"
 #include "mechanics/kind.h"
 
 #define SAMPLES 720 /* of a turn */
-#define HALVINGS 60
 
 /* A function of the crank angle whose zeros are wanted. */
 typedef struct zero {
@@ -58,23 +58,29 @@ static int move(const search *s, double theta2, fourlink_state *state)
            FOURLINK_OK;
 }
 
-/* A zero between two angles at which the function differs in sign. */
-static double halve(const search *s, const zero *z, double low, double high, int is_negative)
+/* A function whose zero is sought. */
+typedef struct sought {
+    const search *s;
+    const zero *z;
+} sought;
+
+static double value_at(double theta2, void *data)
 {
+    const sought *x = data;
     fourlink_state state;
-    int i;
 
-    for (i = 0; i < HALVINGS; i++) {
-        double middle = 0.5 * (low + high);
+    return move(x->s, theta2, &state) ? value_of(x->s, x->z, &state) : GSL_NAN;
+}
 
-        if (!move(s, middle, &state))
-            break;
-        if ((value_of(s, z, &state) < 0) == is_negative)
-            low = middle;
-        else
-            high = middle;
-    }
-    return 0.5 * (low + high);
+/* The zero of function j between a sample and the one before it. */
+static double find_angle(const search *s, size_t j, double before, double theta2)
+{
+    flk_bracket b = flk_bracket_of(before, theta2, s->last[j], s->now[j]);
+    sought x;
+
+    x.s = s;
+    x.z = &s->zeros[j];
+    return flk_find_zero(value_at, &x, &b, 0);
 }
 
 /* 1 if there is a zero between two values; an angle that goes over 180 deg has none. */
@@ -112,7 +118,7 @@ static int search_branch(flk_jumps *jumps, search *s)
         for (j = 0; j < s->n && is_there; j++) {
             s->now[j] = value_of(s, &s->zeros[j], &state);
             if (was_there && has_zero(&s->zeros[j], s->last[j], s->now[j]) &&
-                !keep(jumps, halve(s, &s->zeros[j], theta2 - step, theta2, s->last[j] < 0)))
+                !keep(jumps, find_angle(s, j, theta2 - step, theta2)))
                 return 0;
             s->last[j] = s->now[j];
         }

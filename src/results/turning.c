@@ -15,7 +15,7 @@
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
 ** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
-** and where T crosses Tm, which GSL's root finder gives.
+** and where T crosses Tm.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -24,18 +24,17 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_roots.h>
 #include <gsl/gsl_sort.h>
 
+#include "base/solve.h"
 #include "turning.h"
 
 #define STEP (M_PI / 180)
 #define MOST_STEPS 100000
-#define INSIDE 1e-10         /* rad, from a corner into the piece beside it */
-#define HALVINGS 1000        /* of pieces, at most */
-#define SHORTEST 1e-9        /* rad: no piece is halved below it */
-#define ROUGH 1e-7           /* a smooth piece is exact to 1e-14 if its rules agree to this */
-#define ROOT_SOLVER_STATE 32 /* doubles: more than Brent's needs */
+#define INSIDE 1e-10  /* rad, from a corner into the piece beside it */
+#define HALVINGS 1000 /* of pieces, at most */
+#define SHORTEST 1e-9 /* rad: no piece is halved below it */
+#define ROUGH 1e-7    /* a smooth piece is exact to 1e-14 if its rules agree to this */
 
 typedef struct moment {
     flk_analysis *a;
@@ -46,7 +45,6 @@ typedef struct moment {
     double *work; /* N m rad, of T in each piece */
     size_t n_cuts;
     int without_friction; /* 1: T is that of the machine without friction */
-    int left;             /* 1: the root finder asked for an angle that the links do not reach */
 } moment;
 
 /* T - Tm; NaN where the links do not reach. */
@@ -87,44 +85,6 @@ static double integrate(moment *m, double from, double to, int points)
 static double area(moment *m, double from, double to)
 {
     return integrate(m, from, to, 8);
-}
-
-/* The same for GSL's root finder, which would call its error handler for a value that is not finite. */
-static double finite_excess(double theta2, void *data)
-{
-    moment *m = data;
-    double value = excess(theta2, m);
-
-    m->left |= gsl_isnan(value);
-    return gsl_isnan(value) ? 0 : value;
-}
-
-/* Where T - Tm changes its sign, between two angles at which it differs. */
-static double crossing(moment *m, double low, double high)
-{
-    double state[ROOT_SOLVER_STATE], root = (low + high) / 2;
-    gsl_root_fsolver solver;
-    gsl_function f;
-    int i;
-
-    solver.type = gsl_root_fsolver_brent;
-    solver.state = state;
-    f.function = finite_excess;
-    f.params = m;
-    m->left = 0;
-    if (solver.type->size > sizeof state ||
-        gsl_root_fsolver_set(&solver, &f, low, high) != GSL_SUCCESS)
-        return root;
-    for (i = 0; i < 100 && !m->left; i++) {
-        root = gsl_root_fsolver_root(&solver);
-        if (gsl_root_fsolver_iterate(&solver) != GSL_SUCCESS || m->left)
-            return root;
-        root = gsl_root_fsolver_root(&solver);
-        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(&solver),
-                                   gsl_root_fsolver_x_upper(&solver), 1e-14, 0) == GSL_SUCCESS)
-            break;
-    }
-    return root;
 }
 
 /* A corner, in the cycle that starts at 0. */
@@ -291,13 +251,15 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
         double from = m->cuts[i], to = m->cuts[i + 1];
         double low = from + INSIDE, high = to - INSIDE;
         double dE = m->work[i] - m->mean * (to - from);
-        int below = excess(low, m) < 0;
+        double at_low = excess(low, m), at_high = excess(high, m);
+        int below = at_low < 0;
 
         if (below != was_below) /* a jump */
             end_area(m, &e, from, t);
-        was_below = excess(high, m) < 0;
+        was_below = at_high < 0;
         if (below != was_below) {
-            double at = crossing(m, low, high), before = area(m, from, at);
+            flk_bracket b = flk_bracket_of(low, high, at_low, at_high);
+            double at = flk_find_zero(excess, m, &b, 0), before = area(m, from, at);
 
             take_up(&e, before);
             end_area(m, &e, at, t);

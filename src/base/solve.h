@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** solve.h - zeros of a function of one variable.
+*/
+#ifndef FOURLINK_SOLVE_H
+#define FOURLINK_SOLVE_H
+
+/* Two places, low < high, with values of unlike signs.  An infinite value has a sign, but no size. */
+typedef struct flk_bracket {
+    double low, high, f_low, f_high;
+    int side; /* which end the last value replaced: -1 low, 1 high, 0 none, or an infinite value */
+} flk_bracket;
+
+/* A bracket whose ends may be unknown: then f_low is infinity, f_high minus infinity. */
+flk_bracket flk_bracket_of(double low, double high, double f_low, double f_high);
+
+/* The next place to look at: by false position, or the middle where a value is infinite. */
+double flk_bracket_next(const flk_bracket *b);
+
+/* Put a value in the place of the end that has its sign.  `is_rising`: the value at `low` is the negative one. */
+void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
+
+/* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place that was looked at.  The bracket
+** closes about it.  NaN ends the search. */
+double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket *b, double close);
+
+#endif
