@@ -86,4 +86,9 @@ for end in at to_at; do
     check "a spring with $end far above: $low, $(height)" test "$(height)" -gt $((low + 30))
 done
 
+run 0 --plot-script=x.gp --branch=open --set='ground.angle=30 deg' "$engine"
+risen=$(height)
+run 0 --plot-script=x.gp --branch=open --set='ground.angle=60 deg' "$engine"
+check "an engine rises: $low, $risen, $(height)" test $low -lt $risen -a $risen -lt "$(height)"
+
 finish
