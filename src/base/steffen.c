@@ -33,3 +33,44 @@ double flk_steffen_value(double d, double h, double y0, double y1, double slope0
 
     return y0 + d * (slope0 + d * (b + d * a));
 }
+
+unsigned long flk_steffen_find(const double *x, unsigned long n, double at)
+{
+    unsigned long low = 0, high = n - 1;
+
+    while (high - low > 1) {
+        unsigned long middle = (low + high) / 2;
+
+        if (x[middle] <= at)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static double secant(const double *x, const double *y, unsigned long i)
+{
+    return (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+}
+
+static double slope_at(const double *x, const double *y, unsigned long n, unsigned long i)
+{
+    if (i == 0)
+        return secant(x, y, 0);
+    if (i == n - 1)
+        return secant(x, y, i - 1);
+    return flk_steffen_slope(x[i] - x[i - 1], secant(x, y, i - 1), x[i + 1] - x[i],
+                             secant(x, y, i));
+}
+
+double flk_steffen_on(const double *x, const double *y, unsigned long n, double at)
+{
+    unsigned long i;
+
+    if (!(at > x[0]) || at >= x[n - 1])
+        return at >= x[n - 1] ? y[n - 1] : y[0];
+    i = flk_steffen_find(x, n, at);
+    return flk_steffen_value(at - x[i], x[i + 1] - x[i], y[i], y[i + 1], slope_at(x, y, n, i),
+                             slope_at(x, y, n, i + 1));
+}

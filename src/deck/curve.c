@@ -3,8 +3,7 @@
 ** curve.c - a quantity over the crank angle, given at some angles, smooth and periodic between them; or over another
 ** argument, not periodic.
 **
-** Between the points the interpolation is Steffen's (base/steffen.c).  At the ends of a curve that is not periodic the
-** slope is the secant beside it.
+** Between the points the interpolation is Steffen's (base/steffen.c).
 */
 #include <math.h>
 #include <stdlib.h>
@@ -12,23 +11,6 @@
 
 #include "base/steffen.h"
 #include "curve.h"
-
-static double secant(const curve *c, size_t i)
-{
-    return (c->y[i + 1] - c->y[i]) / (c->x[i + 1] - c->x[i]);
-}
-
-/* Of a curve that is not periodic. */
-static void set_open_slopes(curve *c)
-{
-    size_t i, last = c->n - 1;
-
-    c->slope[0] = secant(c, 0);
-    c->slope[last] = secant(c, last - 1);
-    for (i = 1; i < last; i++)
-        c->slope[i] = flk_steffen_slope(c->x[i] - c->x[i - 1], secant(c, i - 1),
-                                        c->x[i + 1] - c->x[i], secant(c, i));
-}
 
 int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c)
 {
@@ -44,10 +26,8 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
     c->period = period;
     memcpy(c->x, x, n * sizeof *x);
     memcpy(c->y, y, n * sizeof *y);
-    if (period <= 0) {
-        set_open_slopes(c);
+    if (period <= 0)
         return 1;
-    }
     c->x[n] = x[0] + period;
     c->y[n] = y[0];
     for (i = 0; i < n; i++) {
@@ -62,31 +42,19 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
 
 double flk_curve_value(const curve *c, double x)
 {
-    size_t low = 0, high = c->n, next;
+    size_t low;
     double d;
 
-    if (c->period > 0) {
-        x = fmod(x - c->x[0], c->period);
-        x = c->x[0] + (x < 0 ? x + c->period : x);
-    } else {
-        high = c->n - 1;
-        if (!(x > c->x[0]) || x >= c->x[high])
-            return x >= c->x[high] ? c->y[high] : c->y[0];
-    }
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-
-        if (c->x[middle] <= x)
-            low = middle;
-        else
-            high = middle;
-    }
-    next = high % c->n;
+    if (c->period <= 0)
+        return flk_steffen_on(c->x, c->y, c->n, x);
+    x = fmod(x - c->x[0], c->period);
+    x = c->x[0] + (x < 0 ? x + c->period : x);
+    low = flk_steffen_find(c->x, c->n + 1, x);
     d = x - c->x[low];
     if (d < 0)
         d = 0; /* rounding */
-    return flk_steffen_value(d, c->x[high] - c->x[low], c->y[low], c->y[high], c->slope[low],
-                             c->slope[next]);
+    return flk_steffen_value(d, c->x[low + 1] - c->x[low], c->y[low], c->y[low + 1], c->slope[low],
+                             c->slope[(low + 1) % c->n]);
 }
 
 void flk_curve_free(curve *c)

@@ -12,7 +12,7 @@
 
 typedef struct curve {
     double *x, *y; /* n points, and the first again one period later; in one piece of memory */
-    double *slope; /* dy/dx at the n points */
+    double *slope; /* dy/dx at the n points of a periodic curve */
     size_t n;      /* 0: no curve */
     double
         period; /* 0: not periodic; before the first point and behind the last their values hold */

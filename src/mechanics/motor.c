@@ -15,44 +15,6 @@
 #include "base/steffen.h"
 #include "inertia.h"
 
-static double secant(const fourlink_motor *motor, unsigned long i)
-{
-    return (motor->curve_torque[i + 1] - motor->curve_torque[i]) /
-           (motor->curve_speed[i + 1] - motor->curve_speed[i]);
-}
-
-/* At the ends the slope is the secant beside it. */
-static double slope(const fourlink_motor *motor, unsigned long i)
-{
-    const double *x = motor->curve_speed;
-
-    if (i == 0)
-        return secant(motor, 0);
-    if (i == motor->n_curve - 1)
-        return secant(motor, i - 1);
-    return flk_steffen_slope(x[i] - x[i - 1], secant(motor, i - 1), x[i + 1] - x[i],
-                             secant(motor, i));
-}
-
-static double on_curve(const fourlink_motor *motor, double w)
-{
-    const double *x = motor->curve_speed, *y = motor->curve_torque;
-    unsigned long low = 0, high = motor->n_curve - 1;
-
-    if (!(w > x[0]) || w >= x[high])
-        return w >= x[high] ? y[high] : y[0];
-    while (high - low > 1) {
-        unsigned long middle = (low + high) / 2;
-
-        if (x[middle] <= w)
-            low = middle;
-        else
-            high = middle;
-    }
-    return flk_steffen_value(w - x[low], x[high] - x[low], y[low], y[high], slope(motor, low),
-                             slope(motor, high));
-}
-
 static double of_power(const fourlink_motor *motor, double w)
 {
     double turning = motor->max_torque < 0 ? -w : w, largest = fabs(motor->max_torque);
@@ -117,7 +79,8 @@ double flk_motor_torque(const fourlink_motor *motor, double omega2)
     case FOURLINK_MOTOR_LINEAR:
         return motor->ratio * motor->stall_torque * (1 - w / motor->no_load_speed);
     case FOURLINK_MOTOR_CURVE:
-        return motor->ratio * on_curve(motor, w);
+        return motor->ratio *
+               flk_steffen_on(motor->curve_speed, motor->curve_torque, motor->n_curve, w);
     case FOURLINK_MOTOR_POWER:
         return motor->ratio * of_power(motor, w);
     default:
