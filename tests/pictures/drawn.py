@@ -272,13 +272,12 @@ def check_places(panel, deck, position, row, size, has_angles=True):
     check_outlines(panel, deck, position, row, size)
 
 
-def check_labels(panel, back):
-    """Names stand within the axes."""
+def check_labels(panel):
+    """Names stand within the axes; the script's reader does not turn them."""
     x, y = panel.range['x'], panel.range['y']
     for words, at, side, rest in panel.labels:
         if at is not None:
-            p = at / back
-            checks.that(x[0] <= p.real <= x[1] and y[0] <= p.imag <= y[1], 'the label', words, 'is within the axes', p, x, y)
+            checks.that(x[0] <= at.real <= x[1] and y[0] <= at.imag <= y[1], 'the label', words, 'is within the axes', at, x, y)
 
 
 def check_frame(script, panel, drawn=None):
@@ -714,7 +713,7 @@ def check_mechanism(deck, text, row, position, rows):
     check_title(panel, row)
     check_places(panel, deck, position, row, size)
     check_frame(script, panel, [p / back for line in panel.lines for p in (line.start, line.end)])
-    check_labels(panel, back)
+    check_labels(panel)
     check_paths(panel, deck, rows, size)
     if 'F12x' not in row:
         checks.that(not any(line.style in (PIN_FORCE,) for line in panel.lines), 'no forces without loads and masses')
