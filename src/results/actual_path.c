@@ -15,12 +15,11 @@
 
 #include "actual_path.h"
 
-#define NEAR_REST 0.05 /* rad, to where the energy would vanish */
-#define LONGEST 0.5    /* rad, of a step */
-#define SHORTEST 1e-13 /* of the angle passed */
-#define CLOSEST 1e-9   /* rad, to where there is no position */
-#define AT_REST 1e-16  /* of the largest energy */
-#define ITERATIONS 60
+#define NEAR_REST 0.05  /* rad, to where the energy would vanish */
+#define LONGEST 0.5     /* rad, of a step */
+#define SHORTEST 1e-13  /* of the angle passed */
+#define CLOSEST 1e-9    /* rad, to where there is no position */
+#define AT_REST 1e-16   /* of the largest energy */
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 
 /* Begin the next step: over time, if the crank is near to rest. */

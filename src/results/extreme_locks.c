@@ -2,7 +2,7 @@
 **
 ** extreme_locks.c - where friction begins and ends to lock the mechanism.
 **
-** No formula gives these angles: samples show them, and halving finds them to rounding.  Towards them friction grows
+** No formula gives these angles: samples show them, and bisection finds them to rounding.  Towards them friction grows
 ** as the inverse of the distance, or, where two solutions meet, ends as its root; so they are treated as dead
 ** positions are.
 */

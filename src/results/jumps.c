@@ -5,7 +5,7 @@
 ** over another argument than the crank angle.
 **
 ** Relative speeds and arguments are smooth in theta2 on each branch, at the speed with which the motion begins.  They are
-** sampled twice a degree over a period, and a change of sign is halved down to rounding.
+** sampled twice a degree over a period, and base/solve finds the zero where the sign changes.
 */
 #include <math.h>
 #include <stdlib.h>

@@ -13,22 +13,27 @@ fi
 [ $signal = INT ] && expected=130 || expected=143
 whole_lines() { [ "$(tail -c 1 "$1" | tr '\n' x)" = x ]; }
 
+# interrupted ARGUMENT...: the sweep, ended after half a second, leaves the old output as it was
+interrupted() {
+    echo old >files/result
+    env --default-signal=$signal "$fourlink" "$@" -o files/result t.deck 2>err &
+    pid=$!
+    sleep 0.5
+    check "$*: a temporary file while it runs" test "$(ls -A files | wc -l)" -eq 2
+    kill -$signal $pid
+    (sleep 5; kill -9 $pid) >/dev/null 2>&1 &
+    guard=$!
+    wait $pid 2>/dev/null
+    status=$?
+    kill $guard 2>/dev/null
+    check "$*, ended by SIG$signal: $status" test $status -eq "$expected"
+    only_file files result
+    check 'the old file is untouched' test "$(cat files/result)" = old
+}
+
 sweep 'crank.length = 18 mm to 22 mm in 30000000' 'output = mu_min, swing'
 mkdir files
-echo old >files/result
-env --default-signal=$signal "$fourlink" -f csv -o files/result t.deck 2>err &
-pid=$!
-sleep 0.5
-check 'a temporary file while it runs' test "$(ls -A files | wc -l)" -eq 2
-kill -$signal $pid
-(sleep 5; kill -9 $pid) >/dev/null 2>&1 &
-guard=$!
-wait $pid 2>/dev/null
-status=$?
-kill $guard 2>/dev/null
-check "ended by SIG$signal: $status" test $status -eq "$expected"
-only_file files result
-check 'the old file is untouched' test "$(cat files/result)" = old
+interrupted -f csv
 check 'no progress where nobody looks' none 'designs,' err
 
 # to a pipe that is read slowly: whole lines
@@ -48,19 +53,7 @@ check 'none is left out' awk -F, 'NR > 1 && ($1 != int(NR / 2) || NF != 6) {bad 
 
 # statistics, and the search of the best design
 for option in --statistics "--best=max swing"; do
-    echo old >files/result
-    env --default-signal=$signal "$fourlink" "$option" -o files/result t.deck 2>err &
-    pid=$!
-    sleep 0.5
-    kill -$signal $pid
-    (sleep 5; kill -9 $pid) >/dev/null 2>&1 &
-    guard=$!
-    wait $pid 2>/dev/null
-    status=$?
-    kill $guard 2>/dev/null
-    check "$option, ended by SIG$signal: $status" test $status -eq $expected
-    only_file files result
-    check 'the old file is untouched' test "$(cat files/result)" = old
+    interrupted "$option"
     says 'stopped t.deck: interrupted'
 done
 
