@@ -247,6 +247,9 @@ typedef struct fourlink_state {
 ** Loads and forces
 ** ------------------------------------------------------------------------------------------- */
 
+/* What makes a load. */
+enum { FOURLINK_LOAD_OWN = 1, FOURLINK_LOAD_SPRING = 2, FOURLINK_LOAD_FRICTION = 3, FOURLINK_LOAD_GAS = 4 };
+
 /* The axes in which a load's force is given. */
 typedef enum fourlink_frame {
     FOURLINK_FRAME_GROUND = 0, /* the frame of link 1: the force keeps its direction */

@@ -13,7 +13,7 @@ fail() {
 }
 
 cd "$source/src" || exit 1
-for file in mechanics/four_bar.c results/extreme.c deck/curve.c base/number.c; do
+for file in mechanics/four_bar.c results/extreme.c mechanics/curve.c base/number.c; do
     try $file || fail "$file is not compiled at all"
     for flag in -ffast-math -Ofast -ffinite-math-only; do
         try $flag $file && fail "$file is compiled with $flag"

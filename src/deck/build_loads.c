@@ -23,7 +23,7 @@ static int repeats(const point *c, const point *first)
 /* The period of a curve: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
 static double period_of(const parser *p, int over)
 {
-    return over == OVER_THETA2 ? p->d->cycle : over == OVER_THETA4 ? 2 * M_PI : 0;
+    return over == FLK_THETA2 ? p->d->machine.cycle : over == FLK_THETA4 ? 2 * M_PI : 0;
 }
 
 /* Check the points of a curve.  Its arguments increase, angles over at most one period.  A last point at the
@@ -34,7 +34,7 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
     const point *c = s->curve;
     size_t n = s->n_points, i;
 
-    if (!c || !(p->d->cycle > 0))
+    if (!c || !(p->d->machine.cycle > 0))
         return 0;
     if (n > MOST_POINTS) {
         flk_mistake(p->mistakes, s->place, "more than 100,000 points: not a curve");
@@ -53,7 +53,7 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
             flk_mistake(p->mistakes, c[n].place,
                         "the curve is not periodic: one %s after its first point it has another "
                         "value",
-                        over == OVER_THETA2 ? "cycle" : "turn");
+                        over == FLK_THETA2 ? "cycle" : "turn");
             return 0;
         }
     }
@@ -61,7 +61,7 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
         flk_mistake(p->mistakes, s->place, "a curve needs at least two points");
     else if (period > 0 && c[n - 1].x - c[0].x > period - LEAST_STEP)
         flk_mistake(p->mistakes, c[n - 1].place,
-                    over == OVER_THETA2
+                    over == FLK_THETA2
                         ? "the curve is longer than the cycle; give [motion] a cycle of 720 deg if "
                           "it is one of four strokes"
                         : "the curve is longer than a turn of theta4, 360 deg");
@@ -73,20 +73,34 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
 /* Build the curves of a setting's components. */
 static void build_curves(parser *p, const setting *s, int n_components, int over, curve *results)
 {
-    double period = period_of(p, over);
+    double period = period_of(p, over), *memory;
     size_t n = check_curve(p, s, over, period), i;
-    double *x = n ? flk_reader_keep(p, 2 * n * sizeof *x) : NULL, *y;
     int k;
 
-    for (k = 0; x && k < n_components; k++) {
-        y = x + n;
+    for (k = 0; n && k < n_components; k++) {
+        memory = flk_reader_keep(p, FLK_CURVE_MEMORY(n) * sizeof *memory);
+        if (!memory)
+            return;
+        flk_curve_place(memory, n, &results[k]);
         for (i = 0; i < n; i++) {
-            x[i] = s->curve[i].x;
-            y[i] = s->curve[i].y[k];
+            results[k].x[i] = s->curve[i].x;
+            results[k].y[i] = s->curve[i].y[k];
         }
-        if (!flk_curve_make(x, y, n, period, &results[k]))
-            p->out_of_memory = 1;
+        flk_curve_finish(period, &results[k]);
     }
+}
+
+flk_element *flk_build_element(parser *p)
+{
+    flk_machine *machine = &p->d->machine;
+    size_t i, n = 0;
+
+    for (i = 0; i < p->n_uses && !machine->element; i++)
+        n += p->uses[i].section == SECTION_LOAD || p->uses[i].section == SECTION_SPRING ||
+             p->uses[i].section == SECTION_GAS;
+    if (!machine->element)
+        machine->element = flk_reader_keep(p, n * sizeof *machine->element);
+    return machine->element ? &machine->element[machine->n_elements++] : NULL;
 }
 
 void flk_build_gas(parser *p)
@@ -96,8 +110,9 @@ void flk_build_gas(parser *p)
                   *rod = flk_setting_find(p, KEY_GAS_PISTON_ROD);
     const setting *pressure = flk_setting_find(p, KEY_GAS_PRESSURE),
                   *card = flk_setting_find(p, KEY_GAS_INDICATOR);
-    deck_gas *gas = &p->d->gas;
     double d_rod = rod->si[0];
+    flk_element *element;
+    flk_gas *gas;
 
     if (!use || !(flk_section_table[SECTION_GAS].kinds & (int)p->d->design.kind))
         return;
@@ -116,11 +131,16 @@ void flk_build_gas(parser *p)
     if (d_rod >= bore->si[0] && bore->si[0] > 0)
         flk_mistake(p->mistakes, rod->place, "the piston_rod, %t, is not thinner than the bore",
                     rod->value);
+    gas = flk_reader_keep(p, sizeof *gas);
+    element = flk_build_element(p);
+    if (!gas || !element)
+        return;
     gas->area = M_PI / 4 * bore->si[0] * bore->si[0];
     gas->back_area = gas->area - M_PI / 4 * d_rod * d_rod;
     gas->pressure = pressure->si[0];
     gas->back_pressure = flk_setting_or(p, KEY_GAS_BACK_PRESSURE, 0);
-    build_curves(p, card, 1, OVER_THETA2, &gas->indicator);
+    build_curves(p, card, 1, FLK_THETA2, &gas->indicator);
+    flk_element_of_gas(gas, p->d->design.kind, element);
 }
 
 int flk_build_check_link(parser *p, const section_use *use, const setting *link)
@@ -139,24 +159,24 @@ int flk_build_check_link(parser *p, const section_use *use, const setting *link)
 }
 
 /* Build the range of crank angles in which a load acts. */
-static void build_window(parser *p, const section_use *use, deck_load *variation)
+static void build_window(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
 
     if (!IS_SET(from) && !IS_SET(to))
         return;
-    variation->is_windowed = 1;
-    variation->from = from->si[0]; /* 0 if not given */
-    variation->to = IS_SET(to) ? to->si[0] : p->d->cycle;
+    own->is_windowed = 1;
+    own->from = from->si[0]; /* 0 if not given */
+    own->to = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
     if (from->is_mistaken || to->is_mistaken)
         return;
-    if (variation->to <= variation->from)
+    if (own->to <= own->from)
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be less than its 'to', not %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
-    else if (variation->to - variation->from > p->d->cycle * (1 + 1e-12))
+    else if (own->to - own->from > p->d->machine.cycle * (1 + 1e-12))
         flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
                     "the load acts for more than a cycle");
 }
@@ -231,27 +251,26 @@ static int over_of(const section_use *use)
 }
 
 /* Build the force of a load, and check its point. */
-static void build_force(parser *p, const section_use *use, fourlink_load *load,
-                        deck_load *variation)
+static void build_force(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *force = flk_setting_of(use, KEY_LOAD_FORCE),
                   *at = flk_setting_of(use, KEY_LOAD_AT);
+    int link = own->load.link;
 
-    if (force->is_bare && load->link && !is_piston(p, load->link))
+    if (force->is_bare && link && !is_piston(p, link))
         flk_mistake(p->mistakes, force->place,
                     "expected a force with its direction, such as 50 N at 30 deg or (43, 25) N, "
                     "not '%t'",
                     force->value);
-    else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) &&
-             load->link && !use->has_unknown &&
-             flk_kind_of(p->d->design.kind)->has_length[load->link] != FLK_NO_LENGTH)
+    else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) && link &&
+             !use->has_unknown && flk_kind_of(p->d->design.kind)->has_length[link] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
     if (IS_SET(at) && !IS_SET(force) && !use->has_unknown)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
-    load->force.x = force->si[0];
-    load->force.y = force->si[1];
-    build_curves(p, force, 2, over_of(use), variation->force);
+    own->values.force.x = force->si[0];
+    own->values.force.y = force->si[1];
+    build_curves(p, force, 2, over_of(use), own->values.force_curve);
 }
 
 /* Refuse to follow what the mechanism does not have. */
@@ -269,74 +288,72 @@ static void check_over(parser *p, const setting *over)
 }
 
 /* Values on the way back: a curve or a value, as torque or force is. */
-static void build_back(parser *p, const section_use *use, deck_law *law)
+static void build_back(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
 
     if (!IS_SET(back))
         return;
-    law->has_back = 1;
-    if (OVER_IS_SPEED(law->over))
+    own->has_back = 1;
+    if (FLK_IS_SPEED(own->over))
         flk_mistake(p->mistakes, back->place,
                     "'back' is for loads over a position, not over a speed");
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE)))
         flk_mistake(p->mistakes, back->place,
                     "'back' of a force or of a torque? give them in two loads");
     if (IS_SET(flk_setting_of(use, KEY_LOAD_FORCE))) {
-        law->back.force.x = back->si[0];
-        law->back.force.y = back->si[1];
-        build_curves(p, back, 2, over_of(use), law->back_force);
+        own->back.force.x = back->si[0];
+        own->back.force.y = back->si[1];
+        build_curves(p, back, 2, over_of(use), own->back.force_curve);
     } else {
-        law->back.torque = back->si[0];
-        build_curves(p, back, 1, over_of(use), &law->back_torque);
+        own->back.torque = back->si[0];
+        build_curves(p, back, 1, over_of(use), &own->back.torque_curve);
     }
 }
 
 /* A value over a speed needs the speed at which it is reached. */
 static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
-                            deck_law *law)
+                            flk_own_load *own)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *exponent = flk_setting_of(use, KEY_LOAD_EXPONENT),
                   *speed = flk_setting_of(use, KEY_LOAD_AT_SPEED);
     const setting *first = IS_SET(speed) ? speed : exponent;
 
-    law->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
-    law->at_speed = speed->si[0];
+    own->exponent = IS_SET(exponent) ? exponent->si[0] : 1;
+    own->at_speed = speed->si[0];
     if (!is_clear)
         return;
-    if (IS_SET(first) && !OVER_IS_SPEED(law->over))
+    if (IS_SET(first) && !FLK_IS_SPEED(own->over))
         flk_mistake(p->mistakes, first->place, "'%s' needs 'over', the speed that the load follows",
                     IS_SET(speed) ? "at_speed" : "exponent");
     else if (IS_SET(first) && has_curve)
         flk_mistake(p->mistakes, first->place, "'%s' is for a value; this load has a curve",
                     IS_SET(speed) ? "at_speed" : "exponent");
-    else if (OVER_IS_SPEED(law->over) && !has_curve && !IS_SET(speed))
+    else if (FLK_IS_SPEED(own->over) && !has_curve && !IS_SET(speed))
         flk_mistake(p->mistakes, over->place,
                     "a load over a speed needs 'at_speed', the speed at which it has its value, or "
                     "a curve");
 }
 
-static void build_law(parser *p, const section_use *use, deck_load *variation)
+static void build_law(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *over = flk_setting_of(use, KEY_LOAD_OVER),
                   *force = flk_setting_of(use, KEY_LOAD_FORCE),
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
-    deck_law *law = &variation->law;
     int has_curve = force->curve || torque->curve;
     int is_clear = !over->is_mistaken && !force->is_mistaken && !torque->is_mistaken &&
                    !use->has_unknown && (IS_SET(force) || IS_SET(torque));
 
-    law->over = over->word;
+    own->over = (flk_variable)over->word;
     check_over(p, over);
-    build_back(p, use, law);
-    build_power_law(p, use, is_clear, has_curve, law);
-    if (!FLK_DECK_FOLLOWS(law))
+    build_back(p, use, own);
+    build_power_law(p, use, is_clear, has_curve, own);
+    if (!own->over && !own->has_back)
         return;
-    p->d->has_law = 1;
-    if (IS_SET(over) && !OVER_IS_SPEED(law->over) && !has_curve && !law->has_back && is_clear)
+    if (IS_SET(over) && !FLK_IS_SPEED(own->over) && !has_curve && !own->has_back && is_clear)
         flk_mistake(p->mistakes, over->place,
                     "'over' needs a curve: a force or torque that varies");
     if (IS_SET(from) || IS_SET(to))
@@ -345,38 +362,42 @@ static void build_law(parser *p, const section_use *use, deck_load *variation)
                     IS_SET(from) ? "from" : "to");
 }
 
-static void build_load(parser *p, const section_use *use, fourlink_load *load, deck_load *variation)
+static void build_load(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *link = flk_setting_of(use, KEY_LOAD_LINK),
                   *torque = flk_setting_of(use, KEY_LOAD_TORQUE),
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
-    load->link = flk_build_check_link(p, use, link) ? link->word : 0;
+    own->load.link = flk_build_check_link(p, use, link) ? link->word : 0;
     if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
-    load->frame = (fourlink_frame)frame->word;
-    build_force(p, use, load, variation);
-    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), load->link, &load->at);
-    load->torque = torque->si[0];
-    variation->name = flk_reader_copy(p, use->name, "");
-    build_curves(p, torque, 1, over_of(use), &variation->torque);
-    build_window(p, use, variation);
-    build_law(p, use, variation);
+    own->load.frame = (fourlink_frame)frame->word;
+    build_force(p, use, own);
+    flk_build_place(p, flk_setting_of(use, KEY_LOAD_AT), own->load.link, &own->load.at);
+    own->values.torque = torque->si[0];
+    build_curves(p, torque, 1, over_of(use), &own->values.torque_curve);
+    build_window(p, use, own);
+    build_law(p, use, own);
 }
 
 void flk_build_loads(parser *p)
 {
-    deck *d = p->d;
+    flk_element *element;
+    flk_own_load *own;
     size_t i;
 
-    d->loads = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->loads);
-    d->variations = flk_build_keep_each(p, SECTION_LOAD, sizeof *d->variations);
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
-        if (p->uses[i].section == SECTION_LOAD) {
-            build_load(p, &p->uses[i], &d->loads[d->n_loads], &d->variations[d->n_loads]);
-            d->n_loads++;
-            d->has_forces = 1;
-        }
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++) {
+        if (p->uses[i].section != SECTION_LOAD)
+            continue;
+        own = flk_reader_keep(p, sizeof *own);
+        element = flk_build_element(p);
+        if (!own || !element)
+            return;
+        build_load(p, &p->uses[i], own);
+        element->name = flk_reader_copy(p, p->uses[i].name, "");
+        flk_element_of_own(own, element);
+        p->d->has_forces = 1;
+    }
 }
 
 /* ------------------------------------------------------------------------------------- curves that are left */
@@ -385,7 +406,7 @@ void flk_build_loads(parser *p)
 #define ROUNDING 1e-9 /* of the curve */
 
 /* The least and the largest argument of a load over the motion; of a motion that is not given speeds are not known. */
-static void find_range(const deck *d, int over, double *low, double *high)
+static void find_range(const deck *d, flk_variable over, double *low, double *high)
 {
     double end = d->one_instant ? d->motion.from : d->motion.to;
     fourlink_state state;
@@ -400,11 +421,11 @@ static void find_range(const deck *d, int over, double *low, double *high)
 
             if (!(branch == FOURLINK_OPEN ? d->open : d->crossed) ||
                 fourlink_motion_at(&d->motion, angle, &row) != FOURLINK_OK ||
-                flk_mechanism_move(&d->mechanism, (fourlink_branch)branch, &row.crank, 0, &state) !=
-                    FOURLINK_OK)
+                flk_mechanism_move(&d->machine.mechanism, (fourlink_branch)branch, &row.crank, 0,
+                                   &state) != FOURLINK_OK)
                 continue;
-            *low = GSL_MIN(*low, flk_deck_argument(&state, over));
-            *high = GSL_MAX(*high, flk_deck_argument(&state, over));
+            *low = GSL_MIN(*low, flk_variable_value(&state, over));
+            *high = GSL_MAX(*high, flk_variable_value(&state, over));
         }
 }
 
@@ -416,7 +437,7 @@ static void check_ends(parser *p, const setting *s, const setting *over, const c
 
     if (!c->n || c->period > 0)
         return;
-    find_range(p->d, over->word, &low, &high);
+    find_range(p->d, (flk_variable)over->word, &low, &high);
     first = c->x[0];
     last = c->x[c->n - 1];
     if (low >= first - ROUNDING * (last - first) && high <= last + ROUNDING * (last - first))
@@ -431,8 +452,7 @@ static void check_ends(parser *p, const setting *s, const setting *over, const c
 
 void flk_build_curve_ends(parser *p)
 {
-    unsigned long n = 0;
-    size_t i;
+    size_t i, n = 0;
 
     if (p->mistakes->count)
         return;
@@ -442,15 +462,17 @@ void flk_build_curve_ends(parser *p)
         if (p->uses[i].section != SECTION_LOAD)
             continue;
         over = flk_setting_of(&p->uses[i], KEY_LOAD_OVER);
-        if (over->word > OVER_THETA4 &&
-            (p->d->drive.mode == DRIVE_GIVEN || !OVER_IS_SPEED(over->word))) {
-            const deck_load *load = &p->d->variations[n];
+        if (over->word > FLK_THETA4 &&
+            (p->d->drive.mode == DRIVE_GIVEN || !FLK_IS_SPEED(over->word))) {
+            const setting *back = flk_setting_of(&p->uses[i], KEY_LOAD_BACK);
+            const flk_own_load *own = flk_machine_find(&p->d->machine, &flk_own_sort, n)->data;
 
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_FORCE), over, &load->force[0]);
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_TORQUE), over, &load->torque);
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_BACK), over,
-                       &load->law.back_force[0]);
-            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_BACK), over, &load->law.back_torque);
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_FORCE), over,
+                       &own->values.force_curve[0]);
+            check_ends(p, flk_setting_of(&p->uses[i], KEY_LOAD_TORQUE), over,
+                       &own->values.torque_curve);
+            check_ends(p, back, over, &own->back.force_curve[0]);
+            check_ends(p, back, over, &own->back.torque_curve);
         }
         n++;
     }

@@ -189,7 +189,7 @@ void flk_build_mechanism(parser *p)
         check_reach(p, kind);
     if (p->mistakes->count)
         return;
-    i = fourlink_prepare(design, &p->d->mechanism);
+    i = fourlink_prepare(design, &p->d->machine.mechanism);
     if (i != FOURLINK_OK)
         flk_mistake(p->mistakes, flk_section_find(p, SECTION_CRANK, NULL)->place, "%s",
                     fourlink_status_text(i));

@@ -138,7 +138,7 @@ static void check_mode(parser *p, int mode)
         flk_mistake(p->mistakes, speed->place,
                     "the speed of the steady motion is computed: give a mean_speed with [motor] "
                     "torque = constant, or a motor that has a speed");
-    if (IS_SET(mean) && p->d->drive.motor.kind != FOURLINK_MOTOR_BALANCE &&
+    if (IS_SET(mean) && p->d->machine.motor.kind != FOURLINK_MOTOR_BALANCE &&
         !flk_build_is_mistaken(p, SECTION_MOTOR))
         flk_mistake(p->mistakes, mean->place,
                     "a mean_speed needs [motor] torque = constant, which balances the loads at any "
@@ -181,7 +181,7 @@ static void build_rows_by_time(parser *p, int mode)
                         "'%s' is for rows by angle; rows by time have time_step and duration",
                         flk_key_table[of_angle[i]].name);
     }
-    if (p->d->has_friction)
+    if (p->d->machine.has_friction)
         flk_mistake(p->mistakes, rows->place,
                     "rows by time allow the machine to swing back, which friction does not: rows "
                     "by angle, or no [friction]");
@@ -268,9 +268,9 @@ static const char *against_range(parser *p)
     if (drive->mode != DRIVE_STEADY ||
         (p->d->motion.to - p->d->motion.from) * flk_build_sense(p) >= 0)
         return NULL;
-    return drive->mean_speed != 0                       ? "mean_speed"
-           : drive->motor.kind == FOURLINK_MOTOR_LINEAR ? "motor"
-                                                        : NULL;
+    if (drive->mean_speed != 0)
+        return "mean_speed";
+    return p->d->machine.motor.kind == FOURLINK_MOTOR_LINEAR ? "motor" : NULL;
 }
 
 static void check_range(parser *p)
@@ -335,7 +335,7 @@ void flk_build_motion(parser *p)
     if (IS_SET(run_up))
         build_run_up(p, run_up);
     if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
-        p->d->friction.direction = motion->to < motion->from ? -1 : 1;
+        p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
     if (!flk_build_is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
         check_range(p);
 }
@@ -347,7 +347,7 @@ void flk_build_table(parser *p)
     int branches = flk_setting_find(p, KEY_TABLE_BRANCH)->word;
 
     p->d->asks_for_both = branches == BRANCH_BOTH;
-    if (!branches && p->d->gas.area > 0)
+    if (!branches && flk_machine_count(&p->d->machine, &flk_gas_sort))
         branches = BRANCH_OPEN; /* engines stand on it */
     p->d->open = branches != BRANCH_CROSSED;
     p->d->crossed = branches != BRANCH_OPEN;

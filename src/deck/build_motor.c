@@ -114,7 +114,7 @@ void flk_build_motor(parser *p)
     const section_use *use = flk_section_find(p, SECTION_MOTOR, NULL);
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *points = flk_setting_find(p, KEY_MOTOR_CURVE);
-    fourlink_motor *motor = &p->d->drive.motor;
+    fourlink_motor *motor = &p->d->machine.motor;
     int line, power, n;
 
     if (!use || p->lacks_values || flk_build_is_mistaken(p, SECTION_MOTOR))
@@ -171,7 +171,7 @@ static double driving_torque(const fourlink_motor *motor)
 
 int flk_build_sense(parser *p)
 {
-    const fourlink_motor *motor = &p->d->drive.motor;
+    const fourlink_motor *motor = &p->d->machine.motor;
     double turning = flk_setting_or(p, KEY_MOTION_SPEED, 0);
 
     if (turning == 0)
@@ -189,7 +189,7 @@ static int has_inertia(const deck *d)
 {
     const fourlink_link *link = d->design.link, *crank = &link[FOURLINK_CRANK];
 
-    return d->drive.flywheel > 0 || d->drive.fluctuation > 0 || d->drive.motor.inertia > 0 ||
+    return d->machine.flywheel > 0 || d->drive.fluctuation > 0 || d->machine.motor.inertia > 0 ||
            crank->inertia > 0 || (crank->mass > 0 && (crank->cg.x != 0 || crank->cg.y != 0)) ||
            link[3].mass > 0 || link[3].inertia > 0 || link[4].mass > 0 ||
            (link[4].inertia > 0 && d->design.kind != FOURLINK_SLIDER_CRANK);
@@ -227,7 +227,7 @@ void flk_build_flywheel(parser *p)
     if (IS_SET(inertia) && IS_SET(fluctuation))
         flk_mistake(p->mistakes, inertia->place,
                     "give either the fluctuation or the inertia: the other follows");
-    p->d->drive.flywheel = inertia->si[0];
+    p->d->machine.flywheel = inertia->si[0];
     build_exact(p, flk_setting_find(p, KEY_FLYWHEEL_EXACT), fluctuation);
     if (p->d->drive.mode != DRIVE_GIVEN && !has_inertia(p->d) && !p->mistakes->count &&
         !p->lacks_values)

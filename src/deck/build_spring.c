@@ -89,7 +89,7 @@ static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
 /* Refuse a spring between the two sides of a pin: its length is 0 at every position. */
 static void check_length(parser *p, const section_use *use, const fourlink_spring *spring)
 {
-    const fourlink_mechanism *mechanism = &p->d->mechanism;
+    const fourlink_mechanism *mechanism = &p->d->machine.mechanism;
     double size = mechanism->design.link[FOURLINK_CRANK].length;
     fourlink_crank crank = {0, 0, 0};
     fourlink_spring_state at;
@@ -111,18 +111,20 @@ static void check_length(parser *p, const section_use *use, const fourlink_sprin
                     "the spring has no length: its ends are the same point at every crank angle");
 }
 
-static void build_spring(parser *p, const section_use *use, deck_spring *new)
+static void build_spring(parser *p, const section_use *use, flk_element *new)
 {
-    static const char *const endings[2][DECK_SPRING_COLUMNS] = {
+    static const char *const endings[2][FLK_ELEMENT_COLUMNS] = {
         {".length", ".force", ".energy", ".power"}, {".angle", ".torque", ".energy", ".power"}};
     const setting *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS),
                   *damping = flk_setting_of(use, KEY_SPRING_DAMPING),
                   *preload = flk_setting_of(use, KEY_SPRING_PRELOAD),
                   *free_length = flk_setting_of(use, KEY_SPRING_FREE_LENGTH),
                   *free_angle = flk_setting_of(use, KEY_SPRING_FREE_ANGLE);
-    fourlink_spring *s = &new->spring;
+    fourlink_spring *s = flk_reader_keep(p, sizeof *s);
     int i;
 
+    if (!s)
+        return;
     flk_build_check_name(p, use, "NAME.length, NAME.force ...");
     s->is_torsional = flk_spring_is_torsional(use);
     build_ends(p, use, s);
@@ -139,26 +141,29 @@ static void build_spring(parser *p, const section_use *use, deck_spring *new)
     s->preload = preload->si[0];
     s->damping = damping->si[0];
     new->name = flk_reader_copy(p, use->name, "");
-    for (i = 0; i < DECK_SPRING_COLUMNS; i++)
+    for (i = 0; i < FLK_ELEMENT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[s->is_torsional][i]);
+    flk_element_of_spring(s, new);
     if (p->mistakes->count || p->lacks_values)
         return;
-    fourlink_spring_prepare(&p->d->mechanism, s);
+    fourlink_spring_prepare(&p->d->machine.mechanism, s);
     if (!s->is_torsional)
         check_length(p, use, s);
 }
 
 void flk_build_springs(parser *p)
 {
-    deck *d = p->d;
+    flk_element *element;
     size_t i;
 
-    d->springs = flk_build_keep_each(p, SECTION_SPRING, sizeof *d->springs);
-    for (i = 0; i < p->n_uses && !p->out_of_memory; i++)
-        if (p->uses[i].section == SECTION_SPRING) {
-            build_spring(p, &p->uses[i], &d->springs[d->n_springs++]);
-            d->has_forces = 1;
-        }
+    for (i = 0; i < p->n_uses && !p->out_of_memory; i++) {
+        if (p->uses[i].section != SECTION_SPRING)
+            continue;
+        element = flk_build_element(p);
+        if (element)
+            build_spring(p, &p->uses[i], element);
+        p->d->has_forces = 1;
+    }
 }
 
 /* ----------------------------------------------------------------------------------------- friction */
@@ -172,7 +177,7 @@ void flk_build_friction(parser *p)
     const section_use *use = flk_section_find(p, SECTION_FRICTION, NULL);
     const setting *guide = flk_setting_find(p, KEY_FRICTION_GUIDE),
                   *length = flk_setting_find(p, KEY_FRICTION_GUIDE_LENGTH);
-    fourlink_friction *friction = &p->d->friction;
+    fourlink_friction *friction = &p->d->machine.friction;
     int i, has_any = IS_SET(guide);
 
     if (!use)
@@ -198,7 +203,7 @@ void flk_build_friction(parser *p)
     friction->guide = guide->si[0];
     friction->guide_length = length->si[0];
     friction->direction = flk_setting_find(p, KEY_FRICTION_DIRECTION)->word;
-    p->d->has_friction = 1;
+    p->d->machine.has_friction = 1;
 }
 
 /* ------------------------------------------------------------------------------------------ balance */
@@ -237,7 +242,7 @@ void flk_build_balance(parser *p)
         flk_mistake(p->mistakes, add->place,
                     "'apply' needs a radius, at which the counterweights are");
     if (p->mistakes->count || p->lacks_values ||
-        fourlink_balance_of(&p->d->mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
+        fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
         return;
     if (p->d->design.kind == FOURLINK_SLIDER_CRANK)
         b->reciprocating = flk_balance_reciprocating(&p->d->design);
@@ -245,5 +250,5 @@ void flk_build_balance(parser *p)
         apply(p, FOURLINK_CRANK, &b->moment.crank, &b->mass[0]);
     if (b->rocker && b->radius > 0)
         apply(p, FOURLINK_FOLLOWER, &b->moment.rocker, &b->mass[1]);
-    fourlink_prepare(&p->d->design, &p->d->mechanism);
+    fourlink_prepare(&p->d->design, &p->d->machine.mechanism);
 }

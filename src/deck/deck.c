@@ -40,26 +40,12 @@ void *flk_deck_keep(deck *d, size_t size)
     return k->contents;
 }
 
-static void free_curves(deck_load *variation)
-{
-    flk_curve_free(&variation->torque);
-    flk_curve_free(&variation->force[0]);
-    flk_curve_free(&variation->force[1]);
-    flk_curve_free(&variation->law.back_torque);
-    flk_curve_free(&variation->law.back_force[0]);
-    flk_curve_free(&variation->law.back_force[1]);
-}
-
 void flk_deck_free(deck *d)
 {
     kept *k, *next;
-    unsigned long i;
 
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->notes);
-    for (i = 0; d->variations && i < d->n_loads; i++)
-        free_curves(&d->variations[i]);
-    flk_curve_free(&d->gas.indicator);
     free(d->expectations);
     for (k = d->storage; k; k = next) {
         next = k->next;
@@ -143,19 +129,19 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
         return FOURLINK_NULL;
     memset(problem, 0, sizeof *problem);
     memcpy(problem->title, d->title, sizeof problem->title);
-    problem->mechanism = d->mechanism;
+    problem->mechanism = d->machine.mechanism;
     problem->motion = d->motion;
-    problem->cycle = d->cycle;
+    problem->cycle = d->machine.cycle;
     problem->open = d->open;
     problem->crossed = d->crossed;
     problem->asks_for_both = d->asks_for_both;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
-    problem->n_gas_loads = flk_deck_gas_loads(d);
-    problem->n_loads = flk_deck_all_loads(d);
-    problem->n_spring_loads = flk_deck_spring_loads(d);
-    problem->n_friction_loads = flk_deck_friction_loads(d);
-    problem->n_springs = d->n_springs;
+    problem->n_gas_loads = d->machine.n_loads - d->machine.first_gas;
+    problem->n_loads = d->machine.n_loads;
+    problem->n_friction_loads = d->machine.first_gas - d->machine.first_friction;
+    problem->n_spring_loads = d->machine.first_friction - (unsigned long)flk_machine_count(&d->machine, &flk_own_sort);
+    problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_sort);
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
     problem->flywheel_inertia = d->flywheel_inertia;
@@ -191,148 +177,47 @@ int fourlink_deck_unit(const fourlink_deck *d, const char *name, fourlink_unit *
     return FOURLINK_OK;
 }
 
-/* The force of the gas on the piston, towards the crank positive: p1 A1 - p2 A2 (ME3491). */
-static double gas_force(const deck_gas *gas, double theta2)
-{
-    double p1 = gas->indicator.n ? flk_curve_value(&gas->indicator, theta2) : gas->pressure;
-
-    return p1 * gas->area - gas->back_pressure * gas->back_area;
-}
-
-/* 1 if a load acts at a crank angle. */
-static int is_on(const deck_load *variation, double cycle, double theta2)
-{
-    double after = theta2 - variation->from;
-
-    if (!variation->is_windowed)
-        return 1;
-    after -= cycle * floor(after / cycle + 1e-12);
-    return !(after > variation->to - variation->from + 1e-12 * cycle);
-}
-
-/* A load at a crank angle: the values of its curves, and 0 outside its range of crank angles. */
-static void set_load(const fourlink_load *load, const deck_load *variation, double cycle,
-                     double theta2, fourlink_load *now)
-{
-    *now = *load;
-    if (FLK_DECK_FOLLOWS(&variation->law) /* forces.c */ || !is_on(variation, cycle, theta2)) {
-        now->force.x = now->force.y = now->torque = 0;
-        return;
-    }
-    if (variation->torque.n)
-        now->torque = flk_curve_value(&variation->torque, theta2);
-    if (variation->force[0].n) {
-        now->force.x = flk_curve_value(&variation->force[0], theta2);
-        now->force.y = flk_curve_value(&variation->force[1], theta2);
-    }
-}
-
-unsigned long flk_deck_gas_loads(const deck *d)
-{
-    if (d->gas.area <= 0)
-        return 0;
-    return fourlink_slides((int)d->design.kind, FOURLINK_FOLLOWER) == FOURLINK_GROUND ? 1 : 2;
-}
-
-static void set_gas_on_piston(double force, fourlink_load *load)
-{
-    memset(load, 0, sizeof *load);
-    load->link = FOURLINK_FOLLOWER;
-    load->force.x = force;
-}
-
-/* p A u on the rod, -p A u on the cylinder, both along the slide: on the rod at B, on the cylinder at the
-** point of the slide beside D, or at C. */
-static void set_gas_in_cylinder(const fourlink_design *design, double force, fourlink_load loads[2])
-{
-    double length = design->link[FOURLINK_FOLLOWER].length;
-
-    memset(loads, 0, 2 * sizeof loads[0]);
-    loads[0].link = FOURLINK_COUPLER;
-    loads[0].frame = FOURLINK_FRAME_LINK;
-    loads[0].force.x = force;
-    loads[1].link = FOURLINK_FOLLOWER;
-    loads[1].frame = FOURLINK_FRAME_LINK;
-    loads[1].force.x = -force * cos(design->angle);
-    loads[1].force.y = -force * sin(design->angle);
-    loads[1].at.x = length;
-    loads[1].at.y = design->offset;
-}
-
-/* Only one end can be on the ground. */
-static unsigned long loads_of_spring(const deck_spring *s)
-{
-    return s->spring.link == FOURLINK_GROUND || s->spring.to == FOURLINK_GROUND ? 1 : 2;
-}
-
-unsigned long flk_deck_spring_loads(const deck *d)
-{
-    unsigned long n = 0, i;
-
-    for (i = 0; i < d->n_springs; i++)
-        n += loads_of_spring(&d->springs[i]);
-    return n;
-}
-
-unsigned long flk_deck_friction_loads(const deck *d)
-{
-    return d->has_friction ? FOURLINK_FRICTION_LOADS : 0;
-}
-
-unsigned long flk_deck_all_loads(const deck *d)
-{
-    return d->n_loads + flk_deck_spring_loads(d) + flk_deck_friction_loads(d) +
-           flk_deck_gas_loads(d);
-}
-
-/* Places for loads that are set with the motion. */
-static unsigned long leave_room(const deck *d, fourlink_load *loads)
-{
-    unsigned long n = flk_deck_spring_loads(d) + flk_deck_friction_loads(d), i, j = 0;
-
-    for (i = 0; i < n; i++) {
-        memset(&loads[i], 0, sizeof loads[i]);
-        loads[i].link = FOURLINK_CRANK;
-    }
-    for (i = 0; i < d->n_springs; i++) {
-        if (d->springs[i].spring.link != FOURLINK_GROUND)
-            loads[j++].link = d->springs[i].spring.link;
-        if (d->springs[i].spring.to != FOURLINK_GROUND)
-            loads[j++].link = d->springs[i].spring.to;
-    }
-    return n;
-}
-
-void flk_deck_set_loads(const deck *d, fourlink_branch branch, double theta2, fourlink_load *loads,
-                        double *gas)
-{
-    double force = 0;
-    unsigned long i;
-
-    for (i = 0; i < d->n_loads; i++)
-        set_load(&d->loads[i], &d->variations[i], d->cycle, theta2, &loads[i]);
-    if (d->n_springs || d->has_friction)
-        i += leave_room(d, &loads[i]);
-    if (d->gas.area > 0)
-        force = gas_force(&d->gas, theta2);
-    if (flk_deck_gas_loads(d) == 1)
-        set_gas_on_piston(-(double)branch * force, &loads[i]);
-    if (flk_deck_gas_loads(d) == 2)
-        set_gas_in_cylinder(&d->design, force, &loads[i]);
-    if (gas)
-        *gas = force;
-}
-
 int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double theta2,
                         fourlink_load *loads, double *gas)
 {
-    if (!d || (!loads && flk_deck_all_loads(d)))
+    flk_acting acting;
+
+    if (!d || (!loads && d->machine.n_loads))
         return FOURLINK_NULL;
     if (branch != FOURLINK_OPEN && branch != FOURLINK_CROSSED)
         return FOURLINK_BAD_BRANCH;
     if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    flk_deck_set_loads(d, branch, theta2, loads, gas);
+    acting.load = loads;
+    flk_machine_loads_at(&d->machine, branch, theta2, &acting);
+    if (gas)
+        *gas = acting.gas_force;
+    return FOURLINK_OK;
+}
+
+int fourlink_deck_analyse(const fourlink_deck *d, fourlink_branch branch,
+                          const fourlink_crank *crank, int closed_form, fourlink_load *loads,
+                          fourlink_state *state, fourlink_forces *forces, fourlink_losses *losses,
+                          double *gas)
+{
+    fourlink_state motion;
+    fourlink_forces found;
+    fourlink_losses lost;
+    flk_acting acting;
+    int status;
+
+    if (!d || !crank || !loads || !state || !forces || !losses || !gas)
+        return FOURLINK_NULL;
+    acting.load = loads;
+    status = fourlink_analyse(&d->machine.mechanism, branch, crank, NULL, 0, &motion, NULL);
+    if (status == FOURLINK_OK)
+        status = flk_machine_forces(&d->machine, &motion, closed_form, &acting, &found, &lost);
+    if (status != FOURLINK_OK)
+        return status;
+    *state = motion;
+    *forces = found;
+    *losses = lost;
+    *gas = acting.gas_force;
     return FOURLINK_OK;
 }
 
@@ -350,61 +235,45 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
-/* The spring whose load this is. */
-static const deck_spring *spring_of_load(const deck *d, unsigned long i)
+/* The element that has a load; null: friction, or no load. */
+static const flk_element *element_of_load(const flk_machine *machine, unsigned long i)
 {
-    const deck_spring *s = d->springs;
-    unsigned long n = 0;
+    const flk_element *e = machine->element, *end = e + machine->n_elements;
 
-    for (;; s++) {
-        n += loads_of_spring(s);
-        if (i < n)
-            return s;
-    }
+    for (; e < end; e++)
+        if (i - e->first < (unsigned long)e->n_loads)
+            return e;
+    return NULL;
 }
 
 int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
 {
-    unsigned long springs, friction;
-    const deck_spring *s;
+    const flk_element *e;
 
     if (!d || !name)
         return FOURLINK_NULL;
-    if (i >= flk_deck_all_loads(d))
+    if (i >= d->machine.n_loads)
         return FOURLINK_BAD_LINK;
-    springs = d->n_loads + flk_deck_spring_loads(d);
-    friction = springs + flk_deck_friction_loads(d);
+    e = element_of_load(&d->machine, i);
+    *name = !e ? "friction" : e->name[0] ? e->name : "load";
     if (has_torque)
-        *has_torque = 0;
-    if (i < d->n_loads) {
-        *name = d->variations[i].name[0] ? d->variations[i].name : "load";
-        if (has_torque)
-            *has_torque = d->loads[i].torque != 0 || d->variations[i].torque.n > 0;
-    } else if (i < springs) {
-        s = spring_of_load(d, i - d->n_loads);
-        *name = s->name;
-        if (has_torque)
-            *has_torque = s->spring.is_torsional;
-    } else if (i < friction) {
-        *name = "friction";
-        if (has_torque)
-            *has_torque = 1;
-    } else {
-        *name = "gas";
-    }
+        *has_torque = !e || e->has_torque;
     return FOURLINK_OK;
 }
 
 int fourlink_deck_spring(const fourlink_deck *d, unsigned long i, const char **name,
                          fourlink_spring *spring)
 {
+    const flk_element *e;
+
     if (!d || !spring)
         return FOURLINK_NULL;
-    if (i >= d->n_springs)
+    e = flk_machine_find(&d->machine, &flk_spring_sort, i);
+    if (!e)
         return FOURLINK_NO_SUCH_POINT;
     if (name)
-        *name = d->springs[i].name;
-    *spring = d->springs[i].spring;
+        *name = e->name;
+    *spring = *(const fourlink_spring *)e->data;
     return FOURLINK_OK;
 }
 
@@ -412,6 +281,6 @@ int fourlink_deck_friction(const fourlink_deck *d, fourlink_friction *friction)
 {
     if (!d || !friction)
         return FOURLINK_NULL;
-    *friction = d->friction;
+    *friction = d->machine.friction;
     return FOURLINK_OK;
 }

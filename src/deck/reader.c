@@ -85,13 +85,14 @@ static void build(parser *p)
     flk_text_copy(flk_setting_find(p, KEY_TOP_TITLE)->value, p->d->title, sizeof p->d->title);
     if (!flk_build_kind(p))
         return;
-    p->d->cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
+    p->d->machine.cycle = flk_setting_or(p, KEY_MOTION_CYCLE, 2 * M_PI);
     flk_build_mechanism(p);
-    flk_build_gas(p);
     flk_build_loads(p);
     flk_build_balance(p);
     flk_build_springs(p);
+    flk_build_gas(p);
     flk_build_friction(p);
+    flk_machine_finish(&p->d->machine);
     flk_build_points(p);
     flk_build_series(p);
     flk_build_motor(p);

@@ -160,7 +160,7 @@ void flk_lines_read(parser *p, text rest, char *copy);
 void flk_values_read_section(parser *p, const section_use *use);
 void flk_values_read(parser *p, int units_only);
 
-/* What a load over OVER_THETA2 ... is over. */
+/* What a load over FLK_THETA2 ... is over. */
 quantity flk_values_quantity_over(int over);
 void flk_sweep_read(parser *p, unsigned long design);
 
@@ -214,6 +214,9 @@ int flk_curve_text_read(parser *p, setting *s, quantity q);
 int flk_build_kind(parser *p);
 void flk_build_mechanism(parser *p);
 void flk_build_link(parser *p, const struct flk_kind *kind, int number);
+/* The next element of the machine's list, for a load, a spring or gas; null if out of memory. */
+flk_element *flk_build_element(parser *p);
+
 void flk_build_gas(parser *p);
 void flk_build_loads(parser *p);
 void flk_build_springs(parser *p);

@@ -56,14 +56,14 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     YES_WORDS(X, SWEEP_STATISTICS)                                            \
     LINK_WORDS(X, LOAD_LINK)                                                  \
     LINK_WORDS(X, POINT_LINK)                                                 \
-    X(LOAD_OVER, "theta2", OVER_THETA2)                                       \
-    X(LOAD_OVER, "theta4", OVER_THETA4)                                       \
-    X(LOAD_OVER, "x", OVER_X)                                                 \
-    X(LOAD_OVER, "slide", OVER_SLIDE)                                         \
-    X(LOAD_OVER, "omega2", OVER_OMEGA2)                                       \
-    X(LOAD_OVER, "omega4", OVER_OMEGA4)                                       \
-    X(LOAD_OVER, "v", OVER_V)                                                 \
-    X(LOAD_OVER, "slide_v", OVER_SLIDE_V)                                     \
+    X(LOAD_OVER, "theta2", FLK_THETA2)                                        \
+    X(LOAD_OVER, "theta4", FLK_THETA4)                                        \
+    X(LOAD_OVER, "x", FLK_X)                                                  \
+    X(LOAD_OVER, "slide", FLK_SLIDE)                                          \
+    X(LOAD_OVER, "omega2", FLK_OMEGA2)                                        \
+    X(LOAD_OVER, "omega4", FLK_OMEGA4)                                        \
+    X(LOAD_OVER, "v", FLK_V)                                                  \
+    X(LOAD_OVER, "slide_v", FLK_SLIDE_V)                                      \
     X(SPRING_LINK, "ground", FOURLINK_GROUND)                                 \
     LINK_WORDS(X, SPRING_LINK)                                                \
     X(SPRING_TO, "ground", FOURLINK_GROUND)                                   \

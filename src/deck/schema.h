@@ -7,7 +7,7 @@
 
 #include "fourlink.h"
 #include "base/units.h"
-#include "mechanics/mechanics.h"
+#include "mechanics/variable.h"
 
 /* name, 1 if it may repeat, mechanisms, its first key in KEY_LIST, which has the sections in this order */
 #define INVERTED FOURLINK_INVERTED_SLIDER_CRANK
@@ -244,20 +244,6 @@ extern const word_info flk_word_table[];
 
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
-
-/* What a load is over: the crank angle, positions, speeds. */
-enum {
-    OVER_THETA2,
-    OVER_THETA4,
-    OVER_X,
-    OVER_SLIDE,
-    OVER_OMEGA2,
-    OVER_OMEGA4,
-    OVER_V,
-    OVER_SLIDE_V
-};
-
-#define OVER_IS_SPEED(over) ((over) >= OVER_OMEGA2)
 
 /* The link, by number, that a section has in some mechanism; 0: the section is no link. */
 int flk_link_of_section(section_code section);

@@ -184,7 +184,7 @@ static int read_over(const section_use *use, int *over)
 {
     const setting *s = flk_setting_of(use, KEY_LOAD_OVER);
 
-    *over = OVER_THETA2;
+    *over = FLK_THETA2;
     return !IS_SET(s) || find_word(KEY_LOAD_OVER, s->value, over);
 }
 
@@ -200,7 +200,7 @@ quantity flk_values_quantity_over(int over)
 /* The quantity of what a load, or the torque of a motor, is over. */
 static quantity argument_of(const section_use *use)
 {
-    int over = OVER_THETA2;
+    int over = FLK_THETA2;
 
     if (use->section == SECTION_MOTOR)
         return QUANTITY_ANGULAR_SPEED;
@@ -252,9 +252,9 @@ static int has_meaning(const section_use *use, key_code key)
     if (!read_over(use, &over))
         return 0;
     if (key == KEY_LOAD_BACK)
-        return !OVER_IS_SPEED(over) && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) !=
-                                           IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE));
-    return key != KEY_LOAD_AT_SPEED || OVER_IS_SPEED(over);
+        return !FLK_IS_SPEED(over) && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) !=
+                                          IS_SET(flk_setting_of(use, KEY_LOAD_TORQUE));
+    return key != KEY_LOAD_AT_SPEED || FLK_IS_SPEED(over);
 }
 
 static void read_value(parser *p, const section_use *use, key_code code, setting *s)

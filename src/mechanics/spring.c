@@ -18,6 +18,7 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
+#include "machine.h"
 
 /* An end of a spring: position and velocity. */
 static void find_end(const fourlink_state *state, int link, const fourlink_vector *at,
@@ -205,4 +206,35 @@ int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring 
                  fabs(angle_between(mechanism, &last, spring) -
                       angle_between(mechanism, &first, spring)) > 1;
     return winds;
+}
+
+static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
+               fourlink_load *load, flk_acting *acting)
+{
+    fourlink_spring_state at;
+    int status = fourlink_spring_at(&machine->mechanism, state, element->data, &at), i;
+
+    if (status != FOURLINK_OK)
+        return status;
+    for (i = 0; i < element->n_loads; i++)
+        load[i] = at.load[i];
+    acting->ground.x += at.ground.x;
+    acting->ground.y += at.ground.y;
+    acting->ground_moment += at.ground_moment;
+    return FOURLINK_OK;
+}
+
+const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act};
+
+void flk_element_of_spring(fourlink_spring *spring, flk_element *element)
+{
+    element->sort = &flk_spring_sort;
+    element->data = spring;
+    if (spring->link != FOURLINK_GROUND)
+        element->link[element->n_loads++] = spring->link;
+    if (spring->to != FOURLINK_GROUND)
+        element->link[element->n_loads++] = spring->to;
+    element->needs_motion = 1;
+    element->needs_angles = spring->is_torsional;
+    element->has_torque = spring->is_torsional;
 }

@@ -125,9 +125,10 @@ static double angle_of(const flk_path *p, double s)
 }
 
 /* Trials of steps: fewer of those that take longer, with friction or with many loads. */
-static unsigned long budget_of(const deck *d, unsigned long n_loads)
+static unsigned long budget_of(const flk_machine *machine)
 {
-    unsigned long cost = 1 + n_loads / 16 + (d->has_friction ? 4 + n_loads / 10 : 0);
+    unsigned long n = machine->n_loads,
+                  cost = 1 + n / 16 + (machine->has_friction ? 4 + n / 10 : 0);
 
     return MOST_STEPS / cost;
 }
@@ -140,14 +141,16 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
 
     p->d = course->d;
     p->jumps = course->jumps;
-    flk_machine_of(course->d, branch, course->loads, course->n_loads, &p->machine);
+    p->machine = course->d->machine;
+    p->acting = course->acting;
+    p->branch = branch;
     p->tolerance = TOLERANCE;
-    p->budget = budget_of(course->d, course->n_loads);
+    p->budget = budget_of(&p->machine);
     p->sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, course->winds, f);
     f->flywheel = p->machine.flywheel;
-    f->inertia = p->machine.inertia;
+    f->inertia = flk_machine_shaft(&p->machine);
     if (found)
         f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
     else {

@@ -15,11 +15,10 @@ typedef struct flk_actual flk_actual;
 typedef struct flk_course {
     const deck *d;
     const flk_jumps *jumps;
-    double last;          /* the crank angle of the last row, in the deck's unit; unused by time */
-    double period;        /* rad, of a steady motion */
-    int winds;            /* 1: a spring is wound up by each cycle: there is no steady motion */
-    fourlink_load *loads; /* memory for the loads of a row */
-    unsigned long n_loads;
+    double last;        /* the crank angle of the last row, in the deck's unit; unused by time */
+    double period;      /* rad, of a steady motion */
+    int winds;          /* 1: a spring is wound up by each cycle: there is no steady motion */
+    flk_acting *acting; /* memory for the loads of a row */
 } flk_course;
 
 /* Find the motion, for flk_actual_free; null if out of memory.  What the course has must last as long. */

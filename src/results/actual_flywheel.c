@@ -22,7 +22,6 @@
 typedef struct search {
     flk_path *path;
     double cycle, mean_speed;
-    double rotor; /* kg m2 */
 } search;
 
 /* The fluctuation with a flywheel of 1 / x; infinite if there is no steady motion. */
@@ -32,7 +31,6 @@ static double fluctuation_at(const search *s, double x)
 
     flk_facts_forget(&f);
     s->path->machine.flywheel = x < NO_FLYWHEEL ? 1 / x : 0;
-    s->path->machine.inertia = s->rotor + s->path->machine.flywheel;
     if (!flk_steady_find(s->path, s->cycle, s->mean_speed, 0))
         return GSL_POSINF;
     flk_facts_of_cycle(s->path, s->cycle, &f);
@@ -67,7 +65,6 @@ int flk_flywheel_find(flk_path *p, double cycle, double mean_speed, double fluct
     s.path = p;
     s.cycle = cycle;
     s.mean_speed = mean_speed;
-    s.rotor = p->machine.inertia;
     for (k = 0; k < TRIES && p->budget > 0 && !p->no_memory; k++) {
         y = fluctuation_at(&s, x);
         if (is_found(y, y_last, fluctuation) || (x >= NO_FLYWHEEL && y < fluctuation))

@@ -211,7 +211,7 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
     flk_machine_place place;
     flk_machine_push push;
     double theta2 = flk_actual_theta2(p, at->s), speed;
-    int status = flk_machine_at(&p->machine, theta2, &place);
+    int status = flk_machine_at(&p->machine, p->branch, theta2, &place);
 
     if (status != FOURLINK_OK)
         return status;
@@ -246,7 +246,7 @@ static int growth_at(const flk_path *p, const flk_node *node, double s, double *
     flk_machine_push slower, faster;
     flk_node at;
     double speed;
-    int status = flk_machine_at(&p->machine, flk_actual_theta2(p, s), &place);
+    int status = flk_machine_at(&p->machine, p->branch, flk_actual_theta2(p, s), &place);
 
     flk_actual_within(node, 0, s, &at);
     if (status != FOURLINK_OK)

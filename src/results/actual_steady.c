@@ -66,10 +66,10 @@ static int mean_push(const flk_path *p, double cycle, double speed, double *mean
         double theta2 =
             motion->from * motion->angle_unit + p->sense * cycle * ((double)i + 0.381) / PLACES;
 
-        if (flk_machine_at(&p->machine, theta2, &place) != FOURLINK_OK ||
-            flk_machine_push_at(&p->machine, &place, p->sense * speed, &push) != FOURLINK_OK)
+        if (flk_machine_at(&p->machine, p->branch, theta2, &place) != FOURLINK_OK ||
+            flk_actual_push(p, &place, speed, &push) != FOURLINK_OK)
             return 0;
-        *mean += p->sense * push.push / PLACES;
+        *mean += push.push / PLACES;
     }
     return 1;
 }
@@ -102,8 +102,8 @@ static double guess_speed(const flk_path *p, double cycle)
     flk_machine_place place;
     int i;
 
-    if (flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place) !=
-            FOURLINK_OK ||
+    if (flk_machine_at(&p->machine, p->branch, p->d->motion.from * p->d->motion.angle_unit,
+                       &place) != FOURLINK_OK ||
         !mean_push(p, cycle, 0, &mean))
         return 0;
     largest = size_of_speed(&p->machine.motor, mean, place.whole);
@@ -376,7 +376,8 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.torque_unit = 1;
     p->n = 0;
     p->machine.motor.torque = balances ? 0 : p->machine.motor.torque;
-    p->status = flk_machine_at(&p->machine, p->d->motion.from * p->d->motion.angle_unit, &place);
+    p->status =
+        flk_machine_at(&p->machine, p->branch, p->d->motion.from * p->d->motion.angle_unit, &place);
     if (p->status != FOURLINK_OK)
         return 0;
     speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);

@@ -33,7 +33,7 @@
 
 static double inside(const flk_equations *e, double s)
 {
-    double nothing = INSIDE * e->p->d->cycle, middle = 0.5 * (e->low + e->high);
+    double nothing = INSIDE * e->p->d->machine.cycle, middle = 0.5 * (e->low + e->high);
 
     nothing = GSL_MIN(nothing, 0.25 * (e->high - e->low));
     return s < middle ? GSL_MAX(s, e->low + nothing) : GSL_MIN(s, e->high - nothing);
@@ -50,7 +50,7 @@ double flk_actual_theta2(const flk_path *p, double s)
 int flk_actual_push(const flk_path *p, const flk_machine_place *place, double speed,
                     flk_machine_push *push)
 {
-    int status = flk_machine_push_at(&p->machine, place, p->sense * speed, push);
+    int status = flk_machine_push_at(&p->machine, place, p->sense * speed, p->acting, push);
 
     push->push *= p->sense;
     push->alpha2 *= p->sense;
@@ -67,7 +67,7 @@ static int over_angle(const flk_equations *e, double s, const double *y, double 
 
     if (!(y[0] > 0))
         return FLK_TO_REST;
-    status = flk_machine_at(&e->p->machine, flk_actual_theta2(e->p, s), &place);
+    status = flk_machine_at(&e->p->machine, e->p->branch, flk_actual_theta2(e->p, s), &place);
     if (status != FOURLINK_OK)
         return status;
     speed = sqrt(2 * y[0] / place.whole);
@@ -83,7 +83,7 @@ static int over_time(const flk_equations *e, double s, const double *y, double *
 {
     flk_machine_place place;
     flk_machine_push push;
-    int status = flk_machine_at(&e->p->machine, flk_actual_theta2(e->p, s), &place);
+    int status = flk_machine_at(&e->p->machine, e->p->branch, flk_actual_theta2(e->p, s), &place);
 
     if (status == FOURLINK_OK)
         status = flk_actual_push(e->p, &place, y[1], &push);
@@ -98,7 +98,7 @@ static int over_time(const flk_equations *e, double s, const double *y, double *
 /* rad passed since the nearest change point, < 0 before it; infinite if the mechanism has none. */
 static double after_change(const flk_path *p, double s)
 {
-    const fourlink_mechanism *mechanism = &p->d->mechanism;
+    const fourlink_mechanism *mechanism = &p->d->machine.mechanism;
     double folded = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
     double nearest = GSL_POSINF;
     int i;
@@ -180,7 +180,8 @@ int flk_actual_whole(const flk_path *p, double s, double *whole)
     int n = is_near_change(p, s, places, weights) ? PLACES : 1, i, status;
 
     for (i = 0; i < n; i++) {
-        status = flk_machine_at(&p->machine, flk_actual_theta2(p, n > 1 ? places[i] : s), &place);
+        status = flk_machine_at(&p->machine, p->branch, flk_actual_theta2(p, n > 1 ? places[i] : s),
+                                &place);
         if (status != FOURLINK_OK)
             return status;
         sum += n > 1 ? weights[i] * place.whole : place.whole;

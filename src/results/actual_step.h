@@ -5,7 +5,6 @@
 #ifndef FOURLINK_ACTUAL_STEP_H
 #define FOURLINK_ACTUAL_STEP_H
 
-#include "actual_machine.h"
 #include "corners.h"
 #include "mechanics/dormand_prince.h"
 
@@ -30,7 +29,9 @@ typedef struct flk_node {
 typedef struct flk_path {
     const deck *d;
     const flk_jumps *jumps;
-    flk_machine machine;
+    flk_machine machine; /* the deck's, with the torque and the flywheel that are sought */
+    flk_acting *acting;  /* memory for its loads */
+    fourlink_branch branch;
     double tolerance; /* 1, of a step */
     double sense;     /* 1 or -1: of the range, and of the rotation */
     flk_node *node;   /* to be freed */

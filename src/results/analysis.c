@@ -15,10 +15,11 @@
 static int possible(const deck *d)
 {
     int needs = NEED_DERIVED | (d->has_forces ? NEED_FORCES | NEED_SUPERPOSITION : 0) |
-                (flk_deck_gas_loads(d) ? NEED_GAS : 0) | (d->has_friction ? NEED_LOSSES : 0) |
+                (d->machine.first_gas < d->machine.n_loads ? NEED_GAS : 0) |
+                (d->machine.has_friction ? NEED_LOSSES : 0) |
                 (d->drive.mode != DRIVE_GIVEN ? NEED_ACTUAL : 0);
     fourlink_rod rod;
-    int status = fourlink_rod_masses(&d->mechanism, &rod);
+    int status = fourlink_rod_masses(&d->machine.mechanism, &rod);
 
     if (status == FOURLINK_NOT_AN_ENGINE)
         return needs;
@@ -38,8 +39,7 @@ static int find_actual(flk_analysis *a)
     course.jumps = &a->jumps;
     course.last = flk_analysis_end(a);
     course.period = flk_analysis_period(a->d);
-    course.loads = a->loads;
-    course.n_loads = a->n_loads;
+    course.acting = &a->acting;
     course.winds = a->winds;
     a->actual = flk_actual_find(&course);
     return a->actual != NULL;
@@ -47,93 +47,86 @@ static int find_actual(flk_analysis *a)
 
 int flk_analysis_open(flk_analysis *a, const deck *d)
 {
-    unsigned long i;
+    const flk_element *spring;
+    size_t i = 0;
 
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
     flk_deck_range(d, &a->range); /* the deck's reader has checked it */
-    a->n_loads = flk_deck_all_loads(d);
-    a->needs_motion = flk_deck_needs_motion(d);
-    for (i = 0; i < d->n_springs; i++)
-        a->winds |= flk_spring_winds(&d->mechanism, &d->springs[i].spring, flk_analysis_period(d));
-    a->loads = calloc(a->n_loads + 1, sizeof *a->loads);
-    return a->loads != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
+    for (; (spring = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
+        a->winds |= flk_spring_winds(&d->machine.mechanism, spring->data, flk_analysis_period(d));
+    a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
+    return a->acting.load != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
     flk_actual_free(a->actual);
-    free(a->loads);
+    free(a->acting.load);
     free(a->jumps.theta2);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
 }
 
-/* Shaking force and moment of the ground ends of springs, and of friction in the pins A and D, which turns the ground
-** with the links. */
-static void add_on_ground(const flk_analysis *a, const fourlink_instant *at, flk_derived *e)
+/* The motion, and with `forces` loads and forces: a status. */
+static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank *crank,
+                   fourlink_instant *at)
 {
-    const deck *d = a->d;
-    const fourlink_link_state *link = at->state.link;
-    double sense = flk_friction_sense(&at->state, &d->friction);
-    fourlink_spring_state s;
-    unsigned long i;
+    const flk_machine *machine = &a->d->machine;
+    int closed_form = a->is_fast || a->d->solver == SOLVER_DYAD;
+    int status =
+        fourlink_analyse_dyad(&machine->mechanism, at->branch, crank, NULL, 0, &at->state, NULL);
 
-    for (i = 0; i < d->n_springs; i++)
-        if (fourlink_spring_at(&d->mechanism, &at->state, &d->springs[i].spring, &s) ==
-            FOURLINK_OK) {
-            e->Fsx += s.ground.x;
-            e->Fsy += s.ground.y;
-            e->Ms += s.ground_moment;
-        }
-    e->Ms += sense * at->losses.pin[0];
-    e->Ms += link[4].k < 0 ? -sense * at->losses.pin[3] : sense * at->losses.pin[3];
+    if (status != FOURLINK_OK)
+        return status;
+    if (forces)
+        status = flk_machine_forces(machine, &at->state, closed_form, &a->acting, &at->forces,
+                                    &at->losses);
+    else if (needs & (NEED_ENGINE | NEED_GAS))
+        flk_machine_loads_at(machine, at->branch, crank->theta2, &a->acting);
+    at->gas_force = a->acting.gas_force;
+    return status;
+}
+
+/* What textbooks derive. */
+static int derive(flk_analysis *a, int needs, int forces, const fourlink_instant *at,
+                  flk_derived *derived)
+{
+    const fourlink_mechanism *mechanism = &a->d->machine.mechanism;
+
+    if (needs & NEED_DERIVED)
+        flk_derive_from_motion(mechanism, &at->state, derived);
+    if (needs & NEED_BALANCE)
+        flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, derived);
+    if ((needs & NEED_DERIVED) && forces)
+        flk_derive_from_forces(mechanism, &at->state, &at->forces, &a->acting, derived);
+    if (needs & NEED_SUPERPOSITION)
+        return flk_derive_superposition(mechanism, &at->state, a->acting.load,
+                                        a->d->machine.n_loads, &at->forces, derived);
+    return FOURLINK_OK;
 }
 
 void flk_analysis_at(flk_analysis *a, int needs, fourlink_branch branch,
                      const fourlink_crank *crank, flk_row *row)
 {
-    const fourlink_mechanism *mechanism = &a->d->mechanism;
-    int (*analyse)(const fourlink_mechanism *, fourlink_branch, const fourlink_crank *,
-                   const fourlink_load *, unsigned long, fourlink_state *, fourlink_forces *) =
-        a->is_fast || a->d->solver == SOLVER_DYAD ? fourlink_analyse_dyad : fourlink_analyse;
+    const flk_machine *machine = &a->d->machine;
+    const fourlink_mechanism *mechanism = &machine->mechanism;
     int forces = (needs & (NEED_FORCES | NEED_SUPERPOSITION)) != 0 ||
-                 (a->needs_motion && (needs & NEED_ENGINE));
+                 (machine->needs_motion && (needs & NEED_ENGINE));
     fourlink_instant *at = &row->at;
 
     at->branch = branch;
-    at->status = FOURLINK_OK;
-    if (a->needs_motion && forces)
-        at->status =
-            fourlink_deck_analyse(a->d, branch, crank, analyse == fourlink_analyse_dyad, a->loads,
-                                  &at->state, &at->forces, &at->losses, &at->gas_force);
-    else if (forces || (needs & (NEED_ENGINE | NEED_GAS)))
-        at->status = fourlink_deck_loads(a->d, branch, crank->theta2, a->loads, &at->gas_force);
-    if (at->status == FOURLINK_OK && !(a->needs_motion && forces))
-        at->status = analyse(mechanism, branch, crank, a->loads, a->n_loads, &at->state,
-                             forces ? &at->forces : NULL);
+    at->status = compute(a, needs, forces, crank, at);
     if (at->status == FOURLINK_OK && (needs & NEED_ENGINE))
-        at->status = fourlink_engine_method(mechanism, &at->state, at->gas_force, a->loads,
-                                            a->n_loads - flk_deck_gas_loads(a->d),
-                                            a->d->approximation, &row->engine);
+        at->status = fourlink_engine_method(mechanism, &at->state, at->gas_force, a->acting.load,
+                                            machine->first_gas, a->d->approximation, &row->engine);
     if (at->status == FOURLINK_OK && (needs & NEED_SERIES))
         at->status = fourlink_textbook_series(mechanism, &at->state, &row->series);
     if (at->status == FOURLINK_OK && (needs & NEED_KLEIN))
         at->status = fourlink_klein_construction(mechanism, &at->state, &row->klein);
-    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED))
-        flk_derive_from_motion(mechanism, &at->state, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_BALANCE))
-        flk_derive_primary(mechanism, &at->state, a->d->balance.reciprocating, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
-        flk_derive_from_forces(mechanism, &at->state, &at->forces, at->gas_force, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces && a->needs_motion)
-        add_on_ground(a, at, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_DERIVED) && forces)
-        flk_derive_shaking(&at->forces, at->gas_force, &row->derived);
-    if (at->status == FOURLINK_OK && (needs & NEED_SUPERPOSITION))
-        at->status = flk_derive_superposition(mechanism, &at->state, a->loads, a->n_loads,
-                                              &at->forces, &row->derived);
+    if (at->status == FOURLINK_OK)
+        at->status = derive(a, needs, forces, at, &row->derived);
 }
 
 /* A row of the actual motion, or the reason why there is none. */
@@ -195,9 +188,10 @@ double flk_analysis_end(const flk_analysis *a)
 
 double flk_analysis_period(const deck *d)
 {
-    double turns = d->mechanism.change_stretched != d->mechanism.change_folded ? 2 : 1;
+    double turns =
+        d->machine.mechanism.change_stretched != d->machine.mechanism.change_folded ? 2 : 1;
 
-    return d->cycle > turns * 2 * M_PI ? d->cycle : turns * 2 * M_PI;
+    return d->machine.cycle > turns * 2 * M_PI ? d->machine.cycle : turns * 2 * M_PI;
 }
 
 int flk_analysis_stops(const flk_analysis *a, fourlink_branch branch)
@@ -222,7 +216,7 @@ int flk_analysis_is_periodic(const flk_analysis *a)
     const deck *d = a->d;
 
     return d->one_revolution && flk_analysis_repeats(a) &&
-           d->mechanism.change_stretched == d->mechanism.change_folded;
+           d->machine.mechanism.change_stretched == d->machine.mechanism.change_folded;
 }
 
 int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)

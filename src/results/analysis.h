@@ -46,9 +46,7 @@ typedef struct flk_analysis {
     const deck *d;
     int possible; /* what of the above can be computed */
     fourlink_range range;
-    unsigned long n_loads; /* springs, friction and gas included */
-    int needs_motion;      /* 1: loads depend on the motion or on the forces */
-    fourlink_load *loads;  /* memory for the loads of the present row */
+    flk_acting acting; /* the loads of the present row */
     flk_jumps jumps;
     flk_actual *actual;     /* null: the motion is given */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */

@@ -301,7 +301,7 @@ static const flk_column_info own_table[] = {FLK_POINT_LIST(OWN_POINT)};
     {                                                      \
         "", QUANTITY_##q, ALL, 0, VALUE, 0, 0, meaning, "" \
     }
-static const flk_column_info spring_table[2][DECK_SPRING_COLUMNS] = {
+static const flk_column_info spring_table[2][FLK_ELEMENT_COLUMNS] = {
     {SPRING_INFO(LENGTH, "length of the spring"), SPRING_INFO(FORCE, "tension of the spring"),
      SPRING_INFO(ENERGY, "energy of the spring"),
      SPRING_INFO(POWER, "power that spring and damper put into the links")},
@@ -318,7 +318,7 @@ static void make(const deck *d, const flk_column_info *info, flk_column *c)
     c->name = info->name;
     c->scale = u->down / u->up;
     c->link = 0;
-    c->springs_of = NULL;
+    c->spring = NULL;
     if (info->form == VALUE && info->x == ROW(angle))
         c->scale = 1; /* already in the deck's unit, exactly */
 }
@@ -334,13 +334,14 @@ static void make_of_point(const deck *d, const deck_point *point, int i, flk_col
 
 static void make_of_spring(const deck *d, size_t i, flk_column *c)
 {
-    const deck_spring *s = &d->springs[i / DECK_SPRING_COLUMNS];
+    const flk_element *e = flk_machine_find(&d->machine, &flk_spring_sort, i / FLK_ELEMENT_COLUMNS);
+    const fourlink_spring *spring = e->data;
 
-    c->component = (int)(i % DECK_SPRING_COLUMNS);
-    make(d, &spring_table[s->spring.is_torsional != 0][c->component], c);
-    c->name = s->column_names[c->component];
-    c->springs_of = d;
-    c->spring = i / DECK_SPRING_COLUMNS;
+    c->component = (int)(i % FLK_ELEMENT_COLUMNS);
+    make(d, &spring_table[spring->is_torsional != 0][c->component], c);
+    c->name = e->column_names[c->component];
+    c->mechanism = &d->machine.mechanism;
+    c->spring = spring;
 }
 
 /* Column i of the points that every deck has; returns why this deck has not, or null. */
@@ -357,7 +358,8 @@ static const char *make_of_own_point(const deck *d, size_t i, flk_column *c)
 
 size_t flk_column_limit(const deck *d)
 {
-    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points + DECK_SPRING_COLUMNS * d->n_springs;
+    return FIXED_COUNT + DECK_POINT_COLUMNS * d->n_points +
+           FLK_ELEMENT_COLUMNS * flk_machine_count(&d->machine, &flk_spring_sort);
 }
 
 int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
@@ -397,8 +399,8 @@ static const char *name_of(const flk_analysis *a, size_t i)
     size_t of_springs = of_points - n_of_points;
 
     if (i >= FIXED_COUNT + n_of_points)
-        return a->d->springs[of_springs / DECK_SPRING_COLUMNS]
-            .column_names[of_springs % DECK_SPRING_COLUMNS];
+        return flk_machine_find(&a->d->machine, &flk_spring_sort, of_springs / FLK_ELEMENT_COLUMNS)
+            ->column_names[of_springs % FLK_ELEMENT_COLUMNS];
     return i < TABLE_COUNT   ? table[i].name
            : i < FIXED_COUNT ? own_table[i - TABLE_COUNT].name
                              : a->d->points[of_points / DECK_POINT_COLUMNS]
@@ -459,7 +461,7 @@ static const char *why_missing(const deck *d, const flk_column_info *info)
         return "needs a moving crank";
     if (info->need == NEED_SERIES)
         return "needs a line of stroke through the crankshaft; the deck has an offset";
-    if ((info->need & NEED_LOSSES) && !d->has_friction)
+    if ((info->need & NEED_LOSSES) && !d->machine.has_friction)
         return "needs a [friction] section; the deck has none";
     if (info->need & NEED_ACTUAL)
         return "needs [motion] mode = free, run-up or steady; the motion is given";

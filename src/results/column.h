@@ -13,12 +13,12 @@ typedef struct flk_column_info flk_column_info;
 typedef struct flk_column {
     const flk_column_info *info;
     const char *name;
-    double scale;           /* what SI values are multiplied by */
-    int link;               /* of a point: where it is; 0: a column of the mechanism */
-    fourlink_vector at;     /* m, in the link's own axes */
-    int component;          /* which of the point's columns, or of the spring's */
-    const deck *springs_of; /* of a spring: its deck and number; null: a column of none */
-    size_t spring;
+    double scale;                  /* what SI values are multiplied by */
+    int link;                      /* of a point: where it is; 0: a column of the mechanism */
+    fourlink_vector at;            /* m, in the link's own axes */
+    int component;                 /* which of the point's columns, or of the spring's */
+    const fourlink_spring *spring; /* of which it is; null: a column of none */
+    const fourlink_mechanism *mechanism;
 } flk_column;
 
 /* The largest number of columns of a deck. */

@@ -33,7 +33,7 @@ static double point_value(const flk_column *c, const flk_row *row)
 
 static int is_of_crank(const flk_column *c)
 {
-    return !c->link && !c->springs_of && c->info->form == VALUE &&
+    return !c->link && !c->spring && c->info->form == VALUE &&
            c->info->x < offsetof(flk_row, at.branch);
 }
 
@@ -41,7 +41,7 @@ int flk_column_is_of_motion(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    return !c->springs_of &&
+    return !c->spring &&
            (!(c->info->need & ~(NEED_DERIVED | NEED_SERIES | NEED_KLEIN)) ||
             (x >= DERIVED(inertia) && x < DERIVED(inertia) + sizeof(((flk_derived *)0)->inertia)));
 }
@@ -49,7 +49,7 @@ int flk_column_is_of_motion(const flk_column *c)
 int flk_column_has_vector(const flk_column *c)
 {
     return c->link ? IS_SIZE_OF_POINT(c)
-                   : !c->springs_of && c->info->form >= POLAR_SIZE && c->info->form <= DIRECTION;
+                   : !c->spring && c->info->form >= POLAR_SIZE && c->info->form <= DIRECTION;
 }
 
 void flk_column_vector(const flk_column *c, const flk_row *row, double *x, double *y)
@@ -90,10 +90,9 @@ double flk_column_value(const flk_column *c, const flk_row *row)
         return GSL_NAN;
     if (c->link)
         return point_value(c, row);
-    if (c->springs_of)
-        return c->scale * flk_spring_column_value(&c->springs_of->mechanism,
-                                                  &c->springs_of->springs[c->spring].spring,
-                                                  c->component, &row->at.state);
+    if (c->spring)
+        return c->scale *
+               flk_spring_column_value(c->mechanism, c->spring, c->component, &row->at.state);
     x = number_at(row, c->info->x);
     if (c->info->form <= POLAR_DIRECTION)
         return x * c->scale; /* nearly all columns */
@@ -109,7 +108,7 @@ int flk_column_flags(const flk_column *c)
 {
     size_t x = c->info->x;
 
-    if (c->link || c->springs_of)
+    if (c->link || c->spring)
         return 0;
     return (is_of_crank(c) ? FOURLINK_OF_CRANK : 0) |
            (is_of_crank(c) && x == ROW(angle) ? FOURLINK_CRANK_ANGLE : 0) |

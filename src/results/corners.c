@@ -47,25 +47,33 @@ static void offer_curve(search *s, const curve *c)
     size_t i;
 
     for (i = 0; i < c->n; i++)
-        offer_angle(s, c->x[i], s->c->d->cycle, FLK_END_PLAIN);
+        offer_angle(s, c->x[i], s->c->d->machine.cycle, FLK_END_PLAIN);
+}
+
+static void offer_values(search *s, const flk_load_values *values)
+{
+    offer_curve(s, &values->torque_curve);
+    offer_curve(s, &values->force_curve[0]);
 }
 
 static void offer_loads(search *s)
 {
-    const deck *d = s->c->d;
-    unsigned long i;
+    const flk_machine *machine = &s->c->d->machine;
+    const flk_element *e = flk_machine_find(machine, &flk_gas_sort, 0);
+    size_t i;
 
-    offer_curve(s, &d->gas.indicator);
-    for (i = 0; i < d->n_loads; i++) {
-        if (d->variations[i].law.over)
+    if (e)
+        offer_curve(s, &((const flk_gas *)e->data)->indicator);
+    for (i = 0; (e = flk_machine_find(machine, &flk_own_sort, i)) != NULL; i++) {
+        const flk_own_load *own = e->data;
+
+        if (own->over)
             continue; /* jumps.c */
-        offer_curve(s, &d->variations[i].law.back_torque);
-        offer_curve(s, &d->variations[i].law.back_force[0]);
-        offer_curve(s, &d->variations[i].torque);
-        offer_curve(s, &d->variations[i].force[0]);
-        if (d->variations[i].is_windowed) {
-            offer_angle(s, d->variations[i].from, d->cycle, FLK_END_PLAIN);
-            offer_angle(s, d->variations[i].to, d->cycle, FLK_END_PLAIN);
+        offer_values(s, &own->back);
+        offer_values(s, &own->values);
+        if (own->is_windowed) {
+            offer_angle(s, own->from, machine->cycle, FLK_END_PLAIN);
+            offer_angle(s, own->to, machine->cycle, FLK_END_PLAIN);
         }
     }
 }
@@ -74,7 +82,7 @@ static void offer_loads(search *s)
 ** 180 deg or at +-90 deg, as are the positions that come near to one line. */
 static void offer_positions(search *s)
 {
-    const fourlink_mechanism *mechanism = &s->c->d->mechanism;
+    const fourlink_mechanism *mechanism = &s->c->d->machine.mechanism;
     double line = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
     fourlink_reach reach;
     int i;

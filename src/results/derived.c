@@ -140,23 +140,31 @@ static flk_offset_force inertia_of(const fourlink_mechanism *mechanism, const fo
 }
 
 /* Shaking force and moment: all that the machine exerts on the frame, at the pins and at the guide by
-** Newton's third law, and by the gas on the cylinder head,
+** Newton's third law, and by its elements, the gas on the cylinder head for one,
 **
-**    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 - e P
+**    Fs = F21 + F41 + P = -(F12 + F14) + P,   Ms = -(AD x F14) - Ts - M14 + M_P
 **
-** the moment about A; P, along the line of stroke y = e, is opposite to the force of the gas on the
-** piston.  In an oscillating cylinder the gas is between moving links.  The friction of a guide is F14x. */
-void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *f, double gas_force, flk_derived *e)
+** the moment about A.  The friction of a guide is F14x.  What is only the rounding of the parts of Fs becomes 0. */
+static void find_shaking(const fourlink_state *state, const fourlink_forces *f,
+                         const flk_acting *acting, flk_derived *e)
 {
     const fourlink_vector *D = &state->link[4].origin;
-    int on_head = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER);
-    double P = on_head ? (double)state->branch * gas_force : 0;
+    double parts =
+        gsl_hypot(f->F12x, f->F12y) + gsl_hypot(f->F14x, f->F14y) + fabs(acting->gas_force);
+
+    e->Fsx = -f->F12x - f->F14x + acting->ground.x;
+    e->Fsy = -f->F12y - f->F14y + acting->ground.y;
+    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) + acting->ground_moment;
+    if (gsl_hypot(e->Fsx, e->Fsy) <= ROUNDING * parts)
+        e->Fsx = e->Fsy = 0;
+}
+
+void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_forces *f, const flk_acting *acting, flk_derived *e)
+{
     int i;
 
-    e->Fsx = -f->F12x - f->F14x + P;
-    e->Fsy = -f->F12y - f->F14y;
-    e->Ms = -f->Ts - f->M14 - (D->x * f->F14y - D->y * f->F14x) - mechanism->design.offset * P;
+    find_shaking(state, f, acting, e);
     e->F12 = in_axes(f->F12x, f->F12y, &state->link[2]);
     e->F32 = in_axes(-f->F23x, -f->F23y, &state->link[2]);
     e->F23 = in_axes(f->F23x, f->F23y, &state->link[3]);
@@ -165,14 +173,6 @@ void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_
     e->F14 = in_axes(f->F14x, f->F14y, &state->link[4]);
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         e->inertia[i] = inertia_of(mechanism, state, i);
-}
-
-void flk_derive_shaking(const fourlink_forces *f, double gas_force, flk_derived *e)
-{
-    double parts = gsl_hypot(f->F12x, f->F12y) + gsl_hypot(f->F14x, f->F14y) + fabs(gas_force);
-
-    if (gsl_hypot(e->Fsx, e->Fsy) <= ROUNDING * parts)
-        e->Fsx = e->Fsy = 0;
 }
 
 /* All as forces: couples are divided by a length.  The friction of a guide is among the loads, and not taken here. */

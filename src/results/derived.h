@@ -5,7 +5,7 @@
 #ifndef FOURLINK_DERIVED_H
 #define FOURLINK_DERIVED_H
 
-#include "fourlink.h"
+#include "mechanics/element.h"
 
 /* A force in a link's own axes: along its line, and normal to it, to the left. */
 typedef struct flk_axial {
@@ -42,12 +42,10 @@ double flk_derive_freudenstein(const fourlink_design *design);
 void flk_derive_from_motion(const fourlink_mechanism *mechanism, const fourlink_state *state,
                             flk_derived *e);
 
-/* The part that follows from the forces; `gas_force` is that on the piston, towards the crank. */
+/* The part that follows from the forces, and from those of the elements on the frame. */
 void flk_derive_from_forces(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_forces *forces, double gas_force, flk_derived *e);
-
-/* After all parts of the shaking force are in it: what is only the rounding of its parts becomes 0. */
-void flk_derive_shaking(const fourlink_forces *forces, double gas_force, flk_derived *e);
+                            const fourlink_forces *forces, const flk_acting *acting,
+                            flk_derived *e);
 
 /* Primary and secondary shaking force of a slider-crank. */
 void flk_derive_primary(const fourlink_mechanism *mechanism, const fourlink_state *state,

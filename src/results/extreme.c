@@ -261,7 +261,7 @@ static void settle_constant(const flk_search *x, flk_tracked *t)
 /* The displacement of a piston is the difference of two lengths: its least value is 0 but for rounding. */
 static void settle_zero(const flk_search *x, flk_tracked *t, int which)
 {
-    double length = x->a->d->mechanism.dead_centre * t->c->scale;
+    double length = x->a->d->machine.mechanism.dead_centre * t->c->scale;
 
     if (strcmp(t->c->name, "x") == 0 && fabs(t->best[which].value) < 4 * GSL_DBL_EPSILON * length)
         t->best[which].value = 0;
@@ -381,8 +381,7 @@ void flk_extremes_close(flk_extremes *x)
 
 static int is_same(const flk_column *x, const flk_column *y)
 {
-    if (x->info != y->info || x->link != y->link || x->springs_of != y->springs_of ||
-        (x->springs_of && x->spring != y->spring))
+    if (x->info != y->info || x->link != y->link || x->spring != y->spring)
         return 0;
     return !x->link || (x->component == y->component && x->at.x == y->at.x && x->at.y == y->at.y);
 }

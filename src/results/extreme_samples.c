@@ -32,7 +32,7 @@ static void skip_periods(flk_search *x)
 /* What a row costs, in rows without loads. */
 static double cost_of_row(const flk_analysis *a)
 {
-    return 1 + (double)a->n_loads / 15 + (a->d->has_friction ? 20 : 0);
+    return 1 + (double)a->d->machine.n_loads / 15 + (a->d->machine.has_friction ? 20 : 0);
 }
 
 int flk_search_is_over(const flk_search *x)

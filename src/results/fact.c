@@ -179,7 +179,7 @@ static void tell_type(teller *t)
     fourlink_type type = FOURLINK_TYPE_END_;
     fourlink_value *f;
 
-    fourlink_type_of(&t->d->mechanism, &type);
+    fourlink_type_of(&t->d->machine.mechanism, &type);
     f = tell(t, FACT_TYPE, (double)type);
     f->words = fourlink_type_text((int)type);
     f->unit = "";
@@ -190,7 +190,7 @@ static void tell_reach(teller *t)
     fourlink_reach reach;
     int i;
 
-    fourlink_reach_of(&t->d->mechanism, &reach);
+    fourlink_reach_of(&t->d->machine.mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
         tell(t, FACT_THETA2_FROM, reach.from[i]);
         tell(t, FACT_THETA2_TO, reach.to[i]);
@@ -237,8 +237,8 @@ static void tell_reach_of_rocker(teller *t, int branch)
     fourlink_reach_of(&mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
         if (reach.n_ranges == 2)
-            t->branch =
-                branch_of_rocker(&t->d->mechanism, M_PI - reach.to[i], M_PI - reach.from[i]);
+            t->branch = branch_of_rocker(&t->d->machine.mechanism, M_PI - reach.to[i],
+                                         M_PI - reach.from[i]);
         if (!is_asked(t->d, t->branch, branch))
             continue;
         tell(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
@@ -252,7 +252,7 @@ static void tell_rod(teller *t)
 {
     fourlink_rod rod;
 
-    if (fourlink_rod_masses(&t->d->mechanism, &rod) != FOURLINK_OK)
+    if (fourlink_rod_masses(&t->d->machine.mechanism, &rod) != FOURLINK_OK)
         return;
     tell(t, FACT_ROD_RATIO, rod.n);
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
@@ -295,7 +295,7 @@ static void tell_limits(teller *t)
 {
     fourlink_limits limits;
 
-    fourlink_limits_of(&t->d->mechanism, (fourlink_branch)t->branch, &limits);
+    fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
     tell(t, FACT_MU_MIN, limits.mu_min);
     tell(t, FACT_MU_MAX, limits.mu_max);
     if (limits.has_swing) {
@@ -329,9 +329,9 @@ static int is_of_motion(const deck *d, int i)
     case FACT_STEADY_RATE:
         return d->drive.mode != DRIVE_FREE;
     case FACT_MOTOR_TORQUE:
-        return d->drive.motor.kind == FOURLINK_MOTOR_BALANCE;
+        return d->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
     case FACT_EFFICIENCY_CYCLE:
-        return d->has_friction;
+        return d->machine.has_friction;
     default:
         return fact_table[i].group != FOURLINK_FACTS_LIMITS;
     }
@@ -407,7 +407,7 @@ static void tell_turning(teller *t, flk_analysis *a)
 
     if (!m)
         return;
-    if (t->d->has_friction)
+    if (t->d->machine.has_friction)
         tell(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
     tell(t, FACT_MEAN_TORQUE, m->mean_torque);
     tell(t, FACT_MEAN_POWER, m->mean_power);
@@ -440,7 +440,7 @@ static void tell_actual(teller *t, flk_analysis *a)
     tell_if(t, FACT_STEADY_RATE, f->steady_rate);
     tell_if(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
     tell_if(t, FACT_RUN_UP_TIME, f->run_up_time);
-    if (t->d->drive.motor.kind == FOURLINK_MOTOR_BALANCE)
+    if (t->d->machine.motor.kind == FOURLINK_MOTOR_BALANCE)
         tell_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
 }
 

@@ -23,7 +23,7 @@
 /* A function of the crank angle whose zeros are wanted. */
 typedef struct zero {
     int joint; /* 0 to 3: the relative speed in it; -1: an argument less a point of a curve */
-    int over;
+    flk_variable over;
     double at; /* of the argument, in SI units */
 } zero;
 
@@ -41,10 +41,10 @@ static double value_of(const search *s, const zero *z, const fourlink_state *sta
     double x;
 
     if (z->joint >= 0)
-        return flk_friction_speed(&s->d->mechanism, state,
+        return flk_friction_speed(&s->d->machine.mechanism, state,
                                   &flk_kind_of(s->d->design.kind)->joint[z->joint]);
-    x = flk_deck_argument(state, z->over) - z->at;
-    return z->over == OVER_THETA4 ? x - 2 * M_PI * floor(x / (2 * M_PI) + 0.5) : x;
+    x = flk_variable_value(state, z->over) - z->at;
+    return z->over == FLK_THETA4 ? x - 2 * M_PI * floor(x / (2 * M_PI) + 0.5) : x;
 }
 
 /* 0 if there is no position. */
@@ -54,8 +54,8 @@ static int move(const search *s, double theta2, fourlink_state *state)
 
     crank.theta2 = theta2;
     crank.omega2 = s->speed;
-    return fourlink_analyse_dyad(&s->d->mechanism, s->branch, &crank, NULL, 0, state, NULL) ==
-           FOURLINK_OK;
+    return fourlink_analyse_dyad(&s->d->machine.mechanism, s->branch, &crank, NULL, 0, state,
+                                 NULL) == FOURLINK_OK;
 }
 
 /* A function whose zero is sought. */
@@ -87,7 +87,7 @@ static double find_angle(const search *s, size_t j, double before, double theta2
 static int has_zero(const zero *z, double last, double now)
 {
     return (last < 0) != (now < 0) &&
-           !(z->joint < 0 && z->over == OVER_THETA4 && fabs(last - now) > M_PI);
+           !(z->joint < 0 && z->over == FLK_THETA4 && fabs(last - now) > M_PI);
 }
 
 /* Keep an angle; 0 when out of memory.  */
@@ -127,7 +127,7 @@ static int search_branch(flk_jumps *jumps, search *s)
     return 1;
 }
 
-static void add_curve(search *s, const curve *c, int over)
+static void add_curve(search *s, const curve *c, flk_variable over)
 {
     size_t i;
 
@@ -139,33 +139,46 @@ static void add_curve(search *s, const curve *c, int over)
         }
 }
 
+/* 1 if a load follows another variable than the crank angle, or has other values on the way back. */
+static int has_law(const flk_machine *machine)
+{
+    const flk_element *e;
+    size_t i;
+
+    for (i = 0; (e = flk_machine_find(machine, &flk_own_sort, i)) != NULL; i++)
+        if (e->needs_motion)
+            return 1;
+    return 0;
+}
+
 /* List the functions; without memory only their number.  A power of a speed has a corner where the speed is 0, and a
 ** load jumps there if it has other values on the way back. */
 static void list_zeros(search *s)
 {
     const deck *d = s->d;
     const flk_kind *kind = flk_kind_of(d->design.kind);
-    unsigned long i;
+    const flk_element *e;
+    size_t i;
     int joint;
 
     s->n = 0;
     for (joint = 1; joint < 4; joint++) {
-        double friction = kind->joint[joint].slider ? d->friction.guide : d->friction.circle[joint];
+        double friction = kind->joint[joint].slider ? d->machine.friction.guide
+                                                    : d->machine.friction.circle[joint];
 
-        if (!(friction > 0) && !(d->has_law && joint >= 2))
+        if (!(friction > 0) && !(has_law(&d->machine) && joint >= 2))
             continue;
         if (s->zeros)
             s->zeros[s->n].joint = joint;
         s->n++;
     }
-    for (i = 0; i < d->n_loads; i++) {
-        const deck_load *variation = &d->variations[i];
-        int over = variation->law.over;
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++) {
+        const flk_own_load *own = e->data;
 
-        add_curve(s, &variation->torque, over);
-        add_curve(s, &variation->force[0], over);
-        add_curve(s, &variation->law.back_torque, over);
-        add_curve(s, &variation->law.back_force[0], over);
+        add_curve(s, &own->values.torque_curve, own->over);
+        add_curve(s, &own->values.force_curve[0], own->over);
+        add_curve(s, &own->back.torque_curve, own->over);
+        add_curve(s, &own->back.force_curve[0], own->over);
     }
 }
 
@@ -174,13 +187,14 @@ int flk_jumps_find(const deck *d, flk_jumps *jumps)
     int found;
     search s;
 
-    if (!d->has_friction && !d->has_law)
+    if (!d->machine.has_friction && !has_law(&d->machine))
         return 1;
     memset(&s, 0, sizeof s);
     s.d = d;
     s.speed = d->motion.speed != 0 ? d->motion.speed : 1;
     jumps->period =
-        2 * M_PI * (s.d->mechanism.change_stretched != s.d->mechanism.change_folded ? 2 : 1);
+        2 * M_PI *
+        (s.d->machine.mechanism.change_stretched != s.d->machine.mechanism.change_folded ? 2 : 1);
     list_zeros(&s);
     s.last = malloc((2 * s.n + 1) * sizeof *s.last);
     s.now = s.last + s.n;

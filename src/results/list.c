@@ -124,7 +124,7 @@ static void tell_drive(teller *t)
 
 static void tell_motor(teller *t)
 {
-    const fourlink_motor *motor = &t->d->drive.motor;
+    const fourlink_motor *motor = &t->d->machine.motor;
 
     t->section = "motor";
     if (motor->kind == FOURLINK_NO_MOTOR)
@@ -166,17 +166,17 @@ static void tell_motion(teller *t)
         tell_angle(t, "to", motion->to, "last crank angle");
     if (!t->d->drive.by_time)
         tell_angle(t, "interval", motion->interval, "interval of the crank angle");
-    tell(t, "cycle", QUANTITY_ANGLE, t->d->cycle, "period of curves and loads");
+    tell(t, "cycle", QUANTITY_ANGLE, t->d->machine.cycle, "period of curves and loads");
     if (motion->hold)
         tell_words(t, "hold", "yes", "every row has this speed and acceleration");
 }
 
 /* What a load follows. */
-static void tell_law(teller *t, const deck_law *law)
+static void tell_law(teller *t, const flk_own_load *law)
 {
     static const char *const names[] = {"theta2", "theta4", "x", "slide",
                                         "omega2", "omega4", "v", "slide_v"};
-    int is_angular = law->over != OVER_V && law->over != OVER_SLIDE_V;
+    int is_angular = law->over != FLK_V && law->over != FLK_SLIDE_V;
 
     if (law->over)
         tell_words(t, "over", names[law->over], "what the load follows");
@@ -189,30 +189,32 @@ static void tell_law(teller *t, const deck_law *law)
     tell(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
 }
 
-static void tell_load(teller *t, const fourlink_load *load, const deck_load *variation)
+static void tell_load(teller *t, const flk_element *element)
 {
+    const flk_own_load *own = element->data;
+    const flk_load_values *values = &own->values;
+    const fourlink_load *load = &own->load;
     char section[DECK_NAME_SIZE];
 
-    t->section =
-        flk_text_join(section, sizeof section - 10, "load ", variation->name, (char *)NULL);
+    t->section = flk_text_join(section, sizeof section - 10, "load ", element->name, (char *)NULL);
     tell_words(t, "link", fourlink_link_text((int)t->d->design.kind, load->link),
                "the link it acts on");
-    if (variation->force[0].n)
+    if (values->force_curve[0].n)
         tell_words(t, "force", "a curve", "force");
-    tell_if(t, "force.x", QUANTITY_FORCE, load->force.x, "force, x");
-    tell_if(t, "force.y", QUANTITY_FORCE, load->force.y, "force, y");
+    tell_if(t, "force.x", QUANTITY_FORCE, values->force.x, "force, x");
+    tell_if(t, "force.y", QUANTITY_FORCE, values->force.y, "force, y");
     tell_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
     tell_if(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
     if (load->frame == FOURLINK_FRAME_LINK)
         tell_words(t, "frame", "link", "the force turns with the link");
-    if (variation->torque.n)
+    if (values->torque_curve.n)
         tell_words(t, "torque", "a curve", "torque, counter-clockwise positive");
     else
-        tell_if(t, "torque", QUANTITY_TORQUE, load->torque, "torque, counter-clockwise positive");
-    tell_law(t, &variation->law);
-    if (variation->is_windowed) {
-        tell(t, "from", QUANTITY_ANGLE, variation->from, "first crank angle at which it acts");
-        tell(t, "to", QUANTITY_ANGLE, variation->to, "last crank angle at which it acts");
+        tell_if(t, "torque", QUANTITY_TORQUE, values->torque, "torque, counter-clockwise positive");
+    tell_law(t, own);
+    if (own->is_windowed) {
+        tell(t, "from", QUANTITY_ANGLE, own->from, "first crank angle at which it acts");
+        tell(t, "to", QUANTITY_ANGLE, own->to, "last crank angle at which it acts");
     }
 }
 
@@ -230,13 +232,14 @@ static void tell_end(teller *t, const fourlink_spring *s, int is_second)
     tell_if(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y, "its end there, y");
 }
 
-static void tell_spring(teller *t, const deck_spring *spring)
+static void tell_spring(teller *t, const flk_element *element)
 {
-    const fourlink_spring *s = &spring->spring;
+    const fourlink_spring *s = element->data;
     int is_torsional = s->is_torsional;
     char section[DECK_NAME_SIZE];
 
-    t->section = flk_text_join(section, sizeof section - 14, "spring ", spring->name, (char *)NULL);
+    t->section =
+        flk_text_join(section, sizeof section - 14, "spring ", element->name, (char *)NULL);
     tell_end(t, s, 0);
     tell_end(t, s, 1);
     tell_if(t, "stiffness", is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
@@ -254,7 +257,7 @@ static void tell_spring(teller *t, const deck_spring *spring)
 static void tell_friction(teller *t)
 {
     static const char *const circles[4] = {"circle_A", "circle_B", "circle_C", "circle_D"};
-    const fourlink_friction *f = &t->d->friction;
+    const fourlink_friction *f = &t->d->machine.friction;
     int i;
 
     t->section = "friction";
@@ -266,10 +269,12 @@ static void tell_friction(teller *t)
 
 static void tell_gas(teller *t)
 {
-    const deck_gas *gas = &t->d->gas;
+    const flk_element *element = flk_machine_find(&t->d->machine, &flk_gas_sort, 0);
+    const flk_gas *gas;
 
-    if (gas->area <= 0)
+    if (!element)
         return;
+    gas = element->data;
     t->section = "gas";
     tell(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
     if (gas->back_area != gas->area)
@@ -283,21 +288,20 @@ static void tell_gas(teller *t)
 }
 
 #define MOST_OF_DECK 60 /* links 20, slide 2, gravity 2, motion 13, motor 8, gas 5, flywheel 3 */
-#define MOST_OF_LOAD 12
-#define MOST_OF_SPRING 10
+#define MOST_OF_ELEMENT 12
 #define MOST_OF_FRICTION 6
 
 size_t flk_list_input_limit(const deck *d)
 {
-    return MOST_OF_DECK + MOST_OF_LOAD * d->n_loads + MOST_OF_SPRING * d->n_springs +
-           MOST_OF_FRICTION;
+    return MOST_OF_DECK + MOST_OF_ELEMENT * d->machine.n_elements + MOST_OF_FRICTION;
 }
 
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
 {
     int kind = (int)d->design.kind, slides_on_lever = fourlink_slides(kind, FOURLINK_COUPLER) != 0;
-    unsigned long i;
+    const flk_element *e;
     teller t;
+    size_t i;
     int link;
 
     t.d = d;
@@ -315,10 +319,10 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     tell(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
     tell_motion(&t);
     tell_motor(&t);
-    for (i = 0; i < d->n_loads; i++)
-        tell_load(&t, &d->loads[i], &d->variations[i]);
-    for (i = 0; i < d->n_springs; i++)
-        tell_spring(&t, &d->springs[i]);
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++)
+        tell_load(&t, e);
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
+        tell_spring(&t, e);
     tell_friction(&t);
     tell_gas(&t);
     t.section = "flywheel";

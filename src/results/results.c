@@ -252,7 +252,7 @@ static void hold_instant(deck *d)
 {
     fourlink_motion *motion = &d->motion;
     double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
-    double cycle = flk_unit_from_si(d->cycle, d->units[QUANTITY_ANGLE].unit);
+    double cycle = flk_unit_from_si(d->machine.cycle, d->units[QUANTITY_ANGLE].unit);
 
     motion->from = 0;
     motion->to = turn < 0 ? -cycle : cycle;
@@ -419,14 +419,9 @@ static int give_row(const fourlink_results *r, const flk_row *row, double *value
             memset(&instant->forces, 0, sizeof instant->forces);
             instant->gas_force = 0;
         }
-        if (!r->a.needs_motion) {
-            memset(&instant->losses, 0, sizeof instant->losses);
-            instant->losses.Ts0 = instant->forces.Ts;
-            instant->losses.efficiency = 1;
-        }
     }
-    if (loads && r->a.needs_motion && row->at.status == FOURLINK_OK)
-        memcpy(loads, r->a.loads, r->a.n_loads * sizeof *loads);
+    if (loads && r->d.machine.needs_motion && row->at.status == FOURLINK_OK)
+        memcpy(loads, r->a.acting.load, r->d.machine.n_loads * sizeof *loads);
     else if (loads)
         fourlink_deck_loads(&r->d, row->at.branch, row->at.row.crank.theta2, loads, NULL);
     return row->at.status;
@@ -437,7 +432,7 @@ static int needs_of(const fourlink_results *r, const double *values,
                     const fourlink_instant *instant, const fourlink_load *loads)
 {
     return (values ? r->needs : 0) |
-           (instant || (loads && r->a.needs_motion) ? r->a.possible & NEED_FORCES : 0);
+           (instant || (loads && r->d.machine.needs_motion) ? r->a.possible & NEED_FORCES : 0);
 }
 
 int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned long i,

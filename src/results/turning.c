@@ -89,7 +89,7 @@ static double area(moment *m, double from, double to)
 /* A corner, in the cycle that starts at 0. */
 static void cut_at(moment *m, double angle)
 {
-    double cycle = m->a->d->cycle;
+    double cycle = m->a->d->machine.cycle;
 
     m->cuts[m->n_cuts++] = angle - cycle * floor(angle / cycle);
 }
@@ -113,7 +113,7 @@ static int has_speed(const deck *d)
 /* Steps of a degree in the cycle; 0 if there is no turning moment. */
 static size_t steps_of(const deck *d)
 {
-    double degrees = floor(d->cycle / STEP + 0.5);
+    double degrees = floor(d->machine.cycle / STEP + 0.5);
 
     return !d->has_forces || !has_speed(d) || degrees < 1 || degrees > MOST_STEPS ? 0
                                                                                   : (size_t)degrees;
@@ -123,12 +123,17 @@ static size_t steps_of(const deck *d)
 static size_t most_cuts(const flk_analysis *a)
 {
     const deck *d = a->d;
-    size_t jumps = a->jumps.n * ((size_t)ceil(d->cycle / (2 * M_PI)) + 1);
-    size_t n = steps_of(d) + 1 + HALVINGS + d->gas.indicator.n + jumps, i;
+    size_t jumps = a->jumps.n * ((size_t)ceil(d->machine.cycle / (2 * M_PI)) + 1);
+    size_t n = steps_of(d) + 1 + HALVINGS + jumps, i;
+    const flk_element *e = flk_machine_find(&d->machine, &flk_gas_sort, 0);
 
-    for (i = 0; i < d->n_loads; i++)
-        n += d->variations[i].torque.n + d->variations[i].force[0].n +
-             d->variations[i].law.back_torque.n + d->variations[i].law.back_force[0].n + 2;
+    n += e ? ((const flk_gas *)e->data)->indicator.n : 0;
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++) {
+        const flk_own_load *own = e->data;
+
+        n += own->values.torque_curve.n + own->values.force_curve[0].n + own->back.torque_curve.n +
+             own->back.force_curve[0].n + 2;
+    }
     return n;
 }
 
@@ -145,32 +150,37 @@ static void cut(moment *m)
 {
     const deck *d = m->a->d;
     size_t steps = steps_of(d), i, n;
+    const flk_element *e;
     double at;
 
     for (i = 0; i <= steps; i++)
-        m->cuts[m->n_cuts++] = d->cycle * (double)i / (double)steps;
-    cut_at_curve(m, &d->gas.indicator);
-    for (i = 0; i < d->n_loads; i++) {
-        if (d->variations[i].law.over)
+        m->cuts[m->n_cuts++] = d->machine.cycle * (double)i / (double)steps;
+    e = flk_machine_find(&d->machine, &flk_gas_sort, 0);
+    if (e)
+        cut_at_curve(m, &((const flk_gas *)e->data)->indicator);
+    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++) {
+        const flk_own_load *own = e->data;
+
+        if (own->over)
             continue; /* jumps.c */
-        cut_at_curve(m, &d->variations[i].law.back_torque);
-        cut_at_curve(m, &d->variations[i].law.back_force[0]);
-        cut_at_curve(m, &d->variations[i].torque);
-        cut_at_curve(m, &d->variations[i].force[0]);
-        if (d->variations[i].is_windowed) {
-            cut_at(m, d->variations[i].from);
-            cut_at(m, d->variations[i].to);
+        cut_at_curve(m, &own->back.torque_curve);
+        cut_at_curve(m, &own->back.force_curve[0]);
+        cut_at_curve(m, &own->values.torque_curve);
+        cut_at_curve(m, &own->values.force_curve[0]);
+        if (own->is_windowed) {
+            cut_at(m, own->from);
+            cut_at(m, own->to);
         }
     }
     for (i = 0; i < m->a->jumps.n; i++)
-        for (at = m->a->jumps.theta2[i]; at < m->a->jumps.theta2[i] + d->cycle;
+        for (at = m->a->jumps.theta2[i]; at < m->a->jumps.theta2[i] + d->machine.cycle;
              at += m->a->jumps.period)
             cut_at(m, at);
     gsl_sort(m->cuts, 1, m->n_cuts);
     for (i = 1, n = 1; i < m->n_cuts; i++)
         if (m->cuts[i] - m->cuts[n - 1] > 4 * INSIDE)
             m->cuts[n++] = m->cuts[i];
-    m->cuts[n - 1] = d->cycle;
+    m->cuts[n - 1] = d->machine.cycle;
     m->n_cuts = n;
 }
 
@@ -211,7 +221,7 @@ static double mean_of(moment *m, double *scale)
         m->work[i++] = work;
         sum += work;
     }
-    return sum / m->a->d->cycle;
+    return sum / m->a->d->machine.cycle;
 }
 
 /* The energy that the flywheel has taken up, at a corner or a crossing. */
@@ -266,7 +276,7 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
         }
         take_up(&e, dE);
     }
-    end_area(m, &e, m->a->d->cycle, t);
+    end_area(m, &e, m->a->d->machine.cycle, t);
     return e.greatest - e.least;
 }
 
@@ -283,7 +293,8 @@ static void find(moment *m, double scale, fourlink_turning *t)
     t->mean_power = m->mean * omega;
     t->energy_fluctuation = fluctuation_of_energy(m, t);
     t->has_coefficient = m->mean != 0;
-    t->energy_coefficient = m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->cycle) : 0;
+    t->energy_coefficient =
+        m->mean != 0 ? t->energy_fluctuation / fabs(m->mean * d->machine.cycle) : 0;
     t->inertia = actual ? actual->flywheel : d->flywheel_inertia;
     t->fluctuation = actual ? 0 : d->flywheel_fluctuation;
     if (inertia > 0)
@@ -301,7 +312,7 @@ static double efficiency_of(moment *m)
     m->without_friction = 1;
     m->mean = 0;
     for (i = 0; i + 1 < m->n_cuts; i++)
-        without += sense * area(m, m->cuts[i], m->cuts[i + 1]) / m->a->d->cycle;
+        without += sense * area(m, m->cuts[i], m->cuts[i + 1]) / m->a->d->machine.cycle;
     if (with > 0)
         return without > 0 ? without / with : 0;
     return without < 0 ? with / without : with == without;
@@ -341,7 +352,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     t->is_there = !gsl_isnan(m.mean);
     if (t->is_there)
         find(&m, scale, &t->t);
-    if (t->is_there && a->d->has_friction)
+    if (t->is_there && a->d->machine.has_friction)
         t->efficiency = efficiency_of(&m);
     return t->is_there ? &t->t : NULL;
 }

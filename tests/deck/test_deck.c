@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "elements.h"
 #include "read.h"
 
 /* Nine lines each: what a test adds stands at line 10. */
@@ -504,22 +505,24 @@ TEST(test_four_bar)
     assert_true(d.motion.run_up == 0 && d.motion.hold == 0);
     assert_int_equal(d.one_instant, 0);
     assert_int_equal(d.one_revolution, 0);
-    assert_int_equal(d.n_loads, 2);
-    assert_int_equal(d.loads[0].link, 3);
-    assert_int_equal(d.loads[0].frame, FOURLINK_FRAME_GROUND);
-    assert_close(d.loads[0].force.x, 50 * cos(30 * DEG), 1e-15);
-    assert_close(d.loads[0].force.y, 25.0, 1e-15);
-    assert_true(d.loads[0].at.x == 0 && d.loads[0].at.y == 0.02 && d.loads[0].torque == 0);
-    assert_int_equal(d.loads[1].link, 4);
-    assert_true(d.loads[1].force.x == 3000 && d.loads[1].force.y == -4000);
-    assert_close(d.loads[1].torque, 0.2259696580552334, 1e-15);
+    assert_int_equal(own_loads(&d), 2);
+    assert_int_equal(own_load(&d, 0)->load.link, 3);
+    assert_int_equal(own_load(&d, 0)->load.frame, FOURLINK_FRAME_GROUND);
+    assert_close(own_load(&d, 0)->values.force.x, 50 * cos(30 * DEG), 1e-15);
+    assert_close(own_load(&d, 0)->values.force.y, 25.0, 1e-15);
+    assert_true(own_load(&d, 0)->load.at.x == 0 && own_load(&d, 0)->load.at.y == 0.02 &&
+                own_load(&d, 0)->values.torque == 0);
+    assert_int_equal(own_load(&d, 1)->load.link, 4);
+    assert_true(own_load(&d, 1)->values.force.x == 3000 &&
+                own_load(&d, 1)->values.force.y == -4000);
+    assert_close(own_load(&d, 1)->values.torque, 0.2259696580552334, 1e-15);
     assert_int_equal(d.has_forces, 1);
     assert_int_equal(d.open, 0);
     assert_int_equal(d.crossed, 1);
     assert_int_equal(d.digits, 9);
     assert_int_equal(d.columns.names.length, strlen("theta2, mu"));
     assert_memory_equal(d.columns.names.start, "theta2, mu", strlen("theta2, mu"));
-    assert_true(d.mechanism.design.link[4].length == 0.056);
+    assert_true(d.machine.mechanism.design.link[4].length == 0.056);
     flk_deck_free(&d);
 }
 
@@ -537,11 +540,11 @@ TEST(test_slider_crank)
     check_link(&d.design.link[3], 1.2, 0, 0, 0, 0);
     assert_true(d.design.link[4].mass == 50);
     assert_true(d.design.offset == -0.05);
-    assert_int_equal(d.n_loads, 2);
-    assert_int_equal(d.loads[0].link, 4);
-    assert_true(d.loads[0].force.x == -1000 && d.loads[0].force.y == 0);
-    assert_int_equal(d.loads[1].link, 3);
-    assert_true(d.loads[1].torque == -3);
+    assert_int_equal(own_loads(&d), 2);
+    assert_int_equal(own_load(&d, 0)->load.link, 4);
+    assert_true(own_load(&d, 0)->values.force.x == -1000 && own_load(&d, 0)->values.force.y == 0);
+    assert_int_equal(own_load(&d, 1)->load.link, 3);
+    assert_true(own_load(&d, 1)->values.torque == -3);
     assert_int_equal(d.one_instant, 1);
     assert_int_equal(d.motion.hold, 1);
     assert_true(d.motion.acceleration == 7);
@@ -584,29 +587,29 @@ TEST(test_engine)
     assert_int_equal(d.approximation, FOURLINK_SERIES_PISTON);
     assert_true(d.design.link[2].length == 0.3);
     assert_close(d.design.link[3].inertia, 50 * 0.5 * (L - 0.5), 1e-14);
-    assert_close(d.gas.area, 0.031415926535897932, 1e-15);
-    assert_close(d.gas.back_area, 0.031415926535897932 * (1 - 0.04), 1e-15);
-    assert_true(d.gas.back_pressure == 1e5);
-    check_curve(&d.gas.indicator, card, 4);
+    assert_close(gas_of(&d)->area, 0.031415926535897932, 1e-15);
+    assert_close(gas_of(&d)->back_area, 0.031415926535897932 * (1 - 0.04), 1e-15);
+    assert_true(gas_of(&d)->back_pressure == 1e5);
+    check_curve(&gas_of(&d)->indicator, card, 4);
     for (i = -720; i < 720; i++) { /* between the points it stays between their values */
-        double p = flk_curve_value(&d.gas.indicator, i * DEG);
+        double p = flk_curve_value(&gas_of(&d)->indicator, i * DEG);
 
         assert_true(p >= -0.5e5 - 1e-6 && p <= 32e5 + 1e-6);
     }
-    check_curve(&d.variations[0].torque, torque, 3);
+    check_curve(&own_load(&d, 0)->values.torque_curve, torque, 3);
     assert_true(d.flywheel_fluctuation == 0.02 && d.flywheel_inertia == 0);
     assert_int_equal(d.has_forces, 1);
     flk_deck_free(&d);
 
     read_with(ENGINE, "gas.indicator=file card.txt", &d);
-    check_curve(&d.gas.indicator, card_file, 4);
+    check_curve(&gas_of(&d)->indicator, card_file, 4);
     flk_deck_free(&d);
     read_with(ENGINE, "gas.indicator=file \"two words.txt\"", &d);
-    assert_near(flk_curve_value(&d.gas.indicator, 100 * DEG), 6e5, 1e-3);
+    assert_near(flk_curve_value(&gas_of(&d)->indicator, 100 * DEG), 6e5, 1e-3);
     flk_deck_free(&d);
     read_with(ENGINE, "load T.torque=-7 N m", &d);
-    assert_true(d.loads[0].torque == -7);
-    assert_int_equal(d.variations[0].torque.n, 0);
+    assert_true(own_load(&d, 0)->values.torque == -7);
+    assert_int_equal(own_load(&d, 0)->values.torque_curve.n, 0);
     flk_deck_free(&d);
     read_with(ENGINE, "rod.swing_pin=end", &d);
     assert_close(d.design.link[3].inertia, 50 * 0.7 * (L - 0.7), 1e-14);
@@ -707,9 +710,9 @@ TEST(test_odd_curves)
         change.assignment = curves[i];
         if (read_changed(ENGINE, &change, 1, &d))
             for (k = -100; k < 100; k++) {
-                assert_true(fabs(flk_curve_value(&d.gas.indicator, k * 0.1)) <=
+                assert_true(fabs(flk_curve_value(&gas_of(&d)->indicator, k * 0.1)) <=
                             FOURLINK_NUMBER_MAX);
-                assert_true(fabs(flk_curve_value(&d.variations[0].torque, k * 0.1)) <=
+                assert_true(fabs(flk_curve_value(&own_load(&d, 0)->values.torque_curve, k * 0.1)) <=
                             FOURLINK_NUMBER_MAX);
             }
         flk_deck_free(&d);
@@ -729,7 +732,7 @@ TEST(test_defaults)
     assert_true(d.open == 1 && d.crossed == 1);
     assert_int_equal(d.digits, 6);
     assert_int_equal(d.has_forces, 0);
-    assert_int_equal(d.n_loads, 0);
+    assert_int_equal(own_loads(&d), 0);
     assert_null(d.columns.names.start);
     flk_deck_free(&d);
 
@@ -775,10 +778,10 @@ TEST(test_units)
     assert_close(d.motion.acceleration, 2 * DEG, 1e-15);
     assert_true(d.motion.angle_unit == 1);
     assert_true(d.motion.from == 1 && d.motion.to == 3 && d.motion.interval == 0.25);
-    assert_close(d.loads[0].force.x, 2000 * cos(1), 1e-15);
-    assert_close(d.loads[0].force.y, 2000 * sin(1), 1e-15);
-    assert_true(d.loads[0].torque == 0.007);
-    assert_true(d.loads[0].at.x == 0 && d.loads[0].at.y == 0.004);
+    assert_close(own_load(&d, 0)->values.force.x, 2000 * cos(1), 1e-15);
+    assert_close(own_load(&d, 0)->values.force.y, 2000 * sin(1), 1e-15);
+    assert_true(own_load(&d, 0)->values.torque == 0.007);
+    assert_true(own_load(&d, 0)->load.at.x == 0 && own_load(&d, 0)->load.at.y == 0.004);
     assert_close(d.design.gravity.x, 386 * 0.0254, 1e-15);
     assert_true(d.design.gravity.y == 0);
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "mm");
@@ -873,7 +876,8 @@ static void check_vector(const char *assignment, double x, double y, double tole
     fourlink_vector v;
 
     read_with(FOUR_BAR "[load]\nlink = crank\nforce = 1 N at 0 deg\nat = 0 mm\n", assignment, &d);
-    v = strncmp(assignment, "load.force", 10) == 0 ? d.loads[0].force : d.design.link[2].cg;
+    v = strncmp(assignment, "load.force", 10) == 0 ? own_load(&d, 0)->values.force
+                                                   : d.design.link[2].cg;
     assert_near(v.x, x, tolerance);
     assert_near(v.y, y, tolerance);
     flk_deck_free(&d);
@@ -931,7 +935,7 @@ TEST(test_gravity)
               "ground.angle=30 deg", &d);
     assert_near(d.design.gravity.x, -9.81 / 2, 1e-14);
     assert_near(d.design.gravity.y, -9.81 * sqrt(3) / 2, 1e-14);
-    assert_true(d.loads[0].force.x == 0 && d.loads[0].force.y == 2);
+    assert_true(own_load(&d, 0)->values.force.x == 0 && own_load(&d, 0)->values.force.y == 2);
     assert_true(d.motion.from == 0 && d.motion.to == 360);
     flk_deck_free(&d);
     read_with(SLIDER_CRANK, "ground.angle=90 deg", &d); /* a vertical engine, piston on top */
@@ -976,16 +980,16 @@ TEST(test_changes)
     assert_string_equal(d.units[QUANTITY_LENGTH].name, "in");
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "load F2.force=5 N at 90 deg", &d);
-    assert_true(d.loads[0].force.x == 1 && d.loads[0].force.y == 0);
-    assert_true(d.loads[1].force.x == 0 && d.loads[1].force.y == 5);
+    assert_true(own_load(&d, 0)->values.force.x == 1 && own_load(&d, 0)->values.force.y == 0);
+    assert_true(own_load(&d, 1)->values.force.x == 0 && own_load(&d, 1)->values.force.y == 5);
     flk_deck_free(&d);
     read_with(FOUR_BAR LOADS, "LOAD f1.torque=5 N m", &d);
-    assert_true(d.loads[0].torque == 5 && d.loads[1].torque == 0);
+    assert_true(own_load(&d, 0)->values.torque == 5 && own_load(&d, 1)->values.torque == 0);
     flk_deck_free(&d);
     /* unless two names differ in that alone */
     read_with(FOUR_BAR LOADS "[load f1]\nlink = crank\ntorque = 1 N m\n", "load f1.torque=5 N m",
               &d);
-    assert_true(d.loads[0].torque == 0 && d.loads[2].torque == 5);
+    assert_true(own_load(&d, 0)->values.torque == 0 && own_load(&d, 2)->values.torque == 5);
     flk_deck_free(&d);
     read_with("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = nonsense\n"
               "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n",
@@ -1027,8 +1031,8 @@ TEST(test_changed_parts)
                                                "at = 0 mm\n",
                                       changes, cases[i].second ? 2 : 1, &d),
                          1);
-        assert_near(d.loads[0].force.x, cases[i].x, 1e-14);
-        assert_near(d.loads[0].force.y, cases[i].y, 1e-14);
+        assert_near(own_load(&d, 0)->values.force.x, cases[i].x, 1e-14);
+        assert_near(own_load(&d, 0)->values.force.y, cases[i].y, 1e-14);
         flk_deck_free(&d);
     }
     read_with(FOUR_BAR, "coupler.cg.y=5 mm", &d); /* not given: the link's origin */
@@ -1119,6 +1123,7 @@ static int check_outcome(const char *contents, size_t length)
     assert_int_equal(status, d.mistakes.count == 0);
     if (status) {
         fourlink_mechanism mechanism;
+        fourlink_load *loads = calloc(d.machine.n_loads + 1, sizeof *loads);
         fourlink_range range;
         fourlink_row row;
         fourlink_state state;
@@ -1127,18 +1132,20 @@ static int check_outcome(const char *contents, size_t length)
         assert_int_equal(fourlink_prepare(&d.design, &mechanism), FOURLINK_OK);
         assert_int_equal(fourlink_motion_range(&d.motion, &range), FOURLINK_OK);
         assert_int_equal(fourlink_motion_row(&d.motion, &range, 0, &row), FOURLINK_OK);
-        status = fourlink_analyse(&mechanism, FOURLINK_OPEN, &row.crank, d.loads, d.n_loads, &state,
-                                  &forces);
+        assert_int_equal(fourlink_deck_loads(&d, FOURLINK_OPEN, row.crank.theta2, loads, NULL),
+                         FOURLINK_OK);
+        status = fourlink_analyse(&mechanism, FOURLINK_OPEN, &row.crank, loads, d.machine.n_loads,
+                                  &state, &forces);
         assert_in_range(status, FOURLINK_OK, FOURLINK_NULL - 1);
         assert_true(d.open || d.crossed);
         assert_in_range(d.digits, 1, 17);
         for (i = 0; i < 20; i++) {
-            if (d.gas.indicator.n)
-                assert_true(fabs(flk_curve_value(&d.gas.indicator, (double)i)) <=
+            if (gas_of(&d)->indicator.n)
+                assert_true(fabs(flk_curve_value(&gas_of(&d)->indicator, (double)i)) <=
                             FOURLINK_NUMBER_MAX);
-            if (d.n_loads && d.variations[0].torque.n)
-                assert_true(fabs(flk_curve_value(&d.variations[0].torque, (double)i)) <=
-                            FOURLINK_NUMBER_MAX);
+            if (own_loads(&d) && own_load(&d, 0)->values.torque_curve.n)
+                assert_true(fabs(flk_curve_value(&own_load(&d, 0)->values.torque_curve,
+                                                 (double)i)) <= FOURLINK_NUMBER_MAX);
         }
         status = 1;
     }

@@ -28,7 +28,7 @@ TEST(test_modes)
 
     read_accepted(PUMP "speed = 3\n", NULL, &d);
     assert_int_equal(d.drive.mode, DRIVE_GIVEN);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_NO_MOTOR);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_NO_MOTOR);
     flk_deck_free(&d);
     read_accepted(PUMP "mode = given\nturns = 2\nspeed = 3 rad/s\n", NULL, &d);
     assert_near(d.motion.to, 720, 0);
@@ -42,7 +42,7 @@ TEST(test_modes)
     assert_int_equal(d.drive.mode, DRIVE_RUN_UP);
     assert_near(d.motion.to, 910, 0);
     assert_near(d.drive.turns, 2.5, 0);
-    assert_near(d.drive.flywheel, 0.5, 0);
+    assert_near(d.machine.flywheel, 0.5, 0);
     flk_deck_free(&d);
     read_accepted(PUMP "mode = run-up\nrows = time\ntime_step = 10 ms\nduration = 2 s\n" LINE, NULL,
                   &d);
@@ -51,7 +51,7 @@ TEST(test_modes)
     assert_near(d.drive.duration, 2, 0);
     flk_deck_free(&d);
     read_accepted(STEADY "mean_speed = -60 rpm\n[motor]\ntorque = constant\n", NULL, &d);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_BALANCE);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_BALANCE);
     assert_close(d.drive.mean_speed, -60 * turn, 1e-15);
     assert_near(d.motion.to, -360, 0);
     flk_deck_free(&d);
@@ -62,34 +62,34 @@ TEST(test_motors)
     deck d;
 
     read_accepted(RUN_UP LINE "inertia = 3 kg cm2\nratio = 20\n", NULL, &d);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_LINEAR);
-    assert_near(d.drive.motor.stall_torque, 120, 0);
-    assert_near(d.drive.motor.no_load_speed, 14, 0);
-    assert_close(d.drive.motor.inertia, 3e-4, 1e-15);
-    assert_near(d.drive.motor.ratio, 20, 0);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_LINEAR);
+    assert_near(d.machine.motor.stall_torque, 120, 0);
+    assert_near(d.machine.motor.no_load_speed, 14, 0);
+    assert_close(d.machine.motor.inertia, 3e-4, 1e-15);
+    assert_near(d.machine.motor.ratio, 20, 0);
     flk_deck_free(&d);
     read_accepted(RUN_UP "[motor]\ntorque = -5 N m\n", NULL, &d);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_TORQUE);
-    assert_near(d.drive.motor.torque, -5, 0);
-    assert_near(d.drive.motor.ratio, 1, 0);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_TORQUE);
+    assert_near(d.machine.motor.torque, -5, 0);
+    assert_near(d.machine.motor.ratio, 1, 0);
     assert_near(d.motion.to, -360, 0); /* where the motor turns it */
     flk_deck_free(&d);
     read_accepted(RUN_UP "[motor]\nratio = -2\npower = 2 kW\nmax_torque = 30 N m\n", NULL, &d);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_POWER);
-    assert_near(d.drive.motor.power, 2000, 0);
-    assert_near(d.drive.motor.max_torque, 30, 0);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_POWER);
+    assert_near(d.machine.motor.power, 2000, 0);
+    assert_near(d.machine.motor.max_torque, 30, 0);
     assert_near(d.motion.to, -360, 0);
     flk_deck_free(&d);
     read_accepted(RUN_UP "[motor]\ncurve = 0 rpm 5 N m, 1000 rpm 6 N m, 1500 rpm 0 N m\n", NULL,
                   &d);
-    assert_int_equal(d.drive.motor.kind, FOURLINK_MOTOR_CURVE);
-    assert_int_equal(d.drive.motor.n_curve, 3);
-    assert_close(d.drive.motor.curve_speed[1], 1000 * turn, 1e-15);
-    assert_near(d.drive.motor.curve_torque[1], 6, 0);
+    assert_int_equal(d.machine.motor.kind, FOURLINK_MOTOR_CURVE);
+    assert_int_equal(d.machine.motor.n_curve, 3);
+    assert_close(d.machine.motor.curve_speed[1], 1000 * turn, 1e-15);
+    assert_near(d.machine.motor.curve_torque[1], 6, 0);
     assert_near(d.motion.to, 360, 0);
     flk_deck_free(&d);
     read_accepted(RUN_UP "[motor]\ncurve = file motor.csv rpm N m\n", "0 5\n1500 0\n", &d);
-    assert_int_equal(d.drive.motor.n_curve, 2);
+    assert_int_equal(d.machine.motor.n_curve, 2);
     flk_deck_free(&d);
 }
 
@@ -99,7 +99,7 @@ TEST(test_exact_flywheel)
 
     read_accepted(STEADY LINE "[flywheel]\nfluctuation = 2 %\nexact = yes\n", NULL, &d);
     assert_near(d.drive.fluctuation, 0.02, 0);
-    assert_near(d.drive.flywheel, 0, 0);
+    assert_near(d.machine.flywheel, 0, 0);
     flk_deck_free(&d);
     read_accepted(PUMP "speed = 3 rad/s\n[flywheel]\nfluctuation = 2 %\n", NULL, &d);
     assert_near(d.drive.fluctuation, 0, 0);

@@ -3,6 +3,7 @@
 ** test_typing.c - values as people type them: each accepted spelling beside one that is refused.
 */
 #include "outcome.h"
+#include "elements.h"
 
 /* Ten lines; the crank is open. */
 #define FOUR_BAR             \
@@ -132,7 +133,7 @@ static double value_of(const char *key, const deck *d)
            : strcmp(key, "crank.inertia") == 0 ? d->design.link[2].inertia
            : strcmp(key, "motion.speed") == 0  ? d->motion.speed
            : strcmp(key, "motion.at") == 0     ? d->motion.from
-           : strcmp(key, "load.torque") == 0   ? d->loads[0].torque
+           : strcmp(key, "load.torque") == 0   ? own_load(d, 0)->values.torque
                                                : d->flywheel_fluctuation;
 }
 
@@ -183,7 +184,7 @@ TEST(test_lines)
                   NULL, &d);
     assert_string_equal(d.title, "30" DEGREE " " MINUS " K\303\266nig");
     assert_true(d.design.link[2].length == 0.02);
-    assert_string_equal(d.variations[0].name, "F" TWO);
+    assert_string_equal(flk_machine_find(&d.machine, &flk_own_sort, 0)->name, "F" TWO);
     assert_string_equal(d.points[0].name, "P" TWO);
     assert_int_equal(d.columns.names.length, strlen("theta2, P" TWO ".x"));
     assert_string_equal(d.units[QUANTITY_ANGLE].name, "deg");
@@ -218,8 +219,8 @@ TEST(test_curves)
                            "torque = 0" DEGREE " 1 Nm, 90" DEGREE " " MINUS "3 Nm,180 1 N" DOT
                            "m\n",
                   NULL, &d);
-    assert_int_equal(d.variations[0].torque.n, 3);
-    assert_near(flk_curve_value(&d.variations[0].torque, 90 * DEG), -3, 1e-12);
+    assert_int_equal(own_load(&d, 0)->values.torque_curve.n, 3);
+    assert_near(flk_curve_value(&own_load(&d, 0)->values.torque_curve, 90 * DEG), -3, 1e-12);
     flk_deck_free(&d);
     check_mistake(
         FOUR_BAR "length = 20 mm\n[load]\nlink = crank\ntorque = 0 deg 1,5 N m, 90 deg 3 N m\n",

@@ -236,7 +236,9 @@ TEST(test_tolerance)
     p.d = &d;
     p.jumps = &a.jumps;
     p.sense = 1;
-    flk_machine_of(&d, FOURLINK_OPEN, a.loads, a.n_loads, &p.machine);
+    p.machine = d.machine;
+    p.acting = &a.acting;
+    p.branch = FOURLINK_OPEN;
     for (i = 0; i < 3; i++) {
         flk_actual_row row;
 

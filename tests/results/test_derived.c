@@ -4,6 +4,7 @@
 ** advantage, instantaneous centres, superposition: on random mechanisms of both kinds.
 */
 #include "check.h"
+#include "mechanics/machine.h"
 #include "results/derived.h"
 #include "fourlink.h"
 
@@ -19,6 +20,30 @@ typedef struct sample {
 } sample;
 
 static uint64_t seed = 491;
+
+/* What follows from the forces, with gas of this force. */
+static void derive_from_forces(sample *x, double force)
+{
+    flk_element element;
+    flk_machine machine;
+    flk_acting acting;
+    fourlink_load load[2];
+    flk_gas gas;
+
+    memset(&element, 0, sizeof element);
+    memset(&machine, 0, sizeof machine);
+    memset(&gas, 0, sizeof gas);
+    gas.area = 1;
+    gas.pressure = force;
+    flk_element_of_gas(&gas, x->m.design.kind, &element);
+    machine.mechanism = x->m;
+    machine.element = &element;
+    machine.n_elements = 1;
+    flk_machine_finish(&machine);
+    acting.load = load;
+    flk_machine_loads_at(&machine, x->branch, x->crank.theta2, &acting);
+    flk_derive_from_forces(&x->m, &x->state, &x->forces, &acting, &x->e);
+}
 
 /* A random position well away from the dead ones. */
 static void draw(sample *x)
@@ -60,7 +85,7 @@ static void draw(sample *x)
                  FOURLINK_OK ||
              fabs(x->state.sine) < 0.3);
     flk_derive_from_motion(&x->m, &x->state, &x->e);
-    flk_derive_from_forces(&x->m, &x->state, &x->forces, x->gas, &x->e);
+    derive_from_forces(x, x->gas);
     assert_int_equal(flk_derive_superposition(&x->m, &x->state, x->loads, 3, &x->forces, &x->e),
                      FOURLINK_OK);
 }
@@ -169,7 +194,7 @@ TEST(test_gas_alone)
         assert_int_equal(
             fourlink_analyse(&x.m, x.branch, &x.crank, &x.loads[2], 1, &x.state, &x.forces),
             FOURLINK_OK);
-        flk_derive_from_forces(&x.m, &x.state, &x.forces, x.gas, &x.e);
+        derive_from_forces(&x, x.gas);
         assert_near(x.e.Fsx, 0, 1e-14 * fabs(x.gas));
         assert_near(x.e.Fsy, 0, 1e-14 * fabs(x.gas));
         assert_near(x.e.Ms, 0, 2e-14 * fabs(x.gas));
@@ -367,12 +392,12 @@ TEST(test_undefined)
         }
         /* a balanced crank, and then all at rest */
         x.m.design.link[2].cg.x = x.m.design.link[2].cg.y = 0;
-        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        derive_from_forces(&x, 0);
         assert_true(isnan(x.e.inertia[2].h) && !isnan(x.e.inertia[3].h));
         x.crank.omega2 = x.crank.alpha2 = 0;
         assert_int_equal(fourlink_analyse(&x.m, x.branch, &x.crank, NULL, 0, &x.state, &x.forces),
                          FOURLINK_OK);
-        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        derive_from_forces(&x, 0);
         for (i = 2; i <= 4; i++)
             assert_true(isnan(x.e.inertia[i].h));
     }
@@ -400,7 +425,7 @@ TEST(test_rounding_is_no_force)
         x.m.design.link[3].cg.x = at.x * e.x + at.y * e.y;
         x.m.design.link[3].cg.y = at.y * e.x - at.x * e.y;
         x.m.design.link[3].mass = 1;
-        flk_derive_from_forces(&x.m, &x.state, &x.forces, 0, &x.e);
+        derive_from_forces(&x, 0);
         assert_true(isnan(x.e.inertia[3].h));
     }
 }

@@ -18,12 +18,15 @@ typedef struct curve {
         period; /* 0: not periodic; before the first point and behind the last their values hold */
 } curve;
 
-/* Make a curve through n >= 2 points, x increasing, x[n-1] - x[0] < period, or period 0.  1; 0 if out of memory. */
-int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c);
+/* The numbers for which a curve of n points needs memory. */
+#define FLK_CURVE_MEMORY(n) (3 * (n) + 2)
+
+/* Set up a curve of n >= 2 points in such memory; then, after x, increasing, and y of the points are filled in, finish it:
+** x[n-1] - x[0] < period, or period 0. */
+void flk_curve_place(double *memory, size_t n, curve *c);
+void flk_curve_finish(double period, curve *c);
 
 /* Its value at any x. */
 double flk_curve_value(const curve *c, double x);
-
-void flk_curve_free(curve *c);
 
 #endif

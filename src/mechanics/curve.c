@@ -6,30 +6,27 @@
 ** Between the points the interpolation is Steffen's (base/steffen.c).
 */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/steffen.h"
 #include "curve.h"
 
-int flk_curve_make(const double *x, const double *y, size_t n, double period, curve *c)
+void flk_curve_place(double *memory, size_t n, curve *c)
 {
-    size_t i;
-
-    memset(c, 0, sizeof *c);
-    c->x = malloc((3 * n + 2) * sizeof *c->x);
-    if (!c->x)
-        return 0;
+    c->x = memory;
     c->y = c->x + n + 1;
     c->slope = c->y + n + 1;
     c->n = n;
+}
+
+void flk_curve_finish(double period, curve *c)
+{
+    size_t n = c->n, i;
+
     c->period = period;
-    memcpy(c->x, x, n * sizeof *x);
-    memcpy(c->y, y, n * sizeof *y);
     if (period <= 0)
-        return 1;
-    c->x[n] = x[0] + period;
-    c->y[n] = y[0];
+        return;
+    c->x[n] = c->x[0] + period;
+    c->y[n] = c->y[0];
     for (i = 0; i < n; i++) {
         size_t last = (i + n - 1) % n;
         double h0 = c->x[last + 1] - c->x[last], h1 = c->x[i + 1] - c->x[i];
@@ -37,7 +34,6 @@ int flk_curve_make(const double *x, const double *y, size_t n, double period, cu
         c->slope[i] = flk_steffen_slope(h0, (c->y[last + 1] - c->y[last]) / h0, h1,
                                         (c->y[i + 1] - c->y[i]) / h1);
     }
-    return 1;
 }
 
 double flk_curve_value(const curve *c, double x)
@@ -55,10 +51,4 @@ double flk_curve_value(const curve *c, double x)
         d = 0; /* rounding */
     return flk_steffen_value(d, c->x[low + 1] - c->x[low], c->y[low], c->y[low + 1], c->slope[low],
                              c->slope[(low + 1) % c->n]);
-}
-
-void flk_curve_free(curve *c)
-{
-    free(c->x);
-    memset(c, 0, sizeof *c);
 }

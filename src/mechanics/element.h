@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** element.h - what acts on the links by known loads: forces and torques of their own, springs and dampers, gas.
+**
+** An element is one of a machine's list (machine.h); what its sort does is in one file.  Friction is no element: it
+** belongs to the joints and depends on their forces.
+*/
+#ifndef FOURLINK_ELEMENT_H
+#define FOURLINK_ELEMENT_H
+
+#include "curve.h"
+#include "variable.h"
+
+struct flk_machine;
+
+/* What the elements exert in a state. */
+typedef struct flk_acting {
+    fourlink_load *load;    /* room for the machine's n_loads */
+    fourlink_vector ground; /* N, their forces on the frame, */
+    double ground_moment;   /* N m, with the moment about A */
+    double
+        gas_force; /* N, of the gas on the piston, towards the crank; on a rod, along the slide */
+} flk_acting;
+
+typedef struct flk_element flk_element;
+
+/* A sort of elements: `act` sets the element's loads for a state and adds to its force on the frame; a status. */
+typedef struct flk_sort {
+    int code; /* FOURLINK_LOAD_OWN ... */
+    int (*act)(const flk_element *element, const struct flk_machine *machine,
+               const fourlink_state *state, fourlink_load *load, flk_acting *acting);
+} flk_sort;
+
+extern const flk_sort flk_own_sort, flk_spring_sort, flk_gas_sort;
+
+#define FLK_ELEMENT_COLUMNS 4
+
+struct flk_element {
+    const flk_sort *sort;
+    const char *name;                              /* of its section; "": none */
+    const char *column_names[FLK_ELEMENT_COLUMNS]; /* of a spring, NAME.length ... */
+    void *data;                                    /* flk_own_load, fourlink_spring, flk_gas */
+    unsigned long first; /* the number of its first load among those of the machine */
+    int n_loads;         /* 1 or 2 */
+    int link[2];         /* on which these act */
+    int needs_motion;    /* 1: they depend on more than the crank angle */
+    int needs_angles;    /* 1: ... on the angles of links 3 and 4 */
+    int has_torque;      /* 1: it has a torque at some crank angle */
+};
+
+/* The values of a load: constant ones, or curves over its variable. */
+typedef struct flk_load_values {
+    fourlink_vector force; /* N */
+    double torque;         /* N m */
+    curve force_curve[2], torque_curve;
+} flk_load_values;
+
+/* A force and a torque of their own (own_load.c). */
+typedef struct flk_own_load {
+    fourlink_load load; /* its link, point and axes; the values are 0 */
+    flk_load_values values, back;
+    flk_variable over;
+    double exponent; /* 1 */
+    double at_speed; /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
+    int has_back;    /* 1: where the variable falls it has the values `back` */
+    int is_windowed; /* 1: it acts only between two crank angles, in every cycle */
+    double from, to; /* rad */
+} flk_own_load;
+
+/* The gas in a cylinder (gas.c). */
+typedef struct flk_gas {
+    double area, back_area; /* m2, of the piston on the cover side and on the crank side */
+    double pressure;        /* Pa, on the cover side */
+    curve indicator;        /* Pa over the crank angle in rad, instead of pressure */
+    double back_pressure;   /* Pa, on the crank side */
+} flk_gas;
+
+/* Set up an element of its sort with this data (own_load.c, spring.c, gas.c). */
+void flk_element_of_own(flk_own_load *own, flk_element *element);
+void flk_element_of_spring(fourlink_spring *spring, flk_element *element);
+void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element);
+
+#endif

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** gas.c - the gas in a cylinder: on the piston of a slider-crank, or between rod and cylinder of an inverted one.
+**
+**    F = p1 A1 - p2 A2,   towards the crank positive        (ME3491, "Forces on the reciprocating parts of an engine")
+*/
+#include <math.h>
+#include <string.h>
+
+#include "machine.h"
+
+static double force_of(const flk_gas *gas, double theta2)
+{
+    double p1 = gas->indicator.n ? flk_curve_value(&gas->indicator, theta2) : gas->pressure;
+
+    return p1 * gas->area - gas->back_pressure * gas->back_area;
+}
+
+/* On the piston, and on the cylinder head along the line of stroke y = offset. */
+static void act_on_piston(double side, double force, double offset, fourlink_load *load,
+                          flk_acting *acting)
+{
+    load->force.x = -side * force;
+    acting->ground.x += side * force;
+    acting->ground_moment -= offset * (side * force);
+}
+
+/* p A u on the rod, -p A u on the cylinder, both along the slide: on the rod at B, on the cylinder at the
+** point of the slide beside D, or at C. */
+static void act_in_cylinder(const fourlink_design *design, double force, fourlink_load load[2])
+{
+    load[0].frame = load[1].frame = FOURLINK_FRAME_LINK;
+    load[0].force.x = force;
+    load[1].force.x = -force * cos(design->angle);
+    load[1].force.y = -force * sin(design->angle);
+    load[1].at.x = design->link[FOURLINK_FOLLOWER].length;
+    load[1].at.y = design->offset;
+}
+
+static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
+               fourlink_load *load, flk_acting *acting)
+{
+    const fourlink_design *design = &machine->mechanism.design;
+    int i;
+
+    for (i = 0; i < element->n_loads; i++) {
+        memset(&load[i], 0, sizeof load[i]);
+        load[i].link = element->link[i];
+    }
+    acting->gas_force = force_of(element->data, state->link[FOURLINK_CRANK].theta);
+    if (element->n_loads == 1)
+        act_on_piston((double)state->branch, acting->gas_force, design->offset, load, acting);
+    else
+        act_in_cylinder(design, acting->gas_force, load);
+    return FOURLINK_OK;
+}
+
+const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act};
+
+void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element)
+{
+    int on_piston = fourlink_slides((int)kind, FOURLINK_FOLLOWER) == FOURLINK_GROUND;
+
+    element->sort = &flk_gas_sort;
+    element->name = "gas";
+    element->data = gas;
+    element->n_loads = on_piston ? 1 : 2;
+    element->link[0] = on_piston ? FOURLINK_FOLLOWER : FOURLINK_COUPLER;
+    element->link[1] = FOURLINK_FOLLOWER;
+}

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** machine.c - the mechanism with all that forces and accelerations follow from.
+**
+** The machine moves by
+**
+**    (J + I_f) alpha2 + J' omega2^2 / 2 = T_m + Q
+**
+** I_f is the inertia of flywheel and rotor on the shaft outside the crank, T_m the torque of the motor, and Q the
+** generalised force of loads, weights, springs, dampers and friction.  The torque on the crank is Ts = T_m - I_f alpha2.
+*/
+#include <math.h>
+#include <string.h>
+
+#include "inertia.h"
+#include "kind.h"
+#include "machine.h"
+
+#define STEPS 20 /* of the secant */
+
+enum { ON_D = 4, ON_A = 5 }; /* among the loads of fourlink_losses */
+
+void flk_machine_finish(flk_machine *m)
+{
+    size_t i;
+    int is_behind_springs = 0;
+
+    m->n_loads = 0;
+    m->first_friction = m->first_gas = 0;
+    m->needs_motion = m->has_friction;
+    for (i = 0; i <= m->n_elements; i++) {
+        flk_element *e = i < m->n_elements ? &m->element[i] : NULL;
+
+        if (!is_behind_springs && (!e || e->sort == &flk_gas_sort)) {
+            m->first_friction = m->n_loads;
+            m->n_loads += m->has_friction ? FOURLINK_FRICTION_LOADS : 0;
+            m->first_gas = m->n_loads;
+            is_behind_springs = 1;
+        }
+        if (!e)
+            break;
+        e->first = m->n_loads;
+        m->n_loads += (unsigned long)e->n_loads;
+        m->needs_motion |= e->needs_motion;
+        m->needs_angles |= e->needs_angles;
+    }
+}
+
+size_t flk_machine_count(const flk_machine *m, const flk_sort *sort)
+{
+    size_t i, n = 0;
+
+    for (i = 0; i < m->n_elements; i++)
+        n += m->element[i].sort == sort;
+    return n;
+}
+
+const flk_element *flk_machine_find(const flk_machine *m, const flk_sort *sort, size_t i)
+{
+    const flk_element *e = m->element, *end = e + m->n_elements;
+
+    for (; e < end; e++)
+        if (e->sort == sort && i-- == 0)
+            return e;
+    return NULL;
+}
+
+/* A place for a load that is not known yet. */
+static void clear(fourlink_load *load, int link)
+{
+    memset(load, 0, sizeof *load);
+    load->link = link;
+}
+
+static void begin(const flk_machine *m, flk_acting *acting)
+{
+    unsigned long i;
+
+    acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
+    for (i = m->first_friction; i < m->first_gas; i++)
+        clear(&acting->load[i], FOURLINK_CRANK);
+}
+
+void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double theta2,
+                          flk_acting *acting)
+{
+    const flk_element *e = m->element, *end = e + m->n_elements;
+    fourlink_state state;
+    int i;
+
+    state.branch = branch;
+    state.link[FOURLINK_CRANK].theta = theta2;
+    begin(m, acting);
+    for (; e < end; e++) {
+        for (i = 0; i < e->n_loads && e->needs_motion; i++)
+            clear(&acting->load[e->first + (unsigned long)i], e->link[i]);
+        if (!e->needs_motion)
+            e->sort->act(e, m, &state, &acting->load[e->first], acting);
+    }
+}
+
+int flk_machine_loads(const flk_machine *m, const fourlink_state *state, flk_acting *acting)
+{
+    const flk_element *e = m->element, *end = e + m->n_elements;
+    int status = FOURLINK_OK;
+
+    begin(m, acting);
+    for (; e < end && status == FOURLINK_OK; e++)
+        status = e->sort->act(e, m, state, &acting->load[e->first], acting);
+    return status;
+}
+
+/* Friction of a pin on the ground turns that against the link. */
+static void take_friction(const flk_machine *m, const fourlink_losses *losses, flk_acting *acting)
+{
+    memcpy(acting->load + m->first_friction, losses->load, losses->n_loads * sizeof *losses->load);
+    acting->ground_moment -= losses->load[ON_A].torque;
+    acting->ground_moment -= losses->load[ON_D].torque;
+}
+
+int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int closed_form,
+                       flk_acting *acting, fourlink_forces *forces, fourlink_losses *losses)
+{
+    const fourlink_mechanism *mechanism = &m->mechanism;
+    int status = flk_machine_loads(m, state, acting);
+
+    if (status != FOURLINK_OK)
+        return status;
+    if (m->has_friction) {
+        status = fourlink_solve_friction(mechanism, state, acting->load, m->n_loads, &m->friction,
+                                         closed_form, forces, losses);
+        if (status == FOURLINK_OK)
+            take_friction(m, losses, acting);
+        return status;
+    }
+    status = closed_form ? fourlink_solve_dyad(mechanism, state, acting->load, m->n_loads, forces)
+                         : fourlink_solve(mechanism, state, acting->load, m->n_loads, forces);
+    memset(losses, 0, sizeof *losses);
+    losses->Ts0 = forces->Ts;
+    losses->efficiency = 1;
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------ its motion */
+
+double flk_machine_shaft(const flk_machine *m)
+{
+    return m->flywheel + m->motor.ratio * m->motor.ratio * m->motor.inertia;
+}
+
+int flk_machine_at(const flk_machine *m, fourlink_branch branch, double theta2,
+                   flk_machine_place *place)
+{
+    fourlink_crank crank = {0, 1, 0};
+    int status;
+
+    crank.theta2 = theta2;
+    status = flk_mechanism_move(&m->mechanism, branch, &crank, m->needs_angles, &place->state);
+    if (status != FOURLINK_OK)
+        return status;
+    flk_inertia_of_motion(&m->mechanism, &place->state, &place->J, &place->half_slope);
+    place->whole = place->J + flk_machine_shaft(m);
+    return place->whole > 0 ? FOURLINK_OK : FOURLINK_NO_INERTIA;
+}
+
+/* The torque on the crank that an acceleration needs, less that which the shaft gives: Ts - (T_m - I_f alpha2). */
+static int miss(const flk_machine *m, fourlink_state *state, const flk_acting *acting,
+                double T_motor, double alpha2, double *value)
+{
+    fourlink_forces forces;
+    fourlink_losses losses;
+    int status;
+
+    fourlink_acceleration(&m->mechanism, alpha2, state);
+    status = fourlink_solve_friction(&m->mechanism, state, acting->load, m->n_loads, &m->friction,
+                                     1, &forces, &losses);
+    if (status == FOURLINK_OK)
+        *value = forces.Ts - T_motor + flk_machine_shaft(m) * alpha2;
+    return status;
+}
+
+/* Friction depends on the pin forces, and they on alpha2: the secant from the acceleration without friction.  What is
+** missed grows with alpha2, unless friction locks the mechanism. */
+static int find_alpha(const flk_machine *m, const flk_machine_place *place, fourlink_state *state,
+                      const flk_acting *acting, flk_machine_push *push)
+{
+    double last = push->alpha2, at, miss_last, miss_at, slope = place->whole, size;
+    int i, status = miss(m, state, acting, push->T_motor, last, &miss_last);
+
+    at = last - (status == FOURLINK_OK ? miss_last : 0) / slope;
+    size = fabs(push->push) + place->whole * fabs(at);
+    for (i = 0; status == FOURLINK_OK && i < STEPS && at != last; i++) {
+        status = miss(m, state, acting, push->T_motor, at, &miss_at);
+        if (status != FOURLINK_OK)
+            break;
+        slope = (miss_at - miss_last) / (at - last);
+        if (!(slope > 0))
+            return fabs(miss_at) <= 1e-11 * size ? FOURLINK_OK : FOURLINK_LOCKED;
+        push->alpha2 = at;
+        if (fabs(miss_at) <= 1e-15 * size)
+            break;
+        last = at;
+        miss_last = miss_at;
+        at -= miss_at / slope;
+    }
+    return status == FOURLINK_OK && i == STEPS && fabs(miss_last) > 1e-11 * size ? FOURLINK_LOCKED
+                                                                                 : status;
+}
+
+/* All loads at the actual speeds. */
+static int set_loads(const flk_machine *m, const flk_machine_place *place, double omega2,
+                     fourlink_state *moving, flk_acting *acting)
+{
+    if (!m->needs_motion)
+        return flk_machine_loads(m, &place->state, acting);
+    *moving = place->state;
+    fourlink_velocity(&m->mechanism, omega2, moving);
+    return flk_machine_loads(m, moving, acting);
+}
+
+int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, double omega2,
+                        flk_acting *acting, flk_machine_push *push)
+{
+    double turning = place->half_slope * omega2 * omega2;
+    fourlink_state moving;
+    int status = set_loads(m, place, omega2, &moving, acting);
+
+    if (status != FOURLINK_OK)
+        return status;
+    push->T_motor = flk_motor_torque(&m->motor, omega2);
+    push->push =
+        push->T_motor + flk_inertia_push(&m->mechanism, &place->state, acting->load, m->n_loads);
+    push->alpha2 = (push->push - turning) / place->whole;
+    if (!m->has_friction)
+        return FOURLINK_OK;
+    status = find_alpha(m, place, &moving, acting, push);
+    push->push = place->whole * push->alpha2 + turning;
+    return status;
+}

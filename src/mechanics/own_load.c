@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** own_load.c - a force and a torque of their own on a link: constant, over a position or a speed, within a range of crank
+** angles.
+*/
+#include <math.h>
+
+#include "machine.h"
+
+/* 1 if the load acts at a crank angle. */
+static int is_on(const flk_own_load *own, double cycle, double theta2)
+{
+    double after = theta2 - own->from;
+
+    if (!own->is_windowed)
+        return 1;
+    after -= cycle * floor(after / cycle + 1e-12);
+    return !(after > own->to - own->from + 1e-12 * cycle);
+}
+
+/* value sign(w) (|w| / at_speed)^exponent */
+static double follow_speed(const flk_own_load *own, double w)
+{
+    double factor = w == 0 ? 0 : pow(fabs(w) / own->at_speed, own->exponent);
+
+    return w < 0 ? -factor : factor;
+}
+
+/* The values, those of curves at x. */
+static void set(const flk_load_values *values, double x, fourlink_load *load)
+{
+    load->torque =
+        values->torque_curve.n ? flk_curve_value(&values->torque_curve, x) : values->torque;
+    load->force = values->force;
+    if (values->force_curve[0].n) {
+        load->force.x = flk_curve_value(&values->force_curve[0], x);
+        load->force.y = flk_curve_value(&values->force_curve[1], x);
+    }
+}
+
+static int act(const flk_element *element, const flk_machine *machine, const fourlink_state *state,
+               fourlink_load *load, flk_acting *acting)
+{
+    const flk_own_load *own = element->data;
+    double x = flk_variable_value(state, own->over), factor;
+
+    (void)acting;
+    *load = own->load;
+    if (own->at_speed > 0) {
+        factor = follow_speed(own, x);
+        load->torque = own->values.torque * factor;
+        load->force.x = own->values.force.x * factor;
+        load->force.y = own->values.force.y * factor;
+    } else if (is_on(own, machine->cycle, x)) {
+        int falls = own->has_back && flk_variable_falls(&machine->mechanism, state, own->over,
+                                                        machine->friction.direction);
+
+        set(falls ? &own->back : &own->values, x, load);
+    }
+    return FOURLINK_OK;
+}
+
+const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act};
+
+void flk_element_of_own(flk_own_load *own, flk_element *element)
+{
+    element->sort = &flk_own_sort;
+    element->data = own;
+    element->n_loads = 1;
+    element->link[0] = own->load.link;
+    element->needs_motion = own->over != FLK_THETA2 || own->has_back;
+    element->needs_angles = own->over == FLK_THETA4;
+    element->has_torque = own->values.torque != 0 || own->values.torque_curve.n > 0;
+}
