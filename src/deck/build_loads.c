@@ -167,16 +167,16 @@ static void build_window(parser *p, const section_use *use, flk_own_load *own)
     if (!IS_SET(from) && !IS_SET(to))
         return;
     own->is_windowed = 1;
-    own->from = from->si[0]; /* 0 if not given */
-    own->to = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
+    own->window[0] = from->si[0]; /* 0 if not given */
+    own->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
     if (from->is_mistaken || to->is_mistaken)
         return;
-    if (own->to <= own->from)
+    if (own->window[1] <= own->window[0])
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
                     "the load's 'from' must be less than its 'to', not %t and %t",
                     IS_SET(from) ? from->value : flk_text_of("0"),
                     IS_SET(to) ? to->value : flk_text_of("the end of the cycle"));
-    else if (own->to - own->from > p->d->machine.cycle * (1 + 1e-12))
+    else if (own->window[1] - own->window[0] > p->d->machine.cycle * (1 + 1e-12))
         flk_mistake(p->mistakes, (IS_SET(to) ? to : from)->place,
                     "the load acts for more than a cycle");
 }

@@ -140,7 +140,8 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->n_gas_loads = d->machine.n_loads - d->machine.first_gas;
     problem->n_loads = d->machine.n_loads;
     problem->n_friction_loads = d->machine.first_gas - d->machine.first_friction;
-    problem->n_spring_loads = d->machine.first_friction - (unsigned long)flk_machine_count(&d->machine, &flk_own_sort);
+    problem->n_spring_loads =
+        d->machine.first_friction - (unsigned long)flk_machine_count(&d->machine, &flk_own_sort);
     problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_sort);
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;

@@ -23,12 +23,20 @@ typedef struct flk_acting {
 } flk_acting;
 
 typedef struct flk_element flk_element;
+typedef struct flk_switch flk_switch;
 
-/* A sort of elements: `act` sets the element's loads for a state and adds to its force on the frame; a status. */
+#define FLK_ELEMENT_SWITCHES 6
+
+/* A sort of elements.
+**
+** act       sets the element's loads for a state and adds to its force on the frame: a status
+** switches  lists where it is not smooth (switch.h): their number; null: it is smooth */
 typedef struct flk_sort {
     int code; /* FOURLINK_LOAD_OWN ... */
     int (*act)(const flk_element *element, const struct flk_machine *machine,
                const fourlink_state *state, fourlink_load *load, flk_acting *acting);
+    size_t (*switches)(const flk_element *element, const struct flk_machine *machine,
+                       flk_switch *list);
 } flk_sort;
 
 extern const flk_sort flk_own_sort, flk_spring_sort, flk_gas_sort;
@@ -60,11 +68,11 @@ typedef struct flk_own_load {
     fourlink_load load; /* its link, point and axes; the values are 0 */
     flk_load_values values, back;
     flk_variable over;
-    double exponent; /* 1 */
-    double at_speed; /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
-    int has_back;    /* 1: where the variable falls it has the values `back` */
-    int is_windowed; /* 1: it acts only between two crank angles, in every cycle */
-    double from, to; /* rad */
+    double exponent;  /* 1 */
+    double at_speed;  /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
+    int has_back;     /* 1: where the variable falls it has the values `back` */
+    int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
+    double window[2]; /* rad, from and to */
 } flk_own_load;
 
 /* The gas in a cylinder (gas.c). */

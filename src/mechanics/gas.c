@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "machine.h"
+#include "switch.h"
 
 static double force_of(const flk_gas *gas, double theta2)
 {
@@ -55,7 +56,16 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act};
+static size_t list_switches(const flk_element *element, const flk_machine *machine,
+                            flk_switch *list)
+{
+    const flk_gas *gas = element->data;
+
+    (void)machine;
+    return flk_switch_of_curve(&gas->indicator, FLK_THETA2, list);
+}
+
+const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act, list_switches};
 
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element)
 {

@@ -6,16 +6,17 @@
 #include <math.h>
 
 #include "machine.h"
+#include "switch.h"
 
 /* 1 if the load acts at a crank angle. */
 static int is_on(const flk_own_load *own, double cycle, double theta2)
 {
-    double after = theta2 - own->from;
+    double after = theta2 - own->window[0];
 
     if (!own->is_windowed)
         return 1;
     after -= cycle * floor(after / cycle + 1e-12);
-    return !(after > own->to - own->from + 1e-12 * cycle);
+    return !(after > own->window[1] - own->window[0] + 1e-12 * cycle);
 }
 
 /* value sign(w) (|w| / at_speed)^exponent */
@@ -60,7 +61,30 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act};
+/* The points of its curves, the edges of its range; where its speed or that of its variable is 0. */
+static size_t list_switches(const flk_element *element, const flk_machine *machine,
+                            flk_switch *list)
+{
+    const flk_own_load *own = element->data;
+    size_t n = flk_switch_of_curve(&own->values.torque_curve, own->over, list);
+
+    n += flk_switch_of_curve(&own->values.force_curve[0], own->over, list + n);
+    n += flk_switch_of_curve(&own->back.torque_curve, own->over, list + n);
+    n += flk_switch_of_curve(&own->back.force_curve[0], own->over, list + n);
+    if (own->is_windowed) {
+        flk_switch_at_zero(FLK_THETA2, list + n);
+        list[n].period = machine->cycle;
+        list[n].level = own->window;
+        list[n++].n = own->window[1] - own->window[0] < machine->cycle * (1 - 1e-12) ? 2 : 1;
+    }
+    if (own->at_speed > 0)
+        n += flk_switch_at_zero(own->over, list + n);
+    if (own->has_back && own->over != FLK_THETA2)
+        n += flk_switch_at_zero(FLK_RATE_OF(own->over), list + n);
+    return n;
+}
+
+const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act, list_switches};
 
 void flk_element_of_own(flk_own_load *own, flk_element *element)
 {

@@ -36,10 +36,9 @@ int flk_variable_falls(const fourlink_mechanism *mechanism, const fourlink_state
     int is_length = position == FLK_X || position == FLK_SLIDE;
     double r = is_length ? mechanism->design.link[FOURLINK_CRANK].length : 1;
     fourlink_state moved = *state;
-    int rate = (int)position + (FLK_OMEGA2 - FLK_THETA2);
 
     if (state->link[FOURLINK_CRANK].omega == 0)
         fourlink_velocity(mechanism, direction < 0 ? -1 : 1, &moved);
-    return flk_variable_value(&moved, (flk_variable)rate) <
+    return flk_variable_value(&moved, FLK_RATE_OF(position)) <
            -STANDSTILL * r * fabs(moved.link[FOURLINK_CRANK].omega);
 }

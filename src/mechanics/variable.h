@@ -21,6 +21,8 @@ typedef enum flk_variable {
 
 #define FLK_IS_SPEED(variable) ((variable) >= FLK_OMEGA2)
 
+#define FLK_RATE_OF(position) ((flk_variable)((int)(position) + (FLK_OMEGA2 - FLK_THETA2)))
+
 /* Its value, rad or m, rad/s or m/s. */
 double flk_variable_value(const fourlink_state *state, flk_variable variable);
 

@@ -140,7 +140,7 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
     int found;
 
     p->d = course->d;
-    p->jumps = course->jumps;
+    p->corners = course->corners;
     p->machine = course->d->machine;
     p->acting = course->acting;
     p->branch = branch;

@@ -6,7 +6,7 @@
 #define FOURLINK_ACTUAL_H
 
 #include "actual_row.h"
-#include "jumps.h"
+#include "corners.h"
 
 /* The motion of a deck on both branches, found once when the deck is opened. */
 typedef struct flk_actual flk_actual;
@@ -14,7 +14,7 @@ typedef struct flk_actual flk_actual;
 /* What it is found from. */
 typedef struct flk_course {
     const deck *d;
-    const flk_jumps *jumps;
+    flk_corners *corners;
     double last;        /* the crank angle of the last row, in the deck's unit; unused by time */
     double period;      /* rad, of a steady motion */
     int winds;          /* 1: a spring is wound up by each cycle: there is no steady motion */

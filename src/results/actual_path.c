@@ -146,14 +146,16 @@ static int run_piece(flk_path *p, double *h)
 /* Where the torques have their next corner, or the path its end. */
 static double next_corner(const flk_path *p, double after, double length, flk_piece_end *end)
 {
-    flk_corners c;
+    flk_passage way;
     double at;
 
-    c.d = p->d;
-    c.jumps = p->jumps;
-    c.sense = p->sense;
-    c.has_loads = 1;
-    at = flk_corners_next(&c, after, NULL, 0, end);
+    way.corners = p->corners;
+    way.branch = p->branch;
+    way.from = flk_actual_theta2(p, 0);
+    way.sense = p->sense;
+    way.has_loads = 1;
+    way.speed = NULL;
+    at = flk_corners_next(&way, after, length, NULL, 0, end);
     return at < length - FLK_CORNERS_CLOSE(length) ? at : length;
 }
 

@@ -28,7 +28,7 @@ typedef struct flk_node {
 
 typedef struct flk_path {
     const deck *d;
-    const flk_jumps *jumps;
+    flk_corners *corners;
     flk_machine machine; /* the deck's, with the torque and the flywheel that are sought */
     flk_acting *acting;  /* memory for its loads */
     fourlink_branch branch;

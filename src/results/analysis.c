@@ -36,7 +36,7 @@ static int find_actual(flk_analysis *a)
     if (a->d->drive.mode == DRIVE_GIVEN)
         return 1;
     course.d = a->d;
-    course.jumps = &a->jumps;
+    course.corners = a->corners;
     course.last = flk_analysis_end(a);
     course.period = flk_analysis_period(a->d);
     course.acting = &a->acting;
@@ -57,14 +57,15 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     for (; (spring = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
         a->winds |= flk_spring_winds(&d->machine.mechanism, spring->data, flk_analysis_period(d));
     a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
-    return a->acting.load != NULL && flk_jumps_find(d, &a->jumps) && find_actual(a);
+    a->corners = flk_corners_open(d);
+    return a->acting.load != NULL && a->corners != NULL && find_actual(a);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
     flk_actual_free(a->actual);
     free(a->acting.load);
-    free(a->jumps.theta2);
+    flk_corners_close(a->corners);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
 }

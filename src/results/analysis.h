@@ -8,7 +8,7 @@
 #include "actual.h"
 #include "deck/deck.h"
 #include "derived.h"
-#include "jumps.h"
+#include "corners.h"
 
 /* What is computed in addition to the motion of the links. */
 enum {
@@ -47,7 +47,7 @@ typedef struct flk_analysis {
     int possible; /* what of the above can be computed */
     fourlink_range range;
     flk_acting acting; /* the loads of the present row */
-    flk_jumps jumps;
+    flk_corners *corners;
     flk_actual *actual;     /* null: the motion is given */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     int winds;              /* 1: a spring is wound up, so that no cycle is as the one before */

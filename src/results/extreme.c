@@ -53,7 +53,7 @@ static void reset(flk_tracked *t)
 /* The even steps of an angle, rad. */
 static size_t steps_of(const flk_search *x, double angle)
 {
-    double step = GSL_MAX_DBL(M_PI / 90, x->length / MOST_STEPS);
+    double step = GSL_MAX_DBL(M_PI / 90, x->motion.length / MOST_STEPS);
     size_t steps = (size_t)ceil(angle / step - 1e-9);
 
     return GSL_MAX(steps, LEAST_SAMPLES);
@@ -159,7 +159,8 @@ static void skip_turns(flk_search *x)
         flk_tracked *t = &x->columns[c];
 
         if (t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last))
-            t->last += flk_search_turns(t, t->first, t->last) * floor(x->skipped / x->period + 0.5);
+            t->last +=
+                flk_search_turns(t, t->first, t->last) * floor(x->skipped / x->motion.period + 0.5);
     }
 }
 
@@ -174,7 +175,7 @@ static void look_ahead(flk_search *x)
     size_t c;
     int i;
 
-    while (!flk_search_is_over(x) && flk_pieces_next(x->a, x->length, x->period, &x->piece))
+    while (!flk_search_is_over(x) && flk_search_next(x))
         for (i = 1; i < LOOKS && x->piece.to - x->piece.from > LONG; i++) {
             flk_search_compute(x, x->needs,
                                x->piece.from + (x->piece.to - x->piece.from) * i / LOOKS, &row);
@@ -209,6 +210,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
 
         flk_search_track(x, t, &pairs[c].c);
         x->needs |= flk_column_need(t->c);
+        x->motion.has_loads |= !flk_column_is_of_motion(t->c);
         x->has_noise |= t->is_noise;
     }
     if (x->a->actual)
@@ -330,12 +332,12 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
         return;
     }
     start(&x, pairs, memory);
-    if (x.length <= 0) {
+    if (x.motion.length <= 0) {
         x.low = x.high = 0;
         flk_search_sample(&x, 0);
         search_samples(&x);
     }
-    while (!flk_search_is_over(&x) && flk_pieces_next(a, x.length, x.period, &x.piece)) {
+    while (!flk_search_is_over(&x) && flk_search_next(&x)) {
         int reached = flk_search_is_reached(&x);
 
         search_piece(&x, reached);
@@ -349,7 +351,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
                 flk_search_commit(&x.columns[c], 0);
             }
         has_gap |= !reached;
-        if (x.skipped > 0 && fabs(x.piece.to - x.period) < 1e-6)
+        if (x.skipped > 0 && fabs(x.piece.to - x.motion.period) < 1e-6)
             skip_turns(&x);
     }
     if (!flk_search_is_over(&x))

@@ -21,12 +21,12 @@
 /* Of a motion that repeats the first period and the last are searched. */
 static void skip_periods(flk_search *x)
 {
-    x->period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
+    x->motion.period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
     x->skipped = 0;
-    if (x->length < 3 * x->period)
+    if (x->motion.length < 3 * x->motion.period)
         return;
-    x->skipped = x->period * (floor(x->length / x->period) - 2);
-    x->length -= x->skipped;
+    x->skipped = x->motion.period * (floor(x->motion.length / x->motion.period) - 2);
+    x->motion.length -= x->skipped;
 }
 
 /* What a row costs, in rows without loads. */
@@ -43,16 +43,24 @@ int flk_search_is_over(const flk_search *x)
 void flk_search_begin(flk_search *x)
 {
     x->a->rows_left = MOST_ROWS;
-    x->length = flk_pieces_length(x->a, x->branch);
+    x->motion.a = x->a;
+    x->motion.branch = x->branch;
+    x->motion.has_loads = x->a->actual != NULL;
+    x->motion.length = flk_pieces_length(x->a, x->branch);
     skip_periods(x);
     x->from = x->a->d->motion.from;
     x->end = flk_pieces_end(x->a, x->branch);
     x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
     if (x->a->d->drive.by_time) {
         x->from = 0;
-        x->per_rad = x->length > 0 ? x->end / x->length : 0;
+        x->per_rad = x->motion.length > 0 ? x->end / x->motion.length : 0;
     }
     memset(&x->piece, 0, sizeof x->piece);
+}
+
+int flk_search_next(flk_search *x)
+{
+    return flk_pieces_next(&x->motion, &x->piece);
 }
 
 int flk_search_is_root(flk_piece_end end)
@@ -76,8 +84,8 @@ double flk_search_passed(const flk_search *x, double s)
     if (s <= 0 && from > 0)
         return from + GSL_MIN_DBL(INSIDE, length / 4);
     if (s >= 1)
-        return x->piece.to < x->length ? x->piece.to - GSL_MIN_DBL(INSIDE, length / 4)
-                                       : x->piece.to;
+        return x->piece.to < x->motion.length ? x->piece.to - GSL_MIN_DBL(INSIDE, length / 4)
+                                              : x->piece.to;
     return from + length * flk_search_share(x, s);
 }
 
@@ -94,9 +102,9 @@ double flk_search_rate(const flk_search *x, double s)
 
 double flk_search_angle(const flk_search *x, double passed)
 {
-    if (passed >= x->length)
+    if (passed >= x->motion.length)
         return x->end;
-    return x->from + x->per_rad * (passed > x->period ? passed + x->skipped : passed);
+    return x->from + x->per_rad * (passed > x->motion.period ? passed + x->skipped : passed);
 }
 
 double flk_search_corner(const flk_search *x, double s)
@@ -234,7 +242,7 @@ static double value_inside(const flk_search *x, const flk_tracked *t, double s)
     double inside = GSL_MIN_DBL(INSIDE, (x->piece.to - x->piece.from) / 4);
     flk_row row;
 
-    if ((s > 0 || x->piece.from > 0) && (s < 1 || x->piece.to < x->length))
+    if ((s > 0 || x->piece.from > 0) && (s < 1 || x->piece.to < x->motion.length))
         return GSL_NAN;
     flk_search_compute(x, flk_column_need(t->c),
                        s > 0 ? x->piece.to - inside : x->piece.from + inside, &row);

@@ -64,10 +64,9 @@ typedef struct flk_search {
     int has_noise; /* 1: a column measures rounding, so samples come from the deck's own solver */
     double from,
         end; /* first and last angle of the motion, in the deck's unit; of rows by time the times, s */
-    double length;  /* of the motion, rad, but for the whole periods that are skipped, */
-    double skipped; /* rad, */
-    double period;  /* after the first of them */
-    double per_rad; /* the deck's unit of angle for 1 rad passed, with sign */
+    flk_pieces motion; /* its length, rad, but for the whole periods that are skipped, */
+    double skipped;    /* rad */
+    double per_rad;    /* the deck's unit of angle for 1 rad passed, with sign */
     flk_piece piece;
     double low, high; /* of the stretch in the piece, s */
     double step;      /* of its first samples */
@@ -84,8 +83,9 @@ typedef struct flk_search {
 
 /* ---- extreme_samples.c */
 
-/* Begin with the motion of x->a; its first piece comes with flk_pieces_next. */
+/* Begin with the motion of x->a on x->branch; its first piece comes with flk_search_next, which is 0 at the end. */
 void flk_search_begin(flk_search *x);
+int flk_search_next(flk_search *x);
 
 /* 1 if the linkage can be assembled in the piece. */
 int flk_search_is_reached(const flk_search *x);

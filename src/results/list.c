@@ -213,8 +213,8 @@ static void tell_load(teller *t, const flk_element *element)
         tell_if(t, "torque", QUANTITY_TORQUE, values->torque, "torque, counter-clockwise positive");
     tell_law(t, own);
     if (own->is_windowed) {
-        tell(t, "from", QUANTITY_ANGLE, own->from, "first crank angle at which it acts");
-        tell(t, "to", QUANTITY_ANGLE, own->to, "last crank angle at which it acts");
+        tell(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
+        tell(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
     }
 }
 

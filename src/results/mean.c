@@ -198,7 +198,7 @@ static int is_done(const means *m)
 static void integrate_piece(means *m)
 {
     double length = m->x.piece.to - m->x.piece.from;
-    double n = 2 + floor(length / GSL_MAX_DBL(STEP, m->x.length / MOST_PARTS)), i;
+    double n = 2 + floor(length / GSL_MAX_DBL(STEP, m->x.motion.length / MOST_PARTS)), i;
 
     follow(m, 0);
     for (i = 0; i < n && !is_done(m); i++)
@@ -210,12 +210,12 @@ static void integrate_piece(means *m)
 static void count_skipped(means *m)
 {
     const flk_search *x = &m->x;
-    double n = 1 + floor(x->skipped / x->period + 0.5), by = 0;
+    double n = 1 + floor(x->skipped / x->motion.period + 0.5), by = 0;
     flk_row from, to;
 
     if (flk_column_flags(m->t.c) & FOURLINK_OF_CRANK) {
         flk_search_compute(x, 0, 0, &from);
-        flk_search_compute(x, 0, x->period, &to);
+        flk_search_compute(x, 0, x->motion.period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
     } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
         by = flk_search_turns(&m->t, m->t.first, m->t.last);
@@ -229,7 +229,7 @@ static void integrate_motion(means *m)
     flk_search *x = &m->x;
     int has_gap = 0, is_first = 1;
 
-    for (; !is_done(m) && flk_pieces_next(x->a, x->length, x->period, &x->piece); is_first = 0) {
+    for (; !is_done(m) && flk_search_next(x); is_first = 0) {
         if (flk_search_is_reached(x)) {
             if (is_first) {
                 follow(m, 0);
@@ -240,7 +240,7 @@ static void integrate_motion(means *m)
             start_anew(m, GSL_NAN);
             has_gap = 1;
         }
-        if (x->skipped > 0 && fabs(x->piece.to - x->period) < 1e-6)
+        if (x->skipped > 0 && fabs(x->piece.to - x->motion.period) < 1e-6)
             count_skipped(m);
     }
     /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
@@ -259,6 +259,7 @@ static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branc
     m->x.a = a;
     m->x.branch = branch;
     flk_search_begin(&m->x);
+    m->x.motion.has_loads |= !flk_column_is_of_motion(c);
     flk_search_track(&m->x, &m->t, c);
     if (flags & FOURLINK_OF_CRANK)
         m->t.turn = 0; /* it goes on by itself */
@@ -287,7 +288,7 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
     if (flk_analysis_stops(a, branch))
         return FOURLINK_TOO_LONG;
     start(&m, a, c, branch, statistic);
-    if (m.x.length <= 0)
+    if (m.x.motion.length <= 0)
         return of_instant(&m, statistic, mean);
     a->is_fast = !m.t.is_noise;
     integrate_motion(&m);

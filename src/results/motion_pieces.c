@@ -70,40 +70,61 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
     return of_position == FLK_END_PLAIN ? of_motion : of_position;
 }
 
-static void find_corners(const flk_analysis *a, int has_loads, flk_corners *c)
+/* The speed of the crank. */
+static double speed_at(void *host, double passed)
 {
-    c->d = a->d;
-    c->jumps = &a->jumps;
-    c->sense = direction(a);
-    c->has_loads = has_loads;
+    const flk_pieces *x = host;
+    double angle = x->a->d->motion.from + direction(x->a) * passed / x->a->d->motion.angle_unit;
+    flk_actual_row actual;
+    fourlink_row row;
+
+    if (x->a->actual)
+        return flk_actual_at(x->a->actual, x->branch, angle, &actual) == FOURLINK_OK
+                   ? actual.crank.omega2
+                   : GSL_NAN;
+    fourlink_motion_at(&x->a->d->motion, angle, &row);
+    return row.crank.omega2;
+}
+
+static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
+{
+    const fourlink_motion *motion = &x->a->d->motion;
+
+    p->corners = x->a->corners;
+    p->branch = x->branch;
+    p->from = motion->from * motion->angle_unit;
+    p->sense = direction(x->a);
+    p->has_loads = has_loads;
+    p->speed = speed_at;
+    p->host = (void *)x;
 }
 
 /* The next end behind `after`; without those of loads that of columns of the motion alone. */
-static double next_end(const flk_analysis *a, double length, double period, double after,
-                       int has_loads, flk_piece_end *end)
+static double next_end(const flk_pieces *x, double after, int has_loads, flk_piece_end *end)
 {
+    const fourlink_motion *motion = &x->a->d->motion;
     double more[2], at;
-    flk_corners c;
+    flk_passage p;
 
-    find_corners(a, has_loads, &c);
-    more[0] = a->d->motion.run_up * a->d->motion.angle_unit; /* 0 is passed */
-    more[1] = period;
-    at = flk_corners_next(&c, after, more, 2, end);
-    if (at < length - FLK_CORNERS_CLOSE(length))
+    find_passage(x, has_loads, &p);
+    more[0] = motion->run_up * motion->angle_unit; /* 0 is passed */
+    more[1] = x->period;
+    at = flk_corners_next(&p, after, x->length, more, 2, end);
+    if (at < x->length - FLK_CORNERS_CLOSE(x->length))
         return at;
-    if (at > length + FLK_CORNERS_CLOSE(length))
+    if (at > x->length + FLK_CORNERS_CLOSE(x->length))
         *end = FLK_END_PLAIN;
-    *end = join(ending(a, length), *end);
-    return length;
+    *end = join(ending(x->a, x->length), *end);
+    return x->length;
 }
 
 /* What is at the beginning of the motion. */
-static flk_piece_end first_end(const flk_analysis *a)
+static flk_piece_end first_end(const flk_pieces *x)
 {
-    flk_corners c;
+    flk_passage p;
 
-    find_corners(a, 1, &c);
-    return join(beginning(a), flk_corners_first(&c));
+    find_passage(x, 0, &p);
+    return join(beginning(x->a), flk_corners_first(&p));
 }
 
 /* Rows by time: corners are not known, so pieces are short. */
@@ -115,20 +136,20 @@ static int next_by_time(double length, flk_piece *piece)
     return 1;
 }
 
-int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece)
+int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 {
     flk_piece_end end;
 
-    if (!(piece->to < length))
+    if (!(piece->to < x->length))
         return 0;
-    if (a->d->drive.by_time)
-        return next_by_time(length, piece);
-    piece->begin = piece->to > 0 ? piece->end : first_end(a);
+    if (x->a->d->drive.by_time)
+        return next_by_time(x->length, piece);
+    piece->begin = piece->to > 0 ? piece->end : first_end(x);
     piece->from = piece->to;
-    piece->to = next_end(a, length, period, piece->from, 1, &piece->end);
-    if (piece->from >= piece->motion_to - FLK_CORNERS_CLOSE(length)) {
+    piece->to = next_end(x, piece->from, x->has_loads, &piece->end);
+    if (piece->from >= piece->motion_to - FLK_CORNERS_CLOSE(x->length)) {
         piece->motion_from = piece->from;
-        piece->motion_to = next_end(a, length, period, piece->from, a->actual != NULL, &end);
+        piece->motion_to = next_end(x, piece->from, x->a->actual && x->has_loads, &end);
     }
     return 1;
 }

@@ -15,13 +15,21 @@ typedef struct flk_piece {
     double motion_from, motion_to; /* in which columns of the motion alone are smooth */
 } flk_piece;
 
+/* The motion of a branch, to be gone through piece by piece. */
+typedef struct flk_pieces {
+    const flk_analysis *a;
+    fourlink_branch branch;
+    int has_loads; /* 1: columns of loads are to be smooth too */
+    double length; /* rad; another than that of the motion leaves whole periods out, */
+    double period; /* rad, and a piece ends after the first of them */
+} flk_pieces;
+
 /* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
 ** the time, s. */
 double flk_pieces_length(const flk_analysis *a, fourlink_branch branch);
 double flk_pieces_end(const flk_analysis *a, fourlink_branch branch);
 
-/* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0.  Another length than that of
-** the motion leaves whole periods out; a piece ends after the first of them. */
-int flk_pieces_next(const flk_analysis *a, double length, double period, flk_piece *piece);
+/* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0. */
+int flk_pieces_next(const flk_pieces *pieces, flk_piece *piece);
 
 #endif

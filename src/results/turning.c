@@ -23,7 +23,6 @@
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_sort.h>
 
 #include "base/solve.h"
 #include "turning.h"
@@ -86,22 +85,6 @@ static double area(moment *m, double from, double to)
     return integrate(m, from, to, 8);
 }
 
-/* A corner, in the cycle that starts at 0. */
-static void cut_at(moment *m, double angle)
-{
-    double cycle = m->a->d->machine.cycle;
-
-    m->cuts[m->n_cuts++] = angle - cycle * floor(angle / cycle);
-}
-
-static void cut_at_curve(moment *m, const curve *c)
-{
-    size_t i;
-
-    for (i = 0; i < c->n; i++)
-        cut_at(m, c->x[i]);
-}
-
 /* 1 if the crank turns at one speed, or its steady motion has a mean speed. */
 static int has_speed(const deck *d)
 {
@@ -122,19 +105,7 @@ static size_t steps_of(const deck *d)
 /* The most pieces that there can be. */
 static size_t most_cuts(const flk_analysis *a)
 {
-    const deck *d = a->d;
-    size_t jumps = a->jumps.n * ((size_t)ceil(d->machine.cycle / (2 * M_PI)) + 1);
-    size_t n = steps_of(d) + 1 + HALVINGS + jumps, i;
-    const flk_element *e = flk_machine_find(&d->machine, &flk_gas_sort, 0);
-
-    n += e ? ((const flk_gas *)e->data)->indicator.n : 0;
-    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++) {
-        const flk_own_load *own = e->data;
-
-        n += own->values.torque_curve.n + own->values.force_curve[0].n + own->back.torque_curve.n +
-             own->back.force_curve[0].n + 2;
-    }
-    return n;
+    return steps_of(a->d) + 1 + HALVINGS + flk_corners_most(a->corners, a->d->machine.cycle);
 }
 
 int flk_turning_open(flk_analysis *a)
@@ -145,43 +116,37 @@ int flk_turning_open(flk_analysis *a)
     return a->turning_memory != NULL;
 }
 
-/* The pieces of the cycle. */
+/* The one speed of the cycle. */
+static double speed_at(void *host, double passed)
+{
+    const moment *m = host;
+
+    (void)passed;
+    return m->crank.omega2;
+}
+
+/* The pieces of the cycle: degrees, and the corners between them. */
 static void cut(moment *m)
 {
-    const deck *d = m->a->d;
-    size_t steps = steps_of(d), i, n;
-    const flk_element *e;
-    double at;
+    double cycle = m->a->d->machine.cycle, corner, degree, at = 0;
+    size_t steps = steps_of(m->a->d), i;
+    flk_passage way;
+    flk_piece_end what;
 
-    for (i = 0; i <= steps; i++)
-        m->cuts[m->n_cuts++] = d->machine.cycle * (double)i / (double)steps;
-    e = flk_machine_find(&d->machine, &flk_gas_sort, 0);
-    if (e)
-        cut_at_curve(m, &((const flk_gas *)e->data)->indicator);
-    for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++) {
-        const flk_own_load *own = e->data;
-
-        if (own->over)
-            continue; /* jumps.c */
-        cut_at_curve(m, &own->back.torque_curve);
-        cut_at_curve(m, &own->back.force_curve[0]);
-        cut_at_curve(m, &own->values.torque_curve);
-        cut_at_curve(m, &own->values.force_curve[0]);
-        if (own->is_windowed) {
-            cut_at(m, own->from);
-            cut_at(m, own->to);
-        }
+    way.corners = m->a->corners;
+    way.branch = m->branch;
+    way.from = 0;
+    way.sense = way.has_loads = 1;
+    way.speed = speed_at;
+    way.host = m;
+    m->cuts[m->n_cuts++] = 0;
+    for (i = 1; i <= steps; i++, at = degree) {
+        degree = i < steps ? cycle * (double)i / (double)steps : cycle;
+        while ((corner = flk_corners_next(&way, at, degree, NULL, 0, &what)) <
+               degree - FLK_CORNERS_CLOSE(degree))
+            m->cuts[m->n_cuts++] = at = corner;
+        m->cuts[m->n_cuts++] = degree;
     }
-    for (i = 0; i < m->a->jumps.n; i++)
-        for (at = m->a->jumps.theta2[i]; at < m->a->jumps.theta2[i] + d->machine.cycle;
-             at += m->a->jumps.period)
-            cut_at(m, at);
-    gsl_sort(m->cuts, 1, m->n_cuts);
-    for (i = 1, n = 1; i < m->n_cuts; i++)
-        if (m->cuts[i] - m->cuts[n - 1] > 4 * INSIDE)
-            m->cuts[n++] = m->cuts[i];
-    m->cuts[n - 1] = d->machine.cycle;
-    m->n_cuts = n;
 }
 
 /* Halve piece i. */

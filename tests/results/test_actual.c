@@ -234,7 +234,7 @@ TEST(test_tolerance)
     assert_true(flk_analysis_open(&a, &d));
     memset(&p, 0, sizeof p);
     p.d = &d;
-    p.jumps = &a.jumps;
+    p.corners = a.corners;
     p.sense = 1;
     p.machine = d.machine;
     p.acting = &a.acting;
