@@ -221,6 +221,36 @@ static double time_steady(void)
     return seconds() - start;
 }
 
+/* Opening a deck whose loads have corners, and a row of its motion, against reading it: the corners cost nothing until a
+** load is asked for. */
+#define OPENINGS 100
+
+static double time_opening(const char *deck, size_t length, int opens)
+{
+    fourlink_results *results;
+    fourlink_deck *read;
+    fourlink_source source;
+    double value[12], start = seconds();
+    int i;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck;
+    source.length = length;
+    for (i = 0; i < OPENINGS; i++)
+        if (opens) {
+            if (fourlink_results_open(&source, 0, &results, NULL, NULL) != FOURLINK_OK ||
+                fourlink_results_row(results, FOURLINK_OPEN, 1, value, NULL, NULL) != FOURLINK_OK)
+                exit(EXIT_FAILURE);
+            sink = sink + value[0];
+            fourlink_results_free(results);
+        } else {
+            if (fourlink_deck_read(deck, length, NULL, NULL, 0, &read, NULL, NULL) != FOURLINK_OK)
+                exit(EXIT_FAILURE);
+            fourlink_deck_free(read);
+        }
+    return (seconds() - start) / OPENINGS;
+}
+
 /* A deck with the columns of the six extremes in place of its own. */
 static size_t read_deck(const char *name, char deck[DECK_SIZE])
 {
@@ -489,6 +519,40 @@ static int report_extremes(const char *command, const char *deck_name, const fou
                            median(summary, ROUNDS) / median(csv, ROUNDS), 3);
 }
 
+static int report_openings(void)
+{
+    static const char head[] =
+        "mechanism = slider-crank\n[table]\ncolumns = x, v\n[crank]\nlength = 50 mm\n"
+        "mass = 1 kg\n[rod]\nlength = 200 mm\n[motion]\nspeed = 10 rad/s\n"
+        "interval = 10 deg\n";
+    char friction[1000], curve[10000];
+    const char *decks[2];
+    double reading[ROUNDS], opening[ROUNDS];
+    int i, k, n, missed = 0;
+
+    sprintf(friction,
+            "%s[friction]\nA = 0.1\nB = 0.1\nC = 0.1\nguide = 0.1\n"
+            "radius_A = 5 mm\nradius_B = 5 mm\nradius_C = 5 mm\n",
+            head);
+    n = sprintf(curve, "%s[load]\nlink = piston\nover = x\nforce = ", head);
+    for (i = 0; i < 200; i++)
+        n += sprintf(curve + n, "%s%.1f mm %d N", i ? ", " : "", 150 + 0.5 * i, i * i % 17);
+    sprintf(curve + n, "\n");
+    decks[0] = friction;
+    decks[1] = curve;
+    for (k = 0; k < 2; k++) {
+        for (i = 0; i < ROUNDS; i++) {
+            reading[i] = time_opening(decks[k], strlen(decks[k]), 0);
+            opening[i] = time_opening(decks[k], strlen(decks[k]), 1);
+        }
+        missed +=
+            report(k ? "opening with a curve of 200 points over x, rows of the motion / reading"
+                     : "opening with friction, rows of the motion / reading",
+                   median(opening, ROUNDS) / median(reading, ROUNDS), 1.5);
+    }
+    return missed;
+}
+
 int main(int argc, char **argv)
 {
     fourlink_mechanism four_bar, slider_crank, inverted;
@@ -549,6 +613,7 @@ int main(int argc, char **argv)
                      median(numbers[0], ROUNDS) / median(numbers[1], ROUNDS), 0.12);
     missed += report("row of 20 columns: table printing / fprintf of the same",
                      median(rows[0], ROUNDS) / median(rows[1], ROUNDS), 0.125);
+    missed += report_openings();
     if (argc == 3)
         missed += report_extremes(argv[1], argv[2], &four_bar, &torque) +
                   report_command(argv[1], argv[2], nowhere);

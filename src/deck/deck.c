@@ -182,6 +182,7 @@ int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double t
                         fourlink_load *loads, double *gas)
 {
     flk_acting acting;
+    double sense;
 
     if (!d || (!loads && d->machine.n_loads))
         return FOURLINK_NULL;
@@ -190,7 +191,8 @@ int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double t
     if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     acting.load = loads;
-    flk_machine_loads_at(&d->machine, branch, theta2, &acting);
+    sense = d->motion.speed != 0 ? d->motion.speed : d->machine.friction.direction;
+    flk_machine_loads_at(&d->machine, branch, theta2, sense, &acting);
     if (gas)
         *gas = acting.gas_force;
     return FOURLINK_OK;

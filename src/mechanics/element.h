@@ -15,6 +15,7 @@ struct flk_machine;
 
 /* What the elements exert in a state. */
 typedef struct flk_acting {
+    int sense;              /* 1 or -1, in which the crank turns or is about to */
     fourlink_load *load;    /* room for the machine's n_loads */
     fourlink_vector ground; /* N, their forces on the frame, */
     double ground_moment;   /* N m, with the moment about A */

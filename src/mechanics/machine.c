@@ -72,17 +72,18 @@ static void clear(fourlink_load *load, int link)
     load->link = link;
 }
 
-static void begin(const flk_machine *m, flk_acting *acting)
+static void begin(const flk_machine *m, double omega2, flk_acting *acting)
 {
     unsigned long i;
 
+    acting->sense = omega2 < 0 || (omega2 == 0 && m->friction.direction < 0) ? -1 : 1;
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
     for (i = m->first_friction; i < m->first_gas; i++)
         clear(&acting->load[i], FOURLINK_CRANK);
 }
 
 void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double theta2,
-                          flk_acting *acting)
+                          double omega2, flk_acting *acting)
 {
     const flk_element *e = m->element, *end = e + m->n_elements;
     fourlink_state state;
@@ -90,7 +91,7 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
 
     state.branch = branch;
     state.link[FOURLINK_CRANK].theta = theta2;
-    begin(m, acting);
+    begin(m, omega2, acting);
     for (; e < end; e++) {
         for (i = 0; i < e->n_loads && e->needs_motion; i++)
             clear(&acting->load[e->first + (unsigned long)i], e->link[i]);
@@ -99,15 +100,22 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
     }
 }
 
-int flk_machine_loads(const flk_machine *m, const fourlink_state *state, flk_acting *acting)
+/* The loads in a state, which is at unit speed if none depends on the speed. */
+static int set_loads(const flk_machine *m, const fourlink_state *state, double omega2,
+                     flk_acting *acting)
 {
     const flk_element *e = m->element, *end = e + m->n_elements;
     int status = FOURLINK_OK;
 
-    begin(m, acting);
+    begin(m, omega2, acting);
     for (; e < end && status == FOURLINK_OK; e++)
         status = e->sort->act(e, m, state, &acting->load[e->first], acting);
     return status;
+}
+
+int flk_machine_loads(const flk_machine *m, const fourlink_state *state, flk_acting *acting)
+{
+    return set_loads(m, state, state->link[FOURLINK_CRANK].omega, acting);
 }
 
 /* Friction of a pin on the ground turns that against the link. */
@@ -208,11 +216,11 @@ static int find_alpha(const flk_machine *m, const flk_machine_place *place, four
 }
 
 /* All loads at the actual speeds. */
-static int set_loads(const flk_machine *m, const flk_machine_place *place, double omega2,
-                     fourlink_state *moving, flk_acting *acting)
+static int move_loads(const flk_machine *m, const flk_machine_place *place, double omega2,
+                      fourlink_state *moving, flk_acting *acting)
 {
     if (!m->needs_motion)
-        return flk_machine_loads(m, &place->state, acting);
+        return set_loads(m, &place->state, omega2, acting);
     *moving = place->state;
     fourlink_velocity(&m->mechanism, omega2, moving);
     return flk_machine_loads(m, moving, acting);
@@ -223,7 +231,7 @@ int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, do
 {
     double turning = place->half_slope * omega2 * omega2;
     fourlink_state moving;
-    int status = set_loads(m, place, omega2, &moving, acting);
+    int status = move_loads(m, place, omega2, &moving, acting);
 
     if (status != FOURLINK_OK)
         return status;

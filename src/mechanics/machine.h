@@ -35,9 +35,10 @@ void flk_machine_finish(flk_machine *machine);
 size_t flk_machine_count(const flk_machine *machine, const flk_sort *sort);
 const flk_element *flk_machine_find(const flk_machine *machine, const flk_sort *sort, size_t i);
 
-/* The loads at a crank angle: places of friction and of elements that need the motion are 0. */
+/* The loads at a crank angle; of its speed only the sense counts.  Places of friction and of elements that need the motion
+** are 0. */
 void flk_machine_loads_at(const flk_machine *machine, fourlink_branch branch, double theta2,
-                          flk_acting *acting);
+                          double omega2, flk_acting *acting);
 
 /* The loads in a state; places of friction are 0: FOURLINK_OK, FOURLINK_NO_DIRECTION. */
 int flk_machine_loads(const flk_machine *machine, const fourlink_state *state, flk_acting *acting);

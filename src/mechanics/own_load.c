@@ -8,15 +8,17 @@
 #include "machine.h"
 #include "switch.h"
 
-/* 1 if the load acts at a crank angle. */
-static int is_on(const flk_own_load *own, double cycle, double theta2)
+#define ROUNDING 1e-12 /* of the cycle */
+
+/* 1 if the load acts at a crank angle: at the edge where the crank enters its range, and not at that where it leaves. */
+static int is_on(const flk_own_load *own, double cycle, double theta2, int sense)
 {
-    double after = theta2 - own->window[0];
+    double after = sense < 0 ? own->window[1] - theta2 : theta2 - own->window[0];
 
     if (!own->is_windowed)
         return 1;
-    after -= cycle * floor(after / cycle + 1e-12);
-    return !(after > own->window[1] - own->window[0] + 1e-12 * cycle);
+    after -= cycle * floor(after / cycle + ROUNDING);
+    return after < own->window[1] - own->window[0] - ROUNDING * cycle;
 }
 
 /* value sign(w) (|w| / at_speed)^exponent */
@@ -45,16 +47,15 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     const flk_own_load *own = element->data;
     double x = flk_variable_value(state, own->over), factor;
 
-    (void)acting;
     *load = own->load;
     if (own->at_speed > 0) {
         factor = follow_speed(own, x);
         load->torque = own->values.torque * factor;
         load->force.x = own->values.force.x * factor;
         load->force.y = own->values.force.y * factor;
-    } else if (is_on(own, machine->cycle, x)) {
-        int falls = own->has_back && flk_variable_falls(&machine->mechanism, state, own->over,
-                                                        machine->friction.direction);
+    } else if (is_on(own, machine->cycle, x, acting->sense)) {
+        int falls = own->has_back &&
+                    flk_variable_falls(&machine->mechanism, state, own->over, acting->sense);
 
         set(falls ? &own->back : &own->values, x, load);
     }

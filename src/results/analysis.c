@@ -85,7 +85,7 @@ static int compute(flk_analysis *a, int needs, int forces, const fourlink_crank 
         status = flk_machine_forces(machine, &at->state, closed_form, &a->acting, &at->forces,
                                     &at->losses);
     else if (needs & (NEED_ENGINE | NEED_GAS))
-        flk_machine_loads_at(machine, at->branch, crank->theta2, &a->acting);
+        flk_machine_loads_at(machine, at->branch, crank->theta2, crank->omega2, &a->acting);
     at->gas_force = a->acting.gas_force;
     return status;
 }

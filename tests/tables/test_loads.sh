@@ -55,13 +55,14 @@ check 'and not one in ground axes' differs turning fixed
     forces >two
 check 'a force moved along the link, with its torque' close one two
 
-# A load between two crank angles: there as if it always acted, elsewhere as if it were not there.
+# A load between two crank angles: there as if it always acted, elsewhere as if it were not there.  It acts where the crank
+# enters the range, and not where it leaves.
 { linkage; printf 'from = 0 deg\nto = 720 deg\n[load L]\nlink = rocker\ntorque = 3 N m\nfrom = 100 deg\nto = 200 deg\n'; } >window.deck
 forces window.deck >window
 { linkage; printf 'from = 0 deg\nto = 720 deg\n[load L]\nlink = rocker\ntorque = 3 N m\n'; } | forces >always
 { linkage; printf 'from = 0 deg\nto = 720 deg\n'; } | forces >never
-inside='{t = $2 % 360} t >= 100 && t <= 200'
-outside='{t = $2 % 360} t < 100 || t > 200'
+inside='{t = $2 % 360} t >= 100 && t < 200'
+outside='{t = $2 % 360} t < 100 || t >= 200'
 for file in window always never; do
     tail -n +2 $file | awk -F, "$inside" >$file.inside
     tail -n +2 $file | awk -F, "$outside" >$file.outside
@@ -71,13 +72,21 @@ check 'and outside them' close window.outside never.outside
 check 'which is not the same' differs window.outside always.outside
 # over the end of the revolution, and running backwards
 forces -s 'load L.from=300 deg' -s 'load L.to=400 deg' window.deck >across
-tail -n +2 across | awk -F, '{t = $2 % 360} t >= 300 || t <= 40' >across.inside
-tail -n +2 always | awk -F, '{t = $2 % 360} t >= 300 || t <= 40' >always.inside
+tail -n +2 across | awk -F, '{t = $2 % 360} t >= 300 || t < 40' >across.inside
+tail -n +2 always | awk -F, '{t = $2 % 360} t >= 300 || t < 40' >always.inside
 check 'a load over 360 deg' close across.inside always.inside
 forces -s 'motion.speed=-10.5' -s 'motion.from=720 deg' -s 'motion.to=0 deg' window.deck | tail -n +2 |
     sort -t, -k1,1 -k2,2n >back
-tail -n +2 window | sort -t, -k1,1 -k2,2n >forth
-check 'the other way round (the speed enters squared)' close back forth
+between='{t = $2 % 360} t != 100 && t != 200'
+tail -n +2 window | sort -t, -k1,1 -k2,2n | awk -F, "$between" >forth
+awk -F, "$between" back >back.between
+check 'the other way round (the speed enters squared)' close back.between forth
+for edge in 100 200; do
+    file=$([ $edge = 200 ] && echo always || echo never)
+    awk -F, -v e=$edge '$2 % 360 == e' back >back.edge
+    tail -n +2 $file | sort -t, -k1,1 -k2,2n | awk -F, -v e=$edge '$2 % 360 == e' >$file.edge
+    check "it enters at 200 deg then, and leaves at 100 deg: $edge deg" close back.edge $file.edge
+done
 
 mistake() { # DECK-TEXT MESSAGE
     { linkage; printf "$1"; } | "$fourlink" >out 2>err
