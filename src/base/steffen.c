@@ -64,13 +64,13 @@ static double slope_at(const double *x, const double *y, unsigned long n, unsign
                              secant(x, y, i));
 }
 
-double flk_steffen_on(const double *x, const double *y, unsigned long n, double at)
+double flk_steffen_on(const double *x, const double *y, unsigned long n, double at, double within)
 {
     unsigned long i;
 
-    if (!(at > x[0]) || at >= x[n - 1])
-        return at >= x[n - 1] ? y[n - 1] : y[0];
-    i = flk_steffen_find(x, n, at);
+    if (!(within > x[0]) || within >= x[n - 1])
+        return within >= x[n - 1] ? y[n - 1] : y[0];
+    i = flk_steffen_find(x, n, within);
     return flk_steffen_value(at - x[i], x[i + 1] - x[i], y[i], y[i + 1], slope_at(x, y, n, i),
                              slope_at(x, y, n, i + 1));
 }

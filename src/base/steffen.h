@@ -15,7 +15,7 @@ double flk_steffen_value(double d, double h, double y0, double y1, double slope0
 unsigned long flk_steffen_find(const double *x, unsigned long n, double at);
 
 /* The value of a curve through n >= 2 points, x rising.  At its ends the slope is the secant beside them; beyond them
-** the value there holds. */
-double flk_steffen_on(const double *x, const double *y, unsigned long n, double at);
+** the value there holds.  The piece is that in which `within` lies; it goes on smoothly beyond its ends. */
+double flk_steffen_on(const double *x, const double *y, unsigned long n, double at, double within);
 
 #endif

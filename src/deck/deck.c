@@ -191,6 +191,7 @@ int fourlink_deck_loads(const fourlink_deck *d, fourlink_branch branch, double t
     if (!FLK_WITHIN(theta2, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
     acting.load = loads;
+    acting.held = NULL;
     sense = d->motion.speed != 0 ? d->motion.speed : d->machine.friction.direction;
     flk_machine_loads_at(&d->machine, branch, theta2, sense, &acting);
     if (gas)
@@ -212,6 +213,7 @@ int fourlink_deck_analyse(const fourlink_deck *d, fourlink_branch branch,
     if (!d || !crank || !loads || !state || !forces || !losses || !gas)
         return FOURLINK_NULL;
     acting.load = loads;
+    acting.held = NULL;
     status = fourlink_analyse(&d->machine.mechanism, branch, crank, NULL, 0, &motion, NULL);
     if (status == FOURLINK_OK)
         status = flk_machine_forces(&d->machine, &motion, closed_form, &acting, &found, &lost);

@@ -38,17 +38,24 @@ void flk_curve_finish(double period, curve *c)
 
 double flk_curve_value(const curve *c, double x)
 {
+    return flk_curve_piece(c, x, x);
+}
+
+double flk_curve_piece(const curve *c, double x, double within)
+{
+    double d, beside = x - within;
     size_t low;
-    double d;
 
     if (c->period <= 0)
-        return flk_steffen_on(c->x, c->y, c->n, x);
-    x = fmod(x - c->x[0], c->period);
-    x = c->x[0] + (x < 0 ? x + c->period : x);
-    low = flk_steffen_find(c->x, c->n + 1, x);
-    d = x - c->x[low];
+        return flk_steffen_on(c->x, c->y, c->n, x, within);
+    beside -= c->period * floor(beside / c->period + 0.5);
+    within = fmod(within - c->x[0], c->period);
+    within = c->x[0] + (within < 0 ? within + c->period : within);
+    low = flk_steffen_find(c->x, c->n + 1, within);
+    d = within - c->x[low];
     if (d < 0)
         d = 0; /* rounding */
+    d += beside;
     return flk_steffen_value(d, c->x[low + 1] - c->x[low], c->y[low], c->y[low + 1], c->slope[low],
                              c->slope[(low + 1) % c->n]);
 }

@@ -26,7 +26,9 @@ typedef struct curve {
 void flk_curve_place(double *memory, size_t n, curve *c);
 void flk_curve_finish(double period, curve *c);
 
-/* Its value at any x. */
+/* Its value at any x; that of the piece in which `within` lies, less than half a period away, which goes on smoothly beyond
+** its ends. */
 double flk_curve_value(const curve *c, double x);
+double flk_curve_piece(const curve *c, double x, double within);
 
 #endif

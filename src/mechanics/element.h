@@ -13,12 +13,18 @@
 
 struct flk_machine;
 
-/* What the elements exert in a state. */
+/* What the elements exert in a state.
+**
+** Switches (switch.h) divide the motion into cells.  With `held`, a state at unit speed, the cell of that state holds for
+** others too: what acts goes on smoothly beyond the ends of the cell, so that steps of an integration may overshoot them
+** (Modelica: relations are frozen between events). */
 typedef struct flk_acting {
-    int sense;              /* 1 or -1, in which the crank turns or is about to */
-    fourlink_load *load;    /* room for the machine's n_loads */
-    fourlink_vector ground; /* N, their forces on the frame, */
-    double ground_moment;   /* N m, with the moment about A */
+    const fourlink_state *held; /* null: the cell is that of the state itself */
+    double held_speed;          /* rad/s, of the crank, in the held piece of the motor's curve */
+    int sense;                  /* 1 or -1, in which the crank turns or is about to */
+    fourlink_load *load;        /* room for the machine's n_loads */
+    fourlink_vector ground;     /* N, their forces on the frame, */
+    double ground_moment;       /* N m, with the moment about A */
     double
         gas_force; /* N, of the gas on the piston, towards the crank; on a rod, along the slide */
 } flk_acting;

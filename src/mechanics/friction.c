@@ -137,12 +137,12 @@ int flk_friction_sense(const fourlink_state *state, const fourlink_friction *fri
     return omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1;
 }
 
-/* The joints that have friction and move. */
+/* The joints that have friction and move; in the senses of `held`, if that is given. */
 static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                        const fourlink_state *state, const fourlink_friction *friction,
-                        equations *e)
+                        const fourlink_state *state, const fourlink_state *held,
+                        const fourlink_friction *friction, equations *e)
 {
-    int sense = flk_friction_sense(state, friction);
+    int sense = flk_friction_sense(held ? held : state, friction);
     double length = mechanism->design.link[FOURLINK_CRANK].length;
     int k;
 
@@ -156,7 +156,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
         j->is_guide = at->slider != 0;
         j->factor = j->is_guide ? friction->guide * length : friction->circle[i];
         j->couple = friction->guide_length > 0 ? 2 / friction->guide_length : 0;
-        j->speed = flk_friction_speed(mechanism, state, at) * sense;
+        j->speed = flk_friction_speed(mechanism, held ? held : state, at) * sense;
         j->n_loads = 0;
         if (!(j->factor > 0) || fabs(j->speed) <= STANDSTILL)
             continue;
@@ -525,7 +525,8 @@ static int check_friction(const fourlink_friction *friction)
 
 /* Solve with checked data. */
 static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                     const fourlink_state *state, const fourlink_load *loads, unsigned long n_loads,
+                     const fourlink_state *state, const fourlink_state *held,
+                     const fourlink_load *loads, unsigned long n_loads,
                      const fourlink_friction *friction, flk_solution *solve,
                      fourlink_forces *forces, fourlink_losses *losses)
 {
@@ -541,7 +542,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     if (status != FOURLINK_OK)
         return status;
     Ts0 = found.Ts;
-    list_joints(kind, mechanism, state, friction, &e);
+    list_joints(kind, mechanism, state, held, friction, &e);
     status = find_columns(kind, mechanism, state, solve, &found, &e);
     if (status == FOURLINK_OK)
         status = find_sizes(&e);
@@ -561,10 +562,10 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
     return FOURLINK_OK;
 }
 
-int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                            const fourlink_load *loads, unsigned long n_loads,
-                            const fourlink_friction *friction, int closed_form,
-                            fourlink_forces *forces, fourlink_losses *losses)
+int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                       const fourlink_state *held, const fourlink_load *loads,
+                       unsigned long n_loads, const fourlink_friction *friction, int closed_form,
+                       fourlink_forces *forces, fourlink_losses *losses)
 {
     const flk_kind *kind;
     int status = flk_kind_find(mechanism, forces, &kind);
@@ -576,7 +577,16 @@ int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_
     if (status == FOURLINK_OK && closed_form && flk_dyad_is_singular(state))
         status = FOURLINK_SINGULAR;
     if (status == FOURLINK_OK)
-        status = solve_all(kind, mechanism, state, loads, n_loads, friction,
+        status = solve_all(kind, mechanism, state, held, loads, n_loads, friction,
                            closed_form ? flk_dyad_of_bodies : flk_matrix_of_bodies, forces, losses);
     return status;
+}
+
+int fourlink_solve_friction(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                            const fourlink_load *loads, unsigned long n_loads,
+                            const fourlink_friction *friction, int closed_form,
+                            fourlink_forces *forces, fourlink_losses *losses)
+{
+    return flk_friction_solve(mechanism, state, NULL, loads, n_loads, friction, closed_form, forces,
+                              losses);
 }

@@ -10,9 +10,9 @@
 #include "machine.h"
 #include "switch.h"
 
-static double force_of(const flk_gas *gas, double theta2)
+static double force_of(const flk_gas *gas, double theta2, double held)
 {
-    double p1 = gas->indicator.n ? flk_curve_value(&gas->indicator, theta2) : gas->pressure;
+    double p1 = gas->indicator.n ? flk_curve_piece(&gas->indicator, theta2, held) : gas->pressure;
 
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
@@ -48,7 +48,8 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
         memset(&load[i], 0, sizeof load[i]);
         load[i].link = element->link[i];
     }
-    acting->gas_force = force_of(element->data, state->link[FOURLINK_CRANK].theta);
+    acting->gas_force = force_of(element->data, state->link[FOURLINK_CRANK].theta,
+                                 (acting->held ? acting->held : state)->link[FOURLINK_CRANK].theta);
     if (element->n_loads == 1)
         act_on_piston((double)state->branch, acting->gas_force, design->offset, load, acting);
     else

@@ -16,7 +16,9 @@ void flk_inertia_of_motion(const fourlink_mechanism *mechanism, const fourlink_s
 double flk_inertia_push(const fourlink_mechanism *mechanism, const fourlink_state *state,
                         const fourlink_load *loads, unsigned long n_loads);
 
-/* A valid motor's torque on the crank (motor.c). */
-double flk_motor_torque(const fourlink_motor *motor, double omega2);
+/* A valid motor's torque on the crank, on the smooth piece of its curve in which the speed `within` lies; the two speeds of
+** the crank between which that piece holds, infinite if there is none (motor.c). */
+double flk_motor_torque(const fourlink_motor *motor, double omega2, double within);
+void flk_motor_piece(const fourlink_motor *motor, double within, double *low, double *high);
 
 #endif

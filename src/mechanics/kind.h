@@ -136,6 +136,12 @@ double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_st
                           const flk_joint *at);
 int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction);
 
+/* As fourlink_solve_friction; joints rub in the senses that they have in the state `held`, if that is not null. */
+int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                       const fourlink_state *held, const fourlink_load *loads,
+                       unsigned long n_loads, const fourlink_friction *friction, int closed_form,
+                       fourlink_forces *forces, fourlink_losses *losses);
+
 /* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 

@@ -76,6 +76,7 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
 {
     unsigned long i;
 
+    omega2 = acting->held ? acting->held->link[FOURLINK_CRANK].omega : omega2;
     acting->sense = omega2 < 0 || (omega2 == 0 && m->friction.direction < 0) ? -1 : 1;
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
     for (i = m->first_friction; i < m->first_gas; i++)
@@ -135,8 +136,8 @@ int flk_machine_forces(const flk_machine *m, const fourlink_state *state, int cl
     if (status != FOURLINK_OK)
         return status;
     if (m->has_friction) {
-        status = fourlink_solve_friction(mechanism, state, acting->load, m->n_loads, &m->friction,
-                                         closed_form, forces, losses);
+        status = flk_friction_solve(mechanism, state, acting->held, acting->load, m->n_loads,
+                                    &m->friction, closed_form, forces, losses);
         if (status == FOURLINK_OK)
             take_friction(m, losses, acting);
         return status;
@@ -180,8 +181,8 @@ static int miss(const flk_machine *m, fourlink_state *state, const flk_acting *a
     int status;
 
     fourlink_acceleration(&m->mechanism, alpha2, state);
-    status = fourlink_solve_friction(&m->mechanism, state, acting->load, m->n_loads, &m->friction,
-                                     1, &forces, &losses);
+    status = flk_friction_solve(&m->mechanism, state, acting->held, acting->load, m->n_loads,
+                                &m->friction, 1, &forces, &losses);
     if (status == FOURLINK_OK)
         *value = forces.Ts - T_motor + flk_machine_shaft(m) * alpha2;
     return status;
@@ -235,7 +236,7 @@ int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, do
 
     if (status != FOURLINK_OK)
         return status;
-    push->T_motor = flk_motor_torque(&m->motor, omega2);
+    push->T_motor = flk_motor_torque(&m->motor, omega2, acting->held ? acting->held_speed : omega2);
     push->push =
         push->T_motor + flk_inertia_push(&m->mechanism, &place->state, acting->load, m->n_loads);
     push->alpha2 = (push->push - turning) / place->whole;

@@ -12,15 +12,22 @@
 #include <float.h>
 #include <math.h>
 
+#include <gsl/gsl_math.h>
+
 #include "base/steffen.h"
 #include "inertia.h"
 
-static double of_power(const fourlink_motor *motor, double w)
+/* The speed from which on the power limits the torque. */
+static double knee_of(const fourlink_motor *motor)
 {
-    double turning = motor->max_torque < 0 ? -w : w, largest = fabs(motor->max_torque);
-    double torque = turning * largest > motor->power ? motor->power / turning : largest;
+    return motor->power / motor->max_torque;
+}
 
-    return motor->max_torque < 0 ? -torque : torque;
+static double of_power(const fourlink_motor *motor, double w, double within)
+{
+    double turning = motor->max_torque < 0 ? -within : within;
+
+    return turning * fabs(motor->max_torque) > motor->power ? motor->power / w : motor->max_torque;
 }
 
 /* 1 if the numbers that a motor of its kind has are in range. */
@@ -68,7 +75,7 @@ static int is_valid(const fourlink_motor *motor)
     return motor->kind > FOURLINK_NO_MOTOR && motor->kind <= FOURLINK_MOTOR_BALANCE;
 }
 
-double flk_motor_torque(const fourlink_motor *motor, double omega2)
+double flk_motor_torque(const fourlink_motor *motor, double omega2, double within)
 {
     double w = motor->ratio * omega2;
 
@@ -79,12 +86,32 @@ double flk_motor_torque(const fourlink_motor *motor, double omega2)
     case FOURLINK_MOTOR_LINEAR:
         return motor->ratio * motor->stall_torque * (1 - w / motor->no_load_speed);
     case FOURLINK_MOTOR_CURVE:
-        return motor->ratio *
-               flk_steffen_on(motor->curve_speed, motor->curve_torque, motor->n_curve, w);
+        return motor->ratio * flk_steffen_on(motor->curve_speed, motor->curve_torque,
+                                             motor->n_curve, w, motor->ratio * within);
     case FOURLINK_MOTOR_POWER:
-        return motor->ratio * of_power(motor, w);
+        return motor->ratio * of_power(motor, w, motor->ratio * within);
     default:
         return 0;
+    }
+}
+
+void flk_motor_piece(const fourlink_motor *motor, double within, double *low, double *high)
+{
+    double knee = motor->kind == FOURLINK_MOTOR_POWER ? knee_of(motor) : 0, level;
+    const double *levels = motor->kind == FOURLINK_MOTOR_CURVE ? motor->curve_speed : &knee;
+    unsigned long n = motor->kind == FOURLINK_MOTOR_CURVE   ? motor->n_curve
+                      : motor->kind == FOURLINK_MOTOR_POWER ? 1
+                                                            : 0,
+                  i;
+
+    *low = GSL_NEGINF;
+    *high = GSL_POSINF;
+    for (i = 0; i < n; i++) {
+        level = levels[i] / motor->ratio;
+        if (level <= within)
+            *low = GSL_MAX(*low, level);
+        else
+            *high = GSL_MIN(*high, level);
     }
 }
 
@@ -98,7 +125,7 @@ int fourlink_motor_torque(const fourlink_motor *motor, double omega2, double *to
         return FOURLINK_BAD_NUMBER;
     if (!is_valid(motor))
         return FOURLINK_BAD_MOTOR;
-    found = flk_motor_torque(motor, omega2);
+    found = flk_motor_torque(motor, omega2, omega2);
     if (!FLK_WITHIN(found, DBL_MAX))
         return FOURLINK_BAD_NUMBER;
     *torque = found;

@@ -21,23 +21,23 @@ static int is_on(const flk_own_load *own, double cycle, double theta2, int sense
     return after < own->window[1] - own->window[0] - ROUNDING * cycle;
 }
 
-/* value sign(w) (|w| / at_speed)^exponent */
-static double follow_speed(const flk_own_load *own, double w)
+/* value sign(w) (|w| / at_speed)^exponent, with the sign of a speed `within` the cell; linear it has no corner. */
+static double follow_speed(const flk_own_load *own, double w, double within)
 {
     double factor = w == 0 ? 0 : pow(fabs(w) / own->at_speed, own->exponent);
 
-    return w < 0 ? -factor : factor;
+    return (own->exponent == 1 ? w : within) < 0 ? -factor : factor;
 }
 
-/* The values, those of curves at x. */
-static void set(const flk_load_values *values, double x, fourlink_load *load)
+/* The values, those of curves at x, on the pieces of x_held. */
+static void set(const flk_load_values *values, double x, double x_held, fourlink_load *load)
 {
     load->torque =
-        values->torque_curve.n ? flk_curve_value(&values->torque_curve, x) : values->torque;
+        values->torque_curve.n ? flk_curve_piece(&values->torque_curve, x, x_held) : values->torque;
     load->force = values->force;
     if (values->force_curve[0].n) {
-        load->force.x = flk_curve_value(&values->force_curve[0], x);
-        load->force.y = flk_curve_value(&values->force_curve[1], x);
+        load->force.x = flk_curve_piece(&values->force_curve[0], x, x_held);
+        load->force.y = flk_curve_piece(&values->force_curve[1], x, x_held);
     }
 }
 
@@ -45,19 +45,21 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
                fourlink_load *load, flk_acting *acting)
 {
     const flk_own_load *own = element->data;
+    const fourlink_state *cell = acting->held ? acting->held : state;
     double x = flk_variable_value(state, own->over), factor;
+    double x_held = flk_variable_value(cell, own->over);
 
     *load = own->load;
     if (own->at_speed > 0) {
-        factor = follow_speed(own, x);
+        factor = follow_speed(own, x, x_held);
         load->torque = own->values.torque * factor;
         load->force.x = own->values.force.x * factor;
         load->force.y = own->values.force.y * factor;
-    } else if (is_on(own, machine->cycle, x, acting->sense)) {
+    } else if (is_on(own, machine->cycle, x_held, acting->sense)) {
         int falls = own->has_back &&
-                    flk_variable_falls(&machine->mechanism, state, own->over, acting->sense);
+                    flk_variable_falls(&machine->mechanism, cell, own->over, acting->sense);
 
-        set(falls ? &own->back : &own->values, x, load);
+        set(falls ? &own->back : &own->values, x, FLK_IS_SPEED(own->over) ? x : x_held, load);
     }
     return FOURLINK_OK;
 }

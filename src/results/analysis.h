@@ -5,10 +5,10 @@
 #ifndef FOURLINK_ANALYSIS_H
 #define FOURLINK_ANALYSIS_H
 
-#include "actual.h"
+#include "motion/actual.h"
 #include "deck/deck.h"
 #include "derived.h"
-#include "corners.h"
+#include "motion/corners.h"
 
 /* What is computed in addition to the motion of the links. */
 enum {

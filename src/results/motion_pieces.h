@@ -6,7 +6,7 @@
 #define FOURLINK_MOTION_PIECES_H
 
 #include "analysis.h"
-#include "corners.h"
+#include "motion/corners.h"
 
 /* A piece, by the crank angle that the motion has passed since its first row, rad. */
 typedef struct flk_piece {

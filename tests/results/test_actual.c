@@ -9,8 +9,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "machines.h"
-#include "results/actual_path.h"
-#include "results/actual_time.h"
+#include "motion/path.h"
 #include "results/analysis.h"
 
 #define FRICTION                                                                            \
@@ -235,10 +234,10 @@ TEST(test_tolerance)
     memset(&p, 0, sizeof p);
     p.d = &d;
     p.corners = a.corners;
-    p.sense = 1;
-    p.machine = d.machine;
-    p.acting = &a.acting;
-    p.branch = FOURLINK_OPEN;
+    p.equation.sense = 1;
+    p.equation.machine = d.machine;
+    p.equation.acting = &a.acting;
+    p.equation.branch = FOURLINK_OPEN;
     for (i = 0; i < 3; i++) {
         flk_actual_row row;
 

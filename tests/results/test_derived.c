@@ -41,6 +41,7 @@ static void derive_from_forces(sample *x, double force)
     machine.n_elements = 1;
     flk_machine_finish(&machine);
     acting.load = load;
+    acting.held = NULL;
     flk_machine_loads_at(&machine, x->branch, x->crank.theta2, x->crank.omega2, &acting);
     flk_derive_from_forces(&x->m, &x->state, &x->forces, &acting, &x->e);
 }

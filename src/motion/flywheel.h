@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_flywheel.h - the flywheel with which the steady motion has a wanted fluctuation of speed.
+** flywheel.h - the flywheel with which the steady motion has a wanted fluctuation of speed.
 */
-#ifndef FOURLINK_ACTUAL_FLYWHEEL_H
-#define FOURLINK_ACTUAL_FLYWHEEL_H
+#ifndef FOURLINK_FLYWHEEL_H
+#define FOURLINK_FLYWHEEL_H
 
-#include "actual_path.h"
+#include "path.h"
 
 /* Find this flywheel, and with it the steady motion, as flk_steady_find does.  The machine has no flywheel before, and
 ** then this one; its flywheel is 0 if the motion fluctuates less without one. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_facts.c - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
+** motion_facts.c - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
 **
 **    mean speed    cycle / period, the mean over time, what a tachometer shows
 **    textbooks'    (largest + smallest) / 2
@@ -12,7 +12,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "actual_facts.h"
+#include "motion_facts.h"
 #include "base/solve.h"
 #include "mechanics/mechanics.h"
 
@@ -35,8 +35,8 @@ static int take(const flk_path *p, double s, sample *at)
     int status = flk_path_at(p, s, &row);
 
     at->s = s;
-    at->speed = p->sense * row.crank.omega2;
-    at->alpha = p->sense * row.crank.alpha2;
+    at->speed = p->equation.sense * row.crank.omega2;
+    at->alpha = p->equation.sense * row.crank.alpha2;
     at->time = row.time;
     return status == FOURLINK_OK;
 }
@@ -94,7 +94,7 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
     *least = *most = last.speed;
     for (k = 0; k + 1 < p->n; k++)
         for (half = 1; half <= 2; half++) {
-            double from = p->node[k].s, to = p->node[k + 1].s;
+            double from = p->node[k].y[FLK_PASSED], to = p->node[k + 1].y[FLK_PASSED];
 
             if (half == 1 ? 0.5 * (from + to) <= s : to <= s)
                 continue;
@@ -113,14 +113,14 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
 void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
 {
     const flk_node *end = flk_path_end(p);
-    double from = GSL_MAX(0, end->s - cycle), least, most, growth;
+    double from = GSL_MAX(0, end->y[FLK_PASSED] - cycle), least, most, growth;
     sample first;
 
-    if (!(end->s > 0) || !take(p, from, &first) || !find_range(p, from, &least, &most))
+    if (!(end->y[FLK_PASSED] > 0) || !take(p, from, &first) || !find_range(p, from, &least, &most))
         return;
     f->period = end->t - first.time;
-    f->mean_speed = p->sense * (end->s - from) / f->period;
-    f->mean_speed_textbook = p->sense * 0.5 * (least + most);
+    f->mean_speed = p->equation.sense * (end->y[FLK_PASSED] - from) / f->period;
+    f->mean_speed_textbook = p->equation.sense * 0.5 * (least + most);
     f->fluctuation_exact = (most - least) / fabs(f->mean_speed);
     if (p->is_steady && flk_path_growth(p, &growth) == FOURLINK_OK)
         f->steady_rate = exp(growth);
@@ -134,8 +134,8 @@ void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
 
     reached.p = p;
     reached.of_speed = 1;
-    reached.speed = p->sense * f->mean_speed;
-    for (k = 0; k < p->n && take(p, p->node[k].s, &now); k++) {
+    reached.speed = p->equation.sense * f->mean_speed;
+    for (k = 0; k < p->n && take(p, p->node[k].y[FLK_PASSED], &now); k++) {
         if (k > 0 && now.speed >= reached.speed) {
             find_sample(&reached, &last, &now, &now);
             f->run_up_time = now.time;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_steady.c - the motion that repeats after a cycle.
+** steady.c - the motion that repeats after a cycle.
 **
 ** From the energy E0 at the first row the crank comes to the energy g(E0) after a cycle, in the time t.  Unknown are the
 ** speed v at the first row and, of a motor that balances the loads, its torque T:
@@ -25,7 +25,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "actual_steady.h"
+#include "steady.h"
 #include "base/solve.h"
 
 #define PLACES 18
@@ -56,18 +56,17 @@ typedef struct problem {
 /* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
 static int mean_push(const flk_path *p, double cycle, double speed, double *mean)
 {
-    const fourlink_motion *motion = &p->d->motion;
     flk_machine_place place;
     flk_machine_push push;
     int i;
 
     *mean = 0;
     for (i = 0; i < PLACES; i++) {
-        double theta2 =
-            motion->from * motion->angle_unit + p->sense * cycle * ((double)i + 0.381) / PLACES;
+        double theta2 = p->equation.from + p->equation.sense * cycle * ((double)i + 0.381) / PLACES;
 
-        if (flk_machine_at(&p->machine, p->branch, theta2, &place) != FOURLINK_OK ||
-            flk_actual_push(p, &place, speed, &push) != FOURLINK_OK)
+        if (flk_machine_at(&p->equation.machine, p->equation.branch, theta2, &place) !=
+                FOURLINK_OK ||
+            flk_equation_push(&p->equation, &place, speed, &push) != FOURLINK_OK)
             return 0;
         *mean += push.push / PLACES;
     }
@@ -102,11 +101,11 @@ static double guess_speed(const flk_path *p, double cycle)
     flk_machine_place place;
     int i;
 
-    if (flk_machine_at(&p->machine, p->branch, p->d->motion.from * p->d->motion.angle_unit,
-                       &place) != FOURLINK_OK ||
+    if (flk_machine_at(&p->equation.machine, p->equation.branch, p->equation.from, &place) !=
+            FOURLINK_OK ||
         !mean_push(p, cycle, 0, &mean))
         return 0;
-    largest = size_of_speed(&p->machine.motor, mean, place.whole);
+    largest = size_of_speed(&p->equation.machine.motor, mean, place.whole);
     speed = largest / 1000;
     for (i = 0; i < SPEEDS && mean_push(p, cycle, speed, &mean); i++, speed *= FACTOR) {
         if (last > 0 && mean <= 0)
@@ -124,12 +123,12 @@ static int miss(const problem *q, const double *x, double *r)
     int n = 0;
 
     if (q->has_torque)
-        q->p->machine.motor.torque =
-            q->p->sense * x[q->has_speed] * q->torque_unit / q->p->machine.motor.ratio;
+        q->p->equation.machine.motor.torque = q->p->equation.sense * x[q->has_speed] *
+                                              q->torque_unit / q->p->equation.machine.motor.ratio;
     if (!flk_path_run(q->p, speed, q->cycle))
         return 0;
     end = flk_path_end(q->p);
-    r[n++] = log(end->E / q->p->node[0].E);
+    r[n++] = log(end->y[FLK_ENERGY] / q->p->node[0].y[FLK_ENERGY]);
     if (q->mean_speed > 0)
         r[n++] = q->mean_speed * end->t / q->cycle - 1;
     return 1;
@@ -303,7 +302,8 @@ static double gain(const problem *q, double *x)
 ** little more. */
 static int is_jump(const problem *q, double range, double f_low, double f_high)
 {
-    return !gsl_finite(f_low) && f_high * q->p->node[0].E > 10 * q->torque_unit * q->cycle * range;
+    return !gsl_finite(f_low) &&
+           f_high * q->p->node[0].y[FLK_ENERGY] > 10 * q->torque_unit * q->cycle * range;
 }
 
 /* Find x[i] where it is 0: by steps that double, then between values of both signs, and by halves while the crank
@@ -362,7 +362,7 @@ static int solve_in_brackets(const problem *q, double *x)
 
 int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
 {
-    int balances = p->machine.motor.kind == FOURLINK_MOTOR_BALANCE;
+    int balances = p->equation.machine.motor.kind == FOURLINK_MOTOR_BALANCE;
     double x[2], start[2], mean = 0;
     flk_machine_place place;
     problem q;
@@ -375,9 +375,8 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
     q.has_speed = !balances || mean_speed > 0;
     q.torque_unit = 1;
     p->n = 0;
-    p->machine.motor.torque = balances ? 0 : p->machine.motor.torque;
-    p->status =
-        flk_machine_at(&p->machine, p->branch, p->d->motion.from * p->d->motion.angle_unit, &place);
+    p->equation.machine.motor.torque = balances ? 0 : p->equation.machine.motor.torque;
+    p->status = flk_machine_at(&p->equation.machine, p->equation.branch, p->equation.from, &place);
     if (p->status != FOURLINK_OK)
         return 0;
     speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_facts.h - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
+** motion_facts.h - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
 */
-#ifndef FOURLINK_ACTUAL_FACTS_H
-#define FOURLINK_ACTUAL_FACTS_H
+#ifndef FOURLINK_MOTION_FACTS_H
+#define FOURLINK_MOTION_FACTS_H
 
-#include "actual_path.h"
+#include "path.h"
 
 /* None is known. */
 void flk_facts_forget(flk_actual_facts *f);

@@ -9,11 +9,10 @@
 #include <gsl/gsl_math.h>
 
 #include "actual.h"
-#include "actual_facts.h"
-#include "actual_flywheel.h"
-#include "actual_path.h"
-#include "actual_steady.h"
-#include "actual_time.h"
+#include "motion_facts.h"
+#include "flywheel.h"
+#include "path.h"
+#include "steady.h"
 #include "mechanics/inertia.h"
 #include "mechanics/mechanics.h"
 
@@ -37,9 +36,10 @@ static int index_of(fourlink_branch branch)
 /* A run-up, or a free motion. */
 static int run(flk_path *p, const deck *d, double cycle, double length)
 {
-    double speed = d->drive.mode == DRIVE_FREE ? p->sense * d->motion.speed : 0;
+    double speed = d->drive.mode == DRIVE_FREE ? p->equation.sense * d->motion.speed : 0;
 
-    if (p->machine.motor.kind == FOURLINK_MOTOR_BALANCE && !flk_steady_find(p, cycle, 0, speed))
+    if (p->equation.machine.motor.kind == FOURLINK_MOTOR_BALANCE &&
+        !flk_steady_find(p, cycle, 0, speed))
         return 0;
     if (speed < 0) {
         p->n = 0;
@@ -78,22 +78,21 @@ static int run_up(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
 }
 
 /* Rows by time: the sense of the motion is that in which the crank turns at first. */
-static int run_by_time(flk_path *p, const deck *d)
+static int run_for(flk_path *p, const deck *d)
 {
     double speed = d->drive.mode == DRIVE_FREE ? d->motion.speed : 0;
     flk_actual_row first;
     flk_node node;
 
     memset(&node, 0, sizeof node);
-    node.by_time = 1;
-    p->sense = speed < 0 ? -1 : 1;
+    p->equation.sense = speed < 0 ? -1 : 1;
     p->n = 0;
     p->status = flk_path_row(p, &node, &first);
     if (p->status == FOURLINK_OK && speed == 0 && first.crank.alpha2 < 0)
-        p->sense = -1;
+        p->equation.sense = -1;
     if (p->status == FOURLINK_OK && d->drive.mode == DRIVE_RUN_UP && first.crank.alpha2 == 0)
         p->status = FOURLINK_DOES_NOT_START;
-    return p->status == FOURLINK_OK && flk_time_run(p, speed, d->drive.duration);
+    return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->drive.duration);
 }
 
 static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
@@ -101,7 +100,7 @@ static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
     const deck *d = p->d;
 
     if (d->drive.by_time)
-        return run_by_time(p, d);
+        return run_for(p, d);
     if (winds)
         p->status = FOURLINK_NO_STEADY;
     if (d->drive.mode == DRIVE_STEADY && winds)
@@ -109,10 +108,11 @@ static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
     if (d->drive.mode == DRIVE_RUN_UP)
         return run_up(m, p, winds, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
-        return flk_flywheel_find(p, m->cycle, p->sense * d->drive.mean_speed, d->drive.fluctuation);
+        return flk_flywheel_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
+                                 d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
-        return flk_steady_find(p, m->cycle, p->sense * d->drive.mean_speed,
-                               p->sense * d->motion.speed);
+        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
+                               p->equation.sense * d->motion.speed);
     return run(p, d, m->cycle, m->length);
 }
 
@@ -121,7 +121,7 @@ static double angle_of(const flk_path *p, double s)
 {
     const fourlink_motion *motion = &p->d->motion;
 
-    return motion->from + p->sense * s / motion->angle_unit;
+    return motion->from + p->equation.sense * s / motion->angle_unit;
 }
 
 /* Trials of steps: fewer of those that take longer, with friction or with many loads. */
@@ -141,21 +141,22 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
 
     p->d = course->d;
     p->corners = course->corners;
-    p->machine = course->d->machine;
-    p->acting = course->acting;
-    p->branch = branch;
+    p->equation.from = course->d->motion.from * course->d->motion.angle_unit;
+    p->equation.machine = course->d->machine;
+    p->equation.acting = course->acting;
+    p->equation.branch = branch;
     p->tolerance = TOLERANCE;
-    p->budget = budget_of(&p->machine);
-    p->sense = course->last < course->d->motion.from ? -1 : 1;
+    p->budget = budget_of(&p->equation.machine);
+    p->equation.sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
     found = find(m, p, course->winds, f);
-    f->flywheel = p->machine.flywheel;
-    f->inertia = flk_machine_shaft(&p->machine);
+    f->flywheel = p->equation.machine.flywheel;
+    f->inertia = flk_machine_shaft(&p->equation.machine);
     if (found)
-        f->motor_torque = p->machine.motor.ratio * p->machine.motor.torque;
+        f->motor_torque = p->equation.machine.motor.ratio * p->equation.machine.motor.torque;
     else {
         f->status = p->status;
-        f->end_angle = angle_of(p, p->n ? flk_path_end(p)->s : 0);
+        f->end_angle = angle_of(p, p->n ? flk_path_end(p)->y[FLK_PASSED] : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
     }
 }
@@ -192,10 +193,10 @@ double flk_actual_length(const flk_actual *m, fourlink_branch branch)
     const flk_path *p = &m->path[index_of(branch)];
 
     if (m->d->drive.by_time)
-        return flk_time_travel(p);
+        return flk_path_travel(p);
     return m->facts[index_of(branch)].status != FOURLINK_OK && p->n > 1 &&
                    m->d->drive.mode != DRIVE_STEADY
-               ? flk_path_end(p)->s
+               ? flk_path_end(p)->y[FLK_PASSED]
                : m->length;
 }
 
@@ -215,7 +216,7 @@ int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk
 {
     const flk_path *p = &m->path[index_of(branch)];
     const fourlink_motion *motion = &m->d->motion;
-    double s = p->sense * (angle - motion->from) * motion->angle_unit, turns = 0;
+    double s = p->equation.sense * (angle - motion->from) * motion->angle_unit, turns = 0;
     const flk_actual_facts *f = &m->facts[index_of(branch)];
     int status = f->status;
 
@@ -223,12 +224,12 @@ int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk
     row->angle = angle;
     row->crank.theta2 = angle * motion->angle_unit;
     if (m->d->drive.by_time)
-        return flk_time_find(p, s, row);
+        return flk_path_at(p, s, row);
     if (m->d->drive.mode == DRIVE_STEADY && status == FOURLINK_OK) {
         turns = floor(s / m->cycle + 1e-12);
         s -= turns * m->cycle;
     } else if (status != FOURLINK_OK && (m->d->drive.mode == DRIVE_STEADY || p->n == 0 ||
-                                         s > flk_path_end(p)->s * (1 + 1e-14))) {
+                                         s > flk_path_end(p)->y[FLK_PASSED] * (1 + 1e-14))) {
         return status;
     }
     status = flk_path_at(p, s, row);
@@ -250,7 +251,7 @@ int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
     if (status == FOURLINK_OK && time > end * (1 + 1e-14))
         status = p->status;
     if (status == FOURLINK_OK)
-        status = flk_time_at(p, time, row);
+        status = flk_path_at_time(p, time, row);
     if (status == FOURLINK_OK)
         row->angle = row->crank.theta2 / m->d->motion.angle_unit;
     return status;

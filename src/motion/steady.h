@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_steady.h - the motion that repeats after a cycle.
+** steady.h - the motion that repeats after a cycle.
 */
-#ifndef FOURLINK_ACTUAL_STEADY_H
-#define FOURLINK_ACTUAL_STEADY_H
+#ifndef FOURLINK_STEADY_H
+#define FOURLINK_STEADY_H
 
-#include "actual_path.h"
+#include "path.h"
 
 /* Find the speed at the first row of the steady motion of a path's machine, and with a motor that balances its torque.
 ** The path is then the cycle; p->status says why there is none, and the path, if it stalls, where.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual_flywheel.c - the flywheel with which the steady motion has a wanted fluctuation of speed.
+** flywheel.c - the flywheel with which the steady motion has a wanted fluctuation of speed.
 **
 ** The fluctuation Cs is sought as a function of x = 1 / I.  It is 0 for x = 0, the infinite flywheel, and for small x
 ** the textbooks' dE x / omega^2, so that secants find it soon.  Where the flywheel is too small there may be no steady
@@ -10,9 +10,9 @@
 
 #include <gsl/gsl_math.h>
 
-#include "actual_facts.h"
-#include "actual_flywheel.h"
-#include "actual_steady.h"
+#include "motion_facts.h"
+#include "flywheel.h"
+#include "steady.h"
 
 #define TRIES 200
 #define CLOSE 1e-10      /* of the fluctuation wanted */
@@ -30,7 +30,7 @@ static double fluctuation_at(const search *s, double x)
     flk_actual_facts f;
 
     flk_facts_forget(&f);
-    s->path->machine.flywheel = x < NO_FLYWHEEL ? 1 / x : 0;
+    s->path->equation.machine.flywheel = x < NO_FLYWHEEL ? 1 / x : 0;
     if (!flk_steady_find(s->path, s->cycle, s->mean_speed, 0))
         return GSL_POSINF;
     flk_facts_of_cycle(s->path, s->cycle, &f);

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** equation.c - the equation of motion over the time, within a cell of the machine.
+**
+** With s the angle that the crank has passed, in the sense of the motion,
+**
+**    ds/dt = omega2,   domega2/dt = alpha2,   dE/dt = (T_m + Q) omega2
+**
+** omega2 follows from the accelerations, which need J', and E from the work, which does not: that
+** (J + I_f) omega2^2 / 2 = E checks both.
+*/
+#include <math.h>
+
+#include <gsl/gsl_math.h>
+
+#include "equation.h"
+
+#define BESIDE 5e-3 /* rad, of a change point: nearer, values are those through angles about it */
+#define PLACES 6
+#define UNKNOWNS 3
+
+double flk_equation_theta2(const flk_equation *e, double s)
+{
+    return e->from + e->sense * s;
+}
+
+int flk_equation_push(const flk_equation *e, const flk_machine_place *place, double speed,
+                      flk_machine_push *push)
+{
+    int status = flk_machine_push_at(&e->machine, place, e->sense * speed, e->acting, push);
+
+    push->push *= e->sense;
+    push->alpha2 *= e->sense;
+    return status;
+}
+
+/* rad passed since the nearest change point, < 0 before it; infinite if the mechanism has none. */
+static double after_change(const flk_equation *e, double s)
+{
+    const fourlink_mechanism *mechanism = &e->machine.mechanism;
+    double folded = fourlink_slides((int)mechanism->design.kind, FOURLINK_FOLLOWER) ? -M_PI_2 : 0;
+    double nearest = GSL_POSINF;
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        double turns = (flk_equation_theta2(e, s) - folded - i * M_PI) / (2 * M_PI);
+        double after = e->sense * 2 * M_PI * (turns - floor(turns + 0.5));
+
+        if ((i ? mechanism->change_stretched : mechanism->change_folded) &&
+            fabs(after) < fabs(nearest))
+            nearest = after;
+    }
+    return nearest;
+}
+
+/* Where values are taken, in rad passed, and their weights: their number.  Near a change point the motion of the links,
+** which is smooth, is lost in rounding, and the polynomial through places about it (Lagrange) has its values. */
+static int find_places(const flk_equation *e, double s, double *places, double *weights)
+{
+    static const double nodes[PLACES] = {-3 * BESIDE, -2 * BESIDE, -BESIDE,
+                                         BESIDE,      2 * BESIDE,  3 * BESIDE};
+    double after = after_change(e, s);
+    int i, k;
+
+    places[0] = s;
+    weights[0] = 1;
+    if (!(fabs(after) < BESIDE))
+        return 1;
+    for (i = 0; i < PLACES; i++) {
+        places[i] = s - after + nodes[i];
+        weights[i] = 1;
+        for (k = 0; k < PLACES; k++)
+            weights[i] *= k == i ? 1 : (after - nodes[k]) / (nodes[i] - nodes[k]);
+    }
+    return PLACES;
+}
+
+static int derive_at(const flk_equation *e, double s, const double *y, double *dy)
+{
+    flk_machine_place place;
+    flk_machine_push push;
+    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
+
+    if (status == FOURLINK_OK)
+        status = flk_equation_push(e, &place, y[FLK_SPEED], &push);
+    if (status != FOURLINK_OK)
+        return status;
+    dy[FLK_PASSED] = y[FLK_SPEED];
+    dy[FLK_SPEED] = push.alpha2;
+    dy[FLK_ENERGY] = push.push * y[FLK_SPEED];
+    return FOURLINK_OK;
+}
+
+int flk_equation_derive(void *equation, double t, const double *y, double *dy)
+{
+    const flk_equation *e = equation;
+    double places[PLACES], weights[PLACES], values[UNKNOWNS], sum[UNKNOWNS] = {0, 0, 0};
+    int n = find_places(e, y[FLK_PASSED], places, weights), i, k, status;
+
+    (void)t;
+    if (n == 1)
+        return derive_at(e, y[FLK_PASSED], y, dy);
+    for (i = 0; i < n; i++) {
+        status = derive_at(e, places[i], y, values);
+        if (status != FOURLINK_OK)
+            return status;
+        for (k = 0; k < UNKNOWNS; k++)
+            sum[k] += weights[i] * values[k];
+    }
+    for (k = 0; k < UNKNOWNS; k++)
+        dy[k] = sum[k];
+    return FOURLINK_OK;
+}
+
+int flk_equation_whole(const flk_equation *e, double s, double *whole)
+{
+    double places[PLACES], weights[PLACES], sum = 0;
+    int n = find_places(e, s, places, weights), i, status;
+    flk_machine_place place;
+
+    for (i = 0; i < n; i++) {
+        status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, places[i]), &place);
+        if (status != FOURLINK_OK)
+            return status;
+        sum += weights[i] * place.whole;
+    }
+    *whole = sum;
+    return FOURLINK_OK;
+}

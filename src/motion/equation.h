@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** equation.h - the equation of motion over the time, within a cell of the machine.
+*/
+#ifndef FOURLINK_EQUATION_H
+#define FOURLINK_EQUATION_H
+
+#include "deck/deck.h"
+
+/* What is integrated, on one branch. */
+typedef struct flk_equation {
+    flk_machine machine; /* the deck's, with the torque and the flywheel that are sought */
+    fourlink_branch branch;
+    flk_acting *acting; /* memory for its loads; with the cell that is held */
+    double from;        /* rad, theta2 of the first row */
+    double sense;       /* 1 or -1: of the range, in which angles passed and speeds are counted */
+} flk_equation;
+
+/* The unknowns: rad passed since the first row, rad/s, J of kinetic energy at the beginning and the work since then. */
+enum { FLK_PASSED, FLK_SPEED, FLK_ENERGY };
+
+/* The crank angle, rad, after s. */
+double flk_equation_theta2(const flk_equation *e, double s);
+
+/* J + I_f there; of a change point beside it. */
+int flk_equation_whole(const flk_equation *e, double s, double *whole);
+
+/* What turns the machine at a speed; push and alpha2 are in the sense of the motion. */
+int flk_equation_push(const flk_equation *e, const flk_machine_place *place, double speed,
+                      flk_machine_push *push);
+
+/* The derivatives of the unknowns, as flk_derivative of an flk_equation. */
+int flk_equation_derive(void *equation, double t, const double *y, double *dy);
+
+#endif

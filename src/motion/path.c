@@ -1,0 +1,620 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** path.c - the motion of one branch from a given speed: steps of the integration, and any instant between them.
+**
+** Between two corners of the torques the machine is held in one cell, whose torques go on smoothly beyond its ends.  So
+** steps may overshoot the end of a cell, or the place where the crank comes to rest; they are cut there on their
+** interpolant, and the next cell begins.  Rows lie within steps: they do not depend on each other, nor on the interval
+** between them.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/solve.h"
+#include "mechanics/inertia.h"
+#include "mechanics/kind.h"
+#include "path.h"
+
+#define LONGEST 0.5     /* rad, of a step */
+#define BEYOND 1.1      /* by which a step may overshoot the end of a cell */
+#define SHORTEST 1e-13  /* rad, of a step, of the angle passed and a radian */
+#define CLOSEST 1e-9    /* rad, to where there is no position */
+#define AT_LIMIT 1e-6   /* rad, from an angle that the links do not reach */
+#define CREEP 1e-6      /* of a slow speed: rest */
+#define NO_INERTIA 1e-9 /* of that at the first row */
+#define SLOW 1e-2       /* of speed and energy at FIRST, and of the speed with the largest energy */
+#define STILL 1e-10     /* of a slow speed: rounding, which may have any sign */
+#define FIRST 0.01      /* rad, from rest */
+#define SHORT 1e-2      /* rad: in a motion that swings back, errors of this at least */
+#define SHORTER 1e-4    /* ... and in another */
+#define FAST 0.1        /* of the largest energy: far from rest */
+#define NUDGE 1e-10     /* of a speed at an end of a piece of the motor's curve */
+#define DIFFERENCE 1e-5 /* of the speed, for a derivative */
+#define ROUNDING 1e-9   /* rad */
+#define WORST 1e8       /* of the errors of steps, in parts of the tolerance */
+#define NOT_FINITE (-1) /* a step leads to no finite values */
+
+/* A cell, and what ends it. */
+typedef struct cell {
+    int turning; /* 1 or -1, against the sense of the motion */
+    double end;  /* rad passed, in that direction */
+    flk_piece_end what;
+    fourlink_state held;
+    double slowest, fastest; /* rad/s, of the crank, of the piece of the motor's curve */
+    double slow, little;     /* rad/s, J: of less, errors count as of this */
+} cell;
+
+typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
+
+/* ---------------------------------------------------------------------------------------------------- one step */
+
+/* The time in which the crank turns through an angle from a speed, if its acceleration is constant. */
+static double time_for(const flk_step *step, double angle)
+{
+    double speed = fabs(step->y[FLK_SPEED]), alpha = step->k[0][FLK_SPEED], square, sum;
+
+    alpha = step->y[FLK_SPEED] < 0 ? -alpha : alpha;
+    alpha = speed == 0 ? fabs(alpha) : alpha;
+    square = speed * speed + 2 * alpha * angle;
+    sum = speed + sqrt(GSL_MAX(square, 0));
+    return sum > 0 ? 2 * angle / sum : GSL_POSINF;
+}
+
+/* The speed is that of the energy, which is a mere quadrature and has the smaller error, but near rest. */
+static void correct(const flk_path *p, double whole, flk_node *node)
+{
+    double E = node->y[FLK_ENERGY], *speed = &node->y[FLK_SPEED];
+
+    if (!(E > FAST * p->largest))
+        return;
+    node->residual += 0.5 * whole * *speed * *speed - E;
+    *speed = *speed < 0 ? -sqrt(2 * E / whole) : sqrt(2 * E / whole);
+}
+
+/* Set the beginning of a step at a node. */
+static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
+{
+    double whole, alpha;
+    int status = flk_equation_whole(&p->equation, node->y[FLK_PASSED], &whole);
+
+    if (status == FOURLINK_OK)
+        correct(p, whole, node);
+
+    step->f = flk_equation_derive;
+    step->context = &p->equation;
+    step->x = node->t;
+    memcpy(step->y, node->y, sizeof step->y);
+    if (status == FOURLINK_OK)
+        status = flk_equation_derive(&p->equation, node->t, step->y, step->k[0]);
+    if (status != FOURLINK_OK)
+        return status;
+    alpha = fabs(step->k[0][FLK_SPEED]);
+    c->slow = SLOW * sqrt(2 * (p->largest / whole + FIRST * alpha));
+    c->little = SLOW * FIRST * whole * alpha;
+    return FOURLINK_OK;
+}
+
+/* The error of a step in parts of the tolerance. */
+static double error_of(const flk_path *p, const cell *c, const flk_step *step, const double *error)
+{
+    const double *y = step->y, *next = step->next;
+    double scale[FLK_UNKNOWNS], sum = 0;
+    int i;
+
+    scale[FLK_PASSED] =
+        GSL_MAX(fabs(next[FLK_PASSED] - y[FLK_PASSED]), p->swings ? SHORT : SHORTER);
+    scale[FLK_SPEED] = GSL_MAX(GSL_MAX(fabs(next[FLK_SPEED]), fabs(y[FLK_SPEED])), c->slow);
+    scale[FLK_ENERGY] = GSL_MAX(GSL_MAX(p->largest, fabs(next[FLK_ENERGY])), c->little);
+    for (i = 0; i < FLK_UNKNOWNS; i++)
+        sum += gsl_pow_2(error[i] / scale[i]);
+    return sqrt(sum / FLK_UNKNOWNS) / p->tolerance;
+}
+
+static int are_finite(const double *values, int n)
+{
+    int i;
+
+    for (i = 0; i < n; i++)
+        if (!gsl_finite(values[i]))
+            return 0;
+    return 1;
+}
+
+/* Take a step of this length, with the values within it: its error, or a status. */
+static int take(const flk_path *p, const cell *c, flk_step *step, double h,
+                flk_curve_of_step *within, double *size)
+{
+    double error[FLK_UNKNOWNS];
+    int status, i;
+
+    step->h = h;
+    status = flk_step_take(step, error);
+    if (status != FOURLINK_OK)
+        return status == FOURLINK_BAD_NUMBER ? NOT_FINITE : status;
+    *size = error_of(p, c, step, error);
+    if (!gsl_finite(*size) || !are_finite(step->next, FLK_UNKNOWNS))
+        return NOT_FINITE;
+    if (*size > 1)
+        return FOURLINK_OK;
+    status = flk_step_end(step);
+    if (status == FOURLINK_OK)
+        status = flk_step_within(step, within);
+    for (i = 0; i < FLK_UNKNOWNS && status == FOURLINK_OK; i++)
+        if (!are_finite(within->F[i], FLK_POWERS))
+            status = NOT_FINITE;
+    return status;
+}
+
+/* Why no step from s is short enough: a dead position is there, where J is unbounded; nothing that moves there has
+** mass; no step leads to finite values; otherwise too many steps. */
+static int why_none(const flk_path *p, double s, int status)
+{
+    const flk_equation *e = &p->equation;
+    double before, here, after;
+
+    if (flk_equation_whole(e, s - AT_LIMIT, &before) != FOURLINK_OK ||
+        flk_equation_whole(e, s + AT_LIMIT, &after) != FOURLINK_OK)
+        return FOURLINK_DEAD_POSITION;
+    if (flk_equation_whole(e, 0, &here) == FOURLINK_OK &&
+        GSL_MIN(before, after) < NO_INERTIA * here)
+        return FOURLINK_NO_INERTIA;
+    return status == NOT_FINITE ? FOURLINK_OVERFLOW : FOURLINK_TOO_LONG;
+}
+
+/* The longest step that is tried: a little farther than to the end of the cell, or to rest. */
+static double longest(const flk_step *step, const cell *c)
+{
+    double left = fabs(c->end - step->y[FLK_PASSED]);
+    double h = time_for(step, GSL_MIN(LONGEST, BEYOND * left));
+    double speed = c->turning * step->y[FLK_SPEED], alpha = c->turning * step->k[0][FLK_SPEED];
+
+    return alpha < 0 && speed > STILL * c->slow ? GSL_MIN(h, -1.5 * speed / alpha) : h;
+}
+
+/* The shortest step that is tried: this part of the angle, of the time that has passed, of the duration. */
+static double shortest(const flk_path *p, const flk_step *step, double part, double left)
+{
+    double by_angle = time_for(step, part * (FIRST + fabs(step->y[FLK_PASSED])));
+
+    if (p->swings)
+        return part * (step->x + left);
+    return step->x > 0 ? GSL_MIN(by_angle, part * step->x) : by_angle;
+}
+
+/* One step from a node, of at most *h; *h is the length for the next. */
+static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_step *step)
+{
+    double size, factor, length, s = node->y[FLK_PASSED];
+    int status = begin(p, node, c, step);
+
+    if (status != FOURLINK_OK)
+        return status;
+    length = GSL_MIN(GSL_MIN(*h > 0 ? *h : time_for(step, 0.1), longest(step, c)), left);
+    for (; p->budget > 0; p->budget--) {
+        status = take(p, c, step, length, &node->within, &size);
+        if (status == FOURLINK_OK && size <= 1) {
+            *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
+            node->h = length;
+            p->budget--;
+            return FOURLINK_OK;
+        }
+        size = status != FOURLINK_OK || !(size < WORST) ? WORST : size;
+        factor = GSL_MAX(0.2, 0.9 * pow(size, -0.125));
+        length *= factor;
+        if (!(length >= shortest(p, step, status > 0 ? CLOSEST : SHORTEST, left)))
+            return status > 0 ? status : why_none(p, s, status);
+    }
+    return why_none(p, s, FOURLINK_OK);
+}
+
+/* -------------------------------------------------------------------------------------------- where a step is cut */
+
+/* What an unknown changes within a step, less a change that is sought. */
+typedef struct passing {
+    const flk_curve_of_step *within;
+    int i;
+    double change;
+} passing;
+
+static double passed_by(double part, void *data)
+{
+    const passing *x = data;
+
+    return flk_step_change(x->within, x->i, part) - x->change;
+}
+
+/* The part of a step, up to `most`, at which an unknown, which passes it, has changed by this much. */
+static double part_of(const flk_curve_of_step *within, int i, double change, double most)
+{
+    flk_bracket b;
+    passing x;
+
+    x.within = within;
+    x.i = i;
+    x.change = change;
+    b = flk_bracket_of(0, most, -change, passed_by(most, &x));
+    return flk_find_zero(passed_by, &x, &b, 0);
+}
+
+/* The unknowns at a part of the step that begins at a node. */
+static void at_part(const flk_node *node, double part, flk_node *at)
+{
+    int i;
+
+    at->t = node->t + part * node->h;
+    for (i = 0; i < FLK_UNKNOWNS; i++)
+        at->y[i] = node->y[i] + flk_step_change(&node->within, i, part);
+    at->residual = node->residual;
+    at->h = 0;
+}
+
+/* Cut a step where unknown i passes a value, if it does before *part. */
+static int cut(const flk_node *node, int i, double value, int rises, double *part)
+{
+    double change = value - node->y[i], reached = flk_step_change(&node->within, i, *part);
+
+    if (rises ? !(reached > change) : !(reached < change))
+        return 0;
+    *part = part_of(&node->within, i, change, *part);
+    return 1;
+}
+
+/* The node at the end of a step, or where it leaves the cell first, and why. */
+static ending end_step(const flk_path *p, const flk_node *node, const cell *c, flk_node *after)
+{
+    double sense = p->equation.sense, part = 1;
+    double low = sense > 0 ? c->slowest : -c->fastest, high = sense > 0 ? c->fastest : -c->slowest;
+    ending why = IN_CELL;
+
+    if (fabs(node->y[FLK_SPEED]) > STILL * c->slow &&
+        cut(node, FLK_SPEED, 0, c->turning < 0, &part))
+        why = AT_STOP;
+    if (cut(node, FLK_PASSED, c->end, c->turning > 0, &part))
+        why = AT_END;
+    if (cut(node, FLK_SPEED, high, 1, &part) || cut(node, FLK_SPEED, low, 0, &part))
+        why = AT_SPEED;
+    at_part(node, part, after);
+    if (why == AT_END)
+        after->y[FLK_PASSED] = c->end;
+    if (why == AT_STOP)
+        after->y[FLK_SPEED] = 0;
+    return why;
+}
+
+/* ---------------------------------------------------------------------------------------------------- cell by cell */
+
+static int keep(flk_path *p, const flk_node *node)
+{
+    if (p->n == p->room) {
+        size_t room = p->room ? 2 * p->room : 128;
+        flk_node *more = realloc(p->node, room * sizeof *more);
+
+        if (!more) {
+            p->no_memory = 1;
+            return 0;
+        }
+        p->node = more;
+        p->room = room;
+    }
+    p->node[p->n++] = *node;
+    p->largest = GSL_MAX(p->largest, node->y[FLK_ENERGY]);
+    return 1;
+}
+
+/* The acceleration at a node, in the sense of the motion; 0 if there is none. */
+static double acceleration_at(const flk_path *p, const flk_node *node)
+{
+    double dy[FLK_UNKNOWNS];
+
+    return flk_equation_derive((void *)&p->equation, node->t, node->y, dy) == FOURLINK_OK
+               ? dy[FLK_SPEED]
+               : 0;
+}
+
+/* Hold the piece of the motor's curve into which the speed goes. */
+static void hold_speed(flk_path *p, const flk_node *node, cell *c)
+{
+    flk_acting *acting = p->equation.acting;
+    double speed = p->equation.sense * node->y[FLK_SPEED], alpha;
+
+    acting->held_speed = speed;
+    alpha = p->equation.sense * acceleration_at(p, node);
+    acting->held_speed += NUDGE * (fabs(speed) + GSL_DBL_MIN) * GSL_SIGN(alpha);
+    flk_motor_piece(&p->equation.machine.motor, acting->held_speed, &c->slowest, &c->fastest);
+}
+
+/* Enter the cell into which the crank turns from a node. */
+static int enter(flk_path *p, const flk_node *node, int turning, double length, cell *c)
+{
+    flk_equation *e = &p->equation;
+    double s = node->y[FLK_PASSED];
+    fourlink_crank crank = {0, 0, 0};
+    flk_passage way;
+    int status;
+
+    way.corners = p->corners;
+    way.branch = e->branch;
+    way.from = e->from;
+    way.sense = e->sense * turning;
+    way.has_loads = 1;
+    way.speed = NULL;
+    c->turning = turning;
+    c->end = turning * flk_corners_next(&way, turning * s, GSL_POSINF, NULL, 0, &c->what);
+    crank.theta2 = flk_equation_theta2(e, 0.5 * (s + c->end));
+    crank.omega2 = way.sense;
+    status = flk_mechanism_move(&e->machine.mechanism, e->branch, &crank, 1, &c->held);
+    if (status != FOURLINK_OK)
+        return status;
+    if (turning > 0 && c->end > length - FLK_CORNERS_CLOSE(length)) {
+        c->end = length;
+        c->what = FLK_END_PLAIN;
+    }
+    e->acting->held = &c->held;
+    hold_speed(p, node, c);
+    return FOURLINK_OK;
+}
+
+/* A crank may creep into an equilibrium: it is at rest when nothing is left of its speed. */
+static int creeps(const cell *c, const flk_node *before, const flk_node *after)
+{
+    double speed = fabs(after->y[FLK_SPEED]);
+
+    return speed < fabs(before->y[FLK_SPEED]) && speed <= CREEP * c->slow;
+}
+
+/* The direction in which the crank turns from a node: 0 if it stays at rest. */
+static int turns_to(const flk_path *p, const flk_node *node)
+{
+    double speed = node->y[FLK_SPEED], alpha;
+
+    if (speed != 0)
+        return speed < 0 ? -1 : 1;
+    p->equation.acting->held = NULL;
+    alpha = acceleration_at(p, node);
+    return alpha > 0 ? 1 : alpha < 0 && p->swings ? -1 : 0;
+}
+
+/* Go through a cell, up to its end, a length, a duration: FOURLINK_OK, or why the crank comes no farther. */
+static int run_cell(flk_path *p, cell *c, double duration, double *h)
+{
+    flk_node after;
+    flk_step step;
+    ending why = IN_CELL;
+    int status;
+
+    while (why == IN_CELL && flk_path_end(p)->t < duration) {
+        flk_node *node = &p->node[p->n - 1];
+
+        status = go(p, node, c, duration - node->t, h, &step);
+        if (status != FOURLINK_OK)
+            return status;
+        why = end_step(p, node, c, &after);
+        if (why == IN_CELL && step.h == duration - node->t)
+            after.t = duration;
+        if (why == AT_STOP && !p->swings)
+            after.y[FLK_ENERGY] = 0;
+        if (!keep(p, &after))
+            return FOURLINK_NO_MEMORY;
+        if (!p->swings && (why == AT_STOP || creeps(c, &p->node[p->n - 2], &after)))
+            return FOURLINK_STALLS;
+    }
+    return why == AT_END && c->what == FLK_END_DEAD ? FOURLINK_DEAD_POSITION : FOURLINK_OK;
+}
+
+/* Start at a speed, in the sense of the motion. */
+static int start(flk_path *p, double speed)
+{
+    flk_node node;
+    double whole;
+
+    p->n = 0;
+    p->is_steady = 0;
+    p->largest = 0;
+    p->status = flk_equation_whole(&p->equation, 0, &whole);
+    memset(&node, 0, sizeof node);
+    node.y[FLK_SPEED] = speed;
+    node.y[FLK_ENERGY] = p->status == FOURLINK_OK ? 0.5 * whole * speed * speed : 0;
+    return keep(p, &node) && p->status == FOURLINK_OK;
+}
+
+static int run(flk_path *p, double speed, double length, double duration)
+{
+    double h = 0;
+    int turning;
+    cell c;
+
+    if (!start(p, speed))
+        return 0;
+    while (p->status == FOURLINK_OK && flk_path_end(p)->y[FLK_PASSED] < length &&
+           flk_path_end(p)->t < duration) {
+        const flk_node *node = flk_path_end(p);
+
+        turning = turns_to(p, node);
+        if (turning == 0 && !p->swings)
+            p->status = FOURLINK_DOES_NOT_START;
+        else
+            p->status = enter(p, node, turning ? turning : 1, length, &c);
+        if (p->status == FOURLINK_OK)
+            p->status = run_cell(p, &c, duration, &h);
+        p->equation.acting->held = NULL;
+    }
+    return p->status == FOURLINK_OK;
+}
+
+int flk_path_run(flk_path *p, double speed, double length)
+{
+    p->swings = 0;
+    return run(p, speed, length, GSL_POSINF);
+}
+
+int flk_path_run_for(flk_path *p, double speed, double duration)
+{
+    p->swings = 1;
+    return run(p, p->equation.sense * speed, GSL_POSINF, duration);
+}
+
+/* ---------------------------------------------------------------------------------------------------- instants */
+
+const flk_node *flk_path_end(const flk_path *p)
+{
+    return &p->node[p->n - 1];
+}
+
+/* The last node at or before a value of an unknown that rises; -1: of the time. */
+static const flk_node *node_before(const flk_path *p, int i, double value)
+{
+    size_t low = 0, high = p->n;
+
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        const flk_node *node = &p->node[middle];
+
+        if ((i < 0 ? node->t : node->y[i]) <= value)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &p->node[low];
+}
+
+/* The first step in which a crank that swings passes s, or comes as close as rounding; null: it does not. */
+static const flk_node *step_to(const flk_path *p, double s)
+{
+    const flk_node *node, *close = NULL;
+
+    for (node = p->node; node + 1 < p->node + p->n; node++) {
+        double from = node->y[FLK_PASSED], to = node[1].y[FLK_PASSED];
+        double low = GSL_MIN(from, to), high = GSL_MAX(from, to);
+
+        if (low <= s && s <= high)
+            return node;
+        if (!close && low - ROUNDING <= s && s <= high + ROUNDING)
+            close = node;
+    }
+    return close;
+}
+
+/* The state after s within the step that begins at a node. */
+static void at_angle(const flk_node *node, double s, flk_node *at)
+{
+    double change = s - node->y[FLK_PASSED], part, most;
+
+    *at = *node;
+    if (node->h == 0 || change == 0)
+        return;
+    most = (node[1].t - node->t) / node->h;
+    change = GSL_MAX(GSL_MIN(change, GSL_MAX(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED])),
+                     GSL_MIN(0, node[1].y[FLK_PASSED] - node->y[FLK_PASSED]));
+    part = part_of(&node->within, FLK_PASSED, change, GSL_MIN(most, 1));
+    at_part(node, GSL_MAX(0, GSL_MIN(part, 1)), at);
+}
+
+int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
+{
+    const flk_equation *e = &p->equation;
+    double theta2 = flk_equation_theta2(e, at->y[FLK_PASSED]), speed = at->y[FLK_SPEED];
+    flk_machine_place place;
+    flk_machine_push push;
+    int status = flk_machine_at(&e->machine, e->branch, theta2, &place);
+
+    if (status == FOURLINK_OK)
+        status = flk_equation_push(e, &place, speed, &push);
+    if (status != FOURLINK_OK)
+        return status;
+    row->crank.theta2 = theta2;
+    row->crank.omega2 = e->sense * speed;
+    row->crank.alpha2 = e->sense * push.alpha2;
+    row->time = at->t;
+    row->T_motor = push.T_motor;
+    row->J = place.J;
+    row->energy = 0.5 * place.whole * speed * speed;
+    row->energy_residual =
+        p->largest > 0 ? (row->energy - at->y[FLK_ENERGY] + at->residual) / p->largest : 0;
+    return FOURLINK_OK;
+}
+
+int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
+{
+    const flk_node *node = p->swings ? step_to(p, s) : node_before(p, FLK_PASSED, s);
+    flk_node at;
+
+    if (!node)
+        return p->status != FOURLINK_OK ? p->status : FOURLINK_NO_SUCH_ANGLE;
+    at_angle(node, s, &at);
+    at.y[FLK_PASSED] = s;
+    return flk_path_row(p, &at, row);
+}
+
+int flk_path_at_time(const flk_path *p, double t, flk_actual_row *row)
+{
+    const flk_node *node = node_before(p, -1, t);
+    flk_node at = *node;
+
+    if (node->h > 0)
+        at_part(node, (t - node->t) / node->h, &at);
+    at.t = t;
+    return flk_path_row(p, &at, row);
+}
+
+double flk_path_travel(const flk_path *p)
+{
+    double travel = 0;
+    size_t k;
+
+    for (k = 0; k + 1 < p->n; k++)
+        travel += fabs(p->node[k + 1].y[FLK_PASSED] - p->node[k].y[FLK_PASSED]);
+    return travel;
+}
+
+/* ---------------------------------------------------------------------------------------------------- growth */
+
+/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2) */
+static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
+{
+    const flk_equation *e = &p->equation;
+    flk_machine_place place;
+    flk_machine_push slower, faster;
+    flk_node at;
+    double speed;
+    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
+
+    if (status != FOURLINK_OK)
+        return status;
+    at_angle(node, s, &at);
+    speed = at.y[FLK_SPEED];
+    status = flk_equation_push(e, &place, speed * (1 - DIFFERENCE), &slower);
+    if (status == FOURLINK_OK)
+        status = flk_equation_push(e, &place, speed * (1 + DIFFERENCE), &faster);
+    if (status != FOURLINK_OK)
+        return status;
+    *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
+    return FOURLINK_OK;
+}
+
+/* By Gauss's rule of four points within each step. */
+int flk_path_growth(const flk_path *p, double *growth)
+{
+    static const double x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                0.93056815579702629};
+    static const double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                0.17392742256872693};
+    double sum = 0, value;
+    size_t k;
+    int i, status;
+
+    for (k = 0; k + 1 < p->n; k++) {
+        double from = p->node[k].y[FLK_PASSED], length = p->node[k + 1].y[FLK_PASSED] - from;
+
+        for (i = 0; i < 4; i++) {
+            status = growth_at(p, &p->node[k], from + x[i] * length, &value);
+            if (status != FOURLINK_OK)
+                return status;
+            sum += w[i] * length * value;
+        }
+    }
+    *growth = sum;
+    return FOURLINK_OK;
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** path.h - the motion of one branch from a given speed: steps of the integration, and any instant between them.
+*/
+#ifndef FOURLINK_PATH_H
+#define FOURLINK_PATH_H
+
+#include "actual_row.h"
+#include "corners.h"
+#include "equation.h"
+#include "mechanics/dormand_prince.h"
+
+/* Where a step begins. */
+typedef struct flk_node {
+    double t;               /* s */
+    double y[FLK_UNKNOWNS]; /* rad passed since the first row, rad/s, J */
+    double residual;        /* J, by which the energy of the speed has exceeded y, so far */
+    double h;               /* s, of the step, which may go on beyond the next node; 0 at the end */
+    flk_curve_of_step within; /* the unknowns within it */
+} flk_node;
+
+typedef struct flk_path {
+    const deck *d;
+    flk_corners *corners;
+    flk_equation equation;
+    double tolerance; /* 1, of a step */
+    flk_node *node;   /* to be freed */
+    size_t n, room;
+    int status;           /* why it ends before its length, or FOURLINK_OK */
+    int swings;           /* 1: the crank may swing back */
+    int is_steady;        /* 1: it is a cycle that repeats */
+    unsigned long budget; /* trials of steps that are left, for all runs together */
+    int no_memory;        /* 1: nodes are missing */
+    double largest;       /* J, energy */
+} flk_path;
+
+/* Integrate from this speed, rad/s, >= 0, over an angle in rad, which a crank that comes to rest does not pass; or from a
+** speed of either sign for a duration in s, in which it may swing back.  1 if the path is as long. */
+int flk_path_run(flk_path *p, double speed, double length);
+int flk_path_run_for(flk_path *p, double speed, double duration);
+
+/* Where it ends. */
+const flk_node *flk_path_end(const flk_path *p);
+
+/* The crank after it has passed s, the first time, or as close as rounding; at a time within the path; in the state of a
+** node: FOURLINK_OK, or why there is none. */
+int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
+int flk_path_at_time(const flk_path *p, double t, flk_actual_row *row);
+int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
+
+/* The angle through which the crank turns, forwards and backwards, rad. */
+double flk_path_travel(const flk_path *p);
+
+/* By which the logarithm of a small difference of energy grows over the path:
+** integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2. */
+int flk_path_growth(const flk_path *p, double *growth);
+
+#endif
