@@ -136,6 +136,10 @@ double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_st
                           const flk_joint *at);
 int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction);
 
+/* Of load i of fourlink_losses: its joint, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
+extern const int flk_friction_joint[FOURLINK_FRICTION_LOADS];
+int flk_friction_link(const flk_kind *kind, unsigned long i);
+
 /* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 
