@@ -9,7 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "deck.h"
-#include "mechanics/mechanics.h"
+#include "mechanics/kind.h"
 
 void flk_deck_start(deck *d)
 {
@@ -151,10 +151,9 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->asks_for_both = d->asks_for_both;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
-    problem->n_gas_loads = flk_deck_gas_loads(d);
+    problem->has_friction = d->has_friction;
+    problem->has_gas = d->gas.area > 0;
     problem->n_loads = flk_deck_all_loads(d);
-    problem->n_spring_loads = flk_deck_spring_loads(d);
-    problem->n_friction_loads = flk_deck_friction_loads(d);
     problem->n_springs = d->n_springs;
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
@@ -274,21 +273,20 @@ unsigned long flk_deck_spring_loads(const deck *d)
     return n;
 }
 
-unsigned long flk_deck_friction_loads(const deck *d)
+static unsigned long loads_of_friction(const deck *d)
 {
     return d->has_friction ? FOURLINK_FRICTION_LOADS : 0;
 }
 
 unsigned long flk_deck_all_loads(const deck *d)
 {
-    return d->n_loads + flk_deck_spring_loads(d) + flk_deck_friction_loads(d) +
-           flk_deck_gas_loads(d);
+    return d->n_loads + flk_deck_spring_loads(d) + loads_of_friction(d) + flk_deck_gas_loads(d);
 }
 
 /* Places for loads that are set with the motion. */
 static unsigned long leave_room(const deck *d, fourlink_load *loads)
 {
-    unsigned long n = flk_deck_spring_loads(d) + flk_deck_friction_loads(d), i, j = 0;
+    unsigned long n = flk_deck_spring_loads(d) + loads_of_friction(d), i, j = 0;
 
     for (i = 0; i < n; i++) {
         memset(&loads[i], 0, sizeof loads[i]);
@@ -350,47 +348,60 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
-/* The spring whose load this is. */
-static const deck_spring *spring_of_load(const deck *d, unsigned long i)
+static void set_info(fourlink_load_info *info, const char *name, int sort, unsigned long element,
+                     int link, int has_torque)
 {
-    const deck_spring *s = d->springs;
-    unsigned long n = 0;
-
-    for (;; s++) {
-        n += loads_of_spring(s);
-        if (i < n)
-            return s;
-    }
+    info->name = name;
+    info->sort = sort;
+    info->element = element;
+    info->link = link;
+    info->has_torque = has_torque;
 }
 
-int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
+/* Of load i among those of springs. */
+static void set_info_of_spring(const deck *d, unsigned long i, fourlink_load_info *info)
+{
+    const deck_spring *s = d->springs;
+    int is_second;
+
+    for (; i >= loads_of_spring(s); s++)
+        i -= loads_of_spring(s);
+    is_second = i > 0 || s->spring.link == FOURLINK_GROUND;
+    set_info(info, s->name, FOURLINK_LOAD_SPRING, (unsigned long)(s - d->springs),
+             is_second ? s->spring.to : s->spring.link, s->spring.is_torsional);
+}
+
+/* Of load i among those of friction. */
+static void set_info_of_friction(const deck *d, unsigned long i, fourlink_load_info *info)
+{
+    int joint = flk_friction_joint[i];
+
+    set_info(info, "friction", FOURLINK_LOAD_FRICTION, (unsigned long)joint,
+             flk_friction_link(flk_kind_of(d->design.kind), i), d->friction.circle[joint] > 0);
+}
+
+int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_info *info)
 {
     unsigned long springs, friction;
-    const deck_spring *s;
+    const deck_load *own;
 
-    if (!d || !name)
+    if (!d || !info)
         return FOURLINK_NULL;
     if (i >= flk_deck_all_loads(d))
         return FOURLINK_BAD_LINK;
     springs = d->n_loads + flk_deck_spring_loads(d);
-    friction = springs + flk_deck_friction_loads(d);
-    if (has_torque)
-        *has_torque = 0;
+    friction = springs + loads_of_friction(d);
     if (i < d->n_loads) {
-        *name = d->variations[i].name[0] ? d->variations[i].name : "load";
-        if (has_torque)
-            *has_torque = d->loads[i].torque != 0 || d->variations[i].torque.n > 0;
+        own = &d->variations[i];
+        set_info(info, own->name[0] ? own->name : "load", FOURLINK_LOAD_OWN, i, d->loads[i].link,
+                 d->loads[i].torque != 0 || own->torque.n > 0);
     } else if (i < springs) {
-        s = spring_of_load(d, i - d->n_loads);
-        *name = s->name;
-        if (has_torque)
-            *has_torque = s->spring.is_torsional;
+        set_info_of_spring(d, i - d->n_loads, info);
     } else if (i < friction) {
-        *name = "friction";
-        if (has_torque)
-            *has_torque = 1;
-    } else {
-        *name = "gas";
+        set_info_of_friction(d, i - springs, info);
+    } else { /* in a cylinder on the rod, then on the cylinder */
+        set_info(info, "gas", FOURLINK_LOAD_GAS, 0,
+                 i + 1 < flk_deck_all_loads(d) ? FOURLINK_COUPLER : FOURLINK_FOLLOWER, 0);
     }
     return FOURLINK_OK;
 }

@@ -208,9 +208,8 @@ double flk_deck_argument(const fourlink_state *state, int over);
 int flk_deck_range(const deck *d, fourlink_range *range);
 double flk_deck_time(const deck *d, unsigned long row);
 
-/* How many of its loads are springs, behind its own, and friction, behind these. */
+/* How many of its loads are springs, behind its own; friction is behind these. */
 unsigned long flk_deck_spring_loads(const deck *d);
-unsigned long flk_deck_friction_loads(const deck *d);
 
 /* The number of all loads, with the gas. */
 unsigned long flk_deck_all_loads(const deck *d);
