@@ -91,13 +91,15 @@ module fourlink
     fourlink_change_point_slider = 12, fourlink_slotted_lever = 13, fourlink_whitworth = 14, &
     fourlink_inverted_rocker = 15, fourlink_change_point_inverted = 16
 
-  ! Kinds of mechanisms, branches, links, frames of loads, approximations.
+  ! Kinds of mechanisms, branches, links, frames and sorts of loads, approximations.
   integer(c_int), parameter :: fourlink_four_bar = 1, fourlink_slider_crank = 2, &
     fourlink_inverted_slider_crank = 4
   integer(c_int), parameter :: fourlink_open = 1, fourlink_crossed = -1
   integer(c_int), parameter :: fourlink_ground = 1, fourlink_crank_link = 2, &
     fourlink_coupler = 3, fourlink_follower = 4
   integer(c_int), parameter :: fourlink_frame_ground = 0, fourlink_frame_link = 1
+  integer(c_int), parameter :: fourlink_load_own = 1, fourlink_load_spring = 2, &
+    fourlink_load_friction = 3, fourlink_load_gas = 4
   integer(c_int), parameter :: fourlink_exact = 0, fourlink_series_piston = 1, &
     fourlink_series_all = 2
 
@@ -287,8 +289,8 @@ module fourlink
     type(fourlink_mechanism) :: mechanism
     type(fourlink_motion) :: motion
     real(c_double) :: cycle
-    integer(c_int) :: open, crossed, asks_for_both, has_forces, approximation
-    integer(c_long) :: n_loads, n_spring_loads, n_friction_loads, n_springs, n_gas_loads, n_points
+    integer(c_int) :: open, crossed, asks_for_both, has_forces, has_friction, has_gas, approximation
+    integer(c_long) :: n_loads, n_springs, n_points
     real(c_double) :: flywheel_fluctuation, flywheel_inertia
     integer(c_long) :: n_rows
     integer(c_int) :: one_instant, one_revolution, digits
@@ -297,6 +299,13 @@ module fourlink
     integer(c_int) :: mode, by_time ! mode 0: given, 1: free, 2: run-up, 3: steady
     real(c_double) :: time_step, duration ! s, of rows by time
   end type fourlink_problem
+
+  type, bind(c) :: fourlink_load_info
+    type(c_ptr) :: name ! for fourlink_text
+    integer(c_int) :: sort ! fourlink_load_own ...
+    integer(c_long) :: element ! counts from 0; of friction 0 to 3 for A, B, C, D
+    integer(c_int) :: link, has_torque
+  end type fourlink_load_info
 
   type, bind(c) :: fourlink_unit
     type(c_ptr) :: name ! for fourlink_text
@@ -720,13 +729,12 @@ module fourlink
       type(fourlink_unit), intent(inout) :: unit
     end function fourlink_deck_unit
 
-    ! Load i counts from 0, as in C; the name is for fourlink_text.
-    integer(c_int) function fourlink_deck_load(deck, i, name, has_torque) bind(c)
+    ! Load i counts from 0, as in C.
+    integer(c_int) function fourlink_deck_load(deck, i, info) bind(c)
       import
       type(c_ptr), value :: deck
       integer(c_long), value :: i
-      type(c_ptr), intent(inout) :: name
-      integer(c_int), intent(inout) :: has_torque
+      type(fourlink_load_info), intent(inout) :: info
     end function fourlink_deck_load
 
     integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &

@@ -247,9 +247,6 @@ typedef struct fourlink_state {
 ** Loads and forces
 ** ------------------------------------------------------------------------------------------- */
 
-/* What makes a load. */
-enum { FOURLINK_LOAD_OWN = 1, FOURLINK_LOAD_SPRING = 2, FOURLINK_LOAD_FRICTION = 3, FOURLINK_LOAD_GAS = 4 };
-
 /* The axes in which a load's force is given. */
 typedef enum fourlink_frame {
     FOURLINK_FRAME_GROUND = 0, /* the frame of link 1: the force keeps its direction */
@@ -588,6 +585,23 @@ typedef struct fourlink_unit {
     double up, down;
 } fourlink_unit;
 
+/* What makes a load. */
+enum {
+    FOURLINK_LOAD_OWN = 1,      /* a [load] */
+    FOURLINK_LOAD_SPRING = 2,   /* a spring or damper: a load for each end on a moving link */
+    FOURLINK_LOAD_FRICTION = 3, /* FOURLINK_FRICTION_LOADS of them, as in fourlink_losses */
+    FOURLINK_LOAD_GAS = 4       /* one on the piston; or one on the rod, one on the cylinder */
+};
+
+typedef struct fourlink_load_info {
+    const char *name;      /* of its section; "load" if that has no name; "friction", "gas" */
+    int sort;              /* FOURLINK_LOAD_OWN ... */
+    unsigned long element; /* its number among those of its sort, from 0; of friction the joint: 0
+                              to 3 for A, B, C, D */
+    int link;              /* on which it acts */
+    int has_torque;        /* 1: it has a torque at some crank angle */
+} fourlink_load_info;
+
 /* The problem that a deck poses. */
 enum {
     FOURLINK_MODE_GIVEN = 0,  /* the motion of the crank is given */
@@ -604,29 +618,27 @@ typedef struct fourlink_problem {
     int open, crossed;                    /* 1: this branch is asked for */
     int asks_for_both;                    /* 1: branch = both is given; 0: one, or none */
     int has_forces;                       /* 1: there are masses, loads or gas */
+    int has_friction, has_gas;            /* 1: there is friction, gas */
     fourlink_approximation approximation; /* for fourlink_engine_method */
-    unsigned long n_loads;                /* for fourlink_deck_loads: the gas is one of them */
-    unsigned long n_spring_loads, n_friction_loads; /* before the gas: ends of springs on links, and
-                                                       friction, if any FOURLINK_FRICTION_LOADS */
-    unsigned long n_springs;                        /* for fourlink_deck_spring */
-    unsigned long n_gas_loads; /* the last of these: 1, on the piston; 2, on rod and cylinder; 0 */
-    unsigned long n_points;    /* for fourlink_deck_point */
-    double flywheel_fluctuation; /* 1; 0 if not given */
-    double flywheel_inertia;     /* kg m2; 0 if not given */
-    unsigned long n_rows;        /* of the motion */
-    int one_instant;             /* 1: the deck asks for one crank angle */
-    int one_revolution;          /* 1: the crank turns once from the first row to the last */
-    int digits;                  /* significant digits of the deck's tables */
-    unsigned long n_expected;    /* values of [expect] and [misprint] */
-    unsigned long n_designs;     /* of its [sweep]; 0: the deck has none */
-    unsigned long design;        /* number of this one, from 0 */
-    int has_outputs;    /* 1: the [sweep] names outputs, which give a line for each design */
-    int has_statistics; /* 1: it asks for statistics of them */
-    int mode;           /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
-                           speed, acceleration and time are those of fourlink_results_row */
-    int by_time;        /* 1: rows by time, whose angles are those of fourlink_results_row */
-    double time_step;   /* s, of rows by time; else 0 */
-    double duration;    /* s, of rows by time: the last one is then; else 0 */
+    unsigned long n_loads;                /* for fourlink_deck_loads and fourlink_deck_load */
+    unsigned long n_springs;              /* for fourlink_deck_spring */
+    unsigned long n_points;               /* for fourlink_deck_point */
+    double flywheel_fluctuation;          /* 1; 0 if not given */
+    double flywheel_inertia;              /* kg m2; 0 if not given */
+    unsigned long n_rows;                 /* of the motion */
+    int one_instant;                      /* 1: the deck asks for one crank angle */
+    int one_revolution;       /* 1: the crank turns once from the first row to the last */
+    int digits;               /* significant digits of the deck's tables */
+    unsigned long n_expected; /* values of [expect] and [misprint] */
+    unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
+    unsigned long design;     /* number of this one, from 0 */
+    int has_outputs;          /* 1: the [sweep] names outputs, which give a line for each design */
+    int has_statistics;       /* 1: it asks for statistics of them */
+    int mode;         /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
+                         speed, acceleration and time are those of fourlink_results_row */
+    int by_time;      /* 1: rows by time, whose angles are those of fourlink_results_row */
+    double time_step; /* s, of rows by time; else 0 */
+    double duration;  /* s, of rows by time: the last one is then; else 0 */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
@@ -1361,9 +1373,9 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED: it sets the side from which the gas pushes a piston
 **    theta2     rad, crank angle
 ** Returned:
-**    loads      problem.n_loads of them, for fourlink_analyse; the gas is the last, or, on rod and
-**               cylinder of an inverted slider-crank, the last two.  Springs, friction, and loads
-**               over another argument than the crank angle are 0: see fourlink_deck_analyse
+**    loads      problem.n_loads of them, for fourlink_analyse, in the order of fourlink_deck_load.
+**               Springs, friction, and loads over another argument than the crank angle are 0: see
+**               fourlink_deck_analyse
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
 **               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
 **               may be null
@@ -1444,19 +1456,19 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quantity,
                                     fourlink_unit *unit);
 
-/* The name of a load of a deck.
+/* What a load of a deck is: its name, what makes it, where it acts.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
-**    i          0 ... problem.n_loads - 1
+**    i          0 ... problem.n_loads - 1, in the order of the sorts, and within a sort of the elements;
+**               friction in the order of fourlink_losses
 ** Returned:
-**    name       of its section, "load" if that has no name, "friction" or "gas"; valid as long as the deck
-**    has_torque 1: it has a torque at some crank angle; may be null
+**    info       the same at every crank angle; its name is valid as long as the deck
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_LINK if there is no such load
 */
-FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i, const char **name,
-                                    int *has_torque);
+FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
+                                    fourlink_load_info *info);
 
 /* Open a deck for results: read it, check it, and allocate the memory that results need.
 **

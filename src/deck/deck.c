@@ -9,7 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "deck.h"
-#include "mechanics/mechanics.h"
+#include "mechanics/kind.h"
 
 void flk_deck_start(deck *d)
 {
@@ -137,11 +137,9 @@ int fourlink_deck_problem(const fourlink_deck *d, fourlink_problem *problem)
     problem->asks_for_both = d->asks_for_both;
     problem->has_forces = d->has_forces;
     problem->approximation = d->approximation;
-    problem->n_gas_loads = d->machine.n_loads - d->machine.first_gas;
+    problem->has_friction = d->machine.has_friction;
+    problem->has_gas = d->machine.first_gas < d->machine.n_loads;
     problem->n_loads = d->machine.n_loads;
-    problem->n_friction_loads = d->machine.first_gas - d->machine.first_friction;
-    problem->n_spring_loads =
-        d->machine.first_friction - (unsigned long)flk_machine_count(&d->machine, &flk_own_sort);
     problem->n_springs = (unsigned long)flk_machine_count(&d->machine, &flk_spring_sort);
     problem->n_points = (unsigned long)d->n_points;
     problem->flywheel_fluctuation = d->flywheel_fluctuation;
@@ -240,29 +238,45 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
-/* The element that has a load; null: friction, or no load. */
-static const flk_element *element_of_load(const flk_machine *machine, unsigned long i)
+/* Of the friction in a joint, or of an element. */
+static void set_info_of_friction(const flk_machine *machine, unsigned long i,
+                                 fourlink_load_info *info)
 {
-    const flk_element *e = machine->element, *end = e + machine->n_elements;
+    int joint = flk_friction_joint[i];
 
-    for (; e < end; e++)
-        if (i - e->first < (unsigned long)e->n_loads)
-            return e;
-    return NULL;
+    info->name = "friction";
+    info->sort = FOURLINK_LOAD_FRICTION;
+    info->element = (unsigned long)joint;
+    info->link = flk_friction_link(flk_kind_of(machine->mechanism.design.kind), i);
+    info->has_torque = machine->friction.circle[joint] > 0;
 }
 
-int fourlink_deck_load(const fourlink_deck *d, unsigned long i, const char **name, int *has_torque)
+static void set_info_of_element(const flk_element *e, unsigned long number, unsigned long i,
+                                fourlink_load_info *info)
 {
+    info->name = e->name[0] ? e->name : "load";
+    info->sort = e->sort->code;
+    info->element = number;
+    info->link = e->link[i];
+    info->has_torque = e->has_torque;
+}
+
+int fourlink_deck_load(const fourlink_deck *d, unsigned long i, fourlink_load_info *info)
+{
+    unsigned long number = 0;
     const flk_element *e;
 
-    if (!d || !name)
+    if (!d || !info)
         return FOURLINK_NULL;
     if (i >= d->machine.n_loads)
         return FOURLINK_BAD_LINK;
-    e = element_of_load(&d->machine, i);
-    *name = !e ? "friction" : e->name[0] ? e->name : "load";
-    if (has_torque)
-        *has_torque = !e || e->has_torque;
+    if (i >= d->machine.first_friction && i < d->machine.first_gas) {
+        set_info_of_friction(&d->machine, i - d->machine.first_friction, info);
+        return FOURLINK_OK;
+    }
+    for (e = d->machine.element; i - e->first >= (unsigned long)e->n_loads; e++)
+        number = e[1].sort == e->sort ? number + 1 : 0;
+    set_info_of_element(e, number, i - e->first, info);
     return FOURLINK_OK;
 }
 

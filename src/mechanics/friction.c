@@ -449,29 +449,31 @@ static void apply(const fourlink_state *state, equations *e, flk_body body[3])
     }
 }
 
-/* The loads of each joint have their places: on the two links of B and of C, on the follower at D, on the crank at A. */
-static const int places[JOINTS] = {5, 0, 2, 4};
+/* The joints of the loads: on the two links of B and of C, on the follower at D, on the crank at A. */
+const int flk_friction_joint[FOURLINK_FRICTION_LOADS] = {1, 1, 2, 2, 3, 0};
 
-/* The loads of a joint without friction. */
-static void clear_loads(const flk_joint *at, fourlink_load *load)
+/* Of two links of a joint the first is the one that slides, or `on`: see load_pin and load_guide. */
+int flk_friction_link(const flk_kind *kind, unsigned long i)
 {
+    const flk_joint *at = &kind->joint[flk_friction_joint[i]];
     int first = at->slider ? at->slider : at->on;
+    int second = at->from == first ? at->on : at->from;
 
-    clear(load, first);
-    if (at->from != FOURLINK_GROUND)
-        clear(load + 1, at->from == first ? at->on : at->from);
+    return i > 0 && flk_friction_joint[i - 1] == flk_friction_joint[i] ? second : first;
 }
 
 /* The friction that was found. */
 static void list_losses(const flk_kind *kind, const equations *e, double length, double omega2,
                         fourlink_losses *losses)
 {
-    int i, k, has_friction[JOINTS] = {0};
+    int i, k;
 
     losses->guide = losses->power = 0;
     losses->n_loads = FOURLINK_FRICTION_LOADS;
     for (i = 0; i < JOINTS; i++)
         losses->pin[i] = 0;
+    for (i = 0; i < FOURLINK_FRICTION_LOADS; i++)
+        clear(&losses->load[i], flk_friction_link(kind, (unsigned long)i));
     for (k = 0; k < e->n; k++) {
         const joint *j = &e->joint[k];
 
@@ -479,14 +481,11 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
             losses->guide = e->y[k] / length;
         else
             losses->pin[j->number] = e->y[k];
-        has_friction[j->number] = 1;
         losses->power += e->y[k] * fabs(j->speed * omega2);
-        for (i = 0; i < j->n_loads; i++)
-            losses->load[places[j->number] + i] = j->load[i];
+        for (i = 0; flk_friction_joint[i] != j->number; i++)
+            ;
+        memcpy(&losses->load[i], j->load, (size_t)j->n_loads * sizeof j->load[0]);
     }
-    for (i = 0; i < JOINTS; i++)
-        if (!has_friction[i])
-            clear_loads(&kind->joint[i], &losses->load[places[i]]);
 }
 
 /* What a guide exerts has its friction besides the normal force: on a piston F14, on a lever F34. */

@@ -142,6 +142,10 @@ int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state
                        unsigned long n_loads, const fourlink_friction *friction, int closed_form,
                        fourlink_forces *forces, fourlink_losses *losses);
 
+/* Of load i of fourlink_losses: its joint, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
+extern const int flk_friction_joint[FOURLINK_FRICTION_LOADS];
+int flk_friction_link(const flk_kind *kind, unsigned long i);
+
 /* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 

@@ -74,13 +74,14 @@ static void clear(fourlink_load *load, int link)
 
 static void begin(const flk_machine *m, double omega2, flk_acting *acting)
 {
+    const flk_kind *kind = flk_kind_of(m->mechanism.design.kind);
     unsigned long i;
 
     omega2 = acting->held ? acting->held->link[FOURLINK_CRANK].omega : omega2;
     acting->sense = omega2 < 0 || (omega2 == 0 && m->friction.direction < 0) ? -1 : 1;
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
     for (i = m->first_friction; i < m->first_gas; i++)
-        clear(&acting->load[i], FOURLINK_CRANK);
+        clear(&acting->load[i], flk_friction_link(kind, i - m->first_friction));
 }
 
 void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double theta2,

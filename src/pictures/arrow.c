@@ -54,22 +54,12 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
         arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_4, pins.D, f->F14x, f->F14y);
 }
 
-/* The order of the loads: those of the deck, springs, friction, gas. */
-static int is_friction(const picture *p, unsigned long i)
-{
-    unsigned long end = p->problem.n_loads - p->problem.n_gas_loads;
-
-    return i < end && i >= end - p->problem.n_friction_loads;
-}
-
 /* F34 has the friction of a slider on its lever; N is without that of a piston. */
-static int is_drawn(const picture *p, unsigned long i, int is_free)
+static int is_drawn(const picture *p, const fourlink_load_info *load, int is_free)
 {
-    unsigned long end = p->problem.n_loads - p->problem.n_gas_loads - p->problem.n_friction_loads;
-
-    if (is_friction(p, i))
+    if (load->sort == FOURLINK_LOAD_FRICTION)
         return p->slides;
-    return is_free || i >= end || i < end - p->problem.n_spring_loads;
+    return is_free || load->sort != FOURLINK_LOAD_SPRING;
 }
 
 void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link,
@@ -79,23 +69,22 @@ void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r,
     const fourlink_link *body = &p->design->link[link];
     const fourlink_state *state = &r->now.state;
     const fourlink_vector *axis = &state->link[link].axis;
-    const char *name = "";
+    fourlink_load_info info;
     unsigned long i;
 
     arrow_add(arrows, PEN_LOAD, weights[link], figure_of_link(p, state, link, &body->cg),
               body->mass * p->design->gravity.x, body->mass * p->design->gravity.y);
-    for (i = 0; i < p->problem.n_loads; i++) {
+    for (i = 0; fourlink_deck_load(p->deck, i, &info) == FOURLINK_OK; i++) {
         const fourlink_load *load = &r->loads[i];
         fourlink_vector F = load->force;
 
-        if (load->link != link || !is_drawn(p, i, is_free))
+        if (info.link != link || !is_drawn(p, &info, is_free))
             continue;
         if (load->frame == FOURLINK_FRAME_LINK) {
             F.x = load->force.x * axis->x - load->force.y * axis->y;
             F.y = load->force.x * axis->y + load->force.y * axis->x;
         }
-        fourlink_deck_load(p->deck, i, &name, NULL);
-        arrow_add(arrows, PEN_LOAD, name, figure_of_link(p, state, link, &load->at), F.x, F.y);
+        arrow_add(arrows, PEN_LOAD, info.name, figure_of_link(p, state, link, &load->at), F.x, F.y);
     }
 }
 
@@ -147,14 +136,12 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
                              int is_free)
 {
     fourlink_vector at = figure_point(p, r->now.state.link[link].origin);
-    const char *name = "";
+    fourlink_load_info load;
     unsigned long i;
 
-    for (i = 0; i < p->problem.n_loads; i++)
-        if (r->loads[i].link == link && is_drawn(p, i, is_free) && !is_friction(p, i)) {
-            fourlink_deck_load(p->deck, i, &name, NULL);
-            arrow_draw_torque(s, p, PEN_LOAD, name, at, r->loads[i].torque);
-        }
+    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+        if (load.link == link && is_drawn(p, &load, is_free) && load.sort != FOURLINK_LOAD_FRICTION)
+            arrow_draw_torque(s, p, PEN_LOAD, load.name, at, r->loads[i].torque);
 }
 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)

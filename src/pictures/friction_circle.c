@@ -17,13 +17,15 @@
 #define SMALLEST 0.04
 
 /* The moment of a joint's friction on a link: against its turning relative to the other link. */
-static double moment_on(const picture *p, const picture_row *r, int joint, int link)
+static double moment_on(const picture *p, const picture_row *r, unsigned long joint, int link)
 {
-    static const unsigned long places[4] = {5, 0, 2, 4}; /* fourlink_losses */
-    const fourlink_load *load = &r->loads[p->problem.n_loads - p->problem.n_gas_loads -
-                                          p->problem.n_friction_loads + places[joint]];
+    fourlink_load_info load;
+    unsigned long i;
 
-    return p->problem.n_friction_loads ? load[load->link != link].torque : 0;
+    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+        if (load.sort == FOURLINK_LOAD_FRICTION && load.element == joint && load.link == link)
+            return r->loads[i].torque;
+    return 0;
 }
 
 friction_circle friction_circle_of(const picture *p, const picture_row *r, int joint, int link,
@@ -36,7 +38,7 @@ friction_circle friction_circle_of(const picture *p, const picture_row *r, int j
     fourlink_deck_friction(p->deck, &friction);
     x.radius = figure_length(p, friction.circle[joint]);
     if (size > 0)
-        x.arm = figure_length(p, moment_on(p, r, joint, link) / size);
+        x.arm = figure_length(p, moment_on(p, r, (unsigned long)joint, link) / size);
     return x;
 }
 

@@ -204,7 +204,7 @@ static void lay_out(picture *p, FILE *out)
 
     if (is_vectors && !p->problem.has_forces)
         rows = 1;
-    if (is_vectors && !is_text && p->problem.n_friction_loads + p->problem.n_springs) {
+    if (is_vectors && !is_text && (p->problem.has_friction || p->problem.n_springs)) {
         width *= CROWDED;
         height *= CROWDED;
     }
@@ -531,6 +531,15 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
     return 1;
 }
 
+/* The gas, the last of the loads, is not counted. */
+static int has_too_many_loads(const picture *p)
+{
+    fourlink_load_info next;
+
+    return fourlink_deck_load(p->deck, PICTURE_LOADS, &next) == FOURLINK_OK &&
+           next.sort != FOURLINK_LOAD_GAS;
+}
+
 static const char *missing(const picture *p)
 {
     int needs = plot_table[p->request->kind].needs;
@@ -548,8 +557,7 @@ static const char *missing(const picture *p)
         return "a picture shows at most 24 columns; name those to draw with --columns";
     if ((needs & PLOT_SWEEP) && (!p->problem.n_designs || !p->problem.has_outputs))
         return "this picture needs a [sweep] with outputs; the deck has none";
-    if ((needs & PLOT_DRAWING) && (p->problem.n_loads - p->problem.n_gas_loads > PICTURE_LOADS ||
-                                   p->problem.n_points > PICTURE_POINTS))
+    if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }

@@ -19,27 +19,22 @@
 
 int size_lines_beside(const picture *p, int each_link)
 {
-    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link, has_torque;
-    unsigned long i, n_gas = p->problem.n_loads - p->problem.n_gas_loads,
-                     n_own = n_gas - p->problem.n_friction_loads - p->problem.n_spring_loads;
-    fourlink_spring spring;
-    const char *name;
+    int lines[FOURLINK_FOLLOWER + 1] = {0}, most = 0, sum = 0, link;
+    fourlink_load_info load;
+    unsigned long i;
 
-    fourlink_deck_loads(p->deck, FOURLINK_OPEN, 0, p->loads, NULL);
-    for (i = 0; i < n_own; i++) {
-        fourlink_deck_load(p->deck, i, &name, &has_torque);
-        lines[p->loads[i].link] += has_torque ? 2 : 1;
-    }
-    for (i = 0; i < p->problem.n_springs; i++) {
-        fourlink_deck_spring(p->deck, i, NULL, &spring);
-        lines[each_link ? spring.link : FOURLINK_FOLLOWER]++;
-        lines[each_link ? spring.to : FOURLINK_GROUND]++;
-    }
-    if (p->problem.n_friction_loads) /* of the guide, and the circles of the pins */
+    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+        if (load.sort == FOURLINK_LOAD_OWN)
+            lines[load.link] += load.has_torque ? 2 : 1;
+        else if (load.sort == FOURLINK_LOAD_SPRING && each_link)
+            lines[load.link]++;
+        else if (load.sort == FOURLINK_LOAD_GAS)
+            lines[FOURLINK_FOLLOWER]++;
+    if (!each_link)
+        lines[FOURLINK_FOLLOWER] += (int)p->problem.n_springs;
+    if (p->problem.has_friction) /* of the guide, and the circles of the pins */
         lines[FOURLINK_FOLLOWER] += 2;
-    lines[FOURLINK_FOLLOWER] += (int)p->problem.n_gas_loads;
-    lines[FOURLINK_GROUND] = 0;
-    for (link = 0; link <= FOURLINK_FOLLOWER; link++) {
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         sum += lines[link] + (p->design->link[link].mass > 0);
         most = lines[link] > most ? lines[link] : most;
     }

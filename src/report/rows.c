@@ -500,10 +500,7 @@ int rows_open(rows *t, const fourlink_source *source, double at)
     t->status = malloc((t->n + 1) * sizeof *t->status);
     t->table = malloc((t->n * t->n_columns + 1) * sizeof *t->table);
     t->out_of_memory |= !t->steps || !t->status || !t->table || !t->loads;
-    if (t->out_of_memory)
-        return 0;
-    fourlink_deck_loads(t->deck, FOURLINK_OPEN, 0, t->loads, NULL);
-    return 1;
+    return !t->out_of_memory;
 }
 
 static void close_branch(rows *t)

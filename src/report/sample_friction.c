@@ -65,34 +65,43 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
         math_let(m, "F34", "[ N34 ^2 + Fguide ^2 ]", gsl_hypot(f->F34x, f->F34y), "N");
 }
 
+static void put_loads_of_joint(report *r, unsigned long joint)
+{
+    fourlink_load_info info;
+    unsigned long i;
+
+    for (i = 0; fourlink_deck_load(r->deck, i, &info) == FOURLINK_OK; i++) {
+        const fourlink_load *load = &r->loads[i];
+
+        if (info.sort != FOURLINK_LOAD_FRICTION || info.element != joint ||
+            (load->torque == 0 && load->force.x == 0 && load->force.y == 0))
+            continue;
+        page_print(&r->page,
+                   "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
+                   "<td>%.6g</td></tr>\n",
+                   load->torque != 0 ? pins[joint].pin : "guide",
+                   fourlink_link_text((int)r->design->kind, info.link), load->force.x,
+                   load->force.y, load->torque);
+    }
+}
+
 /* Write friction as loads: on which link, and how much.  The force of a guide acts at the origin of the link that
 ** slides. */
 static void put_loads(report *r)
 {
-    static const char *const joints[FOURLINK_FRICTION_LOADS] = {"B", "B", "C", "C", "D", "A"};
-    int kind = (int)r->design->kind, k;
     page *p = &r->page;
+    unsigned long joint;
 
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.guide > 0)
         page_print(p, "; the force of the guide acts at %s",
-                   fourlink_slides(kind, FOURLINK_COUPLER) ? "B" : "C");
+                   fourlink_slides((int)r->design->kind, FOURLINK_COUPLER) ? "B" : "C");
     page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
                   "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
                   "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"
                   "</tr></thead>\n<tbody>\n");
-    for (k = 0; k < FOURLINK_FRICTION_LOADS; k++) {
-        int i = (k + FOURLINK_FRICTION_LOADS - 1) % FOURLINK_FRICTION_LOADS; /* A is the last */
-        const fourlink_load *load = &r->now.losses.load[i];
-
-        if (load->torque == 0 && load->force.x == 0 && load->force.y == 0)
-            continue;
-        page_print(p,
-                   "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
-                   "<td>%.6g</td></tr>\n",
-                   load->torque != 0 ? joints[i] : "guide", fourlink_link_text(kind, load->link),
-                   load->force.x, load->force.y, load->torque);
-    }
+    for (joint = 0; joint < PINS; joint++)
+        put_loads_of_joint(r, joint);
     page_print(p, "</tbody>\n</table></div>\n");
 }
 
@@ -101,7 +110,7 @@ void sample_put_friction(report *r, math *m)
     fourlink_friction friction;
     int i;
 
-    if (!r->problem.n_friction_loads || fourlink_deck_friction(r->deck, &friction) != FOURLINK_OK)
+    if (!r->problem.has_friction || fourlink_deck_friction(r->deck, &friction) != FOURLINK_OK)
         return;
     page_print(m->p,
                "<h3>Friction</h3>\n<p>Friction is among the loads above, and depends on the "

@@ -13,8 +13,11 @@
 #define ALPHA "\316\261"
 #define SUB_4 "\342\202\204"
 
-/* Of the links. */
+/* Of the links, and of the joints. */
 static const char *const numbers[] = {"", "1", "2", "3", "4"};
+static const char *const joints[] = {"A", "B", "C", "D"};
+
+enum { JOINT_C = 2, JOINT_D };
 
 /* Put what stands before an entry of a list; `n` counts them. */
 static void put_comma(line *l, int *n)
@@ -256,32 +259,18 @@ static void put_force(line *l, int *n, const char *name, const char *sub, const 
              sign == INNER ? ",\"inner\":true" : "");
 }
 
-/* The place of a load among those of friction, from 0; -1 if it is none. */
-static int place_in_friction(const rows *t, unsigned long i)
-{
-    unsigned long end = t->problem.n_loads - t->problem.n_gas_loads;
-    unsigned long first = end - t->problem.n_friction_loads;
-
-    return i >= first && i < end ? (int)(i - first) : -1;
-}
-
 /* 1 for the friction of a slider on its lever, which F34 has. */
-static int is_in_F34(const rows *t, unsigned long i)
+static int is_in_F34(const rows *t, const fourlink_load_info *load)
 {
-    int place = place_in_friction(t, i);
-
-    return t->slot && (place == 2 || place == 3);
+    return t->slot && load->sort == FOURLINK_LOAD_FRICTION && load->element == JOINT_C;
 }
 
 /* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
-static int sense_of_load(const rows *t, unsigned long i)
+static int sense_of_load(const rows *t, const fourlink_load_info *load)
 {
-    unsigned long first = t->problem.n_loads - t->problem.n_gas_loads - t->problem.n_friction_loads;
-    int place = place_in_friction(t, i);
-
-    if (place >= 0)
-        return place == 4 && t->slides ? 1 : INNER;
-    return i < first && i >= first - t->problem.n_spring_loads ? INNER : 1;
+    if (load->sort == FOURLINK_LOAD_FRICTION)
+        return t->slides && load->element == JOINT_D ? 1 : INNER;
+    return load->sort == FOURLINK_LOAD_SPRING ? INNER : 1;
 }
 
 static void put_pin_forces(line *l, const rows *t, int *n)
@@ -315,7 +304,7 @@ static void put_body_forces(line *l, const rows *t, int *n)
 static void put_forces(line *l, const rows *t)
 {
     char at[ROWS_NAME], of[ROWS_NAME];
-    const char *name;
+    fourlink_load_info load;
     unsigned long i;
     int n = 0;
 
@@ -324,22 +313,18 @@ static void put_forces(line *l, const rows *t)
         put_pin_forces(l, t, &n);
         put_body_forces(l, t, &n);
     }
-    for (i = 0; i < t->problem.n_loads; i++) {
-        if (is_in_F34(t, i))
-            continue;
-        fourlink_deck_load(t->deck, i, &name, NULL);
-        put_force(l, &n, name, "", rows_name("L", i, "F", of), sense_of_load(t, i),
-                  rows_name("L", i, "", at), t->loads[i].link, "load");
-    }
+    for (i = 0; fourlink_deck_load(t->deck, i, &load) == FOURLINK_OK; i++)
+        if (!is_in_F34(t, &load))
+            put_force(l, &n, load.name, "", rows_name("L", i, "F", of), sense_of_load(t, &load),
+                      rows_name("L", i, "", at), load.link, "load");
     line_put(l, "],\n");
 }
 
 static void put_torques(line *l, const rows *t)
 {
-    static const char *const names[] = {"", "", "A", "B", "D"};       /* the links' own origins */
-    static const char *const pins[] = {"B", "B", "C", "C", "D", "A"}; /* of friction */
+    static const char *const names[] = {"", "", "A", "B", "D"}; /* the links' own origins */
     char at[ROWS_NAME], of[ROWS_NAME];
-    const char *name;
+    fourlink_load_info load;
     unsigned long i;
     int n = 0;
 
@@ -356,17 +341,13 @@ static void put_torques(line *l, const rows *t)
         if (t->design->link[i].mass > 0 && t->design->link[i].inertia > 0)
             put_force(l, &n, MINUS "I" ALPHA, numbers[i], rows_name("I", i, "T", of), 1,
                       rows_name("G", i, "", at), (int)i, "inertia");
-    for (i = 0; i < t->problem.n_loads; i++) {
-        int link = t->loads[i].link, place = place_in_friction(t, i);
-
-        fourlink_deck_load(t->deck, i, &name, NULL);
-        if (place >= 0)
-            put_force(l, &n, "M", pins[place], rows_name("L", i, "T", of), INNER, pins[place], link,
-                      "load");
+    for (i = 0; fourlink_deck_load(t->deck, i, &load) == FOURLINK_OK; i++)
+        if (load.sort == FOURLINK_LOAD_FRICTION)
+            put_force(l, &n, "M", joints[load.element], rows_name("L", i, "T", of), INNER,
+                      joints[load.element], load.link, "load");
         else
-            put_force(l, &n, name, "", rows_name("L", i, "T", of), sense_of_load(t, i),
-                      t->slides && link == 4 ? "C" : names[link], link, "load");
-    }
+            put_force(l, &n, load.name, "", rows_name("L", i, "T", of), sense_of_load(t, &load),
+                      t->slides && load.link == 4 ? "C" : names[load.link], load.link, "load");
     line_put(l, "],\n");
 }
 

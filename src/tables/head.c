@@ -101,24 +101,28 @@ static void put_loads(sheet *s)
 {
     const fourlink_deck *deck = fourlink_results_deck(s->results);
     const fourlink_problem *p = &s->problem;
-    unsigned long n = p->n_loads - p->n_spring_loads - p->n_friction_loads - p->n_gas_loads, i;
+    fourlink_load_info load;
+    unsigned long n = 0, i;
     size_t length = 0;
-    const char *name;
+    const char *name = "";
 
-    for (i = 0; i < n && fourlink_deck_load(deck, i, &name, NULL) == FOURLINK_OK; i++)
+    while (fourlink_deck_load(deck, n, &load) == FOURLINK_OK && load.sort == FOURLINK_LOAD_OWN) {
+        name = load.name;
         length += strlen(name) + 2;
+        n++;
+    }
     if (n == 1 && strcmp(name, "load") == 0)
         line_put(&s->l, "; a load");
     else if (n > 0 && length > NAMES)
         line_put(&s->l, n > 1 ? "; %lu loads" : "; a load", n);
     else
-        for (i = 0; i < n && fourlink_deck_load(deck, i, &name, NULL) == FOURLINK_OK; i++)
-            line_put(&s->l, "%s %s", i ? "," : n > 1 ? "; loads" : "; load", name);
+        for (i = 0; i < n && fourlink_deck_load(deck, i, &load) == FOURLINK_OK; i++)
+            line_put(&s->l, "%s %s", i ? "," : n > 1 ? "; loads" : "; load", load.name);
     if (p->n_springs)
         line_put(&s->l, p->n_springs > 1 ? "; %lu springs" : "; a spring", p->n_springs);
-    if (p->n_friction_loads)
+    if (p->has_friction)
         line_put(&s->l, "; friction");
-    if (p->n_gas_loads)
+    if (p->has_gas)
         line_put(&s->l, "; gas");
 }
 

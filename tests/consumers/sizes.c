@@ -35,6 +35,7 @@ int main(void)
     PRINT_SIZE(fourlink_range);
     PRINT_SIZE(fourlink_row);
     PRINT_SIZE(fourlink_mistake);
+    PRINT_SIZE(fourlink_load_info);
     PRINT_SIZE(fourlink_problem);
     PRINT_SIZE(fourlink_unit);
     PRINT_SIZE(fourlink_change);

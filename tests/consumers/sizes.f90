@@ -31,6 +31,7 @@ program sizes
   type(fourlink_range) :: range_
   type(fourlink_row) :: row_
   type(fourlink_mistake) :: mistake_
+  type(fourlink_load_info) :: load_info_
   type(fourlink_problem) :: problem_
   type(fourlink_unit) :: unit_
   type(fourlink_change) :: change_
@@ -66,6 +67,7 @@ program sizes
   write (*, '(a, 1x, i0)') 'fourlink_range', c_sizeof(range_)
   write (*, '(a, 1x, i0)') 'fourlink_row', c_sizeof(row_)
   write (*, '(a, 1x, i0)') 'fourlink_mistake', c_sizeof(mistake_)
+  write (*, '(a, 1x, i0)') 'fourlink_load_info', c_sizeof(load_info_)
   write (*, '(a, 1x, i0)') 'fourlink_problem', c_sizeof(problem_)
   write (*, '(a, 1x, i0)') 'fourlink_unit', c_sizeof(unit_)
   write (*, '(a, 1x, i0)') 'fourlink_change', c_sizeof(change_)

@@ -61,7 +61,7 @@ TEST(test_problem)
     assert_near(p.motion.to, 720, 0);
     assert_near(p.cycle, 4 * M_PI, 1e-14);
     assert_true(p.crossed && !p.open && !p.asks_for_both && p.has_forces);
-    assert_int_equal(p.n_gas_loads, 1);
+    assert_true(p.has_gas && !p.has_friction);
     assert_int_equal(p.n_loads, 3);
     assert_int_equal(p.n_points, 1);
     assert_int_equal(p.approximation, FOURLINK_EXACT);
@@ -140,27 +140,31 @@ TEST(test_branches)
 
 TEST(test_units_and_names_of_loads)
 {
-    static const struct {
-        const char *name;
-        int has_torque;
-    } loads[] = {{"brake", 1}, {"cam", 1}, {"load", 0}, {"gas", 0}};
+    static const fourlink_load_info loads[] = {{"brake", FOURLINK_LOAD_OWN, 0, FOURLINK_CRANK, 1},
+                                               {"cam", FOURLINK_LOAD_OWN, 1, FOURLINK_COUPLER, 1},
+                                               {"load", FOURLINK_LOAD_OWN, 2, FOURLINK_FOLLOWER, 0},
+                                               {"gas", FOURLINK_LOAD_GAS, 0, FOURLINK_FOLLOWER, 0}};
     fourlink_deck *deck = NULL;
     fourlink_unit u;
-    const char *name;
+    fourlink_load_info load;
     unsigned long i;
-    int has_torque;
 
     assert_int_equal(read_deck(ENGINE "[load]\nlink = piston\nforce = (1, 0) N\n"
                                       "[units]\nlength = mm\n",
                                "0 1\n90 2\n", &deck, NULL, 0, NULL),
                      FOURLINK_OK);
     for (i = 0; i < 4; i++) {
-        assert_int_equal(fourlink_deck_load(deck, i, &name, &has_torque), FOURLINK_OK);
-        assert_string_equal(name, loads[i].name);
-        assert_int_equal(has_torque, loads[i].has_torque);
+        assert_int_equal(fourlink_deck_load(deck, i, &load), FOURLINK_OK);
+        assert_string_equal(load.name, loads[i].name);
+        assert_int_equal(load.sort, loads[i].sort);
+        assert_int_equal(load.element, loads[i].element);
+        assert_int_equal(load.link, loads[i].link);
+        assert_int_equal(load.has_torque, loads[i].has_torque);
     }
-    assert_int_equal(fourlink_deck_load(deck, 4, &name, NULL), FOURLINK_BAD_LINK);
-    assert_int_equal(fourlink_deck_load(NULL, 0, &name, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_load(deck, 4, &load), FOURLINK_BAD_LINK);
+    assert_string_equal(load.name, "gas"); /* untouched */
+    assert_int_equal(fourlink_deck_load(NULL, 0, &load), FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_load(deck, 0, NULL), FOURLINK_NULL);
     assert_int_equal(fourlink_deck_unit(deck, "length", &u), FOURLINK_OK);
     assert_string_equal(u.name, "mm");
     assert_near(u.up / u.down, 0.001, 0);

@@ -107,16 +107,18 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
     static const char *const quantities[] = {"length", "pressure", "number", "inertia", "?"};
     fourlink_vector at;
     fourlink_unit unit;
+    fourlink_load_info load;
     const char *name;
     unsigned long i;
-    int link, has_torque;
+    int link;
 
     for (i = 0; i < p->n_points; i++)
         MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_OK && *name);
     MUST(fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_NO_SUCH_POINT);
     for (i = 0; i < p->n_loads; i++)
-        MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_OK && *name);
-    MUST(fourlink_deck_load(deck, i, &name, &has_torque) == FOURLINK_BAD_LINK);
+        MUST(fourlink_deck_load(deck, i, &load) == FOURLINK_OK && *load.name && load.link >= 2 &&
+             load.link <= 4);
+    MUST(fourlink_deck_load(deck, i, &load) == FOURLINK_BAD_LINK);
     for (i = 0; i < 5; i++)
         MUST((fourlink_deck_unit(deck, quantities[i], &unit) == FOURLINK_OK) == (i < 4));
 }

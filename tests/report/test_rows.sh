@@ -113,6 +113,11 @@ that '.branches[0].tracks.K0Q == [0.1, 0.09]'
 that '[.torques[] | select(.label[0] == "M") | [.at, .on]] == [["B", 3], ["B", 2], ["C", 4], ["C", 3], ["D", 4], ["A", 2]]'
 that '[.torques[], .forces[] | select(.label[0] == "M" or .label[0] == "S" or .label[0] == "T") | select(.label[1] != "s") | .inner] | all'
 
+# Also where the last row cannot be assembled.
+rows --branch=open --set='ground.length=125 mm' --set='motion.to=90 deg' springs.deck
+that '(.steps | length - 1) as $i | .branches[0].reasons["\($i)"] != null'
+that '[.torques[] | select(.label[0] == "M") | .on] == [3, 2, 4, 3, 4, 2]'
+
 # Each link is in balance with the forces and torques of its free body: x, y, and moments about B; the friction of a guide
 # is in them once.
 {

@@ -253,15 +253,15 @@ TEST(test_power_law)
         opened(MOVING_ROCKER "[load fan]\nlink = crank\ntorque = -2 N m\nover = omega2\n"
                              "at_speed = 21 rad/s\nexponent = 2\n");
     fourlink_load load;
-    const char *name;
+    fourlink_load_info info;
 
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 30, NULL, NULL, &load), FOURLINK_OK);
     assert_close(load.torque, -0.5, 1e-14);
     assert_int_equal(fourlink_deck_loads(fourlink_results_deck(r), FOURLINK_OPEN, 0, &load, NULL),
                      FOURLINK_OK);
     assert_true(load.torque == 0);
-    assert_int_equal(fourlink_deck_load(fourlink_results_deck(r), 0, &name, NULL), FOURLINK_OK);
-    assert_string_equal(name, "fan");
+    assert_int_equal(fourlink_deck_load(fourlink_results_deck(r), 0, &info), FOURLINK_OK);
+    assert_string_equal(info.name, "fan");
     fourlink_results_free(r);
 }
 
@@ -284,6 +284,84 @@ TEST(test_ends_of_curves)
 ** Springs, friction and loads for a host; counterweights; sweeps
 ** ------------------------------------------------------------------------------------------- */
 
+/* What each load is, by hand, and what it does at one crank angle: its link, its torque, and of friction the moment of
+** the pin or the force of the guide, which fourlink_losses has by joint. */
+TEST(test_sorts_of_loads)
+{
+    enum { A, B, C, D, OWN = FOURLINK_LOAD_OWN, SPRING, FRICTION, GAS_LOAD };
+    static const struct {
+        const char *deck;
+        unsigned long n;
+        fourlink_load_info loads[13];
+    } cases[] = {{MOVING_ROCKER SPRINGS PINS,
+                  13,
+                  {{"L", OWN, 0, 4, 1},
+                   {"S", SPRING, 0, 4, 0},
+                   {"T", SPRING, 1, 3, 0},
+                   {"T", SPRING, 1, 2, 0},
+                   {"U", SPRING, 2, 4, 1},
+                   {"V", SPRING, 3, 4, 1},
+                   {"V", SPRING, 3, 3, 1},
+                   {"friction", FRICTION, B, 3, 1},
+                   {"friction", FRICTION, B, 2, 1},
+                   {"friction", FRICTION, C, 4, 1},
+                   {"friction", FRICTION, C, 3, 1},
+                   {"friction", FRICTION, D, 4, 1},
+                   {"friction", FRICTION, A, 2, 1}}},
+                 {MOVING_PUMP "[spring S]\nlink = ground\nto = piston\nstiffness = 2 N/mm\n"
+                              "at = 400 mm\n" PUMP_FRICTION GAS,
+                  8,
+                  {{"S", SPRING, 0, 4, 0},
+                   {"friction", FRICTION, B, 3, 1},
+                   {"friction", FRICTION, B, 2, 1},
+                   {"friction", FRICTION, C, 4, 1},
+                   {"friction", FRICTION, C, 3, 1},
+                   {"friction", FRICTION, D, 4, 0},
+                   {"friction", FRICTION, A, 2, 1},
+                   {"gas", GAS_LOAD, 0, 4, 0}}},
+                 {LEVER GAS,
+                  9,
+                  {{"L", OWN, 0, 4, 0},
+                   {"friction", FRICTION, B, 3, 1},
+                   {"friction", FRICTION, B, 2, 1},
+                   {"friction", FRICTION, C, 3, 0},
+                   {"friction", FRICTION, C, 4, 0},
+                   {"friction", FRICTION, D, 4, 1},
+                   {"friction", FRICTION, A, 2, 1},
+                   {"gas", GAS_LOAD, 0, 3, 0},
+                   {"gas", GAS_LOAD, 0, 4, 0}}}};
+    fourlink_load_info info;
+    fourlink_load loads[13];
+    fourlink_instant at;
+    unsigned long i, k;
+
+    for (k = 0; k < COUNT(cases); k++) {
+        fourlink_results *r = opened(cases[k].deck);
+        const fourlink_deck *deck = fourlink_results_deck(r);
+
+        assert_int_equal(problem_of(r).n_loads, cases[k].n);
+        assert_int_equal(fourlink_deck_load(deck, cases[k].n, &info), FOURLINK_BAD_LINK);
+        assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &at, loads), FOURLINK_OK);
+        for (i = 0; i < cases[k].n; i++) {
+            const fourlink_load_info *wanted = &cases[k].loads[i];
+
+            assert_int_equal(fourlink_deck_load(deck, i, &info), FOURLINK_OK);
+            assert_string_equal(info.name, wanted->name);
+            assert_int_equal(info.sort, wanted->sort);
+            assert_int_equal(info.element, wanted->element);
+            assert_int_equal(info.link, wanted->link);
+            assert_int_equal(info.has_torque, wanted->has_torque);
+            assert_int_equal(loads[i].link, wanted->link);
+            assert_int_equal(loads[i].torque != 0, wanted->has_torque);
+            if (info.sort == FRICTION && info.has_torque)
+                assert_near(fabs(loads[i].torque), at.losses.pin[info.element], 0);
+            else if (info.sort == FRICTION)
+                assert_close(hypot(loads[i].force.x, loads[i].force.y), at.losses.guide, 1e-14);
+        }
+        fourlink_results_free(r);
+    }
+}
+
 TEST(test_host)
 {
     fourlink_results *r = opened(MOVING_ROCKER SPRINGS PINS);
@@ -295,11 +373,10 @@ TEST(test_host)
     fourlink_friction friction;
     double A[9][9], b[9], x[9];
     const char *name;
-    int i, j, has_torque;
+    int i, j;
 
     assert_int_equal(p.n_springs, 4);
-    assert_int_equal(p.n_spring_loads, 6);
-    assert_int_equal(p.n_friction_loads, FOURLINK_FRICTION_LOADS);
+    assert_true(p.has_friction && !p.has_gas);
     assert_int_equal(p.n_loads, 1 + 6 + 6);
     assert_int_equal(fourlink_deck_spring(deck, 2, &name, &spring), FOURLINK_OK);
     assert_string_equal(name, "U");
@@ -309,15 +386,6 @@ TEST(test_host)
     assert_int_equal(fourlink_deck_friction(deck, &friction), FOURLINK_OK);
     assert_close(friction.circle[3], 0.0006, 1e-14);
     assert_int_equal(fourlink_deck_friction(deck, NULL), FOURLINK_NULL);
-    assert_int_equal(fourlink_deck_load(deck, 3, &name, &has_torque), FOURLINK_OK);
-    assert_string_equal(name, "T");
-    assert_false(has_torque);
-    assert_int_equal(fourlink_deck_load(deck, 4, &name, &has_torque), FOURLINK_OK);
-    assert_string_equal(name, "U");
-    assert_true(has_torque);
-    assert_int_equal(fourlink_deck_load(deck, 12, &name, &has_torque), FOURLINK_OK);
-    assert_string_equal(name, "friction");
-    assert_int_equal(fourlink_deck_load(deck, 13, &name, &has_torque), FOURLINK_BAD_LINK);
     /* the forces solve the nine equations with these loads */
     assert_int_equal(fourlink_results_at(r, FOURLINK_OPEN, 70, NULL, &at, loads), FOURLINK_OK);
     assert_int_equal(fourlink_system(&p.mechanism, &at.state, loads, p.n_loads, A, b), FOURLINK_OK);
