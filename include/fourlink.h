@@ -1487,8 +1487,10 @@ FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing.  Several threads can call them at once, each with its
-**    own results.  No result depends on earlier calls.
+** 3) The functions below allocate nothing, but for one case: a motion that is not given is
+**    integrated here on the branches that the deck asks for, and on another one when that is first
+**    asked for (then FOURLINK_NO_MEMORY is possible).  Several threads can call them at once, each
+**    with its own results.  No result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,

@@ -21,8 +21,10 @@
 
 struct flk_actual {
     const deck *d;
+    int winds;
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
+    int is_found[2]; /* 1: the motion of this branch is integrated */
     int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
     double cycle;    /* rad */
     double length;   /* rad, of the rows */
@@ -133,23 +135,17 @@ static unsigned long budget_of(const flk_machine *machine)
     return MOST_STEPS / cost;
 }
 
-static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch branch)
+static void find_branch(flk_actual *m, fourlink_branch branch)
 {
     flk_path *p = &m->path[index_of(branch)];
     flk_actual_facts *f = &m->facts[index_of(branch)];
     int found;
 
-    p->d = course->d;
-    p->corners = course->corners;
-    p->equation.from = course->d->motion.from * course->d->motion.angle_unit;
-    p->equation.machine = course->d->machine;
-    p->equation.acting = course->acting;
     p->equation.branch = branch;
     p->tolerance = TOLERANCE;
     p->budget = budget_of(&p->equation.machine);
-    p->equation.sense = course->last < course->d->motion.from ? -1 : 1;
     flk_facts_forget(f);
-    found = find(m, p, course->winds, f);
+    found = find(m, p, m->winds, f);
     f->flywheel = p->equation.machine.flywheel;
     f->inertia = flk_machine_shaft(&p->equation.machine);
     if (found)
@@ -159,20 +155,42 @@ static void find_branch(flk_actual *m, const flk_course *course, fourlink_branch
         f->end_angle = angle_of(p, p->n ? flk_path_end(p)->y[FLK_PASSED] : 0);
         f->stall_angle = f->status == FOURLINK_STALLS ? f->end_angle : FLK_UNDEFINED;
     }
+    m->is_found[index_of(branch)] = 1;
 }
 
-flk_actual *flk_actual_find(const flk_course *course)
+/* The number of a branch, whose motion is found if it was not. */
+static int find_index(flk_actual *m, fourlink_branch branch)
 {
-    const fourlink_motion *motion = &course->d->motion;
+    if (!m->is_found[index_of(branch)])
+        find_branch(m, branch);
+    return index_of(branch);
+}
+
+flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
+                            double period, int winds)
+{
+    const fourlink_motion *motion = &d->motion;
     flk_actual *m = calloc(1, sizeof *m);
+    int i;
 
     if (!m)
         return NULL;
-    m->d = course->d;
-    m->cycle = course->period;
-    m->length = fabs(course->last - motion->from) * motion->angle_unit;
-    find_branch(m, course, FOURLINK_OPEN);
-    find_branch(m, course, FOURLINK_CROSSED);
+    m->d = d;
+    m->winds = winds;
+    m->cycle = period;
+    m->length = fabs(end - motion->from) * motion->angle_unit;
+    for (i = 0; i < 2; i++) {
+        m->path[i].d = d;
+        m->path[i].corners = corners;
+        m->path[i].equation.machine = d->machine;
+        m->path[i].equation.acting = acting;
+        m->path[i].equation.from = motion->from * motion->angle_unit;
+        m->path[i].equation.sense = end < motion->from ? -1 : 1;
+    }
+    if (d->open)
+        find_branch(m, FOURLINK_OPEN);
+    if (d->crossed)
+        find_branch(m, FOURLINK_CROSSED);
     if (!m->path[0].no_memory && !m->path[1].no_memory)
         return m;
     flk_actual_free(m);
@@ -188,9 +206,9 @@ void flk_actual_free(flk_actual *m)
     free(m);
 }
 
-double flk_actual_length(const flk_actual *m, fourlink_branch branch)
+double flk_actual_length(flk_actual *m, fourlink_branch branch)
 {
-    const flk_path *p = &m->path[index_of(branch)];
+    const flk_path *p = &m->path[find_index(m, branch)];
 
     if (m->d->drive.by_time)
         return flk_path_travel(p);
@@ -200,9 +218,9 @@ double flk_actual_length(const flk_actual *m, fourlink_branch branch)
                : m->length;
 }
 
-double flk_actual_time(const flk_actual *m, fourlink_branch branch)
+double flk_actual_time(flk_actual *m, fourlink_branch branch)
 {
-    const flk_path *p = &m->path[index_of(branch)];
+    const flk_path *p = &m->path[find_index(m, branch)];
 
     return p->n ? flk_path_end(p)->t : 0;
 }
@@ -212,9 +230,9 @@ int flk_actual_from_rest(const deck *d)
     return d->drive.mode == DRIVE_RUN_UP || (d->drive.mode == DRIVE_FREE && d->motion.speed == 0);
 }
 
-int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
+int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row)
 {
-    const flk_path *p = &m->path[index_of(branch)];
+    const flk_path *p = &m->path[find_index(m, branch)];
     const fourlink_motion *motion = &m->d->motion;
     double s = p->equation.sense * (angle - motion->from) * motion->angle_unit, turns = 0;
     const flk_actual_facts *f = &m->facts[index_of(branch)];
@@ -238,10 +256,9 @@ int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk
     return status;
 }
 
-int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
-                       flk_actual_row *row)
+int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_actual_row *row)
 {
-    const flk_path *p = &m->path[index_of(branch)];
+    const flk_path *p = &m->path[find_index(m, branch)];
     double end = flk_actual_time(m, branch);
     int status = p->n ? FOURLINK_OK : p->status;
 
@@ -259,7 +276,7 @@ int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
 
 const flk_actual_facts *flk_actual_facts_of(flk_actual *m, fourlink_branch branch)
 {
-    int i = index_of(branch);
+    int i = m ? find_index(m, branch) : 0;
 
     if (!m)
         return NULL;

@@ -8,35 +8,31 @@
 #include "actual_row.h"
 #include "corners.h"
 
-/* The motion of a deck on both branches, found once when the deck is opened. */
+/* The motion of a deck: on the branches that it asks for it is found when the deck is opened, on another one when that is
+** first asked for. */
 typedef struct flk_actual flk_actual;
 
-/* What it is found from. */
-typedef struct flk_course {
-    const deck *d;
-    flk_corners *corners;
-    double last;        /* the crank angle of the last row, in the deck's unit; unused by time */
-    double period;      /* rad, of a steady motion */
-    int winds;          /* 1: a spring is wound up by each cycle: there is no steady motion */
-    flk_acting *acting; /* memory for the loads of a row */
-} flk_course;
-
-/* Find the motion, for flk_actual_free; null if out of memory.  What the course has must last as long. */
-flk_actual *flk_actual_find(const flk_course *course);
+/* Find the motion of a deck, for flk_actual_free; null if out of memory.
+**
+** acting  memory for the loads of a row; it and the corners last as long
+** end     the crank angle of the last row, in the deck's unit; unused by time
+** period  rad, of a steady motion
+** winds   1: a spring is wound up by each cycle, and there is none */
+flk_actual *flk_actual_find(const deck *d, flk_corners *corners, flk_acting *acting, double end,
+                            double period, int winds);
 void flk_actual_free(flk_actual *m);
 
 /* The crank at an angle of the motion, in the deck's unit: FOURLINK_OK, or why the machine does not come there,
 ** with theta2 and 0 for the rest. */
-int flk_actual_at(const flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row);
+int flk_actual_at(flk_actual *m, fourlink_branch branch, double angle, flk_actual_row *row);
 
 /* The same at a time, of rows by time. */
-int flk_actual_at_time(const flk_actual *m, fourlink_branch branch, double time,
-                       flk_actual_row *row);
+int flk_actual_at_time(flk_actual *m, fourlink_branch branch, double time, flk_actual_row *row);
 
 /* The length of the motion, rad: of the rows, unless it ends before; of rows by time that through which the crank
 ** turns, forwards and backwards, and this takes `time`, s. */
-double flk_actual_length(const flk_actual *m, fourlink_branch branch);
-double flk_actual_time(const flk_actual *m, fourlink_branch branch);
+double flk_actual_length(flk_actual *m, fourlink_branch branch);
+double flk_actual_time(flk_actual *m, fourlink_branch branch);
 
 /* 1 if it begins at rest. */
 int flk_actual_from_rest(const deck *d);

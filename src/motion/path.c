@@ -294,6 +294,7 @@ static int keep(flk_path *p, const flk_node *node)
 
         if (!more) {
             p->no_memory = 1;
+            p->status = FOURLINK_NO_MEMORY;
             return 0;
         }
         p->node = more;

@@ -28,44 +28,19 @@ static int possible(const deck *d)
            (d->has_forces && status != FOURLINK_ROD_OFF_LINE ? NEED_ENGINE | NEED_GAS : 0);
 }
 
-/* The motion, unless it is given; 0 if out of memory. */
-static int find_actual(flk_analysis *a)
-{
-    flk_course course;
-
-    if (a->d->drive.mode == DRIVE_GIVEN)
-        return 1;
-    course.d = a->d;
-    course.corners = a->corners;
-    course.last = flk_analysis_end(a);
-    course.period = flk_analysis_period(a->d);
-    course.acting = &a->acting;
-    course.winds = a->winds;
-    a->actual = flk_actual_find(&course);
-    return a->actual != NULL;
-}
-
 int flk_analysis_open(flk_analysis *a, const deck *d)
 {
-    const flk_element *spring;
-    size_t i = 0;
-
     memset(a, 0, sizeof *a);
     a->d = d;
     a->possible = possible(d);
-    flk_deck_range(d, &a->range); /* the deck's reader has checked it */
-    for (; (spring = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
-        a->winds |= flk_spring_winds(&d->machine.mechanism, spring->data, flk_analysis_period(d));
     a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
-    a->corners = flk_corners_open(d);
-    return a->acting.load != NULL && a->corners != NULL && find_actual(a);
+    return a->acting.load && flk_course_open(&a->course, d, &a->acting);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
-    flk_actual_free(a->actual);
+    flk_course_close(&a->course);
     free(a->acting.load);
-    flk_corners_close(a->corners);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
 }
@@ -148,7 +123,8 @@ static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int 
 void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
                           flk_row *row)
 {
-    take_actual(a, needs, branch, flk_actual_at_time(a->actual, branch, time, &row->actual), row);
+    take_actual(a, needs, branch, flk_actual_at_time(a->course.actual, branch, time, &row->actual),
+                row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
@@ -158,8 +134,8 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
         flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
         return;
     }
-    fourlink_motion_row(&a->d->motion, &a->range, i, &row->at.row);
-    if (a->actual) {
+    fourlink_motion_row(&a->d->motion, &a->course.range, i, &row->at.row);
+    if (a->course.actual) {
         flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
         return;
     }
@@ -169,69 +145,11 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row)
 {
-    if (a->actual) {
-        take_actual(a, needs, branch, flk_actual_at(a->actual, branch, angle, &row->actual), row);
+    if (a->course.actual) {
+        take_actual(a, needs, branch, flk_actual_at(a->course.actual, branch, angle, &row->actual),
+                    row);
         return;
     }
     fourlink_motion_at(&a->d->motion, angle, &row->at.row);
     flk_analysis_at(a, needs, branch, &row->at.row.crank, row);
-}
-
-double flk_analysis_end(const flk_analysis *a)
-{
-    fourlink_row last;
-
-    if (a->d->drive.by_time)
-        return a->d->motion.to;
-    fourlink_motion_row(&a->d->motion, &a->range, a->range.n_rows - 1, &last);
-    return a->range.stops ? a->range.stop_angle : last.angle;
-}
-
-double flk_analysis_period(const deck *d)
-{
-    double turns =
-        d->machine.mechanism.change_stretched != d->machine.mechanism.change_folded ? 2 : 1;
-
-    return d->machine.cycle > turns * 2 * M_PI ? d->machine.cycle : turns * 2 * M_PI;
-}
-
-int flk_analysis_stops(const flk_analysis *a, fourlink_branch branch)
-{
-    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
-
-    return f && f->status == FOURLINK_TOO_LONG;
-}
-
-int flk_analysis_repeats(const flk_analysis *a)
-{
-    const fourlink_motion *motion = &a->d->motion;
-
-    if (a->actual)
-        return a->d->drive.mode == DRIVE_STEADY;
-    return !a->winds && motion->run_up <= 0 && !a->range.stops &&
-           (motion->acceleration == 0 || motion->hold);
-}
-
-int flk_analysis_is_periodic(const flk_analysis *a)
-{
-    const deck *d = a->d;
-
-    return d->one_revolution && flk_analysis_repeats(a) &&
-           d->machine.mechanism.change_stretched == d->machine.mechanism.change_folded;
-}
-
-int flk_analysis_find_angle(const flk_analysis *a, double angle, double *at)
-{
-    const fourlink_motion *motion = &a->d->motion;
-    double turn = flk_analysis_period(a->d) / motion->angle_unit, tiny = 1e-9 * turn,
-           end = flk_analysis_end(a);
-    double first = motion->from < end ? motion->from : end,
-           last = motion->from < end ? end : motion->from;
-
-    *at = angle;
-    if (a->d->drive.by_time)
-        return 1; /* which angles it reaches depends on the branch */
-    if (angle < first - tiny || angle > last + tiny)
-        *at = angle + turn * ceil((first - tiny - angle) / turn);
-    return first - tiny <= *at && *at <= last + tiny;
 }

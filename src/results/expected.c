@@ -109,7 +109,7 @@ static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation 
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    if (!flk_analysis_find_angle(a, e->at, &at)) {
+    if (!flk_course_find_angle(&a->course, e->at, &at)) {
         flk_message(c->message, sizeof c->message, "the motion does not reach theta2 = %g %s",
                     e->at, name);
         return 0;

@@ -2,7 +2,7 @@
 **
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
-** The motion is cut into pieces within which columns are smooth (motion_pieces.c).  Each is sampled once for all
+** The motion is cut into pieces within which columns are smooth (motion/pieces.c).  Each is sampled once for all
 ** columns, in steps of two degrees or less, over the parameter of extreme_samples.c.
 **
 ** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
@@ -213,7 +213,7 @@ static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
         x->motion.has_loads |= !flk_column_is_of_motion(t->c);
         x->has_noise |= t->is_noise;
     }
-    if (x->a->actual)
+    if (x->a->course.actual)
         look_ahead(x);
 }
 
@@ -298,7 +298,7 @@ static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
         double shift = 0;
         int which;
 
-        if (has_gap && t->turn > 0 && flk_analysis_is_periodic(x->a) &&
+        if (has_gap && t->turn > 0 && flk_course_is_periodic(&x->a->course) &&
             !gsl_isnan(t->first + t->last))
             shift = flk_search_turns(t, t->last, t->first);
         flk_search_commit(t, shift);
@@ -327,7 +327,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
     x.a = a;
     x.branch = branch;
     x.n_columns = n;
-    if (flk_analysis_stops(a, branch)) {
+    if (flk_course_stops(&a->course, branch)) {
         give_up(&x, FOURLINK_TOO_LONG, pairs);
         return;
     }
@@ -347,7 +347,7 @@ static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pair
                 flk_search_commit(&x.columns[c], 0);
                 x.columns[c].last = GSL_NAN;
                 x.columns[c].restarts = 1;
-            } else if (a->actual) {
+            } else if (a->course.actual) {
                 flk_search_commit(&x.columns[c], 0);
             }
         has_gap |= !reached;

@@ -21,7 +21,7 @@
 /* Of a motion that repeats the first period and the last are searched. */
 static void skip_periods(flk_search *x)
 {
-    x->motion.period = flk_analysis_repeats(x->a) ? flk_analysis_period(x->a->d) : GSL_POSINF;
+    x->motion.period = flk_course_repeats(&x->a->course) ? x->a->course.period : GSL_POSINF;
     x->skipped = 0;
     if (x->motion.length < 3 * x->motion.period)
         return;
@@ -43,13 +43,13 @@ int flk_search_is_over(const flk_search *x)
 void flk_search_begin(flk_search *x)
 {
     x->a->rows_left = MOST_ROWS;
-    x->motion.a = x->a;
+    x->motion.course = &x->a->course;
     x->motion.branch = x->branch;
-    x->motion.has_loads = x->a->actual != NULL;
-    x->motion.length = flk_pieces_length(x->a, x->branch);
+    x->motion.has_loads = x->a->course.actual != NULL;
+    x->motion.length = flk_course_length(&x->a->course, x->branch);
     skip_periods(x);
     x->from = x->a->d->motion.from;
-    x->end = flk_pieces_end(x->a, x->branch);
+    x->end = flk_course_end(&x->a->course, x->branch);
     x->per_rad = (x->end < x->from ? -1 : 1) / x->a->d->motion.angle_unit;
     if (x->a->d->drive.by_time) {
         x->from = 0;
@@ -176,7 +176,7 @@ void flk_search_track(const flk_search *x, flk_tracked *t, const flk_column *c)
     t->known[0] = GSL_NEGINF;
     t->known[1] = GSL_POSINF;
     t->bound = flk_column_bound(c);
-    t->close = x->a->actual ? CLOSE_TURNS : FLK_SEARCH_CLOSE;
+    t->close = x->a->course.actual ? CLOSE_TURNS : FLK_SEARCH_CLOSE;
     t->is_noise = (flk_column_flags(c) & FOURLINK_OF_ROUNDING) != 0;
 }
 
@@ -412,8 +412,9 @@ int flk_search_is_beaten(const flk_search *x, const flk_tracked *t, int which, d
     const flk_found *best = &t->best[which];
     double here = flk_search_signed(which, value);
 
-    return x->a->actual && (flk_search_signed(which, t->known[which]) > here ||
-                            (best->is_there && flk_search_signed(which, best->value) > here));
+    return x->a->course.actual &&
+           (flk_search_signed(which, t->known[which]) > here ||
+            (best->is_there && flk_search_signed(which, best->value) > here));
 }
 
 void flk_search_commit(flk_tracked *t, double shift)

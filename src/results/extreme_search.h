@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "column.h"
-#include "motion_pieces.h"
+#include "motion/pieces.h"
 #include "polynomial.h"
 
 #define FLK_SEARCH_MOST_SAMPLES 2000 /* of a stretch */

@@ -315,7 +315,7 @@ static void tell_limits(teller *t)
 /* Why the actual motion ends early, or FOURLINK_OK. */
 static int end_of_motion(flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
 
     return f ? f->status : FOURLINK_OK;
 }
@@ -339,7 +339,7 @@ static int is_of_motion(const deck *d, int i)
 
 int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
     int i = find(name), status;
 
     if (!f || i == FACT_COUNT || !is_of_motion(a->d, i))
@@ -403,7 +403,8 @@ static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk
 static void tell_turning(teller *t, flk_analysis *a)
 {
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
-    const flk_actual_facts *actual = flk_actual_facts_of(a->actual, (fourlink_branch)t->branch);
+    const flk_actual_facts *actual =
+        flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
 
     if (!m)
         return;
@@ -429,7 +430,7 @@ static void tell_if(teller *t, fact_code code, double si)
 
 static void tell_actual(teller *t, flk_analysis *a)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->actual, (fourlink_branch)t->branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
 
     if (!f)
         return;

@@ -5,7 +5,7 @@
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
 ** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion_pieces.c) is integrated by GSL's Gauss-Kronrod rule over the parameter s of extreme_samples.c, in
+** (motion/pieces.c) is integrated by GSL's Gauss-Kronrod rule over the parameter s of extreme_samples.c, in
 ** which a root at its end is smooth: at a dead position a velocity grows as 1 / sqrt(distance) and has a mean.
 ** A part in which the rule is not exact is halved.  Where that does not end, the integral is infinite.
 */
@@ -244,7 +244,7 @@ static void integrate_motion(means *m)
             count_skipped(m);
     }
     /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
-    if (has_gap && m->t.turn > 0 && flk_analysis_is_periodic(x->a) &&
+    if (has_gap && m->t.turn > 0 && flk_course_is_periodic(&x->a->course) &&
         !gsl_isnan(m->t.first + m->t.last))
         shift(&m->here, flk_search_turns(&m->t, m->t.last, m->t.first));
     add(&m->total, &m->here);
@@ -285,7 +285,7 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
 {
     means m;
 
-    if (flk_analysis_stops(a, branch))
+    if (flk_course_stops(&a->course, branch))
         return FOURLINK_TOO_LONG;
     start(&m, a, c, branch, statistic);
     if (m.x.motion.length <= 0)

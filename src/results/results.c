@@ -444,7 +444,7 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    if (i >= r->a.range.n_rows)
+    if (i >= r->a.course.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->a, needs_of(r, values, instant, loads), branch, i, &row);
     return give_row(r, &row, values, instant, loads);
@@ -460,7 +460,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    if (!flk_analysis_find_angle(&r->a, angle, &at))
+    if (!flk_course_find_angle(&r->a.course, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->a, needs_of(r, values, instant, loads), branch, at, &row);
     return give_row(r, &row, values, instant, loads);
@@ -475,7 +475,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
     double at;
     flk_row row;
 
-    if (!flk_analysis_find_angle(&r->a, angle, &at))
+    if (!flk_course_find_angle(&r->a.course, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
     flk_list_column(&r->d, c, &v);
@@ -532,8 +532,8 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    actual = flk_actual_facts_of(r->a.actual, branch);
-    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : flk_analysis_end(&r->a);
+    actual = flk_actual_facts_of(r->a.course.actual, branch);
+    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : r->a.course.end;
     return actual ? actual->status : FOURLINK_OK;
 }
 

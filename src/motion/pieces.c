@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** motion_pieces.c - the motion of a deck in pieces within which all columns are smooth.
+** pieces.c - the motion of a deck in pieces within which all columns are smooth.
 **
 ** A piece ends where a load's curve or window has a corner, at dead positions and change points, where links
 ** lie in one line or nearly so, where a run-up ends, and where the crank is at rest.
@@ -9,57 +9,45 @@
 
 #include <gsl/gsl_math.h>
 
-#include "motion_pieces.h"
+#include "pieces.h"
 
 #define SHORT 0.5 /* rad, of a piece of rows by time */
 
-static double direction(const flk_analysis *a)
+static double direction(const flk_course *course)
 {
-    return flk_analysis_end(a) < a->d->motion.from ? -1 : 1;
+    return course->end < course->d->motion.from ? -1 : 1;
 }
 
-static double whole_length(const flk_analysis *a)
+static double whole_length(const flk_course *course)
 {
-    return fabs(flk_analysis_end(a) - a->d->motion.from) * a->d->motion.angle_unit;
-}
-
-double flk_pieces_length(const flk_analysis *a, fourlink_branch branch)
-{
-    return a->actual ? flk_actual_length(a->actual, branch) : whole_length(a);
-}
-
-double flk_pieces_end(const flk_analysis *a, fourlink_branch branch)
-{
-    if (a->d->drive.by_time)
-        return flk_actual_time(a->actual, branch);
-    return flk_pieces_length(a, branch) < whole_length(a)
-               ? flk_actual_facts_of(a->actual, branch)->end_angle
-               : flk_analysis_end(a);
+    return fabs(course->end - course->d->motion.from) * course->d->motion.angle_unit;
 }
 
 /* How the crank starts or ends: at rest it speeds up as the root of the angle. */
-static flk_piece_end end_of_motion(const flk_analysis *a, double angle)
+static flk_piece_end end_of_motion(const flk_course *course, double angle)
 {
     fourlink_row row;
 
-    fourlink_motion_at(&a->d->motion, angle, &row);
-    return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !a->d->motion.hold ? FLK_END_ROOT
-                                                                                : FLK_END_PLAIN;
+    fourlink_motion_at(&course->d->motion, angle, &row);
+    return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !course->d->motion.hold
+               ? FLK_END_ROOT
+               : FLK_END_PLAIN;
 }
 
-static flk_piece_end beginning(const flk_analysis *a)
+static flk_piece_end beginning(const flk_course *course)
 {
-    if (a->actual)
-        return flk_actual_from_rest(a->d) ? FLK_END_ROOT : FLK_END_PLAIN;
-    return end_of_motion(a, a->d->motion.from);
+    if (course->actual)
+        return flk_actual_from_rest(course->d) ? FLK_END_ROOT : FLK_END_PLAIN;
+    return end_of_motion(course, course->d->motion.from);
 }
 
 /* The end at a length; an actual motion that is shorter than its rows stalls. */
-static flk_piece_end ending(const flk_analysis *a, double length)
+static flk_piece_end ending(const flk_course *course, double length)
 {
-    if (a->actual)
-        return length < whole_length(a) && !flk_analysis_repeats(a) ? FLK_END_ROOT : FLK_END_PLAIN;
-    return end_of_motion(a, flk_analysis_end(a));
+    if (course->actual)
+        return length < whole_length(course) && !flk_course_repeats(course) ? FLK_END_ROOT
+                                                                            : FLK_END_PLAIN;
+    return end_of_motion(course, course->end);
 }
 
 /* An end of the motion at a position that has an end of its own. */
@@ -74,26 +62,27 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 static double speed_at(void *host, double passed)
 {
     const flk_pieces *x = host;
-    double angle = x->a->d->motion.from + direction(x->a) * passed / x->a->d->motion.angle_unit;
+    double angle =
+        x->course->d->motion.from + direction(x->course) * passed / x->course->d->motion.angle_unit;
     flk_actual_row actual;
     fourlink_row row;
 
-    if (x->a->actual)
-        return flk_actual_at(x->a->actual, x->branch, angle, &actual) == FOURLINK_OK
+    if (x->course->actual)
+        return flk_actual_at(x->course->actual, x->branch, angle, &actual) == FOURLINK_OK
                    ? actual.crank.omega2
                    : GSL_NAN;
-    fourlink_motion_at(&x->a->d->motion, angle, &row);
+    fourlink_motion_at(&x->course->d->motion, angle, &row);
     return row.crank.omega2;
 }
 
 static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
 {
-    const fourlink_motion *motion = &x->a->d->motion;
+    const fourlink_motion *motion = &x->course->d->motion;
 
-    p->corners = x->a->corners;
+    p->corners = x->course->corners;
     p->branch = x->branch;
     p->from = motion->from * motion->angle_unit;
-    p->sense = direction(x->a);
+    p->sense = direction(x->course);
     p->has_loads = has_loads;
     p->speed = speed_at;
     p->host = (void *)x;
@@ -102,7 +91,7 @@ static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
 /* The next end behind `after`; without those of loads that of columns of the motion alone. */
 static double next_end(const flk_pieces *x, double after, int has_loads, flk_piece_end *end)
 {
-    const fourlink_motion *motion = &x->a->d->motion;
+    const fourlink_motion *motion = &x->course->d->motion;
     double more[2], at;
     flk_passage p;
 
@@ -114,7 +103,7 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
         return at;
     if (at > x->length + FLK_CORNERS_CLOSE(x->length))
         *end = FLK_END_PLAIN;
-    *end = join(ending(x->a, x->length), *end);
+    *end = join(ending(x->course, x->length), *end);
     return x->length;
 }
 
@@ -124,7 +113,7 @@ static flk_piece_end first_end(const flk_pieces *x)
     flk_passage p;
 
     find_passage(x, 0, &p);
-    return join(beginning(x->a), flk_corners_first(&p));
+    return join(beginning(x->course), flk_corners_first(&p));
 }
 
 /* Rows by time: corners are not known, so pieces are short. */
@@ -142,14 +131,14 @@ int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 
     if (!(piece->to < x->length))
         return 0;
-    if (x->a->d->drive.by_time)
+    if (x->course->d->drive.by_time)
         return next_by_time(x->length, piece);
     piece->begin = piece->to > 0 ? piece->end : first_end(x);
     piece->from = piece->to;
     piece->to = next_end(x, piece->from, x->has_loads, &piece->end);
     if (piece->from >= piece->motion_to - FLK_CORNERS_CLOSE(x->length)) {
         piece->motion_from = piece->from;
-        piece->motion_to = next_end(x, piece->from, x->a->actual && x->has_loads, &end);
+        piece->motion_to = next_end(x, piece->from, x->course->actual && x->has_loads, &end);
     }
     return 1;
 }

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** motion_pieces.h - the motion of a deck in pieces within which all columns are smooth.
+** pieces.h - the motion of a deck in pieces within which all columns are smooth.
 */
-#ifndef FOURLINK_MOTION_PIECES_H
-#define FOURLINK_MOTION_PIECES_H
+#ifndef FOURLINK_PIECES_H
+#define FOURLINK_PIECES_H
 
-#include "analysis.h"
-#include "motion/corners.h"
+#include "course.h"
 
 /* A piece, by the crank angle that the motion has passed since its first row, rad. */
 typedef struct flk_piece {
@@ -17,17 +16,12 @@ typedef struct flk_piece {
 
 /* The motion of a branch, to be gone through piece by piece. */
 typedef struct flk_pieces {
-    const flk_analysis *a;
+    const flk_course *course;
     fourlink_branch branch;
     int has_loads; /* 1: columns of loads are to be smooth too */
     double length; /* rad; another than that of the motion leaves whole periods out, */
     double period; /* rad, and a piece ends after the first of them */
 } flk_pieces;
-
-/* The length of a deck's motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
-** the time, s. */
-double flk_pieces_length(const flk_analysis *a, fourlink_branch branch);
-double flk_pieces_end(const flk_analysis *a, fourlink_branch branch);
 
 /* Go on to the piece behind this one; 0 at the end.  Begin with a piece of 0 to 0. */
 int flk_pieces_next(const flk_pieces *pieces, flk_piece *piece);
