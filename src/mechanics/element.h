@@ -37,13 +37,16 @@ typedef struct flk_switch flk_switch;
 /* A sort of elements.
 **
 ** act       sets the element's loads for a state and adds to its force on the frame: a status
-** switches  lists where it is not smooth (switch.h): their number; null: it is smooth */
+** switches  lists where it is not smooth (switch.h): their number; null: it is smooth
+** switching what changes its sign where it begins or ends to act; null: it always acts */
 typedef struct flk_sort {
     int code; /* FOURLINK_LOAD_OWN ... */
     int (*act)(const flk_element *element, const struct flk_machine *machine,
                const fourlink_state *state, fourlink_load *load, flk_acting *acting);
     size_t (*switches)(const flk_element *element, const struct flk_machine *machine,
                        flk_switch *list);
+    double (*switching)(const flk_element *element, const struct flk_machine *machine,
+                        const fourlink_state *state);
 } flk_sort;
 
 extern const flk_sort flk_own_sort, flk_spring_sort, flk_gas_sort;

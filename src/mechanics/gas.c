@@ -66,7 +66,7 @@ static size_t list_switches(const flk_element *element, const flk_machine *machi
     return flk_switch_of_curve(&gas->indicator, FLK_THETA2, list);
 }
 
-const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act, list_switches};
+const flk_sort flk_gas_sort = {FOURLINK_LOAD_GAS, act, list_switches, NULL};
 
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element)
 {

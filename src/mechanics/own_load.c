@@ -87,7 +87,7 @@ static size_t list_switches(const flk_element *element, const flk_machine *machi
     return n;
 }
 
-const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act, list_switches};
+const flk_sort flk_own_sort = {FOURLINK_LOAD_OWN, act, list_switches, NULL};
 
 void flk_element_of_own(flk_own_load *own, flk_element *element)
 {

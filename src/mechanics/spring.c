@@ -224,7 +224,7 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act, NULL};
+const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act, NULL, NULL};
 
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element)
 {

@@ -13,6 +13,7 @@ size_t flk_switch_of_curve(const curve *c, flk_variable over, flk_switch *s)
 {
     s->of = over;
     s->joint = 0;
+    s->element = NULL;
     s->period = c->period;
     s->level = c->x;
     s->n = c->n;
@@ -23,9 +24,17 @@ size_t flk_switch_at_zero(flk_variable of, flk_switch *s)
 {
     s->of = of;
     s->joint = 0;
+    s->element = NULL;
     s->period = 0;
     s->level = &zero;
     s->n = 1;
+    return 1;
+}
+
+size_t flk_switch_of_element(const flk_element *element, flk_switch *s)
+{
+    flk_switch_at_zero(FLK_X, s);
+    s->element = element;
     return 1;
 }
 
@@ -74,6 +83,8 @@ double flk_switch_value(const flk_machine *m, const flk_switch *s, const fourlin
 {
     const flk_kind *kind = flk_kind_of(m->mechanism.design.kind);
 
+    if (s->element)
+        return s->element->sort->switching(s->element, m, state);
     return s->joint ? flk_friction_speed(&m->mechanism, state, &kind->joint[s->joint])
                     : flk_variable_value(state, s->of);
 }

@@ -12,8 +12,9 @@
 struct flk_switch {
     flk_variable of;
     int joint; /* 1 to 3: of no variable, but of the relative speed in joint B, C or D; else 0 */
-    double period;       /* rad: of theta2 the cycle, of theta4 a turn; 0: it has none */
-    const double *level; /* rising, within one period */
+    double period;              /* rad: of theta2 the cycle, of theta4 a turn; 0: it has none */
+    const flk_element *element; /* of none, but of this element\'s `switching`; else null */
+    const double *level;        /* rising, within one period */
     size_t n;
 };
 
@@ -23,6 +24,7 @@ size_t flk_switch_list(const flk_machine *machine, flk_switch *list);
 /* The switch of a curve, the points; 0 if there is none.  That of the only level 0. */
 size_t flk_switch_of_curve(const curve *c, flk_variable over, flk_switch *s);
 size_t flk_switch_at_zero(flk_variable of, flk_switch *s);
+size_t flk_switch_of_element(const flk_element *element, flk_switch *s);
 
 /* 1 if the levels are passed at the same crank angles whatever the speed. */
 int flk_switch_is_of_position(const flk_switch *s);
