@@ -186,6 +186,7 @@ module fourlink
 
   ! Friction, springs, counterweights.
   integer(c_int), parameter :: fourlink_friction_loads = 6
+  integer(c_int), parameter :: fourlink_pushes = 1, fourlink_pulls = 2
 
   type, bind(c) :: fourlink_friction
     real(c_double) :: circle(4) = 0, guide = 0, guide_length = 0
@@ -202,6 +203,7 @@ module fourlink
     integer(c_int) :: link = 0, to = 0, is_torsional = 0
     type(fourlink_vector) :: at, to_at
     real(c_double) :: stiffness = 0, free_length = 0, preload = 0, damping = 0, turns(2) = 0
+    integer(c_int) :: only = 0
   end type fourlink_spring
 
   type, bind(c) :: fourlink_spring_state

@@ -316,7 +316,11 @@ typedef struct fourlink_spring {
     double damping;            /* N s/m, N m s/rad; >= 0 */
     double
         turns[2]; /* rad, open and crossed: torsional, whole turns, from fourlink_spring_prepare */
+    int only;     /* FOURLINK_PUSHES: a buffer, which acts only below its free length or angle;
+                     FOURLINK_PULLS: a rope, only above it; 0: it acts always */
 } fourlink_spring;
+
+enum { FOURLINK_PUSHES = 1, FOURLINK_PULLS = 2 };
 
 /* A spring at one crank position. */
 typedef struct fourlink_spring_state {

@@ -119,7 +119,8 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
                   *damping = flk_setting_of(use, KEY_SPRING_DAMPING),
                   *preload = flk_setting_of(use, KEY_SPRING_PRELOAD),
                   *free_length = flk_setting_of(use, KEY_SPRING_FREE_LENGTH),
-                  *free_angle = flk_setting_of(use, KEY_SPRING_FREE_ANGLE);
+                  *free_angle = flk_setting_of(use, KEY_SPRING_FREE_ANGLE),
+                  *only = flk_setting_of(use, KEY_SPRING_ONLY);
     fourlink_spring *s = flk_reader_keep(p, sizeof *s);
     int i;
 
@@ -140,6 +141,10 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
     s->free_length = s->is_torsional ? free_angle->si[0] : free_length->si[0];
     s->preload = preload->si[0];
     s->damping = damping->si[0];
+    s->only = only->word;
+    if (s->only == FOURLINK_PUSHES && !s->is_torsional && !IS_SET(free_length) && !use->has_unknown)
+        flk_mistake(p->mistakes, only->place,
+                    "a spring that only pushes needs a free_length, below which it acts");
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < FLK_ELEMENT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[s->is_torsional][i]);

@@ -68,6 +68,8 @@ const key_info flk_key_table[] = {KEY_LIST(KEY_INFO)};
     LINK_WORDS(X, SPRING_LINK)                                                \
     X(SPRING_TO, "ground", FOURLINK_GROUND)                                   \
     LINK_WORDS(X, SPRING_TO)                                                  \
+    X(SPRING_ONLY, "pushes", FOURLINK_PUSHES)                                 \
+    X(SPRING_ONLY, "pulls", FOURLINK_PULLS)                                   \
     X(FRICTION_DIRECTION, "forward", 1)                                       \
     X(FRICTION_DIRECTION, "backward", -1)                                     \
     YES_WORDS(X, BALANCE_CRANK)                                               \

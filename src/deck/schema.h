@@ -167,6 +167,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(SPRING, FREE_ANGLE, "free_angle", QUANTITY, ANGLE, ANY, ANY_KIND)                            \
     X(SPRING, PRELOAD, "preload", EITHER, FORCE, ANY, ANY_KIND)                                    \
     X(SPRING, DAMPING, "damping", EITHER, DAMPING, NOT_NEGATIVE, ANY_KIND)                         \
+    X(SPRING, ONLY, "only", WORD, NUMBER, ANY, ANY_KIND)                                           \
     X(FRICTION, A, "A", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, B, "B", QUANTITY, NUMBER, NOT_NEGATIVE, ANY_KIND)                                  \
     X(FRICTION, C, "C", QUANTITY, NUMBER, NOT_NEGATIVE, FOURLINK_FOUR_BAR | FOURLINK_SLIDER_CRANK) \

@@ -10,7 +10,7 @@
 **
 **    T = T0 + k (phi - phi0) + c dphi/dt,   -T on i,   T on j
 **
-** The energy is k s^2 / 2 + T0 s, s = L - L0 or phi - phi0.
+** The energy is k s^2 / 2 + T0 s, s = L - L0 or phi - phi0.  A buffer acts only where s < 0, a rope only where s > 0.
 */
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,7 @@
 #include <gsl/gsl_math.h>
 
 #include "kind.h"
-#include "machine.h"
+#include "switch.h"
 
 /* An end of a spring: position and velocity. */
 static void find_end(const fourlink_state *state, int link, const fourlink_vector *at,
@@ -52,36 +52,6 @@ static void add_load(int link, const fourlink_vector *at, double Fx, double Fy, 
     s->n_loads++;
 }
 
-static int linear_at(const fourlink_state *state, const fourlink_spring *spring,
-                     fourlink_spring_state *s)
-{
-    fourlink_vector P, Q, v_P, v_Q, e, zero = {0, 0};
-    double k = spring->stiffness, beyond;
-
-    find_end(state, spring->link, &spring->at, &P, &v_P);
-    find_end(state, spring->to, &spring->to_at, &Q, &v_Q);
-    e.x = Q.x - P.x;
-    e.y = Q.y - P.y;
-    s->length = gsl_hypot(e.x, e.y);
-    if (s->length > 0) {
-        e.x /= s->length;
-        e.y /= s->length;
-    } else {
-        if (spring->preload != 0 || (spring->free_length != 0 && k != 0) || spring->damping != 0)
-            return FOURLINK_NO_DIRECTION;
-        e = zero;
-    }
-    v_Q.x -= v_P.x;
-    v_Q.y -= v_P.y;
-    beyond = s->length - spring->free_length;
-    s->rate = FLK_DOT(e, v_Q);
-    s->force = spring->preload + k * beyond + spring->damping * s->rate;
-    s->energy = 0.5 * k * beyond * beyond + spring->preload * beyond;
-    add_load(spring->link, &spring->at, s->force * e.x, s->force * e.y, 0, s);
-    add_load(spring->to, &spring->to_at, -s->force * e.x, -s->force * e.y, 0, s);
-    return FOURLINK_OK;
-}
-
 static double omega_of(const fourlink_state *state, int link)
 {
     return link == FOURLINK_GROUND ? 0 : state->link[link].omega;
@@ -94,20 +64,90 @@ static double angle_between(const fourlink_mechanism *mechanism, const fourlink_
            flk_turns_angle(mechanism, state, spring->to);
 }
 
+/* s, the length or angle less the free one. */
+static double beyond(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     const fourlink_spring *spring)
+{
+    fourlink_vector P, Q, v;
+
+    if (spring->is_torsional)
+        return angle_between(mechanism, state, spring) +
+               spring->turns[state->branch == FOURLINK_OPEN ? 0 : 1] - spring->free_length;
+    find_end(state, spring->link, &spring->at, &P, &v);
+    find_end(state, spring->to, &spring->to_at, &Q, &v);
+    return gsl_hypot(Q.x - P.x, Q.y - P.y) - spring->free_length;
+}
+
+/* 1 if a buffer or a rope does not act. */
+static int is_slack(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                    const fourlink_spring *spring)
+{
+    return spring->only == FOURLINK_PUSHES  ? !(beyond(mechanism, state, spring) < 0)
+           : spring->only == FOURLINK_PULLS ? !(beyond(mechanism, state, spring) > 0)
+                                            : 0;
+}
+
+static int linear_at(const fourlink_state *state, const fourlink_spring *spring, int slack,
+                     fourlink_spring_state *s)
+{
+    fourlink_vector P, Q, v_P, v_Q, e, zero = {0, 0};
+    double k = spring->stiffness, past;
+
+    find_end(state, spring->link, &spring->at, &P, &v_P);
+    find_end(state, spring->to, &spring->to_at, &Q, &v_Q);
+    e.x = Q.x - P.x;
+    e.y = Q.y - P.y;
+    s->length = gsl_hypot(e.x, e.y);
+    if (s->length > 0) {
+        e.x /= s->length;
+        e.y /= s->length;
+    } else {
+        if (!slack &&
+            (spring->preload != 0 || (spring->free_length != 0 && k != 0) || spring->damping != 0))
+            return FOURLINK_NO_DIRECTION;
+        e = zero;
+    }
+    v_Q.x -= v_P.x;
+    v_Q.y -= v_P.y;
+    past = s->length - spring->free_length;
+    s->rate = FLK_DOT(e, v_Q);
+    s->force = slack ? 0 : spring->preload + k * past + spring->damping * s->rate;
+    s->energy = slack ? 0 : 0.5 * k * past * past + spring->preload * past;
+    add_load(spring->link, &spring->at, s->force * e.x, s->force * e.y, 0, s);
+    add_load(spring->to, &spring->to_at, -s->force * e.x, -s->force * e.y, 0, s);
+    return FOURLINK_OK;
+}
+
 static void torsional_at(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                         const fourlink_spring *spring, fourlink_spring_state *s)
+                         const fourlink_spring *spring, int slack, fourlink_spring_state *s)
 {
     fourlink_vector zero = {0, 0};
-    double beyond;
+    double past;
 
     s->length = angle_between(mechanism, state, spring) +
                 spring->turns[state->branch == FOURLINK_OPEN ? 0 : 1];
-    beyond = s->length - spring->free_length;
+    past = s->length - spring->free_length;
     s->rate = omega_of(state, spring->link) - omega_of(state, spring->to);
-    s->force = spring->preload + spring->stiffness * beyond + spring->damping * s->rate;
-    s->energy = 0.5 * spring->stiffness * beyond * beyond + spring->preload * beyond;
+    s->force = slack ? 0 : spring->preload + spring->stiffness * past + spring->damping * s->rate;
+    s->energy = slack ? 0 : 0.5 * spring->stiffness * past * past + spring->preload * past;
     add_load(spring->link, &zero, 0, 0, -s->force, s);
     add_load(spring->to, &zero, 0, 0, s->force, s);
+}
+
+/* In a state, within the cell of another. */
+static int spring_in(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                     const fourlink_state *held, const fourlink_spring *spring,
+                     fourlink_spring_state *at)
+{
+    int slack = is_slack(mechanism, held, spring), status = FOURLINK_OK;
+
+    memset(at, 0, sizeof *at);
+    if (spring->is_torsional)
+        torsional_at(mechanism, state, spring, slack, at);
+    else
+        status = linear_at(state, spring, slack, at);
+    at->power = -at->force * at->rate;
+    return status;
 }
 
 int fourlink_spring_at(const fourlink_mechanism *mechanism, const fourlink_state *state,
@@ -117,20 +157,11 @@ int fourlink_spring_at(const fourlink_mechanism *mechanism, const fourlink_state
     fourlink_spring_state s;
     int status = flk_kind_find(mechanism, at, &kind);
 
-    if (status != FOURLINK_OK)
-        return status;
-    if (!state || !spring)
-        return FOURLINK_NULL;
-    memset(&s, 0, sizeof s);
-    if (spring->is_torsional)
-        torsional_at(mechanism, state, spring, &s);
-    else
-        status = linear_at(state, spring, &s);
-    if (status != FOURLINK_OK)
-        return status;
-    s.power = -s.force * s.rate;
-    *at = s;
-    return FOURLINK_OK;
+    if (status == FOURLINK_OK)
+        status = state && spring ? spring_in(mechanism, state, state, spring, &s) : FOURLINK_NULL;
+    if (status == FOURLINK_OK)
+        *at = s;
+    return status;
 }
 
 static const fourlink_branch branches[2] = {FOURLINK_OPEN, FOURLINK_CROSSED};
@@ -147,7 +178,10 @@ static int check_spring(const fourlink_spring *spring)
         !FLK_WITHIN(spring->preload, FOURLINK_NUMBER_MAX) ||
         !FLK_WITHIN(spring->damping, FOURLINK_NUMBER_MAX))
         return FOURLINK_BAD_NUMBER;
-    return spring->link == spring->to || spring->damping < 0 ? FOURLINK_BAD_SPRING : FOURLINK_OK;
+    return spring->link == spring->to || spring->damping < 0 || spring->only < 0 ||
+                   spring->only > FOURLINK_PULLS
+               ? FOURLINK_BAD_SPRING
+               : FOURLINK_OK;
 }
 
 #define BESIDE \
@@ -212,7 +246,8 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
                fourlink_load *load, flk_acting *acting)
 {
     fourlink_spring_state at;
-    int status = fourlink_spring_at(&machine->mechanism, state, element->data, &at), i;
+    const fourlink_state *held = acting->held ? acting->held : state;
+    int status = spring_in(&machine->mechanism, state, held, element->data, &at), i;
 
     if (status != FOURLINK_OK)
         return status;
@@ -224,7 +259,22 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act, NULL, NULL};
+static double switching(const flk_element *element, const flk_machine *machine,
+                        const fourlink_state *state)
+{
+    return beyond(&machine->mechanism, state, element->data);
+}
+
+static size_t list_switches(const flk_element *element, const flk_machine *machine,
+                            flk_switch *list)
+{
+    const fourlink_spring *spring = element->data;
+
+    (void)machine;
+    return spring->only ? flk_switch_of_element(element, list) : 0;
+}
+
+const flk_sort flk_spring_sort = {FOURLINK_LOAD_SPRING, act, list_switches, switching};
 
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element)
 {

@@ -13,7 +13,7 @@ struct flk_switch {
     flk_variable of;
     int joint; /* 1 to 3: of no variable, but of the relative speed in joint B, C or D; else 0 */
     double period;              /* rad: of theta2 the cycle, of theta4 a turn; 0: it has none */
-    const flk_element *element; /* of none, but of this element\'s `switching`; else null */
+    const flk_element *element; /* of none, but of this element's `switching`; else null */
     const double *level;        /* rising, within one period */
     size_t n;
 };

@@ -252,6 +252,9 @@ static void tell_spring(teller *t, const flk_element *element)
             "at the free length or angle");
     tell_if(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING, s->damping,
             "damping");
+    if (s->only)
+        tell_words(t, "only", s->only == FOURLINK_PUSHES ? "pushes" : "pulls",
+                   "when it acts: below its free length or angle, or above it");
 }
 
 static void tell_friction(teller *t)

@@ -303,6 +303,9 @@ TEST(test_bad)
     k.link = 0;
     assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_LINK);
     k = good;
+    k.only = 3;
+    assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_SPRING);
+    k = good;
     k.damping = -1;
     assert_int_equal(fourlink_spring_prepare(&s.mechanism, &k), FOURLINK_BAD_SPRING);
     numbers[0] = &k.at.x;
@@ -326,6 +329,43 @@ TEST(test_bad)
     assert_int_equal(fourlink_spring_at(&s.mechanism, NULL, &good, &at), FOURLINK_NULL);
     assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, NULL, &at), FOURLINK_NULL);
     assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &good, NULL), FOURLINK_NULL);
+}
+
+/* Of a buffer and a rope that are otherwise a spring one acts, with all that the spring does, on its side of the free
+** length. */
+TEST(test_buffer_and_rope)
+{
+    uint64_t seed = 11;
+    int n[2] = {0, 0}, tried = 0, i, k;
+
+    while (n[0] < 100 || n[1] < 100) {
+        fourlink_spring springs[3];
+        sample s;
+
+        if (!draw(&seed, tried++, &s, springs))
+            continue;
+        for (i = 0; i < 3; i++) {
+            fourlink_spring_state all, one[2];
+
+            if (fourlink_spring_at(&s.mechanism, &s.state, &springs[i], &all) != FOURLINK_OK)
+                continue;
+            for (k = 0; k < 2; k++) {
+                fourlink_spring single = springs[i];
+
+                single.only = k ? FOURLINK_PULLS : FOURLINK_PUSHES;
+                assert_int_equal(fourlink_spring_at(&s.mechanism, &s.state, &single, &one[k]),
+                                 FOURLINK_OK);
+                assert_true(one[k].length == all.length && one[k].rate == all.rate);
+                assert_true(one[k].n_loads == all.n_loads);
+            }
+            k = all.length > springs[i].free_length;
+            n[k]++;
+            assert_memory_equal(&one[k], &all, sizeof all);
+            assert_true(one[!k].force == 0 && one[!k].energy == 0 && one[!k].power == 0);
+            assert_true(one[!k].ground.x == 0 && one[!k].ground_moment == 0);
+            assert_true(one[!k].load[0].torque == 0 && one[!k].load[0].force.x == 0);
+        }
+    }
 }
 
 int main(void)

@@ -233,6 +233,25 @@ check 'at rest all is static' awk -F, '{d = $2 - $3; e = $2 - $4; if (d * d + e 
 check 'loads and inertia separately make the whole' close whole sum
 
 # A torsional spring that is wound up is another in each of three turns: its means, by integrals of
+# A buffer and a rope with the same numbers are together the spring, in rows, extremes, the turning moment, and in a motion
+# that follows from them and swings back.
+slide='link = piston\nto = ground\nto_at = (300, 0) mm\nstiffness = 5000 N/m\nfree_length = 90 mm\ndamping = 3 N s/m\n'
+rod='[crank]\nlength = 50 mm\nmass = 1 kg\nuniform = yes\n[rod]\nlength = 200 mm\nmass = 0.5 kg\nuniform = yes\n[piston]\nmass = 2 kg\n'
+for motion in 'speed = 10 rad/s\ninterval = 7 deg\n' 'mode = free\nspeed = 10 rad/s\nrows = time\ntime_step = 7 ms\nduration = 0.4 s\n'; do
+    { printf "mechanism = slider-crank\n${rod}[motion]\n$motion"; printf "[spring S]\n$slide"; } >spring.deck
+    { cat spring.deck; printf "only = pushes\n[spring R]\n${slide}only = pulls\n"; } >buffer.deck
+    for deck in spring buffer; do
+        "$fourlink" -b open -f csv -c theta2,omega2,alpha2,Ts,F12x,F34x,Fsx,Ms $deck.deck >$deck.rows 2>err
+        "$fourlink" -b open -f csv -S -c theta2,omega2,alpha2,Ts,F12x,F34x,Fsx,Ms $deck.deck 2>err |
+            awk -F, '/^(max|min|mean|energy)/ && $1 !~ /Ts/ {print $1 "," $2}' >$deck.facts
+    done
+    check "rows with a buffer and a rope, ${motion%%\\n*}" close spring.rows buffer.rows
+    check "facts with them" close spring.facts buffer.facts
+    check 'each has its turn' sh -c "'$fourlink' -b open -f csv -c S.force,R.force buffer.deck | awk -F, 'NR > 1 && \$2 < 0 {a++; if (\$3 != 0) bad++} NR > 1 && \$3 > 1 {b++} END {exit bad || a < 5 || b < 5}'"
+done
+mistake '[spring]\nlink = rocker\nto = ground\nat = (1, 0) mm\nto_at = (0, 1) mm\nstiffness = 1 N/m\nonly = pushes\n' \
+    '<stdin>:19: error: a spring that only pushes needs a free_length, below which it acts'
+
 # T = k phi and k phi^2 / 2 over phi = theta2 - 180 deg, from -350 to 730 deg.
 cat >wound.deck <<'END'
 mechanism = slider-crank
