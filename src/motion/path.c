@@ -318,13 +318,17 @@ static double acceleration_at(const flk_path *p, const flk_node *node)
 /* Hold the piece of the motor's curve into which the speed goes. */
 static void hold_speed(flk_path *p, const flk_node *node, cell *c)
 {
+    const fourlink_motor *motor = &p->equation.machine.motor;
     flk_acting *acting = p->equation.acting;
     double speed = p->equation.sense * node->y[FLK_SPEED], alpha;
 
     acting->held_speed = speed;
+    flk_motor_piece(motor, speed, &c->slowest, &c->fastest);
+    if (!gsl_finite(c->slowest) && !gsl_finite(c->fastest))
+        return;
     alpha = p->equation.sense * acceleration_at(p, node);
     acting->held_speed += NUDGE * (fabs(speed) + GSL_DBL_MIN) * GSL_SIGN(alpha);
-    flk_motor_piece(&p->equation.machine.motor, acting->held_speed, &c->slowest, &c->fastest);
+    flk_motor_piece(motor, acting->held_speed, &c->slowest, &c->fastest);
 }
 
 /* Enter the cell into which the crank turns from a node. */

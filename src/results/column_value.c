@@ -10,7 +10,6 @@
 #include "column.h"
 #include "column_info.h"
 #include "mechanics/mechanics.h"
-#include "spring_column.h"
 
 static double number_at(const flk_row *row, size_t place)
 {
@@ -29,6 +28,18 @@ static double point_value(const flk_column *c, const flk_row *row)
     if (IS_SIZE_OF_POINT(c))
         return gsl_hypot(u[i - 5].x, u[i - 5].y) * c->scale;
     return (i % 2 == 0 ? u[i / 2].x : u[i / 2].y) * c->scale;
+}
+
+static double spring_value(const flk_column *c, const fourlink_state *state)
+{
+    fourlink_spring_state at;
+
+    if (fourlink_spring_at(c->mechanism, state, c->spring, &at) != FOURLINK_OK)
+        return GSL_NAN;
+    return c->component == 0   ? at.length
+           : c->component == 1 ? at.force
+           : c->component == 2 ? at.energy
+                               : at.power;
 }
 
 static int is_of_crank(const flk_column *c)
@@ -91,8 +102,7 @@ double flk_column_value(const flk_column *c, const flk_row *row)
     if (c->link)
         return point_value(c, row);
     if (c->spring)
-        return c->scale *
-               flk_spring_column_value(c->mechanism, c->spring, c->component, &row->at.state);
+        return c->scale * spring_value(c, &row->at.state);
     x = number_at(row, c->info->x);
     if (c->info->form <= POLAR_DIRECTION)
         return x * c->scale; /* nearly all columns */
