@@ -73,7 +73,7 @@ module fourlink
     fourlink_bad_friction = 46, &
     fourlink_bad_spring = 47, &
     fourlink_bad_balance = 48, &
-    fourlink_bad_motor = 49
+    fourlink_bad_motor = 49, fourlink_constant = 50
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -811,6 +811,19 @@ module fourlink
       type(fourlink_instant), intent(inout) :: instant
       type(fourlink_load), intent(inout) :: loads(*)
     end function fourlink_results_at
+
+    ! The name ends in c_null_char.
+    integer(c_int) function fourlink_results_crossings(results, column, branch, value, max, angles, n) &
+        bind(c)
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: column(*)
+      integer(c_int), value :: branch
+      real(c_double), value :: value
+      integer(c_long), value :: max
+      real(c_double), intent(inout) :: angles(*)
+      integer(c_long), intent(inout) :: n
+    end function fourlink_results_crossings
 
     ! The name ends in c_null_char.
     integer(c_int) function fourlink_results_value(results, name, branch, angle, value) bind(c)

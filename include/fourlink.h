@@ -109,7 +109,8 @@ extern "C" {
       "a spring is between a link and itself, or its damping is negative")                        \
     X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")                  \
     X(FOURLINK_BAD_MOTOR, 49,                                                                     \
-      "a motor has no such kind, no ratio, or a curve whose speeds do not rise")
+      "a motor has no such kind, no ratio, or a curve whose speeds do not rise")                  \
+    X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -1583,6 +1584,28 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch branch,
                                       unsigned long i, double *values, fourlink_instant *instant,
                                       fourlink_load *loads);
+
+/* The crank angles at which a column has a value, such as theta4 = 120 deg.
+**
+** Given:
+**    results    from fourlink_results_open; not with rows by time
+**    column     its name, as in a list of columns
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    value      in the column's unit; an angle also whole turns from it
+**    max        size of `angles`
+** Returned:
+**    angles     in the deck's unit of angle and the order of the motion; may be null if max is 0
+**    n          how many there are, which may exceed max
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_CONSTANT, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG; FOURLINK_NO_SUCH_NAME,
+**    FOURLINK_NO_SUCH_ANGLE (rows by time), FOURLINK_BAD_BRANCH, FOURLINK_BAD_NUMBER, FOURLINK_NULL
+** Note:
+**    A touch counts.  A jump over the value does not: at the edge of a load, through infinity, from
+**    180 to -180 deg.  Of a revolution that ends with its first row, that is not counted again.
+*/
+FOURLINK_API int fourlink_results_crossings(fourlink_results *results, const char *column,
+                                            fourlink_branch branch, double value, unsigned long max,
+                                            double *angles, unsigned long *n);
 
 /* The same at any crank angle of the motion.
 **

@@ -79,14 +79,14 @@ static void keep_mistake(input *in, const char *file, long at, const char *messa
         flk_message(in->refusal, sizeof in->refusal, "%s: %s", file, message);
 }
 
-/* The mistake in the crank angles of --at, or null. */
+/* The mistake in the list of --at, or null. */
 static const char *mistake_in_angles(const input *in, char message[400])
 {
     const char *list = in->o->at;
-    double angle;
+    at_item item;
     int status;
 
-    while ((status = expect_next_angle(in->results, &list, &angle, message)) == 1)
+    while ((status = at_next(in->results, &list, &item, message)) == 1)
         ;
     return status ? message : NULL;
 }

@@ -28,7 +28,8 @@ const char *const options_help[] = {
     "  -C, --check[=FILE]                compare with the [expect] values of the deck, or FILE,",
     "                                    or FOLDER/NAME.expect for NAME.deck",
     "      --expect                      print the values of the deck as answers for --check=FILE",
-    "      --at=ANGLE,ANGLE,...          crank angles of --expect, instead of the rows",
+    "      --at=ANGLE,COLUMN=VALUE,...   the rows at these crank angles, and where columns have",
+    "                                    these values, such as --at='theta4 = 120 deg'",
     "      --allow-files                 let a deck name files outside its folder",
     "  -m, --matrix                      print the nine equations, A x = b, for each row",
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
@@ -458,8 +459,9 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (o->n_contents > 1)
         return say(message, "use only one of --check, --expect, --summary, --matrix and --list", "",
                    "");
-    if (o->at && o->content != SHEET_EXPECT)
-        return say(message, "--at needs --expect", "", "");
+    if (o->at && ((o->content != SHEET_EXPECT && o->content != SHEET_ROWS) || o->report ||
+                  o->plot || o->plot_script || o->format == &paper_format))
+        return say(message, "--at chooses rows of a table, csv, json or --expect", "", "");
     if (o->content == SHEET_EXPECT && o->n_decks > 1)
         return say(message, "--expect takes one deck, not several", "", "");
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))

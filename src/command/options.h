@@ -6,6 +6,7 @@
 #define FOURLINK_OPTIONS_H
 
 #include "pictures/picture.h"
+#include "tables/at.h"
 #include "tables/sheet.h"
 
 typedef struct options {

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "pictures/picture.h"
 #include "report.h"
+#include "tables/at.h"
 #include "tables/sheet.h"
 
 #define BLANK_LINES 10 /* for the discussion */
@@ -95,9 +96,13 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
 {
     const char *list = r->request->at;
     char message[400];
+    at_item item;
 
-    if (expect_next_angle(r->results, &list, angle, message) != 1)
+    if (at_next(r->results, &list, &item, message) != 1)
         return refuse(mistake, "--plot-at", message);
+    if (item.column)
+        return refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg");
+    *angle = item.value;
     return !list || refuse(mistake, "--plot-at", "a report shows one position, not several");
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/quantity.h"
 #include "condition.h"
+#include "crossing.h"
 #include "expected.h"
 #include "fact.h"
 #include "hint.h"
@@ -464,6 +465,24 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->a, needs_of(r, values, instant, loads), branch, at, &row);
     return give_row(r, &row, values, instant, loads);
+}
+
+int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_branch branch,
+                               double value, unsigned long max, double *angles, unsigned long *n)
+{
+    flk_column c;
+
+    if (!r || !name || !n || (!angles && max))
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    if (!FLK_WITHIN(value, FOURLINK_NUMBER_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (!flk_column_find(&r->a, flk_text_of(name), &c))
+        return FOURLINK_NO_SUCH_NAME;
+    if (r->d.drive.by_time)
+        return FOURLINK_NO_SUCH_ANGLE;
+    return flk_crossings_find(&r->a, &c, branch, value, max, angles, n);
 }
 
 /* ------------------------------------------------------------------------------------------ by name */

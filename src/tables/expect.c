@@ -25,35 +25,6 @@ typedef struct style {
 #define SOUND 0.17
 #define SAMPLES 200
 
-int expect_next_angle(fourlink_results *results, const char **list, double *angle,
-                      char message[400])
-{
-    const fourlink_deck *deck = fourlink_results_deck(results);
-    text rest, item;
-    quantity_value value;
-    fourlink_unit own;
-    unit bare;
-
-    if (!*list)
-        return 0;
-    rest = flk_text_of(*list);
-    flk_text_split(&rest, ',', &item);
-    *list = rest.start;
-    item = flk_text_trim(item);
-    fourlink_deck_unit(deck, "angle", &own);
-    bare.up = own.up;
-    bare.down = own.down;
-    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
-    if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, message))
-        return -1;
-    *angle = flk_unit_from_si(value.si, bare);
-    if (fourlink_results_at(results, FOURLINK_OPEN, *angle, NULL, NULL, NULL) !=
-        FOURLINK_NO_SUCH_ANGLE)
-        return 1;
-    flk_message(message, 400, "the motion does not reach theta2 = %t", item);
-    return -1;
-}
-
 /* Not the crank angle, which is `at`; not the time, which an angle can have twice; not rounding. */
 static int is_asked(const fourlink_value *column)
 {
@@ -148,17 +119,11 @@ static void put_section(sheet *s, fourlink_branch branch, double angle, int stat
             put_value(s, &s->columns[j], &styles[j], s->values[j]);
 }
 
-static void write_angles(sheet *s, fourlink_branch branch)
+static void put_at(sheet *s, fourlink_branch branch, double angle)
 {
-    const char *list = s->at;
-    char message[400];
-    double angle;
-    int status;
+    int status = fourlink_results_at(s->results, branch, angle, s->values, NULL, NULL);
 
-    while (expect_next_angle(s->results, &list, &angle, message) == 1) {
-        status = fourlink_results_at(s->results, branch, angle, s->values, NULL, NULL);
-        put_section(s, branch, angle, status);
-    }
+    put_section(s, branch, angle, status);
 }
 
 /* A revolution at constant speed ends with its first row again. */
@@ -198,7 +163,7 @@ void expect_write(sheet *s)
              "%");
     for (i = 0; i < n; i++)
         if (s->at)
-            write_angles(s, branches[i]);
+            sheet_for_each_at(s, branches[i], put_at);
         else
             write_rows(s, branches[i]);
 }

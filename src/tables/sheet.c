@@ -8,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 
+#include "at.h"
 #include "base/message.h"
 #include "sheet.h"
 
@@ -95,16 +96,23 @@ static void find_status(sheet_row *row)
     row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
 }
 
-/* Compute row k of a branch. */
-static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
-                     sheet_row *row)
+/* A row that has been computed. */
+static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *at, sheet_row *row)
 {
-    s->failed += fourlink_results_row(s->results, branch, k, s->values, at, NULL) != FOURLINK_OK;
+    s->failed += at->status != FOURLINK_OK;
     row->values = s->values;
     row->branch = branch;
     row->at = at;
     row->last = at->row.angle;
     find_status(row);
+}
+
+/* Compute row k of a branch. */
+static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
+                     sheet_row *row)
+{
+    fourlink_results_row(s->results, branch, k, s->values, at, NULL);
+    take_row(s, branch, at, row);
 }
 
 int sheet_is_over(const sheet *s, const fourlink_instant *at)
@@ -157,6 +165,53 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
     }
     if (is_open)
         s->format->row(s, &stretch);
+}
+
+static void write_row_at(sheet *s, fourlink_branch branch, double angle)
+{
+    fourlink_instant at;
+    sheet_row row;
+
+    fourlink_results_at(s->results, branch, angle, s->values, &at, NULL);
+    take_row(s, branch, &at, &row);
+    s->format->row(s, &row);
+}
+
+/* Say in a line why an item of --at has no row. */
+static void write_missing(sheet *s, fourlink_branch branch, const at_item *item, int status)
+{
+    char words[400];
+    sheet_row row;
+
+    memset(&row, 0, sizeof row);
+    row.branch = branch;
+    row.status = flk_message(words, sizeof words, "%t: %s", item->words,
+                             status == FOURLINK_OK ? "at no crank angle of this branch"
+                                                   : fourlink_status_text(status));
+    s->failed += status != FOURLINK_OK;
+    if (status != FOURLINK_OK || s->format->is_brief)
+        s->format->row(s, &row);
+}
+
+void sheet_for_each_at(sheet *s, fourlink_branch branch,
+                       void (*put)(sheet *s, fourlink_branch branch, double angle))
+{
+    const char *list = s->at;
+    char message[400];
+    unsigned long n, i;
+    double *angles;
+    at_item item;
+    int status;
+
+    while (at_next(s->results, &list, &item, message) == 1) {
+        status = at_find(s->results, &item, branch, &angles, &n);
+        s->out_of_memory |= status == FOURLINK_NO_MEMORY;
+        if (status != FOURLINK_OK || n == 0)
+            write_missing(s, branch, &item, status);
+        for (i = 0; status == FOURLINK_OK && i < n; i++)
+            put(s, branch, angles[i]);
+        free(angles);
+    }
 }
 
 #define STOP_SIZE (FORMAT_SIZE + 100)
@@ -310,11 +365,16 @@ static void write_block(sheet *s, fourlink_branch branch)
         s->failed = failed;
         if (s->format->block)
             s->format->block(s, branch);
-        if (s->format->is_brief)
+        if (s->at)
+            sheet_for_each_at(s, branch, write_row_at);
+        else if (s->format->is_brief)
             write_rows_briefly(s, branch);
-        for (k = 0; k < s->problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
+        for (k = 0;
+             k < s->problem.n_rows && !s->at && !s->format->is_brief && write_row(s, branch, k);
+             k++)
             ;
-        sheet_write_stop(s, branch);
+        if (!s->at)
+            sheet_write_stop(s, branch);
         if (s->format->end_block)
             s->format->end_block(s, branch);
     }

@@ -35,7 +35,7 @@ typedef struct sheet {
     sheet_content content;
     int n_decks;         /* if several, each shows its name */
     unsigned long width; /* of the terminal; 0: the table need not fit one */
-    const char *at;      /* SHEET_EXPECT: the crank angles of --at; null: the rows */
+    const char *at;      /* the list of --at, instead of the rows; null: the rows */
     const fourlink_value
         *header;            /* the columns of all decks, of which a deck has some; of designs the */
     unsigned long n_header; /* outputs */
@@ -184,10 +184,9 @@ void sheet_write_stop(sheet *s, fourlink_branch branch);
 /* Write the nine equations for each row. */
 void matrix_write(sheet *s);
 
-/* Take the next crank angle, in the deck's unit, off a list separated by commas.  1; 0 at the end of the list;
-** -1 and a message if it is no angle, or one that the motion does not reach. */
-int expect_next_angle(fourlink_results *results, const char **list, double *angle,
-                      char message[400]);
+/* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format is brief. */
+void sheet_for_each_at(sheet *s, fourlink_branch branch,
+                       void (*put)(sheet *s, fourlink_branch branch, double angle));
 
 /* Write the deck's values as [expect] sections: for each row, or for the crank angles of s->at. */
 void expect_write(sheet *s);

@@ -52,7 +52,7 @@ static int decimals_of_angle(const sheet *s, int otherwise)
     fourlink_row row;
     int decimals;
 
-    if (s->problem.by_time)
+    if (s->problem.by_time || s->at)
         return otherwise;
     if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
         last = row.angle;

@@ -67,7 +67,7 @@ nothing
 says '--at: error: '
 run 2 --expect --at='30,5 deg' -s motion.to=20 "$matrix"
 says '--at: error: the motion does not reach theta2 = 30'
-usage '--at needs --expect' --at='30 deg' "$matrix"
+usage '--at chooses rows of a table, csv, json or --expect' --at='30 deg' --summary "$matrix"
 usage '--expect takes one deck' --expect "$matrix" "$alvi"
 usage 'use only one of' --expect --check "$matrix"
 usage '--expect can be printed as table only' --expect -f csv "$matrix"

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** at.c - the crank angles of --at: '30 deg, theta4 = 120 deg'.
+*/
+#include <stdlib.h>
+#include <string.h>
+
+#include "at.h"
+#include "base/message.h"
+#include "base/quantity.h"
+
+/* Read a value in the unit that the deck has for a quantity. */
+static int read_value(fourlink_results *results, text value, text words, const char *quantity_name,
+                      double *number, char message[400])
+{
+    quantity_value read;
+    quantity q = flk_quantity_find(quantity_name);
+    fourlink_unit own;
+    unit bare;
+
+    fourlink_deck_unit(fourlink_results_deck(results), quantity_name, &own);
+    bare.up = own.up;
+    bare.down = own.down;
+    bare.dim = flk_quantities[q].dim;
+    if (!flk_quantity_read(value, words, q, bare, &read, message))
+        return 0;
+    *number = flk_unit_from_si(read.si, bare);
+    return 1;
+}
+
+/* The column of this name; null and a message if there is none. */
+static const fourlink_value *find_column(fourlink_results *results, text name, char message[400])
+{
+    const fourlink_value *columns;
+    const char **names, *nearest;
+    unsigned long n, i;
+
+    fourlink_results_list(results, FOURLINK_ALL_COLUMNS, &columns, &n);
+    for (i = 0; i < n; i++)
+        if (flk_text_equal(name, columns[i].name))
+            return &columns[i];
+    names = calloc(n + 1, sizeof *names);
+    for (i = 0; names && i < n; i++)
+        names[i] = columns[i].name;
+    nearest = names ? flk_text_nearest(name, names) : NULL;
+    free(names);
+    flk_message(message, 400,
+                nearest ? "no column '%t'; did you mean '%s'?" : "no column '%t'; see --list", name,
+                nearest);
+    return NULL;
+}
+
+static int take_column(fourlink_results *results, text name, text value, at_item *item,
+                       char message[400])
+{
+    const fourlink_value *column = find_column(results, name, message);
+    fourlink_problem problem;
+
+    if (!column)
+        return -1;
+    fourlink_deck_problem(fourlink_results_deck(results), &problem);
+    if (problem.by_time) {
+        flk_message(message, 400, "'%t' needs rows by angle; these are rows by time", item->words);
+        return -1;
+    }
+    item->column = column->name;
+    return read_value(results, value, item->words, column->quantity, &item->value, message) ? 1
+                                                                                            : -1;
+}
+
+int at_next(fourlink_results *results, const char **list, at_item *item, char message[400])
+{
+    text rest, name;
+
+    if (!*list)
+        return 0;
+    rest = flk_text_of(*list);
+    flk_text_split(&rest, ',', &item->words);
+    *list = rest.start;
+    item->words = flk_text_trim(item->words);
+    item->column = NULL;
+    rest = item->words;
+    flk_text_split(&rest, '=', &name);
+    if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2"))
+        return take_column(results, flk_text_trim(name), flk_text_trim(rest), item, message);
+    if (!read_value(results, rest.start ? flk_text_trim(rest) : item->words, item->words, "angle",
+                    &item->value, message))
+        return -1;
+    if (fourlink_results_at(results, FOURLINK_OPEN, item->value, NULL, NULL, NULL) !=
+        FOURLINK_NO_SUCH_ANGLE)
+        return 1;
+    flk_message(message, 400, "the motion does not reach theta2 = %t", item->words);
+    return -1;
+}
+
+int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch, double **angles,
+            unsigned long *n)
+{
+    unsigned long room = 1;
+    int status = FOURLINK_OK;
+
+    *n = 0;
+    *angles = malloc(sizeof **angles);
+    if (*angles && !item->column) {
+        (*angles)[(*n)++] = item->value;
+        return FOURLINK_OK;
+    }
+    while (*angles && status == FOURLINK_OK) {
+        status = fourlink_results_crossings(results, item->column, branch, item->value, room,
+                                            *angles, n);
+        if (status != FOURLINK_OK || *n <= room)
+            return status;
+        room = *n;
+        free(*angles);
+        *angles = malloc(room * sizeof **angles);
+    }
+    return FOURLINK_NO_MEMORY;
+}

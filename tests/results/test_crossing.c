@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_crossing.c - where a column has a value: against a scan in small steps, and against angles that are known.
+*/
+#include "check.h"
+#include "fourlink.h"
+
+#define ROCKER                                                                                   \
+    "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 mm\nmass = 1 "         \
+    "kg\nuniform = yes\n"                                                                        \
+    "[coupler]\nlength = 66 mm\nmass = 0.3 kg\nuniform = yes\n[rocker]\nlength = 56 mm\nmass = " \
+    "0.5 kg\n"                                                                                   \
+    "uniform = yes\n"
+#define SPEED "[motion]\nspeed = 10 rad/s\ninterval = 10 deg\n"
+#define MOST 100
+#define SCAN 36000
+
+static fourlink_results *opened(const char *deck)
+{
+    fourlink_results *r = NULL;
+    fourlink_mistake mistake;
+    fourlink_source source;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck;
+    source.length = strlen(deck);
+    if (fourlink_results_open(&source, 1, &r, &mistake, NULL) != FOURLINK_OK)
+        fail_msg("%s", mistake.message);
+    return r;
+}
+
+static double value_at(fourlink_results *r, const char *column, fourlink_branch branch,
+                       double angle)
+{
+    fourlink_value v;
+
+    return fourlink_results_value(r, column, branch, angle, &v) == FOURLINK_OK ? v.value : NAN;
+}
+
+static unsigned long crossings(fourlink_results *r, const char *column, fourlink_branch branch,
+                               double value, double angles[MOST])
+{
+    unsigned long n = 0;
+
+    assert_int_equal(fourlink_results_crossings(r, column, branch, value, MOST, angles, &n),
+                     FOURLINK_OK);
+    assert_true(n <= MOST);
+    return n;
+}
+
+/* The same number of them as changes of sign in small steps, each within its step; the column has the value there. */
+static void check_scan(const char *deck, const char *column, double share)
+{
+    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
+    fourlink_results *r = opened(deck);
+    int b, i;
+
+    for (b = 0; b < 2; b++) {
+        double angles[MOST], least = 1e300, most = -1e300, last, now, level, jump;
+        unsigned long n, k = 0;
+
+        for (i = 0; i < SCAN; i += 7) {
+            now = value_at(r, column, branches[b], 360.0 * i / SCAN);
+            least = fmin(least, now);
+            most = fmax(most, now);
+        }
+        level = least + share * (most - least);
+        jump = 0.05 * (most - least);
+        n = crossings(r, column, branches[b], level, angles);
+        last = value_at(r, column, branches[b], 0) - level;
+        for (i = 1; i <= SCAN; i++, last = now) {
+            double angle = 360.0 * i / SCAN;
+
+            now = value_at(r, column, branches[b], angle) - level;
+            if ((last < 0) == (now < 0) || fabs(now - last) > jump)
+                continue;
+            assert_true(k < n);
+            assert_true(angles[k] >= angle - 360.0 / SCAN - 1e-9 && angles[k] <= angle + 1e-9);
+            assert_near(value_at(r, column, branches[b], angles[k]), level, 1e-9 * (most - least));
+            k++;
+        }
+        assert_int_equal(k, n);
+    }
+    fourlink_results_free(r);
+}
+
+TEST(test_against_scan)
+{
+    static const double shares[] = {0.03, 0.31, 0.5, 0.62, 0.97};
+    static const char *const columns[] = {"theta4", "omega4", "alpha3", "Ts", "F34", "mu"};
+    static const char load[] =
+        ROCKER SPEED "[load L]\nlink = rocker\ntorque = 5 N m\nfrom = 100 deg\nto = 200 deg\n"
+                     "[load D]\nlink = crank\nover = theta2\ntorque = 0 deg 0.1 N m, 90 deg 0.9 N "
+                     "m, 200 deg -0.4 N m\n";
+    size_t i, j;
+
+    for (i = 0; i < sizeof columns / sizeof *columns; i++)
+        for (j = 0; j < sizeof shares / sizeof *shares; j++)
+            check_scan(load, columns[i], shares[j]);
+}
+
+/* theta4 is at its limit where crank and coupler are in one line: a touch, at which omega4 is 0. */
+TEST(test_touch)
+{
+    fourlink_results *r = opened(ROCKER SPEED);
+    double at[MOST], still[MOST], limit;
+    unsigned long k;
+
+    assert_int_equal(crossings(r, "omega4", FOURLINK_OPEN, 0, still), 2);
+    for (k = 0; k < 2; k++) {
+        limit = value_at(r, "theta4", FOURLINK_OPEN, still[k]);
+        assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, limit, at), 1);
+        assert_near(at[0], still[k], 1e-4);
+        assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, limit + (k ? 1e-4 : -1e-4), at), 0);
+        assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, limit + (k ? -1e-4 : 1e-4), at), 2);
+    }
+    fourlink_results_free(r);
+}
+
+/* A jump is none: of a load within angles, of a force through infinity, of an angle over 180 deg. */
+TEST(test_jumps)
+{
+    fourlink_results *r =
+        opened("mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 20 "
+               "mm\n[coupler]\nlength = 66 mm\n"
+               "[rocker]\nlength = 56 mm\n" SPEED
+               "[load]\nlink = crank\ntorque = -4 N m\nfrom = 90 deg\nto = 270 deg\n");
+    double at[MOST];
+
+    assert_int_equal(crossings(r, "Ts", FOURLINK_OPEN, 2, at), 0);
+    fourlink_results_free(r);
+    r = opened("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n" SPEED
+               "[load]\nlink = piston\nforce = -10 N\n");
+    /* the advantage changes its sign at both dead centres, and not through 0 */
+    assert_int_equal(crossings(r, "mechanical_advantage", FOURLINK_OPEN, 0.1, at), 0);
+    assert_int_equal(crossings(r, "x", FOURLINK_OPEN, 0, at), 1); /* 360 deg is 0 deg again */
+    assert_near(at[0], 0, 1e-9);
+    fourlink_results_free(r);
+    r = opened(
+        "mechanism = four-bar\n[ground]\nlength = 30 mm\n[crank]\nlength = 60 mm\n[coupler]\n"
+        "length = 60 mm\n[rocker]\nlength = 60 mm\n" SPEED);
+    assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, 180, at), 1);
+    assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, 0, at), 1);
+    fourlink_results_free(r);
+}
+
+/* Each turn has its own. */
+TEST(test_turns)
+{
+    fourlink_results *r = opened(
+        ROCKER "[motion]\nspeed = 10 rad/s\nfrom = -90 deg\nto = 1710 deg\ninterval = 10 deg\n");
+    double at[MOST];
+    unsigned long n = crossings(r, "theta4", FOURLINK_OPEN, 120, at), k;
+
+    assert_int_equal(n, 10);
+    for (k = 2; k < n; k++)
+        assert_near(at[k] - at[k - 2], 360, 1e-9);
+    fourlink_results_free(r);
+}
+
+TEST(test_statuses)
+{
+    fourlink_results *r = opened(ROCKER SPEED),
+                     *s = opened(ROCKER "[motion]\nmode = free\nspeed = 5 rad/s\nrows = time\n"
+                                        "time_step = 1 ms\nduration = 10 ms\n");
+    double at[1];
+    unsigned long n = 7;
+
+    assert_int_equal(fourlink_results_crossings(r, "omega2", FOURLINK_OPEN, 10, 1, at, &n),
+                     FOURLINK_CONSTANT);
+    assert_int_equal(fourlink_results_crossings(r, "nothing", FOURLINK_OPEN, 10, 1, at, &n),
+                     FOURLINK_NO_SUCH_NAME);
+    assert_int_equal(fourlink_results_crossings(s, "theta4", FOURLINK_OPEN, 120, 1, at, &n),
+                     FOURLINK_NO_SUCH_ANGLE);
+    assert_int_equal(fourlink_results_crossings(r, "theta4", 0, 120, 1, at, &n),
+                     FOURLINK_BAD_BRANCH);
+    assert_int_equal(fourlink_results_crossings(r, "theta4", FOURLINK_OPEN, NAN, 1, at, &n),
+                     FOURLINK_BAD_NUMBER);
+    assert_int_equal(fourlink_results_crossings(NULL, "theta4", FOURLINK_OPEN, 120, 1, at, &n),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_results_crossings(r, NULL, FOURLINK_OPEN, 120, 1, at, &n),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_results_crossings(r, "theta4", FOURLINK_OPEN, 120, 1, NULL, &n),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_results_crossings(r, "theta4", FOURLINK_OPEN, 120, 1, at, NULL),
+                     FOURLINK_NULL);
+    assert_int_equal(n, 7);
+    /* how many there are, beyond the room */
+    assert_int_equal(fourlink_results_crossings(r, "theta4", FOURLINK_OPEN, 120, 0, NULL, &n),
+                     FOURLINK_OK);
+    assert_int_equal(n, 2);
+    fourlink_results_free(r);
+    fourlink_results_free(s);
+}
+
+int main(void)
+{
+    return run_all_tests(watch_gsl);
+}
