@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# random_decks.py N FOLDER - writes N decks of all kinds, with loads, springs, friction, gas, counterweights and motors, each
-# with its own seed: random-0.deck, random-1.deck ...
+# random_decks.py N FOLDER [motors [FIRST]] - writes N decks of all kinds, with loads, springs, friction and motors, each
+# with its own seed: random-0.deck, random-1.deck ...  With "motors" all have a motion that is not given: motors-FIRST.deck ...
 import os
 import random
 import sys
@@ -113,11 +113,147 @@ class Maker:
         return '\n'.join(self.lines) + '\n'
 
 
-def main(n, folder):
+class MotorMaker(Maker):
+    """Machines whose motion is not given: free, from rest and steady, with motors of each sort, loads over angles,
+    positions and speeds, gas, springs, dampers and friction; one branch."""
+
+    def __init__(self, seed):
+        super().__init__(seed)
+        self.sense = -1 if self.chance(0.3) else 1
+        self.mode = self.r.choice(('free', 'run-up', 'steady'))
+        self.speed = 10 ** self.r.uniform(0.6, 2.1)
+        self.torque = 10 ** self.r.uniform(0.3, 2.2)
+        self.has_friction = self.chance(0.3)
+        self.by_time = self.mode != 'steady' and not self.has_friction and self.chance(0.2)
+        self.from_ = 5 * self.r.randrange(-20, 60) if self.chance(0.5) else 0
+
+    def mechanism(self):
+        """One that can be assembled."""
+        super().mechanism()
+        lengths = [float(line.split()[2]) for line in self.lines if line.startswith('length')]
+        if self.kind == 'four-bar' and 2 * max(lengths) >= sum(lengths):
+            self.lines = []
+            self.mechanism()
+
+    def size(self):
+        return '%.6g' % (10 ** self.r.uniform(-1, 2) * self.r.choice((-1, 1)))
+
+    def points(self, unit, low, high, n):
+        """A curve: points whose arguments rise."""
+        at = sorted(self.r.uniform(low, high) for _ in range(n))
+        return ', '.join('%.6g %s %s %s' % (x, unit, self.size(), self.unit) for x in at)
+
+    def on(self, link):
+        """What acts on a link, a force or a torque; sets its unit."""
+        self.unit = 'N' if link == 'piston' else 'N m'
+        return 'force' if link == 'piston' else 'torque'
+
+    def load_over_angle(self, name):
+        link = self.r.choice(self.links())
+        key = self.on(link)
+        at = sorted(self.r.sample(range(0, 360, 5), self.r.randrange(3, 8)))
+        self.put('[load %s]' % name, 'link = ' + link,
+                 key + ' = ' + ', '.join('%d deg %s %s' % (x, self.size(), self.unit) for x in at))
+
+    def load_over_speed(self, name):
+        link, over, unit = self.r.choice([('crank', 'omega2', 'rad/s')] + {
+            'four-bar': [('rocker', 'omega4', 'rad/s')], 'slider-crank': [('piston', 'v', 'm/s')],
+            'inverted-slider-crank': [('lever', 'omega4', 'rad/s'), ('lever', 'slide_v', 'm/s')]}[self.kind])
+        key = self.on(link)
+        reach = self.speed * (0.05 if unit == 'm/s' else 1)
+        self.put('[load %s]' % name, 'link = ' + link, 'over = ' + over)
+        if self.chance(0.7):
+            self.put('%s = -%.6g %s' % (key, 10 ** self.r.uniform(-1, 1.5), self.unit), 'at_speed = %.6g %s' % (reach, unit),
+                     'exponent = ' + self.r.choice(('1', '1.5', '2', '3')))
+        else:
+            self.put('%s = %s' % (key, self.points(unit, -reach, reach, self.r.randrange(2, 6))))
+
+    def load_over_position(self, name):
+        link, over, unit, low, high = {
+            'four-bar': ('rocker', 'theta4', 'deg', 0, 360), 'slider-crank': ('piston', 'x', 'mm', 0, 120),
+            'inverted-slider-crank': self.r.choice((('lever', 'theta4', 'deg', 0, 360), ('lever', 'slide', 'mm', 10, 200)))}[self.kind]
+        key = self.on(link)
+        self.put('[load %s]' % name, 'link = ' + link, 'over = ' + over,
+                 '%s = %s' % (key, self.points(unit, low, high, self.r.randrange(3, 6))))
+        if self.chance(0.5):
+            self.put('back = %s %s' % (self.size(), self.unit))
+
+    def gas(self):
+        at = sorted(self.r.sample(range(0, 360, 5), self.r.randrange(3, 8)))
+        self.put('[gas]', 'bore = %s mm' % self.between(10, 40),
+                 'indicator = ' + ', '.join('%d deg %s bar' % (x, self.between(0, 20)) for x in at))
+
+    def loads(self):
+        for name in 'KLMN'[:self.r.randrange(5)]:
+            self.r.choice((self.load, self.load, self.load_over_angle, self.load_over_speed, self.load_over_position))(name)
+        if self.kind == 'slider-crank' and self.chance(0.2):
+            self.gas()
+        if self.chance(0.3):
+            self.spring()
+        if self.chance(0.2):
+            self.put('[spring D]', 'link = crank', 'to = ground', 'damping = %.6g N m s/rad' % 10 ** self.r.uniform(-3, 0.5))
+        if self.has_friction:
+            self.friction()
+            if self.kind != 'four-bar' and self.chance(0.5):
+                self.put('guide_length = %s mm' % self.between(30, 80))
+
+    def motor(self):
+        """A motor that drives in the sense of the range, some with a gear; returns its key."""
+        sort = self.r.choice(('torque', 'stall_torque', 'curve', 'power') + (('constant', 'constant') if self.mode == 'steady' else ()))
+        ratio = 1 if self.chance(0.6) else self.r.choice((-1, 1)) * 10 ** self.r.uniform(-0.5, 1)
+        sign = self.sense * (-1 if ratio < 0 else 1)
+        T, w = sign * self.torque / abs(ratio), sign * self.speed * abs(ratio)
+        self.put('[motor]')
+        if sort == 'constant':
+            self.put('torque = constant')
+        elif sort == 'torque':
+            self.put('torque = %.6g N m' % T)
+        elif sort == 'stall_torque':
+            self.put('stall_torque = %.6g N m' % T, 'no_load_speed = %.6g rad/s' % w)
+        elif sort == 'power':
+            self.put('power = %.6g W' % (T * w / 4), 'max_torque = %.6g N m' % T)
+        else:
+            points = [(0, T), (0.4 * w, T * self.r.uniform(0.6, 1.2)), (0.8 * w, T * self.r.uniform(0.8, 1.8)), (w, 0)]
+            points += [(1.2 * w, -T * self.r.uniform(0.5, 1.5))] if self.chance(0.5) else []
+            self.put('curve = ' + ', '.join('%.6g rad/s %.6g N m' % point for point in sorted(points)))
+        if self.chance(0.4):
+            self.put('inertia = %.6g kg m2' % (10 ** self.r.uniform(-3, 0) / ratio ** 2))
+        if ratio != 1:
+            self.put('ratio = %.6g' % ratio)
+        return sort
+
+    def motion(self):
+        sort = self.motor() if self.mode != 'free' or self.chance(0.6) else None
+        wanted = sort == 'constant' and self.chance(0.3)
+        if wanted:
+            self.put('[flywheel]', 'fluctuation = %.6g' % 10 ** self.r.uniform(-2, 0), 'exact = yes')
+        elif self.chance(0.8):
+            self.put('[flywheel]', 'inertia = %.6g kg m2' % 10 ** self.r.uniform(-2.5, 0.5))
+        self.put('[motion]', 'mode = ' + self.mode, 'from = %d deg' % self.from_)
+        if self.mode == 'free':
+            self.put('speed = %.6g rad/s' % (self.sense * self.speed * self.r.uniform(0.3, 1.5)))
+        if sort == 'constant':
+            self.put('mean_speed = %.6g rad/s' % (self.sense * self.speed))
+        if self.by_time:
+            self.put('rows = time', 'duration = %.6g s' % (10 / self.speed), 'time_step = %.6g s' % (0.2 / self.speed))
+        else:
+            self.put('turns = %.6g' % (self.sense * (1 if self.mode == 'steady' else self.r.choice((0.5, 1, 2, 3)))),
+                     'interval = %d deg' % self.r.choice((7, 10, 15)))
+        self.put('[table]', 'branch = ' + self.r.choice(('open', 'crossed')))
+
+    def deck(self):
+        self.mechanism()
+        self.loads()
+        self.motion()
+        return '\n'.join(self.lines) + '\n'
+
+
+def main(n, folder, sort='random', first=0):
+    make = {'random': Maker, 'motors': MotorMaker}[sort]
     os.makedirs(folder, exist_ok=True)
-    for seed in range(int(n)):
-        with open(os.path.join(folder, 'random-%d.deck' % seed), 'w', encoding='utf-8') as out:
-            out.write(Maker(seed).deck())
+    for seed in range(int(first), int(first) + int(n)):
+        with open(os.path.join(folder, '%s-%d.deck' % (sort, seed)), 'w', encoding='utf-8') as out:
+            out.write(make(seed).deck())
 
 
 if __name__ == '__main__':
