@@ -21,7 +21,7 @@
 #include "fourlink.h"
 #include "dormand_prince.h"
 
-#define STAGES 12 /* of a step; the others are for values within it */
+#define STAGES FLK_STAGE_AT_END
 
 static const double c[FLK_STAGES] = {0,
                                      0.05260015195876773,

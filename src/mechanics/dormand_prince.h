@@ -7,6 +7,7 @@
 
 #define FLK_UNKNOWNS 3
 #define FLK_STAGES 16
+#define FLK_STAGE_AT_END 12
 #define FLK_POWERS 7
 
 /* dy/dx at x: FOURLINK_OK, or a status that ends the step. */
@@ -18,7 +19,7 @@ typedef struct flk_step {
     void *context; /* for f */
     double x, y[FLK_UNKNOWNS];
     double h;                           /* its length, of either sign */
-    double k[FLK_STAGES][FLK_UNKNOWNS]; /* derivatives: k[0] at x, k[12] at x + h */
+    double k[FLK_STAGES][FLK_UNKNOWNS]; /* derivatives: k[0] at x, k[FLK_STAGE_AT_END] at x + h */
     double next[FLK_UNKNOWNS];          /* y at x + h */
 } flk_step;
 

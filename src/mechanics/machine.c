@@ -12,11 +12,14 @@
 #include <math.h>
 #include <string.h>
 
+#include <gsl/gsl_math.h>
+
+#include "base/solve.h"
 #include "inertia.h"
 #include "kind.h"
 #include "machine.h"
 
-#define STEPS 20 /* of the secant */
+#define STEPS 60 /* of the secant */
 
 enum { ON_D = 4, ON_A = 5 }; /* among the loads of fourlink_losses */
 
@@ -189,16 +192,20 @@ static int miss(const flk_machine *m, fourlink_state *state, const flk_acting *a
     return status;
 }
 
-/* Friction depends on the pin forces, and they on alpha2: the secant from the acceleration without friction.  What is
-** missed grows with alpha2, unless friction locks the mechanism. */
+/* Friction depends on the pin forces, and they on alpha2: the secant from the acceleration without friction, kept within
+** the bracket that is known, as it leaps about where what is missed has a kink.  That grows with alpha2, unless friction
+** locks the mechanism. */
 static int find_alpha(const flk_machine *m, const flk_machine_place *place, fourlink_state *state,
                       const flk_acting *acting, flk_machine_push *push)
 {
     double last = push->alpha2, at, miss_last, miss_at, slope = place->whole, size;
+    flk_bracket b = flk_bracket_of(0, 0, GSL_POSINF, GSL_NEGINF);
     int i, status = miss(m, state, acting, push->T_motor, last, &miss_last);
 
     at = last - (status == FOURLINK_OK ? miss_last : 0) / slope;
     size = fabs(push->push) + place->whole * fabs(at);
+    if (status == FOURLINK_OK)
+        flk_bracket_take(&b, last, miss_last, 1);
     for (i = 0; status == FOURLINK_OK && i < STEPS && at != last; i++) {
         status = miss(m, state, acting, push->T_motor, at, &miss_at);
         if (status != FOURLINK_OK)
@@ -209,9 +216,12 @@ static int find_alpha(const flk_machine *m, const flk_machine_place *place, four
         push->alpha2 = at;
         if (fabs(miss_at) <= 1e-15 * size)
             break;
+        flk_bracket_take(&b, at, miss_at, 1);
         last = at;
         miss_last = miss_at;
         at -= miss_at / slope;
+        if (b.f_low < 0 && b.f_high > 0 && !(b.low < at && at < b.high))
+            at = flk_bracket_next(&b);
     }
     return status == FOURLINK_OK && i == STEPS && fabs(miss_last) > 1e-11 * size ? FOURLINK_LOCKED
                                                                                  : status;

@@ -18,7 +18,7 @@
 #include "mechanics/kind.h"
 #include "path.h"
 
-#define LONGEST 0.5     /* rad, of a step */
+#define LONGEST 0.35    /* rad, of a step */
 #define BEYOND 1.1      /* by which a step may overshoot the end of a cell */
 #define SHORTEST 1e-13  /* rad, of a step, of the angle passed and a radian */
 #define CLOSEST 1e-9    /* rad, to where there is no position */
@@ -262,20 +262,47 @@ static int cut(const flk_node *node, int i, double value, int rises, double *par
     return 1;
 }
 
-/* The node at the end of a step, or where it leaves the cell first, and why. */
-static ending end_step(const flk_path *p, const flk_node *node, const cell *c, flk_node *after)
+/* The part of a step at which the speed has its peak, if it turns there; else 1.  (The slope of the speed at both ends says
+** so; golden section on the interpolant.) */
+static double peak_of_speed(const flk_node *node, const flk_step *step)
 {
-    double sense = p->equation.sense, part = 1;
+    double sign = step->k[0][FLK_SPEED] < 0 ? -1 : 1, low = 0, high = 1, x, y;
+    int i;
+
+    if (!(step->k[0][FLK_SPEED] * step->k[FLK_STAGE_AT_END][FLK_SPEED] < 0))
+        return 1;
+    for (i = 0; i < 30; i++) {
+        x = high - 0.618 * (high - low);
+        y = low + 0.618 * (high - low);
+        if (sign * flk_step_change(&node->within, FLK_SPEED, x) <
+            sign * flk_step_change(&node->within, FLK_SPEED, y))
+            low = x;
+        else
+            high = y;
+    }
+    return 0.5 * (low + high);
+}
+
+/* The node at the end of a step, or where it leaves the cell first, and why.  A speed with a peak may leave it and come
+** back. */
+static ending end_step(const flk_path *p, const flk_node *node, const cell *c, const flk_step *step,
+                       flk_node *after)
+{
+    double sense = p->equation.sense, part = peak_of_speed(node, step);
     double low = sense > 0 ? c->slowest : -c->fastest, high = sense > 0 ? c->fastest : -c->slowest;
     ending why = IN_CELL;
 
-    if (fabs(node->y[FLK_SPEED]) > STILL * c->slow &&
-        cut(node, FLK_SPEED, 0, c->turning < 0, &part))
-        why = AT_STOP;
-    if (cut(node, FLK_PASSED, c->end, c->turning > 0, &part))
-        why = AT_END;
-    if (cut(node, FLK_SPEED, high, 1, &part) || cut(node, FLK_SPEED, low, 0, &part))
-        why = AT_SPEED;
+    for (;; part = 1) {
+        if (fabs(node->y[FLK_SPEED]) > STILL * c->slow &&
+            cut(node, FLK_SPEED, 0, c->turning < 0, &part))
+            why = AT_STOP;
+        if (cut(node, FLK_PASSED, c->end, c->turning > 0, &part))
+            why = AT_END;
+        if (cut(node, FLK_SPEED, high, 1, &part) || cut(node, FLK_SPEED, low, 0, &part))
+            why = AT_SPEED;
+        if (part == 1 || why != IN_CELL)
+            break;
+    }
     at_part(node, part, after);
     if (why == AT_END)
         after->y[FLK_PASSED] = c->end;
@@ -396,7 +423,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
         status = go(p, node, c, duration - node->t, h, &step);
         if (status != FOURLINK_OK)
             return status;
-        why = end_step(p, node, c, &after);
+        why = end_step(p, node, c, &step, &after);
         if (why == IN_CELL && step.h == duration - node->t)
             after.t = duration;
         if (why == AT_STOP && !p->swings)
@@ -576,12 +603,13 @@ double flk_path_travel(const flk_path *p)
 
 /* ---------------------------------------------------------------------------------------------------- growth */
 
-/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2) */
+/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2), by a difference within the cell. */
 static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
 {
     const flk_equation *e = &p->equation;
-    flk_machine_place place;
     flk_machine_push slower, faster;
+    flk_machine_place place;
+    fourlink_state held;
     flk_node at;
     double speed;
     int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
@@ -590,9 +618,14 @@ static int growth_at(const flk_path *p, const flk_node *node, double s, double *
         return status;
     at_angle(node, s, &at);
     speed = at.y[FLK_SPEED];
+    held = place.state;
+    fourlink_velocity(&e->machine.mechanism, e->sense, &held);
+    e->acting->held = &held;
+    e->acting->held_speed = e->sense * speed;
     status = flk_equation_push(e, &place, speed * (1 - DIFFERENCE), &slower);
     if (status == FOURLINK_OK)
         status = flk_equation_push(e, &place, speed * (1 + DIFFERENCE), &faster);
+    e->acting->held = NULL;
     if (status != FOURLINK_OK)
         return status;
     *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);

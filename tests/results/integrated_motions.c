@@ -311,7 +311,8 @@ static int accelerate(machine *m, double theta2, double omega2, double *alpha2)
     fourlink_state state;
     fourlink_forces forces;
     fourlink_losses losses;
-    unsigned long own = m->problem.n_loads - m->problem.n_spring_loads - m->problem.n_gas_loads, i;
+    fourlink_load_info info;
+    unsigned long i;
     double gas, J, half_slope, push;
     linkage l;
     int status;
@@ -325,7 +326,8 @@ static int accelerate(machine *m, double theta2, double omega2, double *alpha2)
     find_inertia(m, &l, &J, &half_slope);
     push = motor_at(m, omega2) + work_of_weights(m, &l);
     for (i = 0; i < m->problem.n_loads; i++)
-        if (i < own || i >= own + m->problem.n_spring_loads)
+        if (fourlink_deck_load(m->deck, i, &info) == FOURLINK_OK &&
+            info.sort != FOURLINK_LOAD_SPRING)
             push += work_of_load(&l, &load[i]);
     for (i = 0; i < m->problem.n_springs; i++)
         push += work_of_spring(m, (int)i, &l, omega2);
@@ -420,8 +422,8 @@ static int accelerate_against_friction(machine *m, double theta2, double omega2,
 
 static int alpha_at(machine *m, double theta2, double omega2, double *alpha2)
 {
-    return m->problem.n_friction_loads ? accelerate_against_friction(m, theta2, omega2, alpha2)
-                                       : accelerate(m, theta2, omega2, alpha2);
+    return m->problem.has_friction ? accelerate_against_friction(m, theta2, omega2, alpha2)
+                                   : accelerate(m, theta2, omega2, alpha2);
 }
 
 /* ------------------------------------------------------------------------------------------- integration */
@@ -867,7 +869,7 @@ static void widen(double *most, double difference)
 
 static void keep_worst(const machine *m)
 {
-    worst *all = &of_all[m->problem.n_friction_loads > 0];
+    worst *all = &of_all[m->problem.has_friction != 0];
 
     all->machines++;
     all->rows += of_machine.rows;
@@ -1073,7 +1075,7 @@ static void check_steady(machine *m, double first, double last, const integratio
         fail("steady_rate is %.10g, expected %.10g", told, rate);
     if (!m->balances && !(told <= 1))
         fail("the steady motion is not stable: %.10g", told);
-    if (!m->balances && rate < 0.4 && m->problem.n_friction_loads == 0)
+    if (!m->balances && rate < 0.4 && !m->problem.has_friction)
         check_run_up(m, first);
 }
 
@@ -1297,11 +1299,11 @@ static void count_categories(const machine *m)
                   : m->max_torque != 0   ? 5
                   : m->torque != 0       ? 1
                                          : 0);
-    if (m->problem.n_friction_loads)
+    if (m->problem.has_friction)
         count(PARTS, 0);
     if (m->problem.n_springs)
         count(PARTS, 1);
-    if (m->problem.n_gas_loads)
+    if (m->problem.has_gas)
         count(PARTS, 2);
     if (strstr(text, "\nover = "))
         count(PARTS, 3);
