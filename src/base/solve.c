@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.c - zeros of a function of one variable, by false position that halves the value of an end which stays (the
-** Illinois method; M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11, 1971, p. 168), and by bisection where
-** only the sign of the function is known.
+** solve.c - zeros and peaks of a function of one variable.
+**
+** Zeros: false position that halves the value of an end which stays (the Illinois method; M. Dowell, P. Jarratt, A
+** modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the function is known.
+** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 5.
 */
 #include <float.h>
 #include <math.h>
@@ -12,6 +14,8 @@
 #include "solve.h"
 
 #define ITERATIONS 200
+#define GOLDEN 0.38196601125010515 /* (3 - sqrt(5)) / 2 */
+#define NARROWEST 1e-8 /* part of the interval: closer values of a smooth peak hardly differ */
 
 flk_bracket flk_bracket_of(double low, double high, double f_low, double f_high)
 {
@@ -56,7 +60,7 @@ static double beside_end(const flk_bracket *b, double next)
     return next > b->low ? b->high - little : b->low + little;
 }
 
-double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket *b, double close)
+double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
 {
     double x = fabs(b->f_low) < fabs(b->f_high) ? b->low : b->high, value;
     int is_rising = b->f_low < 0, is_beside = 0, k;
@@ -76,4 +80,40 @@ double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket 
         flk_bracket_take(b, x, value, is_rising);
     }
     return x;
+}
+
+/* At the distance t from the best place the parabola through the three is f + s t - c t^2.  Its top is at s / (2 c), and
+** higher by s^2 / (4 c).  If it is not higher, or parabolas are slow, the longer side is divided, by golden section or, if
+** it is far longer, closer to the best place. */
+flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close)
+{
+    flk_sample low = p[0], best = p[1], high = p[2], next;
+    double length = high.x - low.x, narrowest = NARROWEST * length, before = GSL_POSINF;
+    int is_top = 0, was_top, equal = 0, k;
+
+    for (k = 0; k < ITERATIONS && length > narrowest && best.value < GSL_POSINF; k++) {
+        double a = best.x - low.x, b = high.x - best.x;
+        double rise = (best.value - low.value) / a, fall = (best.value - high.value) / b;
+        double c = (rise + fall) / length, s = rise - c * a, step = s / (2 * c);
+
+        was_top = is_top;
+        is_top = s * step / 2 <= close;
+        if ((is_top && was_top) || equal > 1)
+            break;
+        if (is_top || length > 0.5 * before || !(-a < step && step < b))
+            step = (b > a ? GOLDEN : -GOLDEN) *
+                   sqrt(GSL_MAX_DBL(a, narrowest) * GSL_MAX_DBL(b, narrowest));
+        next.x = best.x + step;
+        next.value = f(next.x, data);
+        equal += fabs(next.value - best.value) <= close;
+        if (next.value > best.value) {
+            *(step > 0 ? &low : &high) = best;
+            best = next;
+        } else {
+            *(step > 0 ? &high : &low) = next;
+        }
+        before = length;
+        length = high.x - low.x;
+    }
+    return best;
 }

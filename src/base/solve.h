@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.h - zeros of a function of one variable.
+** solve.h - zeros and peaks of a function of one variable.
 */
 #ifndef FOURLINK_SOLVE_H
 #define FOURLINK_SOLVE_H
+
+typedef double flk_function(double x, void *data);
 
 /* Two places, low < high, with values of unlike signs.  An infinite value has a sign, but no size. */
 typedef struct flk_bracket {
@@ -22,6 +24,16 @@ void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
 
 /* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place that was looked at.  The bracket
 ** closes about it.  NaN ends the search. */
-double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket *b, double close);
+double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close);
+
+/* A place and the value there. */
+typedef struct flk_sample {
+    double x, value;
+} flk_sample;
+
+/* The largest value between two places, p[0] and p[2], that is found from p[1], the best of the three.  The search ends
+** where values of a smooth function differ by no more than about `close`, and at an infinite value.  NaN is less than any
+** number. */
+flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close);
 
 #endif

@@ -353,15 +353,6 @@ size_t flk_search_beside(const flk_search *x, const double *values, size_t i, in
     return last;
 }
 
-flk_place flk_search_place(const flk_search *x, const double *values, size_t i)
-{
-    flk_place p;
-
-    p.s = x->s[i];
-    p.value = values[i];
-    return p;
-}
-
 /* ------------------------------------------------------------------------------------------- the best */
 
 double flk_search_signed(int which, double value)

@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 
+#include "base/solve.h"
 #include "column.h"
 #include "motion_pieces.h"
 #include "polynomial.h"
@@ -49,11 +50,6 @@ typedef struct flk_tracked {
     flk_found here[2]; /* the same since an angle started anew, or in a piece of an actual motion */
     double known[2];   /* of an actual motion: its largest value is not less than known[0] ... */
 } flk_tracked;
-
-/* A sample of a column. */
-typedef struct flk_place {
-    double s, value;
-} flk_place;
 
 typedef struct flk_search {
     flk_analysis *a;
@@ -144,7 +140,6 @@ void flk_search_follow(flk_search *x, flk_tracked *t, double *values);
 void flk_search_insert(flk_search *x, size_t i, double s);
 
 double *flk_search_row(const flk_search *x, size_t column);
-flk_place flk_search_place(const flk_search *x, const double *values, size_t i);
 
 /* The nearest sample on a side that is not so close that differences are rounding, or the last one; i if there is
 ** none. */
