@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.c - zeros and peaks of a function of one variable.
+** solve.c - zeros, peaks and integrals of a function of one variable.
 **
 ** Zeros: false position that halves the value of an end which stays (the Illinois method; M. Dowell, P. Jarratt, A
 ** modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the function is known.
 ** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 5.
+** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
 */
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -116,4 +119,38 @@ flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], dou
         length = high.x - low.x;
     }
     return best;
+}
+
+/* Nodes x >= 0, the weights of Kronrod's rule and those of Gauss's. */
+#define NODES 8
+
+static const double rule[NODES][3] = {
+    {0, 0.20948214108472782801, 0.41795918367346938776},
+    {0.2077849550078984676, 0.20443294007529889241, 0},
+    {0.40584515137739716691, 0.19035057806478540991, 0.38183005050511894495},
+    {0.58608723546769113029, 0.16900472663926790283, 0},
+    {0.74153118559939443986, 0.14065325971552591875, 0.2797053914892766679},
+    {0.86486442335976907279, 0.10479001032225018384, 0},
+    {0.94910791234275852453, 0.063092092629978553291, 0.12948496616886969327},
+    {0.99145537112081263921, 0.022935322010529224964, 0},
+};
+
+void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of)
+{
+    double middle = 0.5 * (from + to), half = 0.5 * (to - from), y[FLK_INTEGRALS];
+    int i, k;
+
+    memset(of, 0, (size_t)n * sizeof *of);
+    for (k = 1 - NODES; k < NODES; k++) {
+        const double *at = rule[abs(k)];
+
+        f(k < 0 ? middle - half * at[0] : middle + half * at[0], data, y);
+        for (i = 0; i < n; i++) {
+            of[i].value += half * at[1] * y[i];
+            of[i].size += fabs(half * at[1] * y[i]);
+            of[i].error += half * (at[1] - at[2]) * y[i];
+        }
+    }
+    for (i = 0; i < n; i++)
+        of[i].error = fabs(of[i].error);
 }

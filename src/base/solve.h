@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.h - zeros and peaks of a function of one variable.
+** solve.h - zeros, peaks and integrals of a function of one variable.
 */
 #ifndef FOURLINK_SOLVE_H
 #define FOURLINK_SOLVE_H
@@ -35,5 +35,18 @@ typedef struct flk_sample {
 ** where values of a smooth function differ by no more than about `close`, and at an infinite value.  NaN is less than any
 ** number. */
 flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close);
+
+/* The values of a few functions at one place. */
+#define FLK_INTEGRALS 3
+typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);
+
+/* An integral; what another rule with half of the points differs by, which for a smooth function is far more than the
+** error; and the integral of the magnitude. */
+typedef struct flk_integral {
+    double value, error, size;
+} flk_integral;
+
+/* Integrate n functions by one rule of 15 points, none of them at an end. */
+void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of);
 
 #endif

@@ -14,6 +14,7 @@
 #include <gsl/gsl_math.h>
 
 #include "actual_path.h"
+#include "base/solve.h"
 
 #define NEAR_REST 0.05  /* rad, to where the energy would vanish */
 #define LONGEST 0.5     /* rad, of a step */
@@ -240,48 +241,34 @@ int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
 }
 
 /* d(T_m + Q)/d(omega2) / ((J + I_f) omega2) */
-static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
+static void growth_at(double s, void *data, double *growth)
 {
+    const flk_path *p = *(const flk_path *const *)data;
     flk_machine_place place;
     flk_machine_push slower, faster;
     flk_node at;
     double speed;
-    int status = flk_machine_at(&p->machine, flk_actual_theta2(p, s), &place);
 
-    flk_actual_within(node, 0, s, &at);
-    if (status != FOURLINK_OK)
-        return status;
+    *growth = GSL_NAN;
+    if (flk_machine_at(&p->machine, flk_actual_theta2(p, s), &place) != FOURLINK_OK)
+        return;
+    flk_actual_within(flk_path_before(p, 0, s), 0, s, &at);
     speed = at.by_time ? at.speed : sqrt(2 * at.E / place.whole);
-    status = flk_actual_push(p, &place, speed * (1 - DIFFERENCE), &slower);
-    if (status == FOURLINK_OK)
-        status = flk_actual_push(p, &place, speed * (1 + DIFFERENCE), &faster);
-    if (status != FOURLINK_OK)
-        return status;
+    if (flk_actual_push(p, &place, speed * (1 - DIFFERENCE), &slower) != FOURLINK_OK ||
+        flk_actual_push(p, &place, speed * (1 + DIFFERENCE), &faster) != FOURLINK_OK)
+        return;
     *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
-    return FOURLINK_OK;
 }
 
-/* By Gauss's rule of four points within each step. */
-int flk_path_growth(const flk_path *p, double *growth)
+double flk_path_growth(const flk_path *p)
 {
-    static const double x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                0.93056815579702629};
-    static const double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                0.17392742256872693};
-    double sum = 0, value;
+    double growth = 0;
+    flk_integral here;
     size_t k;
-    int i, status;
 
     for (k = 0; k + 1 < p->n; k++) {
-        double from = p->node[k].s, length = p->node[k + 1].s - from;
-
-        for (i = 0; i < 4; i++) {
-            status = growth_at(p, &p->node[k], from + x[i] * length, &value);
-            if (status != FOURLINK_OK)
-                return status;
-            sum += w[i] * length * value;
-        }
+        flk_integrate(growth_at, &p, 1, p->node[k].s, p->node[k + 1].s, &here);
+        growth += here.value;
     }
-    *growth = sum;
-    return FOURLINK_OK;
+    return growth;
 }

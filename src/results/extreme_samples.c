@@ -60,7 +60,8 @@ int flk_search_is_root(flk_piece_end end)
     return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_CHANGE_REST;
 }
 
-double flk_search_share(const flk_search *x, double s)
+/* The share of the piece that is passed at a parameter. */
+static double share(const flk_search *x, double s)
 {
     if (flk_search_is_root(x->piece.begin) && flk_search_is_root(x->piece.end))
         return 0.5 - 0.5 * cos(M_PI * s);
@@ -78,7 +79,7 @@ double flk_search_passed(const flk_search *x, double s)
     if (s >= 1)
         return x->piece.to < x->length ? x->piece.to - GSL_MIN_DBL(INSIDE, length / 4)
                                        : x->piece.to;
-    return from + length * flk_search_share(x, s);
+    return from + length * share(x, s);
 }
 
 double flk_search_rate(const flk_search *x, double s)

@@ -86,8 +86,7 @@ void flk_search_begin(flk_search *x);
 /* 1 if the linkage can be assembled in the piece. */
 int flk_search_is_reached(const flk_search *x);
 
-/* The share of the piece that is passed at a parameter, and its derivative times the length of the piece. */
-double flk_search_share(const flk_search *x, double s);
+/* The derivative of the angle passed, rad, by the parameter. */
 double flk_search_rate(const flk_search *x, double s);
 
 /* The angle passed at a parameter of the piece, rad; just inside the piece at its ends.  The crank angle after

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_solve.c - functions whose zeros and peaks are known.
+** test_solve.c - functions whose zeros, peaks and integrals are known.
 */
 #include "check.h"
 
@@ -257,6 +257,116 @@ TEST(test_infinite)
 
     assert_true(isinf(found.value) && fabs(found.x - 0.6) < 0.3);
     assert_int_equal(calls, 1); /* an infinite value ends the search */
+}
+
+/* ------------------------------------------------------------------------------------------ integrals */
+
+/* Powers of x whose exponents are given. */
+static void powers(double x, void *data, double *y)
+{
+    const int *exponent = data;
+    int i;
+
+    calls++;
+    for (i = 0; i < FLK_INTEGRALS; i++)
+        y[i] = pow(x, exponent[i]);
+}
+
+/* exp(-x), cos(x), 1 / (1 + x^2) */
+static void known(double x, void *data, double *y)
+{
+    (void)data;
+    y[0] = exp(-x);
+    y[1] = cos(x);
+    y[2] = 1 / (1 + x * x);
+}
+
+/* 1 / sqrt(x), -log(x), and a corner at 0.3 */
+static void rough(double x, void *data, double *y)
+{
+    (void)data;
+    y[0] = 1 / sqrt(x);
+    y[1] = -log(x);
+    y[2] = fabs(x - 0.3);
+}
+
+static void known_above(double x, void *data, double *y)
+{
+    *y = x < *(double *)data ? NAN : x;
+}
+
+/* A rule of 15 points that contains Gauss's of 7 is exact up to x^22 (23 by symmetry), Gauss's own up to x^13. */
+TEST(test_degree)
+{
+    flk_integral of[FLK_INTEGRALS];
+    int n;
+
+    for (n = 0; n < 30; n++) {
+        int exponent[FLK_INTEGRALS] = {n, n + 1, 2};
+        double exact = (pow(2, n + 1) - pow(-1, n + 1)) / (n + 1);
+
+        calls = 0;
+        flk_integrate(powers, exponent, FLK_INTEGRALS, -1, 2, of);
+        assert_int_equal(calls, 15);
+        if (n <= 22)
+            assert_near(of[0].value, exact, 4e-15 * of[0].size);
+        else if (n >= 24)
+            assert_true(fabs(of[0].value - exact) > 1e-14 * of[0].size);
+        if (n <= 13)
+            assert_near(of[0].error, 0, 4e-15 * of[0].size);
+        else
+            assert_true(of[0].error > 1e-8 * of[0].size);
+        assert_near(of[2].value, 3, 1e-14);
+    }
+}
+
+TEST(test_known_integrals)
+{
+    flk_integral of[FLK_INTEGRALS], back;
+    uint64_t seed = 11;
+    int i, k;
+
+    for (i = 0; i < 500; i++) {
+        double from = uniform(&seed, -2, 2), to = from + uniform(&seed, -1, 1);
+        double exact[FLK_INTEGRALS] = {exp(-from) - exp(-to), sin(to) - sin(from),
+                                       atan(to) - atan(from)};
+
+        flk_integrate(known, NULL, FLK_INTEGRALS, from, to, of);
+        for (k = 0; k < FLK_INTEGRALS; k++) {
+            assert_near(of[k].value, exact[k], k == 2 ? 1e-12 : 1e-15 * 8);
+            assert_true(of[k].error >= 0 && of[k].error < 1e-6);
+            assert_true(of[k].size >= fabs(of[k].value) * (1 - 1e-15));
+        }
+        assert_near(of[0].size, fabs(exact[0]), 1e-14); /* of one sign */
+        flk_integrate(known, NULL, 1, to, from, &back);
+        assert_near(back.value, -of[0].value, 1e-15 * 8);
+        assert_near(back.size, of[0].size, 1e-15 * 8);
+    }
+    flk_integrate(known, NULL, 2, 0, 3.14159265358979323846, of);
+    assert_near(of[1].value, 0, 1e-15);
+    assert_near(of[1].size, 2, 0.03); /* of both signs */
+}
+
+/* No point is at an end, and the two rules differ by more than the error. */
+TEST(test_rough_integrals)
+{
+    static const double exact[FLK_INTEGRALS] = {2, 1, 0.29};
+    flk_integral of[FLK_INTEGRALS];
+    double unknown = 0.5;
+    int k;
+
+    flk_integrate(rough, NULL, FLK_INTEGRALS, 0, 1, of);
+    for (k = 0; k < FLK_INTEGRALS; k++) {
+        double error = fabs(of[k].value - exact[k]);
+
+        assert_true(error > 1e-5 && error < 0.1);
+        assert_true(of[k].error > error && of[k].error < 0.2);
+        assert_near(of[k].size, of[k].value, 1e-14);
+    }
+    flk_integrate(known_above, &unknown, 1, 0, 1, of);
+    assert_true(isnan(of[0].value));
+    flk_integrate(known_above, &unknown, 1, 0.5, 1, of);
+    assert_near(of[0].value, 0.375, 1e-15);
 }
 
 int main(void)
