@@ -1,17 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.c - zeros of a function of one variable, by false position that halves the value of an end which stays (the
-** Illinois method; M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11, 1971, p. 168), and by bisection where
-** only the sign of the function is known.
+** solve.c - zeros, peaks and integrals of a function of one variable.
+**
+** Zeros: false position that halves the value of an end which stays (the Illinois method; M. Dowell, P. Jarratt, A
+** modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the function is known.
+** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 5.
+** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
 */
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "solve.h"
 
 #define ITERATIONS 200
+#define GOLDEN 0.38196601125010515 /* (3 - sqrt(5)) / 2 */
+#define NARROWEST 1e-8 /* part of the interval: closer values of a smooth peak hardly differ */
 
 flk_bracket flk_bracket_of(double low, double high, double f_low, double f_high)
 {
@@ -56,7 +63,7 @@ static double beside_end(const flk_bracket *b, double next)
     return next > b->low ? b->high - little : b->low + little;
 }
 
-double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket *b, double close)
+double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
 {
     double x = fabs(b->f_low) < fabs(b->f_high) ? b->low : b->high, value;
     int is_rising = b->f_low < 0, is_beside = 0, k;
@@ -76,4 +83,74 @@ double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket 
         flk_bracket_take(b, x, value, is_rising);
     }
     return x;
+}
+
+/* At the distance t from the best place the parabola through the three is f + s t - c t^2.  Its top is at s / (2 c), and
+** higher by s^2 / (4 c).  If it is not higher, or parabolas are slow, the longer side is divided, by golden section or, if
+** it is far longer, closer to the best place. */
+flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close)
+{
+    flk_sample low = p[0], best = p[1], high = p[2], next;
+    double length = high.x - low.x, narrowest = NARROWEST * length, before = GSL_POSINF;
+    int is_top = 0, was_top, equal = 0, k;
+
+    for (k = 0; k < ITERATIONS && length > narrowest && best.value < GSL_POSINF; k++) {
+        double a = best.x - low.x, b = high.x - best.x;
+        double rise = (best.value - low.value) / a, fall = (best.value - high.value) / b;
+        double c = (rise + fall) / length, s = rise - c * a, step = s / (2 * c);
+
+        was_top = is_top;
+        is_top = s * step / 2 <= close;
+        if ((is_top && was_top) || equal > 1)
+            break;
+        if (is_top || length > 0.5 * before || !(-a < step && step < b))
+            step = (b > a ? GOLDEN : -GOLDEN) *
+                   sqrt(GSL_MAX_DBL(a, narrowest) * GSL_MAX_DBL(b, narrowest));
+        next.x = best.x + step;
+        next.value = f(next.x, data);
+        equal += fabs(next.value - best.value) <= close;
+        if (next.value > best.value) {
+            *(step > 0 ? &low : &high) = best;
+            best = next;
+        } else {
+            *(step > 0 ? &high : &low) = next;
+        }
+        before = length;
+        length = high.x - low.x;
+    }
+    return best;
+}
+
+/* Nodes x >= 0, the weights of Kronrod's rule and those of Gauss's. */
+#define NODES 8
+
+static const double rule[NODES][3] = {
+    {0, 0.20948214108472782801, 0.41795918367346938776},
+    {0.2077849550078984676, 0.20443294007529889241, 0},
+    {0.40584515137739716691, 0.19035057806478540991, 0.38183005050511894495},
+    {0.58608723546769113029, 0.16900472663926790283, 0},
+    {0.74153118559939443986, 0.14065325971552591875, 0.2797053914892766679},
+    {0.86486442335976907279, 0.10479001032225018384, 0},
+    {0.94910791234275852453, 0.063092092629978553291, 0.12948496616886969327},
+    {0.99145537112081263921, 0.022935322010529224964, 0},
+};
+
+void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of)
+{
+    double middle = 0.5 * (from + to), half = 0.5 * (to - from), y[FLK_INTEGRALS];
+    int i, k;
+
+    memset(of, 0, (size_t)n * sizeof *of);
+    for (k = 1 - NODES; k < NODES; k++) {
+        const double *at = rule[abs(k)];
+
+        f(k < 0 ? middle - half * at[0] : middle + half * at[0], data, y);
+        for (i = 0; i < n; i++) {
+            of[i].value += half * at[1] * y[i];
+            of[i].size += fabs(half * at[1] * y[i]);
+            of[i].error += half * (at[1] - at[2]) * y[i];
+        }
+    }
+    for (i = 0; i < n; i++)
+        of[i].error = fabs(of[i].error);
 }

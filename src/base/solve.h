@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** solve.h - zeros of a function of one variable.
+** solve.h - zeros, peaks and integrals of a function of one variable.
 */
 #ifndef FOURLINK_SOLVE_H
 #define FOURLINK_SOLVE_H
+
+typedef double flk_function(double x, void *data);
 
 /* Two places, low < high, with values of unlike signs.  An infinite value has a sign, but no size. */
 typedef struct flk_bracket {
@@ -22,6 +24,29 @@ void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
 
 /* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place that was looked at.  The bracket
 ** closes about it.  NaN ends the search. */
-double flk_find_zero(double (*f)(double x, void *data), void *data, flk_bracket *b, double close);
+double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close);
+
+/* A place and the value there. */
+typedef struct flk_sample {
+    double x, value;
+} flk_sample;
+
+/* The largest value between two places, p[0] and p[2], that is found from p[1], the best of the three.  The search ends
+** where values of a smooth function differ by no more than about `close`, and at an infinite value.  NaN is less than any
+** number. */
+flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close);
+
+/* The values of a few functions at one place. */
+#define FLK_INTEGRALS 3
+typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);
+
+/* An integral; what another rule with half of the points differs by, which for a smooth function is far more than the
+** error; and the integral of the magnitude. */
+typedef struct flk_integral {
+    double value, error, size;
+} flk_integral;
+
+/* Integrate n functions by one rule of 15 points, none of them at an end. */
+void flk_integrate(flk_functions *f, void *data, int n, double from, double to, flk_integral *of);
 
 #endif

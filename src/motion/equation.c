@@ -75,7 +75,7 @@ static int find_places(const flk_equation *e, double s, double *places, double *
     return PLACES;
 }
 
-static int derive_at(const flk_equation *e, double s, const double *y, double *dy)
+static int derive_at(const flk_equation *e, double s, const double *y, double *dy, double *whole)
 {
     flk_machine_place place;
     flk_machine_push push;
@@ -88,22 +88,26 @@ static int derive_at(const flk_equation *e, double s, const double *y, double *d
     dy[FLK_PASSED] = y[FLK_SPEED];
     dy[FLK_SPEED] = push.alpha2;
     dy[FLK_ENERGY] = push.push * y[FLK_SPEED];
+    *whole = place.whole;
     return FOURLINK_OK;
 }
 
 int flk_equation_derive(void *equation, double t, const double *y, double *dy)
 {
-    const flk_equation *e = equation;
+    flk_equation *e = equation;
     double places[PLACES], weights[PLACES], values[UNKNOWNS], sum[UNKNOWNS] = {0, 0, 0};
+    double whole;
     int n = find_places(e, y[FLK_PASSED], places, weights), i, k, status;
 
     (void)t;
     if (n == 1)
-        return derive_at(e, y[FLK_PASSED], y, dy);
+        return derive_at(e, y[FLK_PASSED], y, dy, &e->whole);
+    e->whole = 0;
     for (i = 0; i < n; i++) {
-        status = derive_at(e, places[i], y, values);
+        status = derive_at(e, places[i], y, values, &whole);
         if (status != FOURLINK_OK)
             return status;
+        e->whole += weights[i] * whole;
         for (k = 0; k < UNKNOWNS; k++)
             sum[k] += weights[i] * values[k];
     }

@@ -13,6 +13,7 @@ typedef struct flk_equation {
     fourlink_branch branch;
     flk_acting *acting; /* memory for its loads; with the cell that is held */
     double from;        /* rad, theta2 of the first row */
+    double whole;       /* kg m2, J + I_f where derivatives were found last */
     double sense;       /* 1 or -1: of the range, in which angles passed and speeds are counted */
 } flk_equation;
 

@@ -113,7 +113,7 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
 void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
 {
     const flk_node *end = flk_path_end(p);
-    double from = GSL_MAX(0, end->y[FLK_PASSED] - cycle), least, most, growth;
+    double from = GSL_MAX(0, end->y[FLK_PASSED] - cycle), least, most;
     sample first;
 
     if (!(end->y[FLK_PASSED] > 0) || !take(p, from, &first) || !find_range(p, from, &least, &most))
@@ -122,8 +122,8 @@ void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
     f->mean_speed = p->equation.sense * (end->y[FLK_PASSED] - from) / f->period;
     f->mean_speed_textbook = p->equation.sense * 0.5 * (least + most);
     f->fluctuation_exact = (most - least) / fabs(f->mean_speed);
-    if (p->is_steady && flk_path_growth(p, &growth) == FOURLINK_OK)
-        f->steady_rate = exp(growth);
+    if (p->is_steady)
+        f->steady_rate = exp(flk_path_growth(p));
 }
 
 void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)

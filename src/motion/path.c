@@ -45,6 +45,8 @@ typedef struct cell {
     fourlink_state held;
     double slowest, fastest; /* rad/s, of the crank, of the piece of the motor's curve */
     double slow, little;     /* rad/s, J: of less, errors count as of this */
+    int goes_on;             /* 1: the last step ended within it, where J + I_f is this: */
+    double whole;            /* kg m2 */
 } cell;
 
 typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
@@ -74,27 +76,31 @@ static void correct(const flk_path *p, double whole, flk_node *node)
     *speed = *speed < 0 ? -sqrt(2 * E / whole) : sqrt(2 * E / whole);
 }
 
-/* Set the beginning of a step at a node. */
+/* Set the beginning of a step at a node.  Within a cell it has the derivatives of the end of the last step, which hardly
+** change with the correction. */
 static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
 {
-    double whole, alpha;
-    int status = flk_equation_whole(&p->equation, node->y[FLK_PASSED], &whole);
+    double alpha;
+    int status =
+        c->goes_on ? FOURLINK_OK : flk_equation_whole(&p->equation, node->y[FLK_PASSED], &c->whole);
 
-    if (status == FOURLINK_OK)
-        correct(p, whole, node);
-
+    if (status != FOURLINK_OK)
+        return status;
+    correct(p, c->whole, node);
     step->f = flk_equation_derive;
     step->context = &p->equation;
     step->x = node->t;
     memcpy(step->y, node->y, sizeof step->y);
-    if (status == FOURLINK_OK)
+    if (c->goes_on) {
+        memcpy(step->k[0], step->k[FLK_STAGE_AT_END], sizeof step->k[0]);
+        step->k[0][FLK_PASSED] = step->y[FLK_SPEED];
+    } else {
         status = flk_equation_derive(&p->equation, node->t, step->y, step->k[0]);
-    if (status != FOURLINK_OK)
-        return status;
+    }
     alpha = fabs(step->k[0][FLK_SPEED]);
-    c->slow = SLOW * sqrt(2 * (p->largest / whole + FIRST * alpha));
-    c->little = SLOW * FIRST * whole * alpha;
-    return FOURLINK_OK;
+    c->slow = SLOW * sqrt(2 * (p->largest / c->whole + FIRST * alpha));
+    c->little = SLOW * FIRST * c->whole * alpha;
+    return status;
 }
 
 /* The error of a step in parts of the tolerance. */
@@ -124,8 +130,8 @@ static int are_finite(const double *values, int n)
 }
 
 /* Take a step of this length, with the values within it: its error, or a status. */
-static int take(const flk_path *p, const cell *c, flk_step *step, double h,
-                flk_curve_of_step *within, double *size)
+static int take(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_of_step *within,
+                double *size)
 {
     double error[FLK_UNKNOWNS];
     int status, i;
@@ -140,6 +146,7 @@ static int take(const flk_path *p, const cell *c, flk_step *step, double h,
     if (*size > 1)
         return FOURLINK_OK;
     status = flk_step_end(step);
+    c->whole = p->equation.whole;
     if (status == FOURLINK_OK)
         status = flk_step_within(step, within);
     for (i = 0; i < FLK_UNKNOWNS && status == FOURLINK_OK; i++)
@@ -262,8 +269,8 @@ static int cut(const flk_node *node, int i, double value, int rises, double *par
     return 1;
 }
 
-/* The part of a step at which the speed has its peak, if it turns there; else 1.  (The slope of the speed at both ends says
-** so; golden section on the interpolant.) */
+/* The part of a step at which the speed has its peak, if it turns there, as the slopes at both ends say; else 1.  Golden
+** section, as the peak may be close to an end. */
 static double peak_of_speed(const flk_node *node, const flk_step *step)
 {
     double sign = step->k[0][FLK_SPEED] < 0 ? -1 : 1, low = 0, high = 1, x, y;
@@ -374,6 +381,7 @@ static int enter(flk_path *p, const flk_node *node, int turning, double length, 
     way.has_loads = 1;
     way.speed = NULL;
     c->turning = turning;
+    c->goes_on = 0;
     c->end = turning * flk_corners_next(&way, turning * s, GSL_POSINF, NULL, 0, &c->what);
     crank.theta2 = flk_equation_theta2(e, 0.5 * (s + c->end));
     crank.omega2 = way.sense;
@@ -424,6 +432,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
         if (status != FOURLINK_OK)
             return status;
         why = end_step(p, node, c, &step, &after);
+        c->goes_on = why == IN_CELL;
         if (why == IN_CELL && step.h == duration - node->t)
             after.t = duration;
         if (why == AT_STOP && !p->swings)
@@ -603,56 +612,49 @@ double flk_path_travel(const flk_path *p)
 
 /* ---------------------------------------------------------------------------------------------------- growth */
 
-/* d(T_m + Q)/d(omega2) / ((J + I_f) omega2), by a difference within the cell. */
-static int growth_at(const flk_path *p, const flk_node *node, double s, double *growth)
+/* A step, and the path that it is of. */
+typedef struct span {
+    const flk_path *p;
+    const flk_node *node;
+} span;
+
+/* d(T_m + Q)/d(omega2) / (J + I_f) at a time, by a difference within the cell. */
+static void growth_at(double t, void *data, double *growth)
 {
-    const flk_equation *e = &p->equation;
+    const span *x = data;
+    const flk_equation *e = &x->p->equation;
     flk_machine_push slower, faster;
     flk_machine_place place;
     fourlink_state held;
+    double speed, theta2;
     flk_node at;
-    double speed;
-    int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
 
-    if (status != FOURLINK_OK)
-        return status;
-    at_angle(node, s, &at);
+    *growth = GSL_NAN;
+    at_part(x->node, (t - x->node->t) / x->node->h, &at);
+    theta2 = flk_equation_theta2(e, at.y[FLK_PASSED]);
     speed = at.y[FLK_SPEED];
+    if (flk_machine_at(&e->machine, e->branch, theta2, &place) != FOURLINK_OK)
+        return;
     held = place.state;
     fourlink_velocity(&e->machine.mechanism, e->sense, &held);
     e->acting->held = &held;
     e->acting->held_speed = e->sense * speed;
-    status = flk_equation_push(e, &place, speed * (1 - DIFFERENCE), &slower);
-    if (status == FOURLINK_OK)
-        status = flk_equation_push(e, &place, speed * (1 + DIFFERENCE), &faster);
+    if (flk_equation_push(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
+        flk_equation_push(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
+        *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / place.whole;
     e->acting->held = NULL;
-    if (status != FOURLINK_OK)
-        return status;
-    *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / (place.whole * speed);
-    return FOURLINK_OK;
 }
 
-/* By Gauss's rule of four points within each step. */
-int flk_path_growth(const flk_path *p, double *growth)
+double flk_path_growth(const flk_path *p)
 {
-    static const double x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                0.93056815579702629};
-    static const double w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                0.17392742256872693};
-    double sum = 0, value;
-    size_t k;
-    int i, status;
+    double growth = 0;
+    flk_integral here;
+    span x;
 
-    for (k = 0; k + 1 < p->n; k++) {
-        double from = p->node[k].y[FLK_PASSED], length = p->node[k + 1].y[FLK_PASSED] - from;
-
-        for (i = 0; i < 4; i++) {
-            status = growth_at(p, &p->node[k], from + x[i] * length, &value);
-            if (status != FOURLINK_OK)
-                return status;
-            sum += w[i] * length * value;
-        }
+    x.p = p;
+    for (x.node = p->node; x.node + 1 < p->node + p->n; x.node++) {
+        flk_integrate(growth_at, &x, 1, x.node->t, x.node[1].t, &here);
+        growth += here.value;
     }
-    *growth = sum;
-    return FOURLINK_OK;
+    return growth;
 }

@@ -52,7 +52,7 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
 double flk_path_travel(const flk_path *p);
 
 /* By which the logarithm of a small difference of energy grows over the path:
-** integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2. */
-int flk_path_growth(const flk_path *p, double *growth);
+** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
+double flk_path_growth(const flk_path *p);
 
 #endif

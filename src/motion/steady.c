@@ -250,7 +250,7 @@ static int solve_speed(const problem *q, double *x, double *growth, double close
                 return 0;
             r[0] = GSL_POSINF;
             *growth = 0;
-        } else if (!is_near && flk_path_growth(q->p, growth) != FOURLINK_OK) {
+        } else if (!is_near && gsl_isnan(*growth = flk_path_growth(q->p))) {
             return 0;
         }
         dx = newton(r[0], *growth);

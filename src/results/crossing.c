@@ -30,6 +30,7 @@ typedef struct crossings {
     flk_tracked t;
     double value, size;
     int varies;  /* 1: the column is not constant */
+    double side; /* 1 or -1: of the samples at hand */
     double last; /* rad passed, of the last that was found */
     unsigned long max, n;
     double *angles;
@@ -85,30 +86,12 @@ static void search_step(crossings *k, const sample *a, const sample *b)
     keep(k, flk_find_zero(off_at, k, &bracket, 0));
 }
 
-/* Where the column comes nearest to the value between two samples, and how near, less than 0 beyond it: golden section. */
-static sample nearest(crossings *k, double sign, double low, double high)
+/* How far the column is beyond the value, against the side on which the samples are. */
+static double beyond(double s, void *data)
 {
-    double ratio = 0.5 * (sqrt(5.0) - 1);
-    sample x, y;
-    int i;
+    crossings *k = data;
 
-    x.s = high - ratio * (high - low);
-    y.s = low + ratio * (high - low);
-    x.off = sign * off_at(x.s, k);
-    y.off = sign * off_at(y.s, k);
-    for (i = 0; i < 40; i++)
-        if (x.off < y.off) {
-            high = y.s;
-            y = x;
-            x.s = high - ratio * (high - low);
-            x.off = sign * off_at(x.s, k);
-        } else {
-            low = x.s;
-            x = y;
-            y.s = low + ratio * (high - low);
-            y.off = sign * off_at(y.s, k);
-        }
-    return x.off < y.off ? x : y;
+    return -k->side * off_at(s, k);
 }
 
 /* Three samples on one side of the value that come near to it and turn: between them the column may touch it, or pass it
@@ -116,19 +99,28 @@ static sample nearest(crossings *k, double sign, double low, double high)
 static void search_turn(crossings *k, const sample *a, const sample *b, const sample *c)
 {
     double sign = b->off < 0 ? -1 : 1;
-    sample top;
+    flk_sample p[3], top;
+    sample near;
 
     if (gsl_isnan(a->off) || gsl_isnan(b->off) || gsl_isnan(c->off) || leaps(k, a, b) ||
         leaps(k, b, c) || sign * a->off < 0 || sign * c->off < 0 ||
         !(fabs(b->off) < fabs(a->off)) || fabs(b->off) > fabs(c->off))
         return;
-    top = nearest(k, sign, a->s, c->s);
-    top.off *= sign;
-    if (fabs(top.off) <= EXACT * size_of(k))
-        keep(k, top.s);
+    k->side = sign;
+    p[0].x = a->s;
+    p[1].x = b->s;
+    p[2].x = c->s;
+    p[0].value = -sign * a->off;
+    p[1].value = -sign * b->off;
+    p[2].value = -sign * c->off;
+    top = flk_find_peak(beyond, k, p, 0);
+    near.s = top.x;
+    near.off = -sign * top.value;
+    if (fabs(near.off) <= EXACT * size_of(k))
+        keep(k, near.s);
     else {
-        search_step(k, a, &top);
-        search_step(k, &top, c);
+        search_step(k, a, &near);
+        search_step(k, &near, c);
     }
 }
 

@@ -21,45 +21,34 @@ static double size_inside(const flk_search *x, const double *values)
     return size;
 }
 
-/* The denominator of a column that has poles, at a parameter. */
-static double denominator_at(const flk_search *x, const flk_tracked *t, double s)
-{
-    flk_row row;
-
-    flk_search_compute(x, flk_column_need(t->c), flk_search_passed(x, s), &row);
-    return row.at.status == FOURLINK_OK ? flk_column_denominator(t->c, &row) : GSL_NAN;
-}
-
 #define BESIDE_POLE 1e-8          /* s */
 #define ROUNDING_BESIDE_POLE 1e-6 /* there, in parts of the column's size */
 
 typedef struct divisor {
     const flk_search *x;
-    const flk_tracked *t;
+    flk_tracked *t;
 } divisor;
 
+/* The denominator of a column that has poles, at a parameter. */
 static double divisor_at(double s, void *data)
 {
     const divisor *d = data;
+    flk_row row;
 
-    return denominator_at(d->x, d->t, s);
+    flk_search_compute(d->x, flk_column_need(d->t->c), flk_search_passed(d->x, s), &row);
+    return row.at.status == FOURLINK_OK ? flk_column_denominator(d->t->c, &row) : GSL_NAN;
 }
 
 /* Find the zero of the denominator between two parameters where it has unlike signs: a pole, unless the numerator
 ** vanishes with it. */
-static void find_pole(const flk_search *x, flk_tracked *t, double low, double high, double at_low)
+static void find_pole(divisor *d, flk_bracket b)
 {
-    flk_bracket b = flk_bracket_of(low, high, at_low, denominator_at(x, t, high));
-    double near;
-    divisor d;
+    double at = flk_find_zero(divisor_at, d, &b, 0);
+    double near = fabs(flk_search_value(d->x, d->t, at - BESIDE_POLE, 0));
 
-    d.x = x;
-    d.t = t;
-    low = flk_find_zero(divisor_at, &d, &b, 0);
-    near = fabs(flk_search_value(x, t, low - BESIDE_POLE, 0));
-    if (near > 1.5 * fabs(flk_search_value(x, t, low - 2 * BESIDE_POLE, 0))) {
-        flk_search_offer_at(x, &t->here[0], 0, GSL_POSINF, low);
-        flk_search_offer_at(x, &t->here[1], 1, GSL_NEGINF, low);
+    if (near > 1.5 * fabs(flk_search_value(d->x, d->t, at - 2 * BESIDE_POLE, 0))) {
+        flk_search_offer_at(d->x, &d->t->here[0], 0, GSL_POSINF, at);
+        flk_search_offer_at(d->x, &d->t->here[1], 1, GSL_NEGINF, at);
     }
 }
 
@@ -91,19 +80,22 @@ void flk_search_find_poles(flk_search *x, flk_tracked *t, const double *values)
 {
     double at, before = GSL_NAN;
     size_t i, last = 0;
+    divisor d;
 
     if (!gsl_finite(t->bound) || !x->n)
         return;
+    d.x = x;
+    d.t = t;
     find_pole_at_corner(x, t, values, x->s[0], 1);
     find_pole_at_corner(x, t, values, x->s[x->n - 1], -1);
     for (i = 0;
          i < x->n && (fabs(t->here[0].value) < t->bound || fabs(t->here[1].value) < t->bound);
          i++) {
-        at = denominator_at(x, t, x->s[i]);
+        at = divisor_at(x->s[i], &d);
         if (at == 0) /* between samples of unlike sign */
             continue;
         if (before * at < 0)
-            find_pole(x, t, x->s[last], x->s[i], before);
+            find_pole(&d, flk_bracket_of(x->s[last], x->s[i], before, at));
         before = at;
         last = i;
     }
@@ -153,15 +145,15 @@ static void compute_approach(const flk_search *x, int at_end, double length, app
 static double extrapolate(const double *x, const double *y, int power, double *error)
 {
     flk_polynomial p;
-    double slope, before, value;
+    double before, value;
     int k;
 
     p.n = 0;
     for (k = 0; k < NODES - 1; k++)
         flk_polynomial_add(&p, x[k], gsl_pow_int(x[k], power) * y[k]);
-    before = flk_polynomial_value(&p, 0, &slope);
+    before = flk_polynomial_value(&p, 0);
     flk_polynomial_add(&p, x[k], gsl_pow_int(x[k], power) * y[k]);
-    value = flk_polynomial_value(&p, 0, &slope);
+    value = flk_polynomial_value(&p, 0);
     *error = fabs(value - before);
     return value;
 }
@@ -291,7 +283,7 @@ static int is_size(const flk_tracked *t)
 ** between them and the end goes on as that of the vector does, with the other sign. */
 static double value_near(const flk_tracked *t, const flk_polynomial *p, double at)
 {
-    double slope, value = flk_polynomial_value(p, at, &slope);
+    double value = flk_polynomial_value(p, at);
 
     return is_size(t) ? fabs(value) : value;
 }
@@ -461,41 +453,14 @@ static int find_vector_pole(const flk_search *x, const flk_tracked *t, const app
 /* The column of a vector at a distance x from its pole; a direction is that nearest to `near`. */
 static double near_pole(const flk_tracked *t, const vector_pole *v, double x, double near)
 {
-    double slope, u[2];
+    double u[2];
     int i;
 
     for (i = 0; i < 2; i++)
-        u[i] = x > 0 ? flk_polynomial_value(&v->u[i], x, &slope) : v->strength[i];
+        u[i] = x > 0 ? flk_polynomial_value(&v->u[i], x) : v->strength[i];
     if (t->turn > 0)
         return flk_search_nearest(t, atan2(u[1], u[0]) * t->c->scale, near);
     return gsl_hypot(u[0], u[1]) / gsl_pow_int(x, v->order) * t->c->scale;
-}
-
-/* The place of the largest value (or smallest: which = 1) between two places, by golden section. */
-static double golden_section(const flk_tracked *t, const vector_pole *v, int which, double low,
-                             double high, double near)
-{
-    static const double part = 0.38196601125010515;
-    double a = low + part * (high - low), b = high - part * (high - low);
-    double at_a = near_pole(t, v, a, near), at_b = near_pole(t, v, b, near);
-    int i;
-
-    for (i = 0; i < 50; i++) {
-        if (flk_search_signed(which, at_a) > flk_search_signed(which, at_b)) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = low + part * (high - low);
-            at_a = near_pole(t, v, a, near);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = high - part * (high - low);
-            at_b = near_pole(t, v, b, near);
-        }
-    }
-    return 0.5 * (low + high);
 }
 
 /* 1 if the row at a distance x from the end has about this value: rounding may hide the rest. */
@@ -512,31 +477,54 @@ static int is_row(const flk_search *x, const flk_tracked *t, const approach *e, 
     return fabs(there - value) <= 1e-4 * GSL_MAX_DBL(fabs(value), t->size_here);
 }
 
+/* A column near the pole of its vector, or its negative where its smallest value is sought. */
+typedef struct beside_pole {
+    const flk_tracked *t;
+    const vector_pole *v;
+    int which;
+    double near; /* an angle goes on from there */
+} beside_pole;
+
+static double beside_pole_at(double x, void *data)
+{
+    const beside_pole *n = data;
+
+    return flk_search_signed(n->which, near_pole(n->t, n->v, x, n->near));
+}
+
 /* Offer the extremes of a column whose vector has a weak pole, between the end of the piece and its first
 ** sample, at the distance `most`: there it can turn or shrink on any scale. */
-#define SMALLEST 20 /* halvings of the distance */
+#define SCALES_OF_POLE 20 /* each half of the next */
 
 static void offer_near_pole(const flk_search *x, flk_tracked *t, const approach *e,
                             const vector_pole *v, double most, double near)
 {
-    double value[SMALLEST], at;
-    int k, which;
+    flk_sample at[SCALES_OF_POLE], top;
+    beside_pole n;
+    int k;
 
+    n.t = t;
+    n.v = v;
     most = GSL_MIN_DBL(most, v->most);
-    for (k = 0; k < SMALLEST; k++)
-        value[k] = near = near_pole(t, v, most * gsl_pow_int(0.5, k), near);
-    if (t->turn > 0)
-        offer_near(x, t, e, 0, near_pole(t, v, 0, near));
-    for (which = 0; which < 2; which++)
-        for (k = 1; k + 1 < SMALLEST; k++)
-            if (flk_search_signed(which, value[k]) >= flk_search_signed(which, value[k - 1]) &&
-                flk_search_signed(which, value[k]) >= flk_search_signed(which, value[k + 1])) {
-                at = golden_section(t, v, which, most * gsl_pow_int(0.5, k + 1),
-                                    most * gsl_pow_int(0.5, k - 1), value[k]);
-                near = near_pole(t, v, at, value[k]);
-                if (is_row(x, t, e, at, near))
-                    offer_near(x, t, e, at, near);
-            }
+    for (n.which = 0; n.which < 2; n.which++) {
+        n.near = near;
+        for (k = SCALES_OF_POLE - 1; k >= 0; k--) {
+            at[k].x = most * gsl_pow_int(0.5, SCALES_OF_POLE - 1 - k);
+            at[k].value = beside_pole_at(at[k].x, &n);
+            n.near = flk_search_signed(n.which, at[k].value);
+        }
+        if (t->turn > 0)
+            offer_near(x, t, e, 0, near_pole(t, v, 0, n.near));
+        for (k = 1; k + 1 < SCALES_OF_POLE; k++) {
+            if (!(at[k].value >= at[k - 1].value && at[k].value >= at[k + 1].value))
+                continue;
+            n.near = flk_search_signed(n.which, at[k].value);
+            top = flk_find_peak(beside_pole_at, &n, &at[k - 1], 0);
+            top.value = flk_search_signed(n.which, top.value);
+            if (is_row(x, t, e, top.x, top.value))
+                offer_near(x, t, e, top.x, top.value);
+        }
+    }
 }
 
 /* The error of a limit, in parts of the column's size, up to which it is used, and up to which its polynomial stands

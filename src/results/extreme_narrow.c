@@ -40,7 +40,7 @@ double flk_search_roughness(const flk_search *x, const double *values, size_t i,
     size_t k, from = i < 2 ? 0 : i + 3 > x->n ? x->n - 5 : i - 2;
     const double *v = values + i;
     flk_polynomial p;
-    double slope, d;
+    double d;
 
     if (x->n < 5)
         return 0;
@@ -51,7 +51,7 @@ double flk_search_roughness(const flk_search *x, const double *values, size_t i,
         for (k = from; k < from + 5; k++)
             if (k != i)
                 flk_polynomial_add(&p, x->s[k], values[k]);
-        d = flk_polynomial_value(&p, x->s[i], &slope) - values[i];
+        d = flk_polynomial_value(&p, x->s[i]) - values[i];
     }
     return d == d ? fabs(d) : 0;
 }

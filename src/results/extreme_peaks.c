@@ -8,24 +8,53 @@
 
 #include "extreme_search.h"
 
-#define NODES 7 /* of a polynomial through samples */
+#define NODES 7     /* of a polynomial through samples */
+#define EQUAL 1e-14 /* of a value: a search by rows ends */
+
+/* A column between two samples, or its negative where its smallest value is sought. */
+typedef struct peak {
+    const flk_search *x;
+    const flk_tracked *t;
+    int which;
+    flk_sample at[3]; /* a sample, the best place, a sample */
+    double size;      /* of the column */
+} peak;
+
+static flk_sample sample_of(const flk_search *x, const double *values, int which, size_t i)
+{
+    flk_sample sample;
+
+    sample.x = x->s[i];
+    sample.value = flk_search_signed(which, values[i]);
+    return sample;
+}
+
+/* The value at a parameter; an angle goes on from the best place. */
+static double value_at(double s, void *data)
+{
+    const peak *p = data;
+    double near = flk_search_signed(p->which, p->at[1].value);
+
+    return flk_search_signed(p->which, flk_search_value(p->x, p->t, s, near));
+}
 
 /* The polynomial through the samples nearest to number i; 0 if there are too few. */
-static int through_samples(const flk_search *x, const double *values, size_t i, flk_polynomial *p)
+static int through_samples(const flk_search *x, const double *values, int which, size_t i,
+                           flk_polynomial *p)
 {
     size_t from = i, to = i, lower = i, upper = i;
 
     p->n = 0;
-    flk_polynomial_add(p, x->s[i], values[i]);
+    flk_polynomial_add(p, x->s[i], flk_search_signed(which, values[i]));
     while (p->n < NODES) {
         lower = lower == from ? flk_search_beside(x, values, from, -1) : lower;
         upper = upper == to ? flk_search_beside(x, values, to, 1) : upper;
         if (lower == from && upper == to)
             break;
         if (upper == to || (lower != from && x->s[i] - x->s[lower] <= x->s[upper] - x->s[i]))
-            flk_polynomial_add(p, x->s[lower], values[from = lower]);
+            flk_polynomial_add(p, x->s[lower], flk_search_signed(which, values[from = lower]));
         else
-            flk_polynomial_add(p, x->s[upper], values[to = upper]);
+            flk_polynomial_add(p, x->s[upper], flk_search_signed(which, values[to = upper]));
     }
     return p->n > 2;
 }
@@ -35,97 +64,58 @@ static double median(double x, double y, double z)
     return GSL_MAX_DBL(GSL_MIN_DBL(x, y), GSL_MIN_DBL(GSL_MAX_DBL(x, y), z));
 }
 
-/* Move `best` up: compute rows on both sides, closer and closer, until the parabola through three of them gives the
-** value of the row at its top, or their values are equal. */
-static void climb(flk_search *x, const flk_tracked *t, int which, double low, double high,
-                  flk_place *best)
+/* Take the top of a polynomial between two places if it is better.  1 if the row there agrees with the polynomial. */
+static int take_top(peak *p, flk_polynomial *through, double low, double high, double close)
 {
-    double step = (high - low) / 8;
-    int i;
+    flk_sample top;
+    int agrees;
 
-    for (i = 0; i < 60 && step > 1e-13; i++) {
-        flk_place left, right, top;
-        flk_polynomial p;
-        double slope;
-
-        p.n = 0;
-        left.s = GSL_MAX_DBL(best->s - step, low);
-        right.s = GSL_MIN_DBL(best->s + step, high);
-        left.value = flk_search_value(x, t, left.s, best->value);
-        right.value = flk_search_value(x, t, right.s, best->value);
-        if (flk_search_signed(which, left.value) > flk_search_signed(which, best->value) &&
-            flk_search_signed(which, left.value) >= flk_search_signed(which, right.value)) {
-            *best = left;
-            continue;
-        }
-        if (flk_search_signed(which, right.value) > flk_search_signed(which, best->value)) {
-            *best = right;
-            continue;
-        }
-        step /= 4;
-        if (fabs(left.value - best->value) + fabs(right.value - best->value) <=
-            FLK_SEARCH_CLOSE * fabs(best->value))
-            return;
-        if (!(left.s < best->s && best->s < right.s) || gsl_isnan(left.value + right.value))
-            continue;
-        flk_polynomial_add(&p, left.s, left.value);
-        flk_polynomial_add(&p, best->s, best->value);
-        flk_polynomial_add(&p, right.s, right.value);
-        if (!flk_polynomial_find_flat(&p, left.s, right.s, &top.s))
-            continue;
-        top.value = flk_search_value(x, t, top.s, best->value);
-        if (fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <=
-            FLK_SEARCH_CLOSE * median(fabs(left.value), fabs(best->value), fabs(right.value))) {
-            *best = top;
-            return;
-        }
-        if (flk_search_signed(which, top.value) > flk_search_signed(which, best->value))
-            *best = top;
-    }
+    if (!flk_polynomial_find_flat(through, low, high, &top.x))
+        return 0;
+    top.value = value_at(top.x, p);
+    agrees = top.value >= p->at[1].value - close &&
+             fabs(top.value - flk_polynomial_value(through, top.x)) <= close;
+    if (agrees || top.value > p->at[1].value)
+        p->at[1] = top;
+    return agrees;
 }
 
-/* The same from an end, if the column rises from there: a smooth one that does not rise at 1e-5 of the step gains less
-** than 1e-10 of its size within it.  Near one line peaks are narrower. */
-static void climb_from_end(flk_search *x, const flk_tracked *t, int which, double low, double high,
-                           flk_place *best)
+/* From an end the search begins beside it, if the column rises there: a smooth one that does not rise at 1e-5 of the
+** step gains less than 1e-10 of its size within it.  Near one line peaks are narrower. */
+static int leave_end(peak *p)
 {
     static const double near_line[] = {1e-3, 1e-4, 1e-5, 1e-6};
-    double length = best->s == low ? high - low : low - high;
-    int is_near_line = x->closest_line < 0.05, k;
-    flk_place beside;
+    double end = p->at[1].x;
+    double length = end == p->at[0].x ? p->at[2].x - end : p->at[0].x - end;
+    int is_near_line = p->x->closest_line < 0.05, k;
+    flk_sample beside;
 
     for (k = 0; k < (is_near_line ? 4 : 1); k++) {
-        beside.s = best->s + length * (is_near_line ? near_line[k] : 1e-5);
-        beside.value = flk_search_value(x, t, beside.s, best->value);
-        if (flk_search_signed(which, beside.value) > flk_search_signed(which, best->value)) {
-            *best = beside;
-            climb(x, t, which, low, high, best);
-            return;
+        beside.x = end + length * (is_near_line ? near_line[k] : 1e-5);
+        beside.value = value_at(beside.x, p);
+        if (beside.value > p->at[1].value) {
+            p->at[1] = beside;
+            return 1;
         }
     }
+    return 0;
 }
 
 /* Improve the place of a peak.  It is flat, so values give its place to the root of the rounding only; the slope
 ** of a polynomial through rows close about it is more exact. */
-static void sharpen(const flk_search *x, const flk_tracked *t, double low, double high, double size,
-                    flk_place *top)
+static void sharpen(peak *p)
 {
-    double step = (high - low) / 20, slope;
-    flk_polynomial p;
-    flk_place sharp;
+    double step = (p->at[2].x - p->at[0].x) / 20, middle = p->at[1].x;
+    flk_polynomial through;
     int k;
 
-    if (top->s - 2 * step < low || top->s + 2 * step > high)
+    if (middle - 2 * step < p->at[0].x || middle + 2 * step > p->at[2].x)
         return;
-    p.n = 0;
+    through.n = 0;
     for (k = -2; k <= 2; k++)
-        flk_polynomial_add(&p, top->s + k * step,
-                           k ? flk_search_value(x, t, top->s + k * step, top->value) : top->value);
-    if (!flk_polynomial_find_flat(&p, top->s - step, top->s + step, &sharp.s))
-        return;
-    sharp.value = flk_search_value(x, t, sharp.s, top->value);
-    if (fabs(sharp.value - flk_polynomial_value(&p, sharp.s, &slope)) <= FLK_SEARCH_CLOSE * size)
-        *top = sharp;
+        flk_polynomial_add(&through, middle + k * step,
+                           k ? value_at(middle + k * step, p) : p->at[1].value);
+    take_top(p, &through, middle - step, middle + step, FLK_SEARCH_CLOSE * p->size);
 }
 
 /* The peak that the samples have at or beside number i. */
@@ -134,52 +124,46 @@ static void refine(flk_search *x, const flk_tracked *t, const double *values, in
 {
     size_t before = flk_search_beside(x, values, i, -1),
            behind = flk_search_beside(x, values, i, 1);
-    double low = x->s[before], high = x->s[behind], slope;
-    double size = median(fabs(values[before]), fabs(values[i]), fabs(values[behind]));
-    flk_place best = flk_search_place(x, values, i), top;
-    flk_polynomial p;
-    int is_good = 0;
+    flk_polynomial through;
+    peak p;
 
-    if (!t->is_noise && low < high) {
-        if (through_samples(x, values, i, &p) && flk_polynomial_find_flat(&p, low, high, &top.s)) {
-            top.value = flk_search_value(x, t, top.s, best.value);
-            is_good = fabs(top.value - flk_polynomial_value(&p, top.s, &slope)) <= 1e-11 * size &&
-                      flk_search_signed(which, top.value) >= flk_search_signed(which, best.value);
-            if (flk_search_signed(which, top.value) > flk_search_signed(which, best.value))
-                best = top;
-        }
-        if (!is_good && (before == i || behind == i) && best.s == x->s[i])
-            climb_from_end(x, t, which, low, high, &best);
-        else if (!is_good)
-            climb(x, t, which, low, high, &best);
-        if (!is_good)
-            sharpen(x, t, low, high, size, &best);
+    p.x = x;
+    p.t = t;
+    p.which = which;
+    p.at[0] = sample_of(x, values, which, before);
+    p.at[1] = sample_of(x, values, which, i);
+    p.at[2] = sample_of(x, values, which, behind);
+    p.size = median(fabs(p.at[0].value), fabs(p.at[1].value), fabs(p.at[2].value));
+    if (!t->is_noise && before < behind &&
+        !(through_samples(x, values, which, i, &through) &&
+          take_top(&p, &through, p.at[0].x, p.at[2].x, 1e-11 * p.size))) {
+        int is_end = (before == i || behind == i) && p.at[1].x == x->s[i];
+
+        if (!is_end || leave_end(&p))
+            p.at[1] = flk_find_peak(value_at, &p, p.at, EQUAL * p.size);
+        sharpen(&p);
     }
-    flk_search_offer_at(x, f, which, best.value, best.s);
+    flk_search_offer_at(x, f, which, flk_search_signed(which, p.at[1].value), p.at[1].x);
 }
 
 void flk_search_offer_samples(const flk_search *x, flk_tracked *t, const double *values)
 {
-    size_t i, most = x->n, least = x->n;
+    int which;
 
-    for (i = 0; i < x->n; i++) {
-        if (most == x->n ? values[i] == values[i] : values[i] > values[most])
-            most = i;
-        if (least == x->n ? values[i] == values[i] : values[i] < values[least])
-            least = i;
+    for (which = 0; which < 2; which++) {
+        double here, best = GSL_NAN, least;
+        size_t i;
+
+        for (i = 0; i < x->n; i++) {
+            here = flk_search_signed(which, values[i]);
+            best = here <= best || here != here ? best : here;
+        }
+        least = best - (fabs(best) < GSL_POSINF ? FLK_SEARCH_CLOSE * fabs(best) : 0);
+        for (i = 0; i < x->n && !(flk_search_signed(which, values[i]) >= least); i++)
+            ;
+        if (i < x->n)
+            flk_search_offer_at(x, &t->here[which], which, values[i], x->s[i]);
     }
-    if (most == x->n)
-        return;
-    for (i = 0; values[i] != values[most] &&
-                !(values[i] > values[most] - FLK_SEARCH_CLOSE * fabs(values[most]));
-         i++)
-        ;
-    flk_search_offer_at(x, &t->here[0], 0, values[i], x->s[i]);
-    for (i = 0; values[i] != values[least] &&
-                !(values[i] < values[least] + FLK_SEARCH_CLOSE * fabs(values[least]));
-         i++)
-        ;
-    flk_search_offer_at(x, &t->here[1], 1, values[i], x->s[i]);
 }
 
 /* 1 if sample i is a peak among its neighbours, but for rounding. */

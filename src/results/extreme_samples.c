@@ -68,7 +68,8 @@ int flk_search_is_root(flk_piece_end end)
     return end == FLK_END_ROOT || end == FLK_END_DEAD || end == FLK_END_CHANGE_REST;
 }
 
-double flk_search_share(const flk_search *x, double s)
+/* The share of the piece that is passed at a parameter. */
+static double share(const flk_search *x, double s)
 {
     if (flk_search_is_root(x->piece.begin) && flk_search_is_root(x->piece.end))
         return 0.5 - 0.5 * cos(M_PI * s);
@@ -86,7 +87,7 @@ double flk_search_passed(const flk_search *x, double s)
     if (s >= 1)
         return x->piece.to < x->motion.length ? x->piece.to - GSL_MIN_DBL(INSIDE, length / 4)
                                               : x->piece.to;
-    return from + length * flk_search_share(x, s);
+    return from + length * share(x, s);
 }
 
 double flk_search_rate(const flk_search *x, double s)
@@ -359,15 +360,6 @@ size_t flk_search_beside(const flk_search *x, const double *values, size_t i, in
             last = k;
     }
     return last;
-}
-
-flk_place flk_search_place(const flk_search *x, const double *values, size_t i)
-{
-    flk_place p;
-
-    p.s = x->s[i];
-    p.value = values[i];
-    return p;
 }
 
 /* ------------------------------------------------------------------------------------------- the best */

@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 
+#include "base/solve.h"
 #include "column.h"
 #include "motion/pieces.h"
 #include "polynomial.h"
@@ -50,11 +51,6 @@ typedef struct flk_tracked {
     double known[2];   /* of an actual motion: its largest value is not less than known[0] ... */
 } flk_tracked;
 
-/* A sample of a column. */
-typedef struct flk_place {
-    double s, value;
-} flk_place;
-
 typedef struct flk_search {
     flk_analysis *a;
     fourlink_branch branch;
@@ -90,8 +86,7 @@ int flk_search_next(flk_search *x);
 /* 1 if the linkage can be assembled in the piece. */
 int flk_search_is_reached(const flk_search *x);
 
-/* The share of the piece that is passed at a parameter, and its derivative times the length of the piece. */
-double flk_search_share(const flk_search *x, double s);
+/* The derivative of the angle passed, rad, by the parameter. */
 double flk_search_rate(const flk_search *x, double s);
 
 /* The angle passed at a parameter of the piece, rad; just inside the piece at its ends.  The crank angle after
@@ -144,7 +139,6 @@ void flk_search_follow(flk_search *x, flk_tracked *t, double *values);
 void flk_search_insert(flk_search *x, size_t i, double s);
 
 double *flk_search_row(const flk_search *x, size_t column);
-flk_place flk_search_place(const flk_search *x, const double *values, size_t i);
 
 /* The nearest sample on a side that is not so close that differences are rounding, or the last one; i if there is
 ** none. */

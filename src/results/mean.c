@@ -5,23 +5,23 @@
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
 ** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion/pieces.c) is integrated by GSL's Gauss-Kronrod rule over the parameter s of extreme_samples.c, in
-** which a root at its end is smooth: at a dead position a velocity grows as 1 / sqrt(distance) and has a mean.
-** A part in which the rule is not exact is halved.  Where that does not end, the integral is infinite.
+** (motion/pieces.c) is integrated over the parameter s of extreme_samples.c, in which a root at its end is smooth: at a
+** dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the rule is not exact is halved.
+** Where that does not end, the integral is infinite.
 */
 #include <math.h>
 #include <string.h>
 
-#include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 
+#include "base/solve.h"
 #include "extreme_search.h"
 #include "mean.h"
 
 #define STEP (M_PI / 18)     /* rad, of a part at first */
 #define MOST_PARTS 2e4       /* of all of the motion, at first */
 #define HALVINGS 2000        /* at most */
-#define EXACT 1e-11          /* error of a part, of itself or of the whole */
+#define EXACT 1e-10          /* error of a part, of itself or of the whole */
 #define ROUNDING 1e-6        /* error that rows can have near a pole */
 #define SHORTEST 1e-10       /* part of a piece that is not halved any more, */
 #define SHORTEST_AT_END 1e-4 /* at an end without a row */
@@ -34,16 +34,10 @@ typedef struct moments {
     double of[3];
 } moments;
 
-/* Integrals of magnitudes over a part, and the errors of its integrals, for each power. */
-typedef struct estimate {
-    double size[3], error[3];
-} estimate;
-
 typedef struct means {
     flk_search x;
     flk_tracked t;   /* t.last: value from which an angle goes on; NaN: it starts anew */
-    int first, most; /* powers that are integrated */
-    int power;       /* the one at hand */
+    int first, most; /* powers that are sought */
     int is_rough;    /* 1: in the part at hand an angle leaps, or a row has no value */
     int poles;       /* UP, DOWN */
     int halvings;
@@ -59,24 +53,25 @@ static double value_at(const means *m, double s)
     return flk_column_value(m->t.c, &row);
 }
 
-static double integrand(double s, void *data)
+/* 1, y, y^2; where there is no value y is 0. */
+static void powers(double s, void *data, double *power)
 {
     means *m = data;
     double value = value_at(m, s);
 
     if (gsl_isnan(value)) {
         m->is_rough = 1;
-        return 0;
-    }
-    if (fabs(value) >= m->t.bound) {
+        value = 0;
+    } else if (fabs(value) >= m->t.bound) {
         m->poles |= value > 0 ? UP : DOWN;
-        return 0;
-    }
-    if (m->t.turn > 0 && !gsl_isnan(m->t.last)) {
+        value = 0;
+    } else if (m->t.turn > 0 && !gsl_isnan(m->t.last)) {
         value = flk_search_nearest(&m->t, value, m->t.last);
         m->is_rough |= fabs(value - m->t.last) > m->t.turn / 6;
     }
-    return gsl_pow_int(value, m->power) * flk_search_rate(&m->x, s);
+    power[0] = flk_search_rate(&m->x, s);
+    power[1] = value * power[0];
+    power[2] = value * power[1];
 }
 
 static void add(moments *sum, const moments *more)
@@ -142,51 +137,43 @@ static int is_shortest(const means *m, double from, double to)
 }
 
 /* 1 if the rule is exact for a part, or is not because rows are rounding: then to halve it does not help. */
-static int is_exact(const means *m, const estimate *part, const estimate *both, int k)
+static int is_exact(const flk_integral *part, const flk_integral *both, double whole)
 {
-    double error = part->error[k];
-
-    return error <= EXACT * part->size[k] || error <= EXACT * m->size[k] ||
-           (both && error <= ROUNDING * part->size[k] && error > both->error[k] / 8);
+    return part->error <= EXACT * part->size || part->error <= EXACT * whole ||
+           (both && part->error <= ROUNDING * part->size && part->error > both->error / 8);
 }
 
 /* The signs of a pole in a part. */
-static int signs_of(double integral, double size)
+static int signs_of(const flk_integral *part)
 {
-    return integral > 0.999 * size ? UP : integral < -0.999 * size ? DOWN : UP | DOWN;
+    return (part->value < 0.999 * part->size ? DOWN : 0) |
+           (part->value > -0.999 * part->size ? UP : 0);
 }
 
-/* Integrate the part of a piece between two parameters: a half of `both`, or null. */
-static void integrate(means *m, double from, double to, const estimate *both)
+/* Integrate the part of a piece between two parameters: a half of that whose integrals are `both`, or null. */
+static void integrate(means *m, double from, double to, const flk_integral *both)
 {
-    double middle = 0.5 * (from + to), spread;
+    double middle = 0.5 * (from + to);
     int shortest = is_shortest(m, from, to), k;
-    moments part;
-    estimate e;
-    gsl_function f;
+    flk_integral i[3];
 
-    f.function = integrand;
-    f.params = m;
-    memset(&part, 0, sizeof part);
-    part.of[0] = (flk_search_share(&m->x, to) - flk_search_share(&m->x, from)) *
-                 (m->x.piece.to - m->x.piece.from);
     m->is_rough = 0;
+    flk_integrate(powers, m, 3, from, to, i);
     for (k = m->first; k <= m->most; k++) {
-        m->power = k;
-        gsl_integration_qk15(&f, from, to, &part.of[k], &e.error[k], &e.size[k], &spread);
-        m->size[k] += e.size[k] - (both ? both->size[k] / 2 : 0);
-        m->is_rough |= !is_exact(m, &e, both, k);
-        if (shortest && m->t.turn <= 0 && e.error[k] > UNBOUNDED * m->size[k])
-            m->poles |= signs_of(part.of[k], e.size[k]);
+        m->size[k] += i[k].size - (both ? both[k].size / 2 : 0);
+        m->is_rough |= !is_exact(&i[k], both ? &both[k] : NULL, m->size[k]);
+        if (shortest && m->t.turn <= 0 && i[k].error > UNBOUNDED * m->size[k])
+            m->poles |= signs_of(&i[k]);
     }
     if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS &&
         !flk_search_is_over(&m->x)) {
         m->halvings++;
-        integrate(m, from, middle, &e);
-        integrate(m, middle, to, &e);
+        integrate(m, from, middle, i);
+        integrate(m, middle, to, i);
         return;
     }
-    add(&m->here, &part);
+    for (k = 0; k < 3; k++)
+        m->here.of[k] += i[k].value;
     follow(m, to);
 }
 

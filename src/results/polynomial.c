@@ -2,8 +2,7 @@
 **
 ** polynomial.c - a polynomial through points, by divided differences.
 */
-#include <math.h>
-
+#include "base/solve.h"
 #include "polynomial.h"
 
 void flk_polynomial_add(flk_polynomial *p, double x, double y)
@@ -17,46 +16,35 @@ void flk_polynomial_add(flk_polynomial *p, double x, double y)
     p->n++;
 }
 
-double flk_polynomial_value(const flk_polynomial *p, double x, double *slope)
+double flk_polynomial_value(const flk_polynomial *p, double x)
 {
     double value = 0;
     int i;
 
-    *slope = 0;
-    for (i = p->n - 1; i >= 0; i--) {
-        *slope = *slope * (x - p->x[i]) + value;
+    for (i = p->n - 1; i >= 0; i--)
         value = value * (x - p->x[i]) + p->c[i];
-    }
     return value;
 }
 
-int flk_polynomial_find_flat(const flk_polynomial *p, double low, double high, double *at)
+static double slope_at(double x, void *data)
 {
-    double rise_low, rise_high, rise, enough = 1e-10 * (high - low);
-    int i, side = 0;
+    const flk_polynomial *p = data;
+    double value = 0, slope = 0;
+    int i;
 
-    flk_polynomial_value(p, low, &rise_low);
-    flk_polynomial_value(p, high, &rise_high);
-    if ((rise_low > 0) == (rise_high > 0))
-        return 0;
-    for (i = 0; i < 60 && high - low > enough; i++) {
-        double before = *at;
-
-        *at = (low * rise_high - high * rise_low) / (rise_high - rise_low);
-        flk_polynomial_value(p, *at, &rise);
-        if (rise == 0 || (i > 0 && fabs(*at - before) <= enough))
-            break;
-        if ((rise > 0) == (rise_low > 0)) {
-            low = *at;
-            rise_low = rise;
-            rise_high *= side == 1 ? 0.5 : 1;
-            side = 1;
-        } else {
-            high = *at;
-            rise_high = rise;
-            rise_low *= side == -1 ? 0.5 : 1;
-            side = -1;
-        }
+    for (i = p->n - 1; i >= 0; i--) {
+        slope = slope * (x - p->x[i]) + value;
+        value = value * (x - p->x[i]) + p->c[i];
     }
+    return slope;
+}
+
+int flk_polynomial_find_flat(flk_polynomial *p, double low, double high, double *at)
+{
+    flk_bracket b = flk_bracket_of(low, high, slope_at(low, p), slope_at(high, p));
+
+    if (!(b.f_low * b.f_high < 0))
+        return 0;
+    *at = flk_find_zero(slope_at, p, &b, 0);
     return 1;
 }

@@ -16,10 +16,9 @@ typedef struct flk_polynomial {
 /* Add a point; at most FLK_POLYNOMIAL_MOST. */
 void flk_polynomial_add(flk_polynomial *p, double x, double y);
 
-double flk_polynomial_value(const flk_polynomial *p, double x, double *slope);
+double flk_polynomial_value(const flk_polynomial *p, double x);
 
-/* Find where the slope is 0 between two places, by false position (the Illinois rule); returns 0 if the slope
-** has one sign at both. */
-int flk_polynomial_find_flat(const flk_polynomial *p, double low, double high, double *at);
+/* Find where the slope is 0 between two places; returns 0 unless it has unlike signs there. */
+int flk_polynomial_find_flat(flk_polynomial *p, double low, double high, double *at);
 
 #endif

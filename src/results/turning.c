@@ -14,14 +14,13 @@
 ** Of an actual motion the speed omega is its mean, and I is that of the flywheel and the rotor of the motor.
 **
 ** The cycle is cut at every degree and wherever a load's curve or window has a corner; in such a piece the
-** moment is smooth, and GSL's Gauss-Legendre rule is exact to rounding.  E has its extremes at the corners
+** moment is smooth, and Gauss and Kronrod's rule is exact to rounding.  E has its extremes at the corners
 ** and where T crosses Tm.
 */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 
 #include "base/solve.h"
@@ -32,57 +31,38 @@
 #define INSIDE 1e-10  /* rad, from a corner into the piece beside it */
 #define HALVINGS 1000 /* of pieces, at most */
 #define SHORTEST 1e-9 /* rad: no piece is halved below it */
-#define ROUGH 1e-7    /* a smooth piece is exact to 1e-14 if its rules agree to this */
+#define ROUGH 1e-8    /* a smooth piece is exact to 1e-13 if its rules agree to this */
 
 typedef struct moment {
     flk_analysis *a;
     fourlink_branch branch;
     fourlink_crank crank;
-    double mean;
-    double *cuts; /* rad, rising: the ends of the pieces */
-    double *work; /* N m rad, of T in each piece */
+    double mean, without; /* of T, and of the moment without friction */
+    double *cuts;         /* rad, rising: the ends of the pieces */
+    double *work;         /* N m rad, of T in each piece */
     size_t n_cuts;
-    int without_friction; /* 1: T is that of the machine without friction */
 } moment;
 
-/* T - Tm; NaN where the links do not reach. */
-static double excess(double theta2, void *data)
+/* T, and that of the machine without friction; NaN where the links do not reach. */
+static void moment_at(double theta2, void *data, double *T)
 {
     moment *m = data;
     flk_row row;
 
     m->crank.theta2 = theta2;
     flk_analysis_at(m->a, NEED_FORCES, m->branch, &m->crank, &row);
-    if (row.at.status != FOURLINK_OK)
-        return GSL_NAN;
-    return (m->without_friction ? -row.at.losses.Ts0 : -row.at.forces.Ts) - m->mean;
+    T[0] = row.at.status == FOURLINK_OK ? -row.at.forces.Ts : GSL_NAN;
+    T[1] =
+        row.at.status == FOURLINK_OK && m->a->d->machine.has_friction ? -row.at.losses.Ts0 : T[0];
 }
 
-/* Gauss-Legendre with eight or four points (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
-** table 25.4), in tables of our own: GSL's would be allocated. */
-static double integrate(moment *m, double from, double to, int points)
+/* T - Tm */
+static double excess(double theta2, void *data)
 {
-    double x8[] = {0.1834346424956498049394761, 0.5255324099163289858177390,
-                   0.7966664774136267395915539, 0.9602898564975362316835609};
-    double w8[] = {0.3626837833783619829651504, 0.3137066458778872873379622,
-                   0.2223810344533744705443560, 0.1012285362903762591525314};
-    double x4[] = {0.3399810435848562648026658, 0.8611363115940525752239465};
-    double w4[] = {0.6521451548625461426269361, 0.3478548451374538573730639};
-    gsl_integration_glfixed_table rule;
-    gsl_function f;
+    double T[FLK_INTEGRALS];
 
-    rule.n = (size_t)points;
-    rule.x = points == 8 ? x8 : x4;
-    rule.w = points == 8 ? w8 : w4;
-    rule.precomputed = 1;
-    f.function = excess;
-    f.params = m;
-    return gsl_integration_glfixed(&f, from, to, &rule);
-}
-
-static double area(moment *m, double from, double to)
-{
-    return integrate(m, from, to, 8);
+    moment_at(theta2, data, T);
+    return T[0] - ((const moment *)data)->mean;
 }
 
 /* 1 if the crank turns at one speed, or its steady motion has a mean speed. */
@@ -159,9 +139,9 @@ static void halve(moment *m, size_t i)
     m->n_cuts++;
 }
 
-/* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rules of four and of
-** eight points differ is halved: near a change point the moment has a peak far narrower than a degree.  Where that
-** does not end, the moment is unbounded. */
+/* The mean over the cycle; NaN if the moment is not defined all round.  A piece in which the rule is not exact is
+** halved: near a change point the moment has a peak far narrower than a degree.  Where that does not end, the moment is
+** unbounded. */
 static double mean_of(moment *m, double *scale)
 {
     size_t most = most_cuts(m->a), i = 0;
@@ -170,21 +150,21 @@ static double mean_of(moment *m, double *scale)
     *scale = 0;
     while (i + 1 < m->n_cuts) {
         double T = excess(m->cuts[i] + INSIDE, m), length = m->cuts[i + 1] - m->cuts[i];
-        double work = area(m, m->cuts[i], m->cuts[i + 1]);
-        double error = fabs(work - integrate(m, m->cuts[i], m->cuts[i + 1], 4));
+        flk_integral work[2];
 
-        if (gsl_isnan(T) || gsl_isnan(error))
+        flk_integrate(moment_at, m, 2, m->cuts[i], m->cuts[i + 1], work);
+        if (gsl_isnan(T) || gsl_isnan(work[0].value))
             return GSL_NAN;
-        if (fabs(T) > *scale)
-            *scale = fabs(T);
-        if (error > ROUGH * (fabs(work) + *scale * length)) {
+        *scale = GSL_MAX_DBL(*scale, fabs(T));
+        if (work[0].error > ROUGH * (work[0].size + *scale * length)) {
             if (m->n_cuts == most || length < SHORTEST)
                 return GSL_NAN;
             halve(m, i);
             continue;
         }
-        m->work[i++] = work;
-        sum += work;
+        m->work[i++] = work[0].value;
+        sum += work[0].value;
+        m->without += work[1].value / m->a->d->machine.cycle;
     }
     return sum / m->a->d->machine.cycle;
 }
@@ -233,11 +213,14 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
         was_below = at_high < 0;
         if (below != was_below) {
             flk_bracket b = flk_bracket_of(low, high, at_low, at_high);
-            double at = flk_find_zero(excess, m, &b, 0), before = area(m, from, at);
+            double at = flk_find_zero(excess, m, &b, 0);
+            flk_integral work;
 
-            take_up(&e, before);
+            flk_integrate(moment_at, m, 1, from, at, &work);
+            work.value -= m->mean * (at - from);
+            take_up(&e, work.value);
             end_area(m, &e, at, t);
-            dE -= before;
+            dE -= work.value;
         }
         take_up(&e, dE);
     }
@@ -269,15 +252,11 @@ static void find(moment *m, double scale, fourlink_turning *t)
 }
 
 /* Work without friction over work with it, if the crank drives; if it is driven, the reverse. */
-static double efficiency_of(moment *m)
+static double efficiency_of(const moment *m)
 {
-    double sense = m->crank.omega2 < 0 ? 1 : -1, with = sense * m->mean, without = 0;
-    size_t i;
+    double sense = m->crank.omega2 < 0 ? 1 : -1;
+    double with = sense * m->mean, without = sense * m->without;
 
-    m->without_friction = 1;
-    m->mean = 0;
-    for (i = 0; i + 1 < m->n_cuts; i++)
-        without += sense * area(m, m->cuts[i], m->cuts[i + 1]) / m->a->d->machine.cycle;
     if (with > 0)
         return without > 0 ? without / with : 0;
     return without < 0 ? with / without : with == without;
@@ -304,8 +283,7 @@ const fourlink_turning *flk_turning_find(flk_analysis *a, fourlink_branch branch
     m.crank.theta2 = 0;
     m.crank.omega2 = speed_of(a, branch);
     m.crank.alpha2 = 0;
-    m.mean = 0;
-    m.without_friction = 0;
+    m.mean = m.without = 0;
     m.cuts = a->turning_memory;
     m.work = m.cuts + most_cuts(a);
     m.n_cuts = 0;
