@@ -169,6 +169,9 @@ TEST(test_motors)
     assert_near(of_motor(&m, -1), 160, 0);
     assert_near(of_motor(&m, 3.75), 160, 1e-12);
     assert_near(of_motor(&m, 7.5), 80, 1e-12);
+    m.max_torque = 0.5;
+    assert_near(of_motor(&m, 7.5), 1, 0);
+    assert_near(of_motor(&m, 1200), 0.5, 1e-12);
     m.max_torque = -80;
     assert_near(of_motor(&m, -7.5), -80, 1e-12);
     assert_near(of_motor(&m, 7.5), -160, 0);

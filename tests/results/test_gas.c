@@ -51,6 +51,16 @@ static double growth(const cylinder *c, fourlink_branch branch, double theta2)
     return (double)branch * c->a * c->d * sin(theta2) / sqrt(square);
 }
 
+/* A force that turns with its link. */
+static void turn_force(const fourlink_instant *at, const fourlink_load *load, fourlink_vector *F)
+{
+    const fourlink_vector *axis = &at->state.link[load->link].axis;
+
+    assert_int_equal(load->frame, FOURLINK_FRAME_LINK);
+    F->x = load->force.x * axis->x - load->force.y * axis->y;
+    F->y = load->force.x * axis->y + load->force.y * axis->x;
+}
+
 /* The force is pressure times area; what the gas does on the way of the rod, the crank takes up.  A deck with
 ** masses has that torque in addition to the torque without gas. */
 static void check_card(const cylinder *c, const char *links, const char *gas, double area,
@@ -67,6 +77,9 @@ static void check_card(const cylinder *c, const char *links, const char *gas, do
             double way = growth(c, branches[k], at * PI / 180), scale = fabs(F) * c->a;
             double Ts = si_value(with, "Ts", branches[k], at);
             fourlink_instant instant;
+            fourlink_load load[2];
+            fourlink_vector f[2];
+            int j;
 
             if (without)
                 Ts -= si_value(without, "Ts", branches[k], at);
@@ -74,9 +87,15 @@ static void check_card(const cylinder *c, const char *links, const char *gas, do
             assert_near(si_value(with, "slide_v", branches[k], at), 12 * way, 1e-14);
             assert_near(Ts, -F * way, 1e-12 * (scale + 10));
             assert_true(si_value(with, "residual", branches[k], at) < 1e-12);
-            assert_int_equal(fourlink_results_at(with, branches[k], at, NULL, &instant, NULL),
+            assert_int_equal(fourlink_results_at(with, branches[k], at, NULL, &instant, load),
                              FOURLINK_OK);
             assert_close(instant.gas_force, F, 1e-14);
+            /* the gas pushes on both, in opposite directions */
+            for (j = 0; j < 2; j++)
+                turn_force(&instant, &load[j], &f[j]);
+            assert_near(f[0].x + f[1].x, 0, 1e-13 * fabs(F));
+            assert_near(f[0].y + f[1].y, 0, 1e-13 * fabs(F));
+            assert_close(hypot(f[0].x, f[0].y), fabs(F), 1e-13);
         }
     fourlink_results_free(with);
     fourlink_results_free(without);

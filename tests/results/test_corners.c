@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** test_corners.c - where columns of loads are not smooth, at angles that are known.
+*/
+#include "check.h"
+#include "motion/pieces.h"
+#include "read.h"
+
+#define CRANK                                                                                      \
+    "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = " \
+    "1 kg\n"
+
+/* 1 if a piece of the motion ends at this crank angle, in degrees; the motion of loads, or of the links alone. */
+static int has_end(const char *contents, int has_loads, double angle)
+{
+    flk_course course;
+    flk_acting acting;
+    flk_pieces pieces;
+    flk_piece piece;
+    int found = 0;
+    deck d;
+
+    read_deck(contents, &d);
+    memset(&acting, 0, sizeof acting);
+    acting.load = calloc(d.machine.n_loads + 1, sizeof *acting.load);
+    assert_true(flk_course_open(&course, &d, &acting));
+    pieces.course = &course;
+    pieces.branch = FOURLINK_OPEN;
+    pieces.has_loads = has_loads;
+    pieces.length = flk_course_length(&course, FOURLINK_OPEN);
+    pieces.period = HUGE_VAL;
+    memset(&piece, 0, sizeof piece);
+    while (flk_pieces_next(&pieces, &piece)) {
+        assert_true(piece.from < piece.to);
+        found |= fabs(piece.to * 180 / M_PI - angle) < 1e-7;
+    }
+    flk_course_close(&course);
+    free(acting.load);
+    flk_deck_free(&d);
+    return found;
+}
+
+static void check_end(const char *contents, double angle)
+{
+    assert_true(has_end(contents, 1, angle));
+    assert_false(has_end(contents, 0, angle));
+}
+
+/* omega2^2 = 2 alpha theta2: a point of the curve at 6 rad/s is passed at 18 / alpha. */
+TEST(test_speed_that_grows)
+{
+    check_end(
+        CRANK
+        "[motion]\nspeed = 0 rad/s\nacceleration = 5 rad/s2\ninterval = 10 deg\n[load]\n"
+        "link = crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s -2 N m, 20 rad/s -3 N m\n",
+        18.0 / 5 * 180 / M_PI);
+}
+
+#define STEADY "[motion]\nspeed = %g rad/s\ninterval = 10 deg\n"
+
+static const double rest = 0.19525624189766637; /* m, sqrt(l^2 - r^2 sin^2 60 deg) */
+
+/* At 60 deg the piston has the speed r omega2 sin(theta2) (1 + r cos(theta2) / sqrt(l^2 - r^2 sin^2(theta2))); at another
+** speed of the crank it has that elsewhere. */
+TEST(test_one_speed)
+{
+    double v = 0.5 * sqrt(0.75) * (1 + 0.025 / rest);
+    char contents[1000];
+    int speed;
+
+    for (speed = 9; speed <= 10; speed++) {
+        sprintf(contents,
+                CRANK STEADY "[load]\nlink = piston\nover = v\n"
+                             "force = %.17g m/s 3 N, 0 m/s 7 N, %.17g m/s 4 N, 0.7 m/s 1 N\n",
+                (double)speed, -v, v);
+        assert_int_equal(has_end(contents, 1, 60), speed == 10);
+        assert_false(has_end(contents, 0, 60));
+    }
+}
+
+/* The free length of a rope that is taut beyond 60 deg; the edges of a range, for either sense. */
+TEST(test_positions)
+{
+    char contents[1000];
+
+    sprintf(contents,
+            CRANK STEADY
+            "[spring S]\nlink = piston\nto = ground\nto_at = (0, 0) mm\nstiffness = 100 N/m\n"
+            "only = pulls\nfree_length = %.17g m\n",
+            10.0, 0.025 + rest);
+    check_end(contents, 60);
+    sprintf(contents,
+            CRANK STEADY "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n", 10.0);
+    check_end(contents, 33);
+    check_end(contents, 77);
+    sprintf(contents,
+            CRANK STEADY "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n", -10.0);
+    check_end(contents, 360 - 77); /* rad passed, clockwise */
+}
+
+int main(void)
+{
+    return run_all_tests(NULL);
+}
