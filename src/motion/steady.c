@@ -34,7 +34,7 @@
 #define STEPS 60
 #define HALVINGS 30
 #define LEAP 0.3   /* of ln v, without a better step */
-#define SHORT 1e-3 /* of ln v: the growth is hardly another after it */
+#define SHORT 3e-2 /* of ln v: the growth is hardly another after it */
 #define DOUBLINGS 40
 #define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
 #define NEAR \

@@ -963,7 +963,9 @@ static void compare(unsigned long c, const fourlink_value *f, best *b, double si
         by = b->value[k] - f->value;
         if (is_angle(c) && !has_first)
             by += beside(c, most, f->value) - most;
-        by *= sign / size;
+        by *= sign /
+              fmax(size,
+                   fabs(f->value)); /* a finite one may be far above an unbounded column's median */
         if (k == FAR_ROWS)
             kind_of(c)->missed = fmax(kind_of(c)->missed, by);
         if (by > (k == FAR_ROWS ? SMOOTH : NEAR)) {
