@@ -1136,6 +1136,7 @@ static int check_outcome(const char *contents, size_t length)
                          FOURLINK_OK);
         status = fourlink_analyse(&mechanism, FOURLINK_OPEN, &row.crank, loads, d.machine.n_loads,
                                   &state, &forces);
+        free(loads);
         assert_in_range(status, FOURLINK_OK, FOURLINK_NULL - 1);
         assert_true(d.open || d.crossed);
         assert_in_range(d.digits, 1, 17);
