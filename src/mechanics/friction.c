@@ -130,10 +130,8 @@ double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_st
     return FLK_DOT(v, slider->axis) / mechanism->design.link[FOURLINK_CRANK].length;
 }
 
-int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction)
+int flk_friction_sense(double omega2, const fourlink_friction *friction)
 {
-    double omega2 = state->link[FOURLINK_CRANK].omega;
-
     return omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1;
 }
 
@@ -142,7 +140,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
                         const fourlink_state *state, const fourlink_state *held,
                         const fourlink_friction *friction, equations *e)
 {
-    int sense = flk_friction_sense(held ? held : state, friction);
+    int sense = flk_friction_sense((held ? held : state)->link[FOURLINK_CRANK].omega, friction);
     double length = mechanism->design.link[FOURLINK_CRANK].length;
     int k;
 
@@ -555,7 +553,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         return status != FOURLINK_OK ? status : FOURLINK_BAD_NUMBER;
     list_losses(kind, &e, length, omega2, losses);
     losses->Ts0 = Ts0;
-    losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(state, friction));
+    losses->efficiency = efficiency_of(found.Ts, Ts0, flk_friction_sense(omega2, friction));
     add_guide(kind, &e, &found);
     *forces = found;
     return FOURLINK_OK;

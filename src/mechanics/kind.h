@@ -134,7 +134,7 @@ int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch bran
 ** the crank.  The sense in which the crank turns, or is about to: 1 or -1 (friction.c). */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
                           const flk_joint *at);
-int flk_friction_sense(const fourlink_state *state, const fourlink_friction *friction);
+int flk_friction_sense(double omega2, const fourlink_friction *friction);
 
 /* As fourlink_solve_friction; joints rub in the senses that they have in the state `held`, if that is not null. */
 int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,

@@ -81,7 +81,7 @@ static void begin(const flk_machine *m, double omega2, flk_acting *acting)
     unsigned long i;
 
     omega2 = acting->held ? acting->held->link[FOURLINK_CRANK].omega : omega2;
-    acting->sense = omega2 < 0 || (omega2 == 0 && m->friction.direction < 0) ? -1 : 1;
+    acting->sense = flk_friction_sense(omega2, &m->friction);
     acting->ground.x = acting->ground.y = acting->ground_moment = acting->gas_force = 0;
     for (i = m->first_friction; i < m->first_gas; i++)
         clear(&acting->load[i], flk_friction_link(kind, i - m->first_friction));

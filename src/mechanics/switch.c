@@ -11,9 +11,7 @@ static const double zero = 0;
 
 size_t flk_switch_of_curve(const curve *c, flk_variable over, flk_switch *s)
 {
-    s->of = over;
-    s->joint = 0;
-    s->element = NULL;
+    flk_switch_at_zero(over, s);
     s->period = c->period;
     s->level = c->x;
     s->n = c->n;
@@ -89,22 +87,28 @@ double flk_switch_value(const flk_machine *m, const flk_switch *s, const fourlin
                     : flk_variable_value(state, s->of);
 }
 
-/* The number of levels below x. */
-static double count_below(const flk_switch *s, double x)
+size_t flk_switch_below(const double *level, size_t n, double x)
 {
-    double turns = s->period > 0 ? floor((x - s->level[0]) / s->period) : 0;
-    size_t low = 0, high = s->n;
+    size_t low = 0, high = n;
 
-    x -= turns * s->period;
     while (low < high) {
         size_t middle = (low + high) / 2;
 
-        if (s->level[middle] < x)
+        if (level[middle] < x)
             low = middle + 1;
         else
             high = middle;
     }
-    return turns * (double)s->n + (double)low;
+    return low;
+}
+
+/* The number of levels below x, counted on through the periods. */
+static double count_below(const flk_switch *s, double x)
+{
+    double turns = s->period > 0 ? floor((x - s->level[0]) / s->period) : 0;
+
+    x -= turns * s->period;
+    return turns * (double)s->n + (double)flk_switch_below(s->level, s->n, x);
 }
 
 double flk_switch_level(const flk_switch *s, double number)

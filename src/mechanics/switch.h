@@ -32,6 +32,9 @@ int flk_switch_is_of_position(const flk_switch *s);
 double flk_switch_value(const flk_machine *machine, const flk_switch *s,
                         const fourlink_state *state);
 
+/* The number of rising levels below x. */
+size_t flk_switch_below(const double *level, size_t n, double x);
+
 /* How many levels the variable passes as it goes from one value to another, both less than half a period apart; the number
 ** of the first, and 1 or -1, the step to the next.  Levels are counted on through the periods. */
 size_t flk_switch_passes(const flk_switch *s, double from, double to, double *first, int *step);

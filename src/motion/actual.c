@@ -21,7 +21,7 @@
 
 struct flk_actual {
     const deck *d;
-    int winds;
+    int winds;        /* 1: there is no steady motion */
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
     int is_found[2]; /* 1: the motion of this branch is integrated */
@@ -63,11 +63,11 @@ static void lose_cycle(const flk_path *p, flk_actual_facts *f)
 /* A run-up, and the facts of the steady motion to which it leads.  Two motions of a machine never have the same energy at
 ** the same angle.  One from rest that passes the first cycle has gained energy, so it gains in every later cycle too, and
 ** settles at the steady motion.  It stalls in the first cycle, or not at all: rows that end earlier do not tell. */
-static int run_up(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
+static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     int found;
 
-    if (!winds && flk_steady_find(p, m->cycle, 0, 0))
+    if (!m->winds && flk_steady_find(p, m->cycle, 0, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     else
         f->no_cycle = p->status;
@@ -97,18 +97,18 @@ static int run_for(flk_path *p, const deck *d)
     return p->status == FOURLINK_OK && flk_path_run_for(p, speed, d->drive.duration);
 }
 
-static int find(flk_actual *m, flk_path *p, int winds, flk_actual_facts *f)
+static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     const deck *d = p->d;
 
     if (d->drive.by_time)
         return run_for(p, d);
-    if (winds)
+    if (m->winds)
         p->status = FOURLINK_NO_STEADY;
-    if (d->drive.mode == DRIVE_STEADY && winds)
+    if (d->drive.mode == DRIVE_STEADY && m->winds)
         return 0;
     if (d->drive.mode == DRIVE_RUN_UP)
-        return run_up(m, p, winds, f);
+        return run_up(m, p, f);
     if (d->drive.mode == DRIVE_STEADY && d->drive.fluctuation > 0)
         return flk_flywheel_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
                                  d->drive.fluctuation);
@@ -145,7 +145,7 @@ static void find_branch(flk_actual *m, fourlink_branch branch)
     p->tolerance = TOLERANCE;
     p->budget = budget_of(&p->equation.machine);
     flk_facts_forget(f);
-    found = find(m, p, m->winds, f);
+    found = find(m, p, f);
     f->flywheel = p->equation.machine.flywheel;
     f->inertia = flk_machine_shaft(&p->equation.machine);
     if (found)

@@ -185,19 +185,12 @@ static void offer_angle(search *s, double theta2, double period, flk_piece_end e
 static void offer_levels(search *s, const double *level, size_t n, double period)
 {
     double here = s->p->from + s->p->sense * s->after;
-    size_t low = 0, high = n, i, k;
+    size_t low, i, k;
 
     if (n == 0)
         return;
     here -= period * floor((here - level[0]) / period);
-    while (low < high) {
-        size_t middle = (low + high) / 2;
-
-        if (level[middle] < here)
-            low = middle + 1;
-        else
-            high = middle;
-    }
+    low = flk_switch_below(level, n, here);
     for (k = 0; k < n; k++) {
         double away;
 

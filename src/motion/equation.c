@@ -14,10 +14,10 @@
 #include <gsl/gsl_math.h>
 
 #include "equation.h"
+#include "mechanics/dormand_prince.h"
 
 #define BESIDE 5e-3 /* rad, of a change point: nearer, values are those through angles about it */
 #define PLACES 6
-#define UNKNOWNS 3
 
 double flk_equation_theta2(const flk_equation *e, double s)
 {
@@ -95,7 +95,7 @@ static int derive_at(const flk_equation *e, double s, const double *y, double *d
 int flk_equation_derive(void *equation, double t, const double *y, double *dy)
 {
     flk_equation *e = equation;
-    double places[PLACES], weights[PLACES], values[UNKNOWNS], sum[UNKNOWNS] = {0, 0, 0};
+    double places[PLACES], weights[PLACES], values[FLK_UNKNOWNS], sum[FLK_UNKNOWNS] = {0, 0, 0};
     double whole;
     int n = find_places(e, y[FLK_PASSED], places, weights), i, k, status;
 
@@ -108,10 +108,10 @@ int flk_equation_derive(void *equation, double t, const double *y, double *dy)
         if (status != FOURLINK_OK)
             return status;
         e->whole += weights[i] * whole;
-        for (k = 0; k < UNKNOWNS; k++)
+        for (k = 0; k < FLK_UNKNOWNS; k++)
             sum[k] += weights[i] * values[k];
     }
-    for (k = 0; k < UNKNOWNS; k++)
+    for (k = 0; k < FLK_UNKNOWNS; k++)
         dy[k] = sum[k];
     return FOURLINK_OK;
 }

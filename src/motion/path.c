@@ -20,8 +20,8 @@
 
 #define LONGEST 0.35    /* rad, of a step */
 #define BEYOND 1.1      /* by which a step may overshoot the end of a cell */
-#define SHORTEST 1e-13  /* rad, of a step, of the angle passed and a radian */
-#define CLOSEST 1e-9    /* rad, to where there is no position */
+#define SHORTEST 1e-13  /* of the angle, the time or the duration: no step is shorter, */
+#define CLOSEST 1e-9    /* ... to where there is no position */
 #define AT_LIMIT 1e-6   /* rad, from an angle that the links do not reach */
 #define CREEP 1e-6      /* of a slow speed: rest */
 #define NO_INERTIA 1e-9 /* of that at the first row */
@@ -340,13 +340,12 @@ static int keep(flk_path *p, const flk_node *node)
 }
 
 /* The acceleration at a node, in the sense of the motion; 0 if there is none. */
-static double acceleration_at(const flk_path *p, const flk_node *node)
+static double acceleration_at(flk_path *p, const flk_node *node)
 {
     double dy[FLK_UNKNOWNS];
 
-    return flk_equation_derive((void *)&p->equation, node->t, node->y, dy) == FOURLINK_OK
-               ? dy[FLK_SPEED]
-               : 0;
+    return flk_equation_derive(&p->equation, node->t, node->y, dy) == FOURLINK_OK ? dy[FLK_SPEED]
+                                                                                  : 0;
 }
 
 /* Hold the piece of the motor's curve into which the speed goes. */
@@ -406,7 +405,7 @@ static int creeps(const cell *c, const flk_node *before, const flk_node *after)
 }
 
 /* The direction in which the crank turns from a node: 0 if it stays at rest. */
-static int turns_to(const flk_path *p, const flk_node *node)
+static int turns_to(flk_path *p, const flk_node *node)
 {
     double speed = node->y[FLK_SPEED], alpha;
 

@@ -96,11 +96,11 @@ int at_next(fourlink_results *results, const char **list, at_item *item, char me
 int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch, double **angles,
             unsigned long *n)
 {
-    unsigned long room = 1;
+    unsigned long room = 16; /* of most */
     int status = FOURLINK_OK;
 
     *n = 0;
-    *angles = malloc(sizeof **angles);
+    *angles = malloc(room * sizeof **angles);
     if (*angles && !item->column) {
         (*angles)[(*n)++] = item->value;
         return FOURLINK_OK;

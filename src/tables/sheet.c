@@ -356,10 +356,22 @@ static void write_facts(sheet *s, int branch, int groups)
     }
 }
 
+/* Write all rows of the motion on a branch, and why it ends before. */
+static void write_all_rows(sheet *s, fourlink_branch branch)
+{
+    unsigned long k;
+
+    if (s->format->is_brief)
+        write_rows_briefly(s, branch);
+    for (k = 0; k < s->problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
+        ;
+    sheet_write_stop(s, branch);
+}
+
 /* Write the rows of a branch, once for each page. */
 static void write_block(sheet *s, fourlink_branch branch)
 {
-    unsigned long failed = s->failed, k;
+    unsigned long failed = s->failed;
 
     for (s->page = 0; s->page < s->n_pages; s->page++) {
         s->failed = failed;
@@ -367,14 +379,8 @@ static void write_block(sheet *s, fourlink_branch branch)
             s->format->block(s, branch);
         if (s->at)
             sheet_for_each_at(s, branch, write_row_at);
-        else if (s->format->is_brief)
-            write_rows_briefly(s, branch);
-        for (k = 0;
-             k < s->problem.n_rows && !s->at && !s->format->is_brief && write_row(s, branch, k);
-             k++)
-            ;
-        if (!s->at)
-            sheet_write_stop(s, branch);
+        else
+            write_all_rows(s, branch);
         if (s->format->end_block)
             s->format->end_block(s, branch);
     }
