@@ -2,9 +2,9 @@
 **
 ** crossing.c - the crank angles at which a column has a value.
 **
-** Each piece of the motion is sampled.  Between two samples on both sides of the value base/solve finds the zero of the
-** difference; where three samples come near to it and turn, their extreme may touch it.  A column that jumps over the
-** value, at the end of a piece, through infinity, or as an angle half a turn away, does not have it.
+** The column is sampled piece by piece (samples.c).  Between two samples on both sides of the value base/solve finds the
+** zero of the difference; where three samples come near to it and turn, their extreme may touch it.  A column that jumps
+** over the value, at the end of a piece, through infinity, or as an angle half a turn away, does not have it.
 */
 #include <math.h>
 #include <string.h>
@@ -13,59 +13,56 @@
 
 #include "base/solve.h"
 #include "crossing.h"
-#include "extreme_search.h"
 
-#define STEP (M_PI / 180) /* rad, of samples */
-#define LEAST_STEPS 8     /* of a piece */
-#define EXACT 1e-9        /* of the column's size: it has the value */
-#define CONTINUOUS 1e-6   /* ... from piece to piece */
-#define SAME 1e-7         /* rad: two crank angles are one */
+#define EXACT 1e-9      /* of the column's size: it has the value */
+#define CONTINUOUS 1e-6 /* ... from piece to piece */
+#define SAME 1e-7       /* rad: two crank angles are one */
 
 typedef struct sample {
     double s, off; /* of the piece; the column less the value, NaN: it has none */
 } sample;
 
 typedef struct crossings {
-    flk_search x;
-    flk_tracked t;
+    flk_samples x;
+    const flk_sampled *c;
     double value, size;
-    int varies;  /* 1: the column is not constant */
     double side; /* 1 or -1: of the samples at hand */
     double last; /* rad passed, of the last that was found */
     unsigned long max, n;
     double *angles;
 } crossings;
 
-/* The column less the value; of an angle to the nearest turn. */
+/* A value of the column less that sought; of an angle to the nearest turn. */
+static double off_of(const crossings *k, double value)
+{
+    double off = value - k->value;
+
+    if (!(fabs(off) < k->c->of.bound))
+        return GSL_NAN;
+    return flk_followed_nearest(&k->c->of, off, 0);
+}
+
 static double off_at(double s, void *data)
 {
-    crossings *k = data;
-    double off;
-    flk_row row;
+    const crossings *k = data;
 
-    flk_search_compute(&k->x, flk_column_need(k->t.c), flk_search_passed(&k->x, s), &row);
-    off = flk_column_value(k->t.c, &row) - k->value;
-    if (!(fabs(off) < k->t.bound))
-        return GSL_NAN;
-    if (k->t.turn > 0)
-        off -= k->t.turn * floor(off / k->t.turn + 0.5);
-    return off;
+    return off_of(k, flk_samples_value(&k->x, k->c, s, GSL_NAN));
 }
 
 static double size_of(const crossings *k)
 {
-    return GSL_MAX_DBL(k->t.turn > 0 ? k->t.turn : k->size, fabs(k->value));
+    return GSL_MAX_DBL(k->c->of.turn > 0 ? k->c->of.turn : k->size, fabs(k->value));
 }
 
 /* Keep a parameter of the piece, unless the column does not have the value there, or has been found there. */
 static void keep(crossings *k, double s)
 {
-    double passed = flk_search_passed(&k->x, s), off = off_at(s, k);
+    double passed = flk_follow_corner(&k->x.f, s), off = off_at(s, k);
 
     if (!(fabs(off) <= EXACT * size_of(k)) || fabs(passed - k->last) < SAME)
         return;
     if (k->n < k->max)
-        k->angles[k->n] = flk_search_corner(&k->x, s);
+        k->angles[k->n] = flk_follow_angle(&k->x.f, passed);
     k->last = passed;
     k->n++;
 }
@@ -73,7 +70,7 @@ static void keep(crossings *k, double s)
 /* 1 if an angle passes half a turn from the value between two samples. */
 static int leaps(const crossings *k, const sample *a, const sample *b)
 {
-    return k->t.turn > 0 && fabs(a->off - b->off) > 0.5 * k->t.turn;
+    return k->c->of.turn > 0 && fabs(a->off - b->off) > 0.5 * k->c->of.turn;
 }
 
 static void search_step(crossings *k, const sample *a, const sample *b)
@@ -126,50 +123,54 @@ static void search_turn(crossings *k, const sample *a, const sample *b, const sa
 
 static void search_piece(crossings *k, sample *before)
 {
-    double length = k->x.piece.to - k->x.piece.from;
-    double n = GSL_MAX_DBL(LEAST_STEPS, ceil(length / STEP)), i;
     sample a, b, c;
+    size_t i;
 
     a.s = b.s = c.s = 0;
-    a.off = b.off = GSL_NAN;
-    c.off = off_at(0, k);
-    if (fabs(c.off) <= EXACT * size_of(k) ||
-        (fabs(c.off - before->off) <= CONTINUOUS * size_of(k) && (c.off < 0) != (before->off < 0)))
-        keep(k, 0);
-    for (i = 1; i <= n && !flk_search_is_over(&k->x); i++) {
+    a.off = b.off = c.off = GSL_NAN;
+    for (i = 0; i < k->x.n && !flk_follow_is_over(&k->x.f); i++) {
         a = b;
         b = c;
-        c.s = i / n;
-        c.off = off_at(c.s, k);
+        c.s = k->x.s[i];
+        c.off = off_of(k, k->c->v[i]);
+        if (i == 0 && (fabs(c.off) <= EXACT * size_of(k) ||
+                       (fabs(c.off - before->off) <= CONTINUOUS * size_of(k) &&
+                        (c.off < 0) != (before->off < 0))))
+            keep(k, c.s);
         search_turn(k, &a, &b, &c);
         search_step(k, &b, &c);
     }
     if (fabs(c.off) <= EXACT * size_of(k))
-        keep(k, 1);
+        keep(k, c.s);
     *before = c;
 }
 
-/* The size of the column, and whether it varies. */
-static void measure(crossings *k)
+static void begin(crossings *k, const flk_samples_room *room, flk_analysis *a, const flk_column *c,
+                  fourlink_branch branch)
 {
-    double least = GSL_POSINF, most = GSL_NEGINF, i;
-    flk_row row;
+    flk_samples_begin(&k->x, room, a, branch);
+    flk_samples_add(&k->x, c);
+    flk_follow_all(&k->x.f);
+    k->c = &k->x.columns[0];
+}
 
-    while (!flk_search_is_over(&k->x) && flk_search_next(&k->x))
-        for (i = 0; i <= LEAST_STEPS; i++) {
-            double value;
+/* Find the size of the column; 0 if it is constant. */
+static int measure(crossings *k)
+{
+    double least = GSL_POSINF, most = GSL_NEGINF;
+    size_t i;
 
-            flk_search_compute(&k->x, flk_column_need(k->t.c),
-                               flk_search_passed(&k->x, i / LEAST_STEPS), &row);
-            value = flk_column_value(k->t.c, &row);
-            if (!(fabs(value) < k->t.bound))
+    while (flk_samples_next(&k->x))
+        for (i = 0; i < k->x.n; i++) {
+            double value = k->c->v[i];
+
+            if (!(fabs(value) < k->c->of.bound))
                 continue;
             least = GSL_MIN_DBL(least, value);
             most = GSL_MAX_DBL(most, value);
         }
     k->size = GSL_MAX_DBL(fabs(least), fabs(most));
-    k->varies = !(most - least <= EXACT * k->size);
-    memset(&k->x.piece, 0, sizeof k->x.piece);
+    return !(most - least <= EXACT * k->size);
 }
 
 static void search_motion(crossings *k)
@@ -178,43 +179,40 @@ static void search_motion(crossings *k)
     double first = GSL_NAN;
 
     before.off = k->last = GSL_NAN;
-    while (!flk_search_is_over(&k->x) && flk_search_next(&k->x)) {
+    while (flk_samples_next(&k->x)) {
         search_piece(k, &before);
         if (gsl_isnan(first) && k->n)
             first = k->last;
     }
     /* a revolution ends with its first row */
-    if (k->n > 1 && first < SAME && k->last > k->x.motion.length - SAME &&
-        flk_course_is_periodic(&k->x.a->course))
+    if (k->n > 1 && first < SAME && k->last > k->x.f.motion.length - SAME &&
+        flk_course_is_periodic(&k->x.f.a->course))
         k->n--;
 }
 
-int flk_crossings_find(flk_analysis *a, const flk_column *c, fourlink_branch branch, double value,
-                       unsigned long max, double *angles, unsigned long *n)
+int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_column *c,
+                       fourlink_branch branch, double value, unsigned long max, double *angles,
+                       unsigned long *n)
 {
     crossings k;
+    int varies;
 
     if (flk_course_stops(&a->course, branch))
         return FOURLINK_TOO_LONG;
     memset(&k, 0, sizeof k);
-    k.x.a = a;
-    k.x.branch = branch;
     k.value = value;
     k.max = max;
     k.angles = angles;
     a->is_fast = 1;
-    flk_search_begin(&k.x);
-    flk_search_track(&k.x, &k.t, c);
-    k.x.motion.has_loads |= !flk_column_is_of_motion(c);
-    k.x.motion.length += k.x.skipped; /* every period has its own */
-    k.x.skipped = 0;
-    measure(&k);
-    if (k.varies)
+    begin(&k, room, a, c, branch);
+    varies = measure(&k);
+    begin(&k, room, a, c, branch);
+    if (varies)
         search_motion(&k);
     a->is_fast = 0;
-    if (flk_search_is_over(&k.x))
+    if (flk_follow_is_over(&k.x.f))
         return FOURLINK_LONG_SEARCH;
-    if (!k.varies)
+    if (!varies)
         return FOURLINK_CONSTANT;
     *n = k.n;
     return FOURLINK_OK;

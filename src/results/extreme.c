@@ -2,14 +2,8 @@
 **
 ** extreme.c - the largest and smallest values of columns over a deck's motion, found together.
 **
-** The motion is cut into pieces within which columns are smooth (motion/pieces.c).  Each is sampled once for all
-** columns, in steps of two degrees or less, over the parameter of extreme_samples.c.
-**
-** Where samples say that a narrow extreme may hide between them, the steps are halved.  A peak of the samples
-** is refined by a polynomial through its neighbours; the row at the peak of the polynomial is computed, and if
-** it is not what the polynomial says, there are new samples about it, ever closer.  Where there is no row, at
-** dead positions and change points, the limit is that of a polynomial too, or the column is unbounded.  A piece
-** in which friction locks the mechanism is cut further, where that begins and ends.
+** Columns are sampled piece by piece (samples.c).  A peak of the samples is refined by a polynomial through its neighbours;
+** where the row at the peak of the polynomial is not what that says, by base/solve.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -17,359 +11,564 @@
 
 #include <gsl/gsl_math.h>
 
+#include "base/solve.h"
 #include "extreme.h"
-#include "extreme_search.h"
 
-#define LEAST_SAMPLES 12 /* of a piece */
-#define MOST_STEPS 1e5   /* of all of the motion: over more than 555 turns they are longer */
+#define CLOSE 1e-12       /* of a value: equal but for rounding, */
+#define CLOSE_TURNS 1e-10 /* ... in two turns of an integrated motion */
 
-static void search_samples(flk_search *x)
+/* The extremes of a column so far: the largest value and the smallest. */
+typedef struct flk_bests {
+    flk_extreme best[2];
+    flk_extreme here[2]; /* since an angle started anew, or an integrated motion began a piece */
+    double close;        /* part of a value: equal but for rounding, or for integration */
+} bests;
+
+typedef struct search {
+    flk_samples x;
+    bests *bests; /* of each column */
+} search;
+
+/* ----------------------------------------------------------------------------------------- best values */
+
+/* value for the largest (which = 0), -value for the smallest (1). */
+static double signed_value(int which, double value)
 {
-    size_t c;
+    return which == 0 ? value : -value;
+}
 
-    flk_search_resolve_leaps(x);
-    for (c = 0; c < x->n_columns; c++)
-        if (x->columns[c].turn > 0)
-            flk_search_follow(x, &x->columns[c], flk_search_row(x, c));
-    if (x->low <= 0)
-        flk_search_find_limits(x, 0);
-    if (x->high >= 1)
-        flk_search_find_limits(x, 1);
-    for (c = 0; c < x->n_columns; c++) {
-        flk_search_offer_samples(x, &x->columns[c], flk_search_row(x, c));
-        flk_search_find_poles(x, &x->columns[c], flk_search_row(x, c));
+/* 1 if a value is better by more than a part of itself. */
+static int is_better(const flk_extreme *best, int which, double value, double part)
+{
+    double close = part * GSL_MAX_DBL(fabs(value), fabs(best->value));
+
+    return !best->is_there || signed_value(which, value) > signed_value(which, best->value) +
+                                                               (gsl_finite(close) ? close : 0);
+}
+
+/* Keep a value if it is better than the best so far: of equal ones the first. */
+static void offer(flk_extreme *best, int which, double value, double angle, double part)
+{
+    if (gsl_isnan(value) || !is_better(best, which, value, part))
+        return;
+    best->is_there = 1;
+    best->value = value;
+    best->angle = angle;
+}
+
+/* A column whose extremes are sought. */
+typedef struct sought {
+    const flk_samples *x;
+    const flk_sampled *c;
+    bests *b;
+    int which;
+    double near;      /* an angle goes on from there */
+    double end, away; /* beside an end of the piece: s, and the distance to the next sample */
+    int is_root;      /* 1: the column behaves as the root of the distance from it */
+} sought;
+
+static void offer_at(const sought *k, int which, double value, double s)
+{
+    flk_extreme *here = &k->b->here[which];
+
+    if (gsl_isnan(value) || !is_better(here, which, value, CLOSE))
+        return;
+    if (fabs(value) >= k->c->of.bound)
+        value = value > 0 ? GSL_POSINF : GSL_NEGINF;
+    offer(here, which, value, flk_samples_angle(k->x, k->c, s), CLOSE);
+}
+
+/* Close the part of a column's curve since it started anew, moved by whole turns. */
+static void commit(bests *b, double shift)
+{
+    int which;
+
+    for (which = 0; which < 2; which++)
+        if (b->here[which].is_there)
+            offer(&b->best[which], which, b->here[which].value + shift, b->here[which].angle,
+                  b->close);
+    memset(b->here, 0, sizeof b->here);
+}
+
+/* Offer the row at an end of the piece, where a load jumps and the sample is beside it. */
+static void offer_corner(const sought *k, int which, int end)
+{
+    const flk_followed *of = &k->c->of;
+    double corner = k->c->corner[end], beside = k->c->v[end ? k->x->n - 1 : 0];
+
+    if (!(of->turn > 0) || !flk_followed_turns_over(of, beside, corner))
+        offer(&k->b->here[which], which, flk_followed_nearest(of, corner, beside),
+              flk_follow_angle(&k->x->f, flk_follow_corner(&k->x->f, end)), CLOSE);
+}
+
+/* Offer the first of the best samples, and what is at the ends of the piece. */
+static void offer_samples(const sought *k, int which)
+{
+    const flk_samples *x = k->x;
+    const double *v = k->c->v;
+    double here, best = GSL_NAN, least;
+    size_t i;
+    int end;
+
+    for (i = 0; i < x->n; i++) {
+        here = signed_value(which, v[i]);
+        best = here <= best || here != here ? best : here;
     }
-    flk_search_resolve_narrow(x);
-    for (c = 0; c < x->n_columns; c++)
-        flk_search_refine_peaks(x, &x->columns[c], flk_search_row(x, c));
-}
-
-static void reset(flk_tracked *t)
-{
-    t->lost[0] = t->lost[1] = 0;
-    t->has_pole[0] = t->has_pole[1] = 0;
-}
-
-/* The even steps of an angle, rad. */
-static size_t steps_of(const flk_search *x, double angle)
-{
-    double step = GSL_MAX_DBL(M_PI / 90, x->motion.length / MOST_STEPS);
-    size_t steps = (size_t)ceil(angle / step - 1e-9);
-
-    return GSL_MAX(steps, LEAST_SAMPLES);
-}
-
-/* Sample the piece; of one that is too short for more, a row. */
-#define SHORT 1e-9 /* rad */
-
-static void sample_part(flk_search *x)
-{
-    double length = x->piece.to - x->piece.from;
-    size_t i, steps = GSL_MIN(steps_of(x, length), FLK_SEARCH_MOST_STEPS);
-
-    for (i = 0; i < x->n_columns; i++)
-        reset(&x->columns[i]);
-    x->piece.motion_from = x->piece.from;
-    x->piece.motion_to = x->piece.to;
-    if (length < SHORT)
-        x->piece.begin = x->piece.end = FLK_END_PLAIN;
-    x->low = length < SHORT && x->piece.from > 0 ? 1 : 0;
-    x->high = length < SHORT ? x->low : 1;
-    flk_search_sample(x, length < SHORT ? 0 : steps);
-}
-
-/* Where there are no rows beyond an end, there are limits; in a locked part there are none. */
-static void search_part(flk_search *x, int is_locked)
-{
-    if (is_locked && flk_search_has_limit(x->piece.begin))
-        x->piece.begin = FLK_END_PLAIN;
-    if (is_locked && flk_search_has_limit(x->piece.end))
-        x->piece.end = FLK_END_PLAIN;
-    sample_part(x);
-    search_samples(x);
-}
-
-/* A stretch in whose samples friction locks the mechanism, in parts that are locked or are not. */
-#define MOST_PARTS 100
-
-static void search_parts(flk_search *x)
-{
-    flk_piece whole = x->piece, rest = whole;
-    int is_locked, k;
-    double edge;
-    size_t c;
-
-    for (c = 0; c < x->n_columns; c++)
-        x->columns[c].last = x->columns[c].before;
-    if (x->low > 0) {
-        rest.from = flk_search_passed(x, x->low);
-        rest.begin = FLK_END_PLAIN;
+    least = best - CLOSE * fabs(best);
+    for (i = 0; i < x->n && !(signed_value(which, v[i]) >= least); i++)
+        ;
+    if (i < x->n)
+        offer_at(k, which, v[i], x->s[i]);
+    for (end = 0; end < 2; end++) {
+        if (k->c->is_inside[end] && x->n > 0)
+            offer_corner(k, which, end);
+        if (gsl_isinf(k->c->limit[end].value) == (which == 0 ? 1 : -1))
+            offer_at(k, which, k->c->limit[end].value, end);
     }
-    if (x->high < 1) {
-        rest.to = flk_search_passed(x, x->high);
-        rest.end = FLK_END_PLAIN;
-    }
-    x->is_cut = 1;
-    for (k = 0; k < MOST_PARTS; k++) {
-        is_locked = flk_search_find_lock(x, &edge);
-        if (!(edge < rest.to))
-            break;
-        x->piece = rest;
-        x->piece.to = edge;
-        x->piece.end = FLK_END_DEAD;
-        search_part(x, is_locked);
-        rest.from = GSL_MAX_DBL(edge, rest.from + SHORT / 10); /* a first row can stand alone */
-        rest.begin = FLK_END_DEAD;
-        x->piece = rest;
-        sample_part(x);
-    }
-    x->piece = rest;
-    search_part(x, is_locked);
-    x->is_cut = 0;
-    x->piece = whole;
 }
 
-/* A piece in stretches. */
-static void search_piece(flk_search *x, int is_reached)
-{
-    size_t steps = is_reached ? steps_of(x, x->piece.to - x->piece.from) : LEAST_SAMPLES,
-           stretches = (steps + FLK_SEARCH_MOST_STEPS - 1) / FLK_SEARCH_MOST_STEPS, i, c;
+/* ------------------------------------------------------------------------------------------------ peaks */
 
-    for (c = 0; c < x->n_columns; c++)
-        reset(&x->columns[c]);
-    for (i = 0; i < stretches && !flk_search_is_over(x); i++) {
-        for (c = 0; c < x->n_columns; c++)
-            x->columns[c].before = x->columns[c].last;
-        x->low = (double)i / (double)stretches;
-        x->high = (double)(i + 1) / (double)stretches;
-        flk_search_sample(x, (steps + stretches - 1) / stretches);
-        if (!x->has_lock)
-            search_samples(x);
-        if (x->has_lock)
-            search_parts(x);
+#define NODES 9 /* of a polynomial through samples */
+#define AGREED \
+    1e-11 /* of the column's size: the row at the peak of the polynomial is what that says */
+#define EQUAL 1e-14 /* ... a search by rows ends */
+
+/* The column, or its negative where its smallest value is sought. */
+static double peak_at(double s, void *data)
+{
+    const sought *k = data;
+
+    return signed_value(k->which, flk_samples_value(k->x, k->c, s, k->near));
+}
+
+/* The parameter at a part of the distance from an end of the piece to the next sample. */
+static double parameter_beside_end(const sought *k, double part)
+{
+    return k->end + k->away * (k->is_root ? part : sqrt(part));
+}
+
+static double peak_beside_end(double part, void *data)
+{
+    return peak_at(parameter_beside_end(data, part), data);
+}
+
+static flk_sample sample_of(const sought *k, size_t i)
+{
+    flk_sample sample;
+
+    sample.x = k->x->s[i];
+    sample.value = signed_value(k->which, k->c->v[i]);
+    return sample;
+}
+
+/* The polynomial through samples about number i. */
+static void through(const sought *k, size_t i, flk_polynomial *of)
+{
+    const double *v = k->c->v;
+    size_t from = i, to = i + 1;
+
+    while (from > 0 && i - from < NODES / 2 && !gsl_isnan(v[from - 1]))
+        from--;
+    while (to < k->x->n && to - i <= NODES / 2 && !gsl_isnan(v[to]))
+        to++;
+    for (of->n = 0; from < to; from++)
+        flk_polynomial_add(of, k->x->s[from], signed_value(k->which, v[from]));
+}
+
+/* Take the top of a polynomial between two places, if the row there is better.  1 if it is what the polynomial says. */
+static int take_top(sought *k, flk_polynomial *of, double low, double high, flk_sample *best)
+{
+    flk_sample top;
+    int agrees;
+
+    if (!flk_polynomial_find_flat(of, low, high, &top.x))
+        return 0;
+    top.value = peak_at(top.x, k);
+    agrees = fabs(top.value - flk_polynomial_value(of, top.x)) <= AGREED * fabs(top.value) &&
+             top.value >= best->value - EQUAL * fabs(top.value);
+    if (agrees || top.value > best->value)
+        *best = top;
+    return agrees;
+}
+
+/* A peak is flat, so values give its place to the root of the rounding only; the slope of a polynomial through rows close
+** about it is more exact. */
+static void sharpen(sought *k, const flk_sample at[3], flk_sample *best)
+{
+    double step = (at[2].x - at[0].x) / 20, middle = best->x;
+    flk_polynomial of;
+    int i;
+
+    if (middle - 2 * step < at[0].x || middle + 2 * step > at[2].x)
+        return;
+    for (of.n = 0, i = -2; i <= 2; i++)
+        flk_polynomial_add(&of, middle + i * step, i ? peak_at(middle + i * step, k) : best->value);
+    take_top(k, &of, middle - step, middle + step, best);
+}
+
+/* The peak between the neighbours of sample i. */
+static flk_sample find_peak(sought *k, size_t i)
+{
+    flk_polynomial of;
+    flk_sample at[3];
+
+    at[0] = sample_of(k, i - 1);
+    at[1] = sample_of(k, i);
+    at[2] = sample_of(k, i + 1);
+    through(k, i, &of);
+    if (!take_top(k, &of, at[0].x, at[2].x, &at[1])) {
+        at[1] = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
+        sharpen(k, at, &at[1]);
+    }
+    return at[1];
+}
+
+/* The peak between sample i, which has no neighbour on one side, and the next: the sample itself, unless the column rises
+** beside it, or the sample is alone, as where a joint with friction stands still.  It is sought over the distance from the
+** end, where that has no root. */
+#define BESIDE_END 1e-3 /* of the distance to the next */
+
+static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
+{
+    const flk_samples *x = k->x;
+    flk_sample end = sample_of(k, i), at[3], top;
+
+    k->end = end.x;
+    k->away = x->s[next] - end.x;
+    k->is_root = flk_follow_is_root(k->end < 0.5 ? x->f.piece.begin : x->f.piece.end);
+    at[0].x = BESIDE_END;
+    at[0].value = peak_beside_end(at[0].x, k);
+    at[1].x = 2 * BESIDE_END;
+    at[1].value = peak_beside_end(at[1].x, k);
+    at[2].x = 1;
+    at[2].value = sample_of(k, next).value;
+    top = at[1].value > at[0].value
+              ? flk_find_peak(peak_beside_end, k, at, EQUAL * fabs(at[1].value))
+              : at[0];
+    if (!(top.value > end.value))
+        return end;
+    top.x = parameter_beside_end(k, top.x);
+    return top;
+}
+
+/* A column may be better beside a sample by so many times what this and its neighbours bend. */
+#define MARGIN 4
+
+/* The best value so far; infinite if there is none.  Angles are compared where they go on only. */
+static double best_so_far(const sought *k, int which)
+{
+    const bests *b = k->b;
+    double best = b->here[which].is_there ? signed_value(which, b->here[which].value) : GSL_NEGINF;
+
+    return k->c->of.turn > 0 || !b->best[which].is_there
+               ? best
+               : GSL_MAX_DBL(best, signed_value(which, b->best[which].value));
+}
+
+/* Refine the peaks of the samples that can be better than the best. */
+static void refine(sought *k, int which)
+{
+    const flk_samples *x = k->x;
+    const double *v = k->c->v;
+    flk_sample top;
+    size_t i;
+
+    k->which = which;
+    for (i = 0; i < x->n && x->n > 2 && !flk_follow_is_over(&x->f); i++) {
+        double here = signed_value(which, v[i]);
+        double before = i > 0 ? signed_value(which, v[i - 1]) : GSL_NAN;
+        double behind = i + 1 < x->n ? signed_value(which, v[i + 1]) : GSL_NAN;
+        double a = gsl_isnan(before) ? behind : before, b = gsl_isnan(behind) ? before : behind;
+
+        if (!(here >= a && here >= b) || !(here > GSL_MIN_DBL(a, b)) ||
+            !(here + MARGIN * (2 * here - a - b) >= best_so_far(k, which)))
+            continue;
+        k->near = v[i];
+        top = gsl_isnan(before)   ? find_peak_at_end(k, i, i + 1)
+              : gsl_isnan(behind) ? find_peak_at_end(k, i, i - 1)
+                                  : find_peak(k, i);
+        offer_at(k, which, signed_value(which, top.value), top.x);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------- narrow peaks */
+
+#define HIDDEN 8         /* times its roughness a column may reach beyond a sample */
+#define ROUGH 2e-6       /* of the column's size there: less hides nothing */
+#define NARROWEST 2e-6   /* s: no samples are closer */
+#define MOST_INSERTED 40 /* of a piece, for a column */
+
+/* How far a sample is from the polynomial through its four neighbours, if all steps are the same; in general. */
+static double roughness_of_even(const double *v)
+{
+    return fabs(v[-2] - 4 * v[-1] + 6 * v[0] - 4 * v[1] + v[2]) / 6;
+}
+
+static double roughness(const double *s, const double *v)
+{
+    flk_polynomial p;
+    int k;
+
+    for (p.n = 0, k = -2; k <= 2; k++)
+        if (k != 0)
+            flk_polynomial_add(&p, s[k], v[k]);
+    return fabs(flk_polynomial_value(&p, s[0]) - v[0]);
+}
+
+/* 1 if a value so rough may be better than the best. */
+static int is_wanted(const sought *k, double value, double rough)
+{
+    return value + HIDDEN * rough > best_so_far(k, 0) ||
+           value - HIDDEN * rough < -best_so_far(k, 1);
+}
+
+/* 1 if a better value may hide beside sample i, as where a force nearly vanishes. */
+static int may_hide(const sought *k, size_t i)
+{
+    const double *v = k->c->v + i;
+    double size = GSL_MAX_DBL(fabs(v[-1]), fabs(v[1])), rough = roughness_of_even(v);
+
+    if (!(rough > ROUGH * size && is_wanted(k, v[0], rough)))
+        return 0;
+    rough = roughness(k->x->s + i, v);
+    return rough > ROUGH * size && is_wanted(k, v[0], rough);
+}
+
+/* Put samples beside those where a better value may hide. */
+static void resolve_narrow(sought *k, flk_samples *x)
+{
+    size_t i, most = x->n + MOST_INSERTED;
+
+    for (i = 2; i + 2 < x->n && x->n < most && !flk_follow_is_over(&x->f); i++) {
+        if (x->s[i + 1] - x->s[i - 1] < NARROWEST || !may_hide(k, i))
+            continue;
+        if (!flk_samples_insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1])) ||
+            !flk_samples_insert(x, i, 0.5 * (x->s[i - 1] + x->s[i])))
+            return;
+        offer_samples(k, 0);
+        offer_samples(k, 1);
+        i = i > 4 ? i - 4 : 1;
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------ poles */
+
+#define BESIDE_POLE 1e-8 /* s */
+
+/* The denominator of a column that has poles, at a parameter. */
+static double divisor_at(double s, void *data)
+{
+    const sought *k = data;
+    const flk_column *c = k->c->of.c;
+    flk_row row;
+
+    flk_follow_row(&k->x->f, flk_column_need(c), flk_follow_passed(&k->x->f, s), &row);
+    return row.at.status == FOURLINK_OK ? flk_column_denominator(c, &row) : GSL_NAN;
+}
+
+/* 1 if a column grows towards a parameter from one side. */
+static int grows_towards(const sought *k, double s, double step, double *nearer)
+{
+    *nearer = flk_samples_value(k->x, k->c, s + step, GSL_NAN);
+    return fabs(*nearer) > 1.5 * fabs(flk_samples_value(k->x, k->c, s + 2 * step, GSL_NAN));
+}
+
+/* Offer the poles of a column: between samples where the denominator changes its sign, both, unless the numerator
+** vanishes with it; at an end of the piece that of the rows beside it. */
+static void find_poles(sought *k)
+{
+    const flk_samples *x = k->x;
+    double at, before = GSL_NAN, nearer, bound = k->c->of.bound;
+    size_t i, last = 0;
+    int end;
+
+    for (i = 0; i < x->n && gsl_finite(bound); i++) {
+        at = divisor_at(x->s[i], k);
+        if (at == 0) /* between samples of unlike sign */
+            continue;
+        if (before * at < 0) {
+            flk_bracket b = flk_bracket_of(x->s[last], x->s[i], before, at);
+            double pole = flk_find_zero(divisor_at, k, &b, 0);
+
+            if (grows_towards(k, pole, -BESIDE_POLE, &nearer)) {
+                offer_at(k, 0, GSL_POSINF, pole);
+                offer_at(k, 1, GSL_NEGINF, pole);
+            }
+        }
+        before = at;
+        last = i;
+    }
+    for (end = 0; end < 2 && x->n > 2 && gsl_finite(bound); end++)
+        if (!(fabs(k->c->v[end ? x->n - 1 : 0]) < bound) &&
+            grows_towards(k, end, (end ? -1 : 1) * sqrt(BESIDE_POLE), &nearer))
+            offer_at(k, nearer > 0 ? 0 : 1, nearer > 0 ? GSL_POSINF : GSL_NEGINF, end);
+}
+
+/* ------------------------------------------------------------------------------------------ piece by piece */
+
+static void search_column(flk_samples *x, const flk_sampled *c, bests *b)
+{
+    sought k;
+    int which;
+
+    k.x = x;
+    k.c = c;
+    k.b = b;
+    if (c->starts_anew)
+        commit(b, 0);
+    for (which = 0; which < 2; which++)
+        offer_samples(&k, which);
+    find_poles(&k);
+    if (!c->of.is_noise && !(c->of.turn > 0) && !gsl_finite(c->of.bound))
+        resolve_narrow(&k, x);
+    for (which = 0; which < 2 && !c->of.is_noise; which++)
+        refine(&k, which);
+}
+
+/* Angles start anew after a piece in which the linkage cannot be assembled. */
+static void end_piece(search *x)
+{
+    size_t i;
+
+    for (i = 0; i < x->x.n_columns; i++) {
+        flk_sampled *c = &x->x.columns[i];
+
+        if (!x->x.is_reached && c->of.turn > 0 && !c->is_of_crank) {
+            commit(&x->bests[i], 0);
+            c->of.last = GSL_NAN;
+            c->of.restarts = 1;
+        } else if (x->x.f.a->course.actual) {
+            commit(&x->bests[i], 0);
+        }
     }
 }
 
 /* An angle makes in each skipped period as many turns as in the first. */
-static void skip_turns(flk_search *x)
+static void skip_turns(search *x)
 {
+    double periods = floor(x->x.f.skipped / x->x.f.motion.period + 0.5);
     size_t c;
 
-    for (c = 0; c < x->n_columns; c++) {
-        flk_tracked *t = &x->columns[c];
+    for (c = 0; c < x->x.n_columns; c++) {
+        flk_followed *t = &x->x.columns[c].of;
 
         if (t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last))
-            t->last +=
-                flk_search_turns(t, t->first, t->last) * floor(x->skipped / x->motion.period + 0.5);
+            t->last += flk_followed_turns(t, t->first, t->last) * periods;
     }
-}
-
-/* Some rows of all pieces of an actual motion, so that no peak is refined that another turn beats: a run-up may have
-** thousands.  Of short pieces rows may be rounding; angles are not followed here. */
-#define LOOKS 4
-#define LONG 0.05 /* rad */
-
-static void look_ahead(flk_search *x)
-{
-    flk_row row;
-    size_t c;
-    int i;
-
-    while (!flk_search_is_over(x) && flk_search_next(x))
-        for (i = 1; i < LOOKS && x->piece.to - x->piece.from > LONG; i++) {
-            flk_search_compute(x, x->needs,
-                               x->piece.from + (x->piece.to - x->piece.from) * i / LOOKS, &row);
-            for (c = 0; c < x->n_columns && row.at.status == FOURLINK_OK; c++) {
-                flk_tracked *t = &x->columns[c];
-                double value = flk_column_value(t->c, &row);
-
-                if (t->turn > 0 || t->is_noise || !(fabs(value) < t->bound))
-                    continue;
-                t->known[0] = GSL_MAX_DBL(t->known[0], value);
-                t->known[1] = GSL_MIN_DBL(t->known[1], value);
-            }
-        }
-    memset(&x->piece, 0, sizeof x->piece);
-}
-
-static void start(flk_search *x, const flk_extreme_pair *pairs, double *memory)
-{
-    size_t c;
-
-    x->s = memory;
-    x->values = memory + FLK_SEARCH_MOST_SAMPLES;
-    x->columns = (flk_tracked *)(void *)(x->values + FLK_SEARCH_MOST_SAMPLES * x->n_columns);
-    flk_search_begin(x);
-    x->needs = 0;
-    x->n = 0;
-    x->a->is_fast = 1;
-    x->is_cut = 0;
-    x->has_noise = 0;
-    for (c = 0; c < x->n_columns; c++) {
-        flk_tracked *t = &x->columns[c];
-
-        flk_search_track(x, t, &pairs[c].c);
-        x->needs |= flk_column_need(t->c);
-        x->motion.has_loads |= !flk_column_is_of_motion(t->c);
-        x->has_noise |= t->is_noise;
-    }
-    if (x->a->course.actual)
-        look_ahead(x);
-}
-
-/* Give the angle of a corner in place of one just inside it, unless a load jumps there. */
-static void settle(const flk_search *x, flk_tracked *t, int which)
-{
-    flk_found *f = &t->best[which];
-    double value, close = 1e-10 * fabs(f->value);
-    flk_row row;
-
-    if (!f->is_there || f->corner == f->angle || !gsl_finite(f->value))
-        return;
-    flk_search_row_at(x, flk_column_need(t->c), f->corner, &row);
-    value = flk_column_value(t->c, &row);
-    if (t->turn > 0)
-        value = flk_search_nearest(t, value, f->value);
-    if (fabs(value) >= t->bound)
-        value = f->value > 0 ? GSL_POSINF : GSL_NEGINF;
-    if (flk_search_signed(which, value) < flk_search_signed(which, f->value) - close)
-        return;
-    f->angle = f->corner;
-    if (!gsl_isnan(value))
-        f->value = value;
 }
 
 #define NOISE 1e-10 /* of a column's size: what a constant one varies by near a change point */
 
 /* A column that is constant but for rounding has its extremes at the first row. */
-static void settle_constant(const flk_search *x, flk_tracked *t)
+static void settle_constant(const search *x, const flk_followed *t, bests *b)
 {
-    flk_found *max = &t->best[0], *min = &t->best[1];
-    double first = x->from, value;
+    flk_extreme *max = &b->best[0], *min = &b->best[1];
+    double value;
     flk_row row;
 
     if (!max->is_there || !min->is_there || !gsl_finite(max->value) ||
         !(max->value - min->value <= NOISE * fabs(max->value)))
         return;
-    flk_search_row_at(x, flk_column_need(t->c), first, &row);
-    value = flk_column_value(t->c, &row);
-    if (t->turn > 0)
-        value = flk_search_nearest(t, value, max->value);
+    flk_follow_row(&x->x.f, flk_column_need(t->c), 0, &row);
+    value = flk_followed_nearest(t, flk_column_value(t->c, &row), max->value);
     if (row.at.status == FOURLINK_CHANGE_POINT ||
         fabs(value - max->value) <= NOISE * fabs(max->value))
-        max->angle = min->angle = first;
+        max->angle = min->angle = x->x.f.from;
 }
 
-/* The displacement of a piston is the difference of two lengths: its least value is 0 but for rounding. */
-static void settle_zero(const flk_search *x, flk_tracked *t, int which)
+/* Of a difference of lengths, as a displacement, the least value is 0 but for rounding. */
+#define ROUNDING (32 * GSL_DBL_EPSILON)
+
+static void give(const search *x, const flk_extreme *best, double size, flk_extreme *extreme)
 {
-    double length = x->a->d->machine.mechanism.dead_centre * t->c->scale;
-
-    if (strcmp(t->c->name, "x") == 0 && fabs(t->best[which].value) < 4 * GSL_DBL_EPSILON * length)
-        t->best[which].value = 0;
-}
-
-static void give(const flk_search *x, const flk_found *f, flk_extreme *extreme)
-{
-    extreme->is_there = f->is_there;
-    extreme->value = f->value;
-    extreme->angle = flk_search_crank(x, f->angle);
-}
-
-/* They are not known: the search took too many rows, or the motion too many steps. */
-static void give_up(flk_search *x, int status, flk_extreme_pair *pairs)
-{
-    size_t c;
-
-    for (c = 0; c < x->n_columns; c++) {
-        pairs[c].max.is_there = pairs[c].min.is_there = 0;
-        pairs[c].status = status;
-    }
-    x->a->is_fast = 0;
+    extreme->is_there = best->is_there;
+    extreme->value = fabs(best->value) <= ROUNDING * size ? 0 : best->value;
+    extreme->angle = flk_follow_crank(&x->x.f, best->angle);
 }
 
 /* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
-static void finish(flk_search *x, int has_gap, flk_extreme_pair *pairs)
+static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
 {
-    size_t c;
+    size_t i;
 
-    for (c = 0; c < x->n_columns; c++) {
-        flk_tracked *t = &x->columns[c];
-        double shift = 0;
-        int which;
+    for (i = 0; i < x->x.n_columns; i++) {
+        const flk_sampled *c = &x->x.columns[i];
+        double first = c->of.first, last = c->of.last, shift = 0;
+        bests *b = &x->bests[i];
 
-        if (has_gap && t->turn > 0 && flk_course_is_periodic(&x->a->course) &&
-            !gsl_isnan(t->first + t->last))
-            shift = flk_search_turns(t, t->last, t->first);
-        flk_search_commit(t, shift);
-        for (which = 0; which < 2; which++) {
-            settle(x, t, which);
-            if (fabs(t->best[which].value) >= t->bound)
-                t->best[which].value = t->best[which].value > 0 ? GSL_POSINF : GSL_NEGINF;
-            settle_zero(x, t, which);
-        }
-        settle_constant(x, t);
-        pairs[c].status = FOURLINK_OK;
-        give(x, &t->best[0], &pairs[c].max);
-        give(x, &t->best[1], &pairs[c].min);
+        if (has_gap && c->of.turn > 0 && flk_course_is_periodic(&x->x.f.a->course) &&
+            !gsl_isnan(first + last))
+            shift = flk_followed_turns(&c->of, last, first);
+        commit(b, shift);
+        settle_constant(x, &c->of, b);
+        give(x, &b->best[0], c->size, &pairs[i].max);
+        give(x, &b->best[1], c->size, &pairs[i].min);
     }
-    x->a->is_fast = 0;
 }
 
-/* Find the extremes of n columns on a branch. */
-static void find(flk_analysis *a, fourlink_branch branch, flk_extreme_pair *pairs, size_t n,
-                 double *memory)
+static void start(search *x, const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
+                  const flk_extreme_pair *pairs, size_t n)
 {
+    size_t i;
+
+    flk_samples_begin(&x->x, &e->room, a, branch);
+    x->bests = e->bests;
+    for (i = 0; i < n; i++) {
+        flk_samples_add(&x->x, &pairs[i].c);
+        memset(&x->bests[i], 0, sizeof x->bests[i]);
+        x->bests[i].close = a->course.actual ? CLOSE_TURNS : CLOSE;
+    }
+}
+
+static void search_motion(search *x, flk_extreme_pair *pairs)
+{
+    flk_samples *s = &x->x;
     int has_gap = 0;
-    flk_search x;
-    size_t c;
+    size_t i;
 
-    x.a = a;
-    x.branch = branch;
-    x.n_columns = n;
-    if (flk_course_stops(&a->course, branch)) {
-        give_up(&x, FOURLINK_TOO_LONG, pairs);
-        return;
+    while (flk_samples_next(s)) {
+        for (i = 0; i < s->n_columns; i++)
+            search_column(s, &s->columns[i], &x->bests[i]);
+        has_gap |= !s->is_reached;
+        if (!s->is_whole)
+            continue;
+        end_piece(x);
+        if (s->f.skipped > 0 && fabs(s->f.piece.to - s->f.motion.period) < 1e-6)
+            skip_turns(x);
     }
-    start(&x, pairs, memory);
-    if (x.motion.length <= 0) {
-        x.low = x.high = 0;
-        flk_search_sample(&x, 0);
-        search_samples(&x);
-    }
-    while (!flk_search_is_over(&x) && flk_search_next(&x)) {
-        int reached = flk_search_is_reached(&x);
+    finish(x, has_gap, pairs);
+}
 
-        search_piece(&x, reached);
-        for (c = 0; c < n; c++)
-            if (!reached && x.columns[c].turn > 0 &&
-                !(flk_column_flags(x.columns[c].c) & FOURLINK_OF_CRANK)) {
-                flk_search_commit(&x.columns[c], 0);
-                x.columns[c].last = GSL_NAN;
-                x.columns[c].restarts = 1;
-            } else if (a->course.actual) {
-                flk_search_commit(&x.columns[c], 0);
-            }
-        has_gap |= !reached;
-        if (x.skipped > 0 && fabs(x.piece.to - x.motion.period) < 1e-6)
-            skip_turns(&x);
+/* Find the extremes of n columns on a branch, unless the search takes too many rows, or the motion too many steps. */
+static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
+                 flk_extreme_pair *pairs, size_t n)
+{
+    int status = flk_course_stops(&a->course, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
+    search x;
+    size_t i;
+
+    if (status == FOURLINK_OK) {
+        start(&x, e, a, branch, pairs, n);
+        a->is_fast = 1;
+        search_motion(&x, pairs);
+        a->is_fast = 0;
+        status = flk_follow_is_over(&x.x.f) ? FOURLINK_LONG_SEARCH : FOURLINK_OK;
     }
-    if (!flk_search_is_over(&x))
-        finish(&x, has_gap, pairs);
-    if (flk_search_is_over(&x))
-        give_up(&x, FOURLINK_LONG_SEARCH, pairs);
+    for (i = 0; i < n; i++) {
+        pairs[i].status = status;
+        if (status != FOURLINK_OK)
+            pairs[i].max.is_there = pairs[i].min.is_there = 0;
+    }
 }
 
 /* ------------------------------------------------------------------------------------- the asked for */
 
 int flk_extremes_open(flk_extremes *x, size_t most)
 {
-    size_t numbers =
-        FLK_SEARCH_MOST_SAMPLES * (most + 1) + most * (sizeof(flk_tracked) / sizeof(double) + 1);
-
     x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
-    x->memory = malloc(numbers * sizeof *x->memory);
-    if (!x->pairs[0] || !x->memory)
+    x->bests = malloc((most + 1) * sizeof *x->bests);
+    if (!flk_samples_open(&x->room, most + 1) || !x->pairs[0] || !x->bests)
         return 0;
     x->pairs[1] = x->pairs[0] + most + 1;
     return 1;
@@ -378,7 +577,8 @@ int flk_extremes_open(flk_extremes *x, size_t most)
 void flk_extremes_close(flk_extremes *x)
 {
     free(x->pairs[0]);
-    free(x->memory);
+    free(x->bests);
+    flk_samples_close(&x->room);
 }
 
 static int is_same(const flk_column *x, const flk_column *y)
@@ -399,6 +599,8 @@ void flk_extremes_ask(flk_extremes *x, const flk_column *c)
     x->n++;
 }
 
+#define FEW 8 /* columns that cost hardly more than one */
+
 const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
                                         fourlink_branch branch)
 {
@@ -408,12 +610,18 @@ const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const 
 
     for (i = 0; i < x->n && !is_same(&pairs[i].c, c); i++)
         ;
-    if (i == x->n) {
-        pairs[i].c = *c;
-        find(a, branch, &pairs[i], 1, x->memory);
-    } else if (!x->is_known[k]) {
-        find(a, branch, pairs, x->n, x->memory);
+    if (i < x->n && x->is_known[k])
+        return &pairs[i];
+    if (x->has_other[k] && is_same(&pairs[x->n].c, c))
+        return &pairs[x->n];
+    if (i < x->n && (x->is_together || x->n <= FEW || x->is_begun[k])) {
+        find(x, a, branch, pairs, x->n);
         x->is_known[k] = 1;
+        return &pairs[i];
     }
-    return &pairs[i];
+    x->is_begun[k] |= i < x->n;
+    x->has_other[k] = 1;
+    pairs[x->n].c = *c;
+    find(x, a, branch, &pairs[x->n], 1);
+    return &pairs[x->n];
 }

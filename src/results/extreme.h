@@ -5,7 +5,7 @@
 #ifndef FOURLINK_EXTREME_H
 #define FOURLINK_EXTREME_H
 
-#include "column.h"
+#include "samples.h"
 
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
@@ -21,12 +21,17 @@ typedef struct flk_extreme_pair {
     int status; /* FOURLINK_OK; FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG: they are not known */
 } flk_extreme_pair;
 
-/* The extremes that a deck asks for: all are found when the first is asked for. */
+/* The extremes that a deck asks for.  The first that is wanted is found alone, unless all are wanted or they are few; with the second all
+** are found, in one search. */
 typedef struct flk_extremes {
     flk_extreme_pair *pairs[2]; /* open, crossed; behind them one for any other column */
     size_t n;
-    int is_known[2];
-    double *memory; /* of the search */
+    int is_together;  /* 1: all are wanted */
+    int has_other[2]; /* 1: that is known; */
+    int is_begun[2];  /* 1: one of the n has been found so, */
+    int is_known[2];  /* ... all have */
+    flk_samples_room room;
+    struct flk_bests *bests; /* of each column, in a search */
 } flk_extremes;
 
 /* Take the memory for at most so many columns, and give it back.  0 when out of memory. */

@@ -5,7 +5,7 @@
 **    mean = (integral of y dtheta) / c,   rms = sqrt((integral of y^2 dtheta) / c)
 **
 ** with c the angle of that part of the motion in which the linkage can be assembled.  Each piece of the motion
-** (motion/pieces.c) is integrated over the parameter s of extreme_samples.c, in which a root at its end is smooth: at a
+** (motion/pieces.c) is integrated over the parameter s of follow.h, in which a root at its end is smooth: at a
 ** dead position a velocity grows as 1 / sqrt(distance) and has a mean.  A part in which the rule is not exact is halved.
 ** Where that does not end, the integral is infinite.
 */
@@ -15,7 +15,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/solve.h"
-#include "extreme_search.h"
+#include "follow.h"
 #include "mean.h"
 
 #define STEP (M_PI / 18)     /* rad, of a part at first */
@@ -35,8 +35,8 @@ typedef struct moments {
 } moments;
 
 typedef struct means {
-    flk_search x;
-    flk_tracked t;   /* t.last: value from which an angle goes on; NaN: it starts anew */
+    flk_follower x;
+    flk_followed t;  /* t.last: value from which an angle goes on; NaN: it starts anew */
     int first, most; /* powers that are sought */
     int is_rough;    /* 1: in the part at hand an angle leaps, or a row has no value */
     int poles;       /* UP, DOWN */
@@ -49,7 +49,7 @@ static double value_at(const means *m, double s)
 {
     flk_row row;
 
-    flk_search_compute(&m->x, flk_column_need(m->t.c), flk_search_passed(&m->x, s), &row);
+    flk_follow_row(&m->x, flk_column_need(m->t.c), flk_follow_passed(&m->x, s), &row);
     return flk_column_value(m->t.c, &row);
 }
 
@@ -66,10 +66,10 @@ static void powers(double s, void *data, double *power)
         m->poles |= value > 0 ? UP : DOWN;
         value = 0;
     } else if (m->t.turn > 0 && !gsl_isnan(m->t.last)) {
-        value = flk_search_nearest(&m->t, value, m->t.last);
+        value = flk_followed_nearest(&m->t, value, m->t.last);
         m->is_rough |= fabs(value - m->t.last) > m->t.turn / 6;
     }
-    power[0] = flk_search_rate(&m->x, s);
+    power[0] = flk_follow_rate(&m->x, s);
     power[1] = value * power[0];
     power[2] = value * power[1];
 }
@@ -114,24 +114,24 @@ static void follow(means *m, double s)
 
     if (!(m->t.turn > 0))
         return;
-    if (s <= 0 && flk_search_has_limit(m->x.piece.begin))
+    if (s <= 0 && flk_follow_has_limit(m->x.piece.begin))
         s = 1e-3;
-    else if (s >= 1 && flk_search_has_limit(m->x.piece.end))
+    else if (s >= 1 && flk_follow_has_limit(m->x.piece.end))
         s = 1 - 1e-3;
     value = value_at(m, s);
     if (gsl_isnan(value))
         return;
-    if (gsl_isnan(m->t.last) || flk_search_turns_over(&m->t, m->t.last, value))
+    if (gsl_isnan(m->t.last) || flk_followed_turns_over(&m->t, m->t.last, value))
         start_anew(m, value);
     else
-        m->t.last = flk_search_nearest(&m->t, value, m->t.last);
+        m->t.last = flk_followed_nearest(&m->t, value, m->t.last);
 }
 
 /* 1 if a part must not be halved. */
 static int is_shortest(const means *m, double from, double to)
 {
-    int at_end = (from <= 0 && flk_search_has_limit(m->x.piece.begin)) ||
-                 (to >= 1 && flk_search_has_limit(m->x.piece.end));
+    int at_end = (from <= 0 && flk_follow_has_limit(m->x.piece.begin)) ||
+                 (to >= 1 && flk_follow_has_limit(m->x.piece.end));
 
     return to - from < (at_end ? SHORTEST_AT_END : SHORTEST);
 }
@@ -166,7 +166,7 @@ static void integrate(means *m, double from, double to, const flk_integral *both
             m->poles |= signs_of(&i[k]);
     }
     if (m->is_rough && !shortest && !m->t.is_noise && m->halvings < HALVINGS &&
-        !flk_search_is_over(&m->x)) {
+        !flk_follow_is_over(&m->x)) {
         m->halvings++;
         integrate(m, from, middle, i);
         integrate(m, middle, to, i);
@@ -179,7 +179,7 @@ static void integrate(means *m, double from, double to, const flk_integral *both
 
 static int is_done(const means *m)
 {
-    return m->poles == (UP | DOWN) || (m->poles && m->most == 2) || flk_search_is_over(&m->x);
+    return m->poles == (UP | DOWN) || (m->poles && m->most == 2) || flk_follow_is_over(&m->x);
 }
 
 static void integrate_piece(means *m)
@@ -196,16 +196,16 @@ static void integrate_piece(means *m)
 ** each of them; time and the crank angle go on. */
 static void count_skipped(means *m)
 {
-    const flk_search *x = &m->x;
+    const flk_follower *x = &m->x;
     double n = 1 + floor(x->skipped / x->motion.period + 0.5), by = 0;
     flk_row from, to;
 
     if (flk_column_flags(m->t.c) & FOURLINK_OF_CRANK) {
-        flk_search_compute(x, 0, 0, &from);
-        flk_search_compute(x, 0, x->motion.period, &to);
+        flk_follow_row(x, 0, 0, &from);
+        flk_follow_row(x, 0, x->motion.period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
     } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
-        by = flk_search_turns(&m->t, m->t.first, m->t.last);
+        by = flk_followed_turns(&m->t, m->t.first, m->t.last);
     repeat(&m->total, n, 0);
     repeat(&m->here, n, by);
     m->t.last += by * (n - 1);
@@ -213,11 +213,11 @@ static void count_skipped(means *m)
 
 static void integrate_motion(means *m)
 {
-    flk_search *x = &m->x;
+    flk_follower *x = &m->x;
     int has_gap = 0, is_first = 1;
 
-    for (; !is_done(m) && flk_search_next(x); is_first = 0) {
-        if (flk_search_is_reached(x)) {
+    for (; !is_done(m) && flk_follow_next(x); is_first = 0) {
+        if (flk_follow_is_reached(x)) {
             if (is_first) {
                 follow(m, 0);
                 m->t.first = m->t.last;
@@ -233,7 +233,7 @@ static void integrate_motion(means *m)
     /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
     if (has_gap && m->t.turn > 0 && flk_course_is_periodic(&x->a->course) &&
         !gsl_isnan(m->t.first + m->t.last))
-        shift(&m->here, flk_search_turns(&m->t, m->t.last, m->t.first));
+        shift(&m->here, flk_followed_turns(&m->t, m->t.last, m->t.first));
     add(&m->total, &m->here);
 }
 
@@ -243,11 +243,8 @@ static void start(means *m, flk_analysis *a, const flk_column *c, fourlink_branc
     int flags = flk_column_flags(c);
 
     memset(m, 0, sizeof *m);
-    m->x.a = a;
-    m->x.branch = branch;
-    flk_search_begin(&m->x);
-    m->x.motion.has_loads |= !flk_column_is_of_motion(c);
-    flk_search_track(&m->x, &m->t, c);
+    flk_follow(&m->x, a, branch);
+    flk_follow_column(&m->x, &m->t, c);
     if (flags & FOURLINK_OF_CRANK)
         m->t.turn = 0; /* it goes on by itself */
     m->most = statistic == FLK_MEAN ? 1 : 2;
@@ -259,7 +256,7 @@ static int of_instant(means *m, flk_statistic statistic, double *mean)
     double value;
     flk_row row;
 
-    flk_search_compute(&m->x, flk_column_need(m->t.c), 0, &row);
+    flk_follow_row(&m->x, flk_column_need(m->t.c), 0, &row);
     value = flk_column_value(m->t.c, &row);
     if (row.at.status != FOURLINK_OK && gsl_isnan(value))
         return row.at.status;
@@ -280,7 +277,7 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
     a->is_fast = !m.t.is_noise;
     integrate_motion(&m);
     a->is_fast = 0;
-    if (flk_search_is_over(&m.x))
+    if (flk_follow_is_over(&m.x))
         return FOURLINK_LONG_SEARCH;
     if (statistic == FLK_MEAN && m.poles == (UP | DOWN))
         return FOURLINK_NO_MEAN;

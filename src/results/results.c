@@ -58,13 +58,14 @@ static void ask_extreme(fourlink_results *r, text name)
         flk_extremes_ask(&r->extremes, &c);
 }
 
-/* Ask for the extremes that are told together: those of a sweep's outputs, or of the columns; and those that
+/* Ask for the extremes that are found in one search: those of a sweep's outputs, or of the columns; and those that
 ** are expected. */
 static void ask_extremes(fourlink_results *r)
 {
     const flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
     size_t i;
 
+    r->extremes.is_together = r->d.sweep.n_variables > 0;
     for (i = 0; i < outputs->n; i++)
         ask_extreme(r, flk_text_of(outputs->list[i].name));
     for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
@@ -482,7 +483,7 @@ int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_b
         return FOURLINK_NO_SUCH_NAME;
     if (r->d.drive.by_time)
         return FOURLINK_NO_SUCH_ANGLE;
-    return flk_crossings_find(&r->a, &c, branch, value, max, angles, n);
+    return flk_crossings_find(&r->extremes.room, &r->a, &c, branch, value, max, angles, n);
 }
 
 /* ------------------------------------------------------------------------------------------ by name */

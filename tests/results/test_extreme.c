@@ -76,7 +76,7 @@ static void check_extremes(const char *contents, const own_entry *columns, const
                 }
                 if (((what & VALUES) && !(fabs(e.value - turn - (double)p.value) <=
                                           1e-9 * fabs((double)p.value) + 1e-15)) ||
-                    ((what & ANGLES) && !(nearest <= 1e-6)))
+                    ((what & ANGLES) && !(nearest <= 1e-5)))
                     fail_msg("%s, %s = %.17g at %.17g deg, expected %.17g at %.17g\n%s", e.name,
                              fourlink_branch_text((int)branches[k]), e.value, e.angle,
                              (double)p.value, (double)(p.theta2[0] * 180 / PIL), contents);

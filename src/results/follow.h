@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** follow.h - columns along the motion of a branch, piece by piece.
+**
+** Within a piece the motion is followed over a parameter s from 0 to 1, in which columns are smooth even where they
+** behave as the root of the distance from an end:
+**
+**    passed = from + (to - from) sin^2(pi s / 2)
+*/
+#ifndef FOURLINK_FOLLOW_H
+#define FOURLINK_FOLLOW_H
+
+#include "column.h"
+#include "motion/pieces.h"
+
+/* A walk along the motion. */
+typedef struct flk_follower {
+    flk_analysis *a;
+    fourlink_branch branch;
+    flk_pieces motion; /* its length, rad, but for the whole periods that are skipped, */
+    double skipped;    /* rad */
+    double from,
+        end; /* first and last crank angle, in the deck's unit; of rows by time the times, s */
+    double per_rad;  /* the deck's unit of angle for 1 rad passed, with sign */
+    flk_piece piece; /* the present one */
+} flk_follower;
+
+/* Begin.  The first piece comes with flk_follow_next, which is 0 at the end.  Of a motion that repeats only the first
+** period and the last are followed, unless flk_follow_all is called. */
+void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch);
+void flk_follow_all(flk_follower *f);
+int flk_follow_next(flk_follower *f);
+
+/* 1 if the linkage can be assembled in the piece. */
+int flk_follow_is_reached(const flk_follower *f);
+
+/* 1 if columns behave as the root of the distance at an end; 1 if no row is there. */
+int flk_follow_is_root(flk_piece_end end);
+int flk_follow_has_limit(flk_piece_end end);
+
+/* The angle passed at a parameter, rad, and its derivative; just inside the piece at an end that has a neighbour, where a
+** load may jump. */
+double flk_follow_passed(const flk_follower *f, double s);
+double flk_follow_rate(const flk_follower *f, double s);
+
+/* The same at the end itself. */
+double flk_follow_corner(const flk_follower *f, double s);
+
+/* The crank angle after such a part of the motion, in the deck's unit; of rows by time the time.  The crank angle there. */
+double flk_follow_angle(const flk_follower *f, double passed);
+double flk_follow_crank(const flk_follower *f, double angle);
+
+/* The row after such a part of the motion.  Rows are counted: when too many were computed, they have the status
+** FOURLINK_LONG_SEARCH, and the walk is over. */
+void flk_follow_row(const flk_follower *f, int needs, double passed, flk_row *row);
+int flk_follow_is_over(const flk_follower *f);
+
+/* ------------------------------------------------------------------------------------------- a column */
+
+/* A column that is followed.  An angle goes on from turn to turn; where its vector passes through zero, or the linkage
+** cannot be assembled, it starts anew. */
+typedef struct flk_followed {
+    const flk_column *c;
+    double turn;  /* of an angle: a turn in its unit; else 0 */
+    double last;  /* value from which an angle goes on; NaN: it starts anew */
+    double first; /* value at the first row */
+    int restarts; /* 1: it started anew after that */
+    double bound; /* magnitude beyond which it is infinite */
+    int is_noise; /* 1: a measure of rounding */
+} flk_followed;
+
+/* Make a column ready to be followed, and include the corners that it has. */
+void flk_follow_column(flk_follower *f, flk_followed *t, const flk_column *c);
+
+/* Its value at a parameter. */
+double flk_followed_value(const flk_follower *f, const flk_followed *t, double s);
+
+/* The whole turns of an angle from one value to another, in its unit; a value moved by such turns as near as
+** possible to another. */
+double flk_followed_turns(const flk_followed *t, double from, double to);
+double flk_followed_nearest(const flk_followed *t, double value, double near);
+
+/* The part of a turn by which an angle changes, at most a half; 1 if it is half a turn: its vector passes through zero. */
+double flk_followed_change(const flk_followed *t, double from, double to);
+int flk_followed_turns_over(const flk_followed *t, double from, double to);
+
+#endif

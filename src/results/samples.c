@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** samples.c - samples of columns along the motion of a branch, piece by piece.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "base/solve.h"
+#include "samples.h"
+
+#define STEP (M_PI / 90) /* rad, */
+#define MOST_STEPS 1e5   /* ... longer over more than 555 turns */
+#define LEAST_STEPS 12   /* of a piece */
+#define SHORT 1e-9       /* rad, of a piece of which one row is computed */
+#define HALVINGS 9       /* of the step towards some ends */
+#define NEAR_LINE 0.05   /* |sin(mu)|: nearer to one line columns change within 1e-5 rad */
+#define MOST_SAMPLES 1000
+
+int flk_samples_open(flk_samples_room *room, size_t most)
+{
+    room->columns = malloc(most * sizeof *room->columns);
+    room->near = malloc(sizeof *room->near);
+    room->values = malloc(MOST_SAMPLES * (most + 1) * sizeof *room->values);
+    return room->columns && room->near && room->values;
+}
+
+void flk_samples_close(flk_samples_room *room)
+{
+    free(room->columns);
+    free(room->near);
+    free(room->values);
+}
+
+void flk_samples_begin(flk_samples *x, const flk_samples_room *room, flk_analysis *a,
+                       fourlink_branch branch)
+{
+    memset(x, 0, sizeof *x);
+    flk_follow(&x->f, a, branch);
+    x->columns = room->columns;
+    x->near = room->near;
+    x->s = room->values;
+    x->is_whole = 1;
+}
+
+void flk_samples_add(flk_samples *x, const flk_column *column)
+{
+    flk_sampled *c = &x->columns[x->n_columns++];
+
+    memset(c, 0, sizeof *c);
+    flk_follow_column(&x->f, &c->of, column);
+    c->is_of_crank = (flk_column_flags(column) & FOURLINK_OF_CRANK) != 0;
+    c->v = x->s + MOST_SAMPLES * x->n_columns;
+    x->needs |= flk_column_need(column);
+    x->has_noise |= c->of.is_noise;
+}
+
+/* --------------------------------------------------------------------------------------------- values */
+
+/* The column by its limit at an end of the piece, if it is so close to it; else NaN. */
+static double value_by_limit(const flk_sampled *c, double passed, double near)
+{
+    double value = flk_limit_value(&c->limit[0], &c->of, passed, near);
+
+    return gsl_isnan(value) ? flk_limit_value(&c->limit[1], &c->of, passed, near) : value;
+}
+
+double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, double near)
+{
+    double value = value_by_limit(c, flk_follow_corner(&x->f, s), near);
+
+    if (gsl_isnan(value))
+        value = flk_followed_value(&x->f, &c->of, s);
+    if (!(c->of.turn > 0) || gsl_isnan(near))
+        return value;
+    return flk_followed_turns_over(&c->of, near, value) ? GSL_NAN
+                                                        : flk_followed_nearest(&c->of, value, near);
+}
+
+/* 1 where rows of a column are rounding. */
+static int is_lost(const flk_sampled *c, double passed)
+{
+    return fabs(passed - c->limit[0].edge) < c->limit[0].lost ||
+           fabs(passed - c->limit[1].edge) < c->limit[1].lost;
+}
+
+/* 1 at an end of the piece where there is no row. */
+static int is_at_limit(const flk_samples *x, double s)
+{
+    return (s <= 0 && flk_follow_has_limit(x->f.piece.begin)) ||
+           (s >= 1 && flk_follow_has_limit(x->f.piece.end));
+}
+
+static double value_of(const flk_samples *x, const flk_sampled *c, double s, double passed,
+                       const flk_row *row)
+{
+    double value = flk_column_value(c->of.c, row), by_limit;
+
+    if (c->is_of_crank)
+        return is_at_limit(x, s) || !is_lost(c, passed) ? value : GSL_NAN;
+    by_limit = c->limit[0].reach < 0 && c->limit[1].reach < 0 ? GSL_NAN
+                                                              : value_by_limit(c, passed, GSL_NAN);
+    if (!gsl_isnan(by_limit) || is_at_limit(x, s))
+        value = by_limit;
+    else if (is_lost(c, passed) || (c->of.is_noise && x->f.a->is_fast))
+        value = GSL_NAN;
+    return gsl_isinf(value) ? GSL_NAN : value;
+}
+
+double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
+{
+    int is_inside = (s <= 0 && c->is_inside[0]) || (s >= 1 && c->is_inside[1]);
+
+    return flk_follow_angle(&x->f,
+                            is_inside ? flk_follow_passed(&x->f, s) : flk_follow_corner(&x->f, s));
+}
+
+/* -------------------------------------------------------------------------------------------- samples */
+
+/* At an end of the piece the row there counts; where a load jumps, that just inside. */
+#define INSIDE 5e-11 /* rad */
+#define AGREES 1e-6  /* of the column's size */
+#define BESIDE 1e-3  /* of the magnitude beyond which a column is infinite: beside a pole */
+
+static void take_end(const flk_samples *x, double s, size_t i)
+{
+    flk_piece_end end = s <= 0 ? x->f.piece.begin : x->f.piece.end;
+    double corner = flk_follow_corner(&x->f, s), length = x->f.piece.to - x->f.piece.from;
+    double inside = GSL_MIN_DBL(INSIDE, length / 4);
+    flk_row at, beside;
+    size_t k;
+
+    flk_follow_row(&x->f, x->needs, corner, &at);
+    flk_follow_row(&x->f, x->needs, s <= 0 ? corner + inside : corner - inside, &beside);
+    for (k = 0; k < x->n_columns; k++) {
+        flk_sampled *c = &x->columns[k];
+        double here = value_of(x, c, s, corner, &at), there = value_of(x, c, s, corner, &beside);
+        double size = GSL_MAX_DBL(c->size, fabs(there));
+        int jumps = !flk_follow_is_root(end) &&
+                    fabs(flk_followed_nearest(&c->of, here, there) - there) > AGREES * size;
+
+        c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !(fabs(there) > BESIDE * c->of.bound);
+        c->v[i] = c->is_inside[s >= 1] ? there : here;
+        c->corner[s >= 1] = here;
+    }
+}
+
+static double *make_room(double *list, size_t n, size_t i)
+{
+    memmove(list + i + 1, list + i, (n - i) * sizeof *list);
+    return list + i;
+}
+
+/* Put a sample before number i. */
+static void insert(flk_samples *x, size_t i, double s)
+{
+    double passed = flk_follow_corner(&x->f, s);
+    flk_row row;
+    size_t k;
+
+    *make_room(x->s, x->n, i) = s;
+    for (k = 0; k < x->n_columns; k++)
+        make_room(x->columns[k].v, x->n, i);
+    if (s <= 0 || s >= 1) {
+        take_end(x, s, i);
+    } else {
+        flk_follow_row(&x->f, x->needs, passed, &row);
+        x->has_lock |= row.at.status == FOURLINK_LOCKED;
+        for (k = 0; k < x->n_columns; k++)
+            x->columns[k].v[i] = value_of(x, &x->columns[k], s, passed, &row);
+    }
+    x->f.a->rows_left -= (double)x->n_columns / 16;
+    x->n++;
+}
+
+int flk_samples_insert(flk_samples *x, size_t i, double s)
+{
+    size_t k;
+
+    if (x->n == MOST_SAMPLES)
+        return 0;
+    insert(x, i, s);
+    for (k = 0; k < x->n_columns; k++) {
+        const flk_followed *of = &x->columns[k].of;
+        double *v = x->columns[k].v + i;
+
+        if (of->turn > 0)
+            v[0] = flk_followed_nearest(of, v[0],
+                                        flk_followed_turns_over(of, v[-1], v[0]) ? v[1] : v[-1]);
+    }
+    return 1;
+}
+
+/* 1 if columns can change fast beside an end. */
+static int is_fast_beside(const flk_samples *x, double s, flk_piece_end end)
+{
+    flk_row row;
+
+    if (flk_follow_has_limit(end))
+        return 1;
+    flk_follow_row(&x->f, 0, flk_follow_corner(&x->f, s), &row);
+    return row.at.status == FOURLINK_OK && fabs(row.at.state.sine) < NEAR_LINE;
+}
+
+static size_t steps_of(const flk_samples *x)
+{
+    double length = x->f.piece.to - x->f.piece.from;
+    double steps = ceil(length / GSL_MAX_DBL(STEP, x->f.motion.length / MOST_STEPS) - 1e-9);
+
+    return length < SHORT  ? 0
+           : x->is_reached ? (size_t)GSL_MAX_DBL(LEAST_STEPS, GSL_MIN_DBL(steps, MOST_SAMPLES / 4))
+                           : LEAST_STEPS;
+}
+
+/* Samples of the piece in even steps, and closer beside some ends. */
+static void sample(flk_samples *x)
+{
+    size_t n = steps_of(x), i;
+    int at_begin = n && x->is_reached && is_fast_beside(x, 0, x->f.piece.begin),
+        at_end = n && x->is_reached && is_fast_beside(x, 1, x->f.piece.end), k;
+    double step = 1 / (double)GSL_MAX(n, 1);
+
+    x->n = 0;
+    x->has_lock = 0;
+    x->f.a->is_fast = !x->has_noise;
+    if (n || x->f.piece.from <= 0)
+        insert(x, x->n, 0);
+    for (k = HALVINGS; at_begin && k > 0; k--)
+        insert(x, x->n, step * gsl_pow_int(0.5, k));
+    for (i = 1; i < n; i++)
+        insert(x, x->n, step * (double)i);
+    for (k = 1; at_end && k <= HALVINGS; k++)
+        insert(x, x->n, 1 - step * gsl_pow_int(0.5, k));
+    if (n || x->f.piece.from > 0)
+        insert(x, x->n, 1);
+    x->f.a->is_fast = 1;
+}
+
+/* More samples until no angle jumps by more than a sixth of a turn, or they are too close. */
+#define JUMP (1.0 / 6)
+#define CLOSEST_SAMPLES 1e-7
+
+static int jumps(const flk_samples *x, size_t i)
+{
+    size_t k;
+
+    for (k = 0; k < x->n_columns; k++) {
+        const flk_sampled *c = &x->columns[k];
+
+        if (c->of.turn > 0 && flk_followed_change(&c->of, c->v[i], c->v[i + 1]) > JUMP)
+            return 1;
+    }
+    return 0;
+}
+
+static void resolve_jumps(flk_samples *x)
+{
+    size_t i;
+
+    for (i = 0; i + 1 < x->n; i++)
+        while (x->n < MOST_SAMPLES && x->s[i + 1] - x->s[i] > CLOSEST_SAMPLES && jumps(x, i))
+            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+}
+
+/* Make an angle continuous through the samples of the piece. */
+static void follow(const flk_samples *x, flk_sampled *c)
+{
+    double *last = &c->of.last;
+    size_t i;
+
+    c->starts_anew = 0;
+    for (i = 0; i < x->n; i++) {
+        if (x->f.piece.from <= 0 && i == 0)
+            c->of.first = c->v[i];
+        if (gsl_isnan(c->v[i]))
+            continue;
+        if (!gsl_isnan(*last) && flk_followed_turns_over(&c->of, *last, c->v[i])) {
+            c->starts_anew = c->of.restarts = 1;
+        } else {
+            c->v[i] = flk_followed_nearest(&c->of, c->v[i], *last);
+        }
+        *last = c->v[i];
+    }
+}
+
+/* --------------------------------------------------------------------------------------------- pieces */
+
+#define LONG 0.4 /* rad */
+
+/* The size of columns, in the middle of the piece. */
+static void measure(flk_samples *x)
+{
+    const flk_piece *p = &x->f.piece;
+    flk_row row;
+    size_t k;
+
+    flk_follow_row(&x->f, x->needs, 0.5 * (p->from + p->to), &row);
+    for (k = 0; k < x->n_columns; k++) {
+        flk_sampled *c = &x->columns[k];
+        double size = fabs(flk_column_value(c->of.c, &row));
+
+        if (!(size < c->of.bound)) /* where there is no row, or a pole */
+            continue;
+        c->size = GSL_MAX_DBL(c->size, size);
+        if (size > c->size_long && p->to - p->from > LONG)
+            c->size_long = size;
+    }
+}
+
+static void find_limits(flk_samples *x, int at_end)
+{
+    flk_piece_end end = at_end ? x->f.piece.end : x->f.piece.begin;
+    size_t k;
+
+    if (flk_follow_has_limit(end))
+        flk_limit_approach(&x->f, x->needs, at_end, x->near);
+    for (k = 0; k < x->n_columns; k++) {
+        flk_sampled *c = &x->columns[k];
+        flk_limit *l = &c->limit[at_end];
+
+        flk_limit_none(l);
+        if (!flk_follow_has_limit(end))
+            continue;
+        if (c->is_of_crank || c->of.is_noise)
+            flk_limit_of_crank(x->near, l);
+        else
+            flk_limit_find(x->near, &c->of, c->size_long, GSL_NAN, l);
+    }
+}
+
+/* Its sign says whether friction locks the mechanism. */
+static double lock_at(double passed, void *data)
+{
+    const flk_samples *x = data;
+    flk_row row;
+
+    flk_follow_row(&x->f, x->needs, passed, &row);
+    return row.at.status == FOURLINK_LOCKED ? GSL_NEGINF : GSL_POSINF;
+}
+
+/* The first angle passed at which friction begins (or ends, if *lock < 0) to lock the mechanism, on the side with rows;
+** infinite if there is none.  No formula gives it. */
+static double find_edge(flk_samples *x, double *lock)
+{
+    double low = flk_follow_passed(&x->f, x->s[0]), high;
+    flk_bracket b;
+    size_t i;
+
+    *lock = lock_at(low, x);
+    for (i = 1; i < x->n && x->has_lock; i++, low = high) {
+        high = flk_follow_passed(&x->f, x->s[i]);
+        if (lock_at(high, x) == *lock)
+            continue;
+        b = flk_bracket_of(low, high, *lock, -*lock);
+        flk_find_zero(lock_at, x, &b, 0);
+        return *lock < 0 ? b.high : b.low;
+    }
+    return GSL_POSINF;
+}
+
+/* Sample the piece, or its part before an edge at which friction begins or ends to lock the mechanism.  Towards such an
+** edge friction grows as the inverse of the distance, or, where two solutions meet, ends as its root: it is treated as
+** dead positions are. */
+#define MOST_PARTS 100
+
+static void sample_part(flk_samples *x)
+{
+    flk_piece *part = &x->f.piece;
+    double edge, lock = 0;
+
+    find_limits(x, 0);
+    find_limits(x, 1);
+    sample(x);
+    edge = x->has_lock && x->n_parts < MOST_PARTS ? find_edge(x, &lock) : GSL_POSINF;
+    x->is_whole = !(edge < part->to);
+    if (x->is_whole)
+        return;
+    x->rest = *part;
+    x->rest.from = GSL_MAX_DBL(edge, part->from + SHORT / 10); /* a first row can stand alone */
+    x->rest.begin = FLK_END_DEAD;
+    x->n_parts++;
+    part->to = edge;
+    part->end = lock < 0 ? FLK_END_PLAIN : FLK_END_DEAD;
+    find_limits(x, 1);
+    sample(x);
+}
+
+/* Go on to the next piece; a motion without length has one. */
+static int go_on(flk_samples *x)
+{
+    x->n_parts = 0;
+    if (flk_follow_is_over(&x->f) || (!flk_follow_next(&x->f) && (x->n || x->f.motion.length > 0)))
+        return 0;
+    x->is_reached = x->f.motion.length <= 0 || flk_follow_is_reached(&x->f);
+    measure(x);
+    return 1;
+}
+
+int flk_samples_next(flk_samples *x)
+{
+    size_t i;
+
+    if (!x->is_whole)
+        x->f.piece = x->rest;
+    else if (!go_on(x))
+        return 0;
+    sample_part(x);
+    resolve_jumps(x);
+    for (i = 0; i < x->n_columns; i++)
+        if (x->columns[i].of.turn > 0)
+            follow(x, &x->columns[i]);
+    return 1;
+}
