@@ -117,6 +117,8 @@ module fourlink
     fourlink_mode_run_up = 2, fourlink_mode_steady = 3
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
     fourlink_of_rounding = 4, fourlink_of_forces = 8
+  integer(c_int), parameter :: fourlink_max = 1, fourlink_min = 2, fourlink_mean = 3, &
+    fourlink_rms = 4
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
@@ -342,7 +344,7 @@ module fourlink
     real(c_double) :: value, to_si
     integer(c_int) :: has_angle
     real(c_double) :: angle
-    integer(c_int) :: branch, flags
+    integer(c_int) :: branch, flags, handle
   end type fourlink_value
 
   type, bind(c) :: fourlink_instant
@@ -824,6 +826,22 @@ module fourlink
       real(c_double), intent(inout) :: angles(*)
       integer(c_long), intent(inout) :: n
     end function fourlink_results_crossings
+
+    ! The name ends in c_null_char.
+    integer(c_int) function fourlink_results_find(results, name, found) bind(c)
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: name(*)
+      type(fourlink_value), intent(inout) :: found
+    end function fourlink_results_find
+
+    integer(c_int) function fourlink_results_get(results, handle, branch, angle, value) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: handle, branch
+      real(c_double), value :: angle
+      type(fourlink_value), intent(inout) :: value
+    end function fourlink_results_get
 
     ! The name ends in c_null_char.
     integer(c_int) function fourlink_results_value(results, name, branch, angle, value) bind(c)

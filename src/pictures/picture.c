@@ -377,14 +377,12 @@ static int take_results(picture *p)
 
 static int has_column(const picture *p, text name)
 {
-    const fourlink_value *list;
-    unsigned long n = 0, i;
+    char copy[40];
+    fourlink_value found;
 
-    fourlink_results_list(p->results, FOURLINK_ALL_COLUMNS, &list, &n);
-    for (i = 0; i < n; i++)
-        if (flk_text_same(name, list[i].name))
-            return 1;
-    return 0;
+    return fourlink_results_find(p->results, flk_text_copy(name, copy, sizeof copy), &found) ==
+               FOURLINK_OK &&
+           found.has_angle;
 }
 
 /* The column to draw over, and those columns of a kind's list that the deck has. */
