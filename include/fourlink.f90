@@ -141,6 +141,18 @@ module fourlink
     type(fourlink_vector) :: cg
   end type fourlink_link
 
+  type, bind(c) :: fourlink_joint
+    type(c_ptr) :: letter ! for fourlink_text
+    integer(c_int) :: from, on, at, is_tip, slider
+  end type fourlink_joint
+
+  type, bind(c) :: fourlink_kind_facts
+    integer(c_int) :: kind
+    type(c_ptr) :: name, words, link(0:4) ! for fourlink_text
+    integer(c_int) :: slides_on(0:4), has_stroke, has_slot
+    type(fourlink_joint) :: joint(4)
+  end type fourlink_kind_facts
+
   type, bind(c) :: fourlink_design
     integer(c_int) :: kind = 0
     type(fourlink_link) :: link(0:4) ! (0) is unused
@@ -406,6 +418,12 @@ module fourlink
       import :: c_int
       integer(c_int), value :: kind, type
     end function fourlink_has_type
+    integer(c_int) function fourlink_kind_of(kind, facts) bind(c)
+      import
+      integer(c_int), value :: kind
+      type(fourlink_kind_facts), intent(inout) :: facts
+    end function fourlink_kind_of
+
     integer(c_int) function fourlink_slides(kind, link) bind(c)
       import
       integer(c_int), value :: kind, link

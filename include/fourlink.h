@@ -128,6 +128,32 @@ typedef enum fourlink_kind {
     FOURLINK_INVERTED_SLIDER_CRANK = 4
 } fourlink_kind;
 
+/* A joint of links `from` and `on`: two of the nine unknowns, what `from` exerts on `on`.
+**
+** pin      the force F_ij, along x and y
+** slider   a couple, and a normal force that acts at the joint, along the left normal of the slide
+**
+** The joint is at the origin of link `at`, or at its tip, the other end of its length.  A slider is at
+** the origin of the link that slides, along its own x axis. */
+typedef struct fourlink_joint {
+    const char *letter; /* A, B, C, D: the point at which it is */
+    int from, on, at;   /* links */
+    int is_tip;         /* 1: at the tip of link `at` */
+    int slider;         /* 0: a pin; otherwise the link that slides */
+} fourlink_joint;
+
+/* What a kind of mechanism consists of.  Arrays of links are by number; [0] is unused. */
+typedef struct fourlink_kind_facts {
+    fourlink_kind kind;
+    const char *name;        /* as in a deck */
+    const char *words;       /* in a sentence */
+    const char *link[5];     /* ground, crank; coupler, rod or slider; rocker, piston or lever */
+    int slides_on[5];        /* the link on which it slides; 0: it has only pins */
+    int has_stroke;          /* 1: link 4 is a piston, which slides on the ground */
+    int has_slot;            /* 1: link 4 is a lever, and link 3 slides on it */
+    fourlink_joint joint[4]; /* in the order of the unknowns: the last is at the origin of link 4 */
+} fourlink_kind_facts;
+
 /* The range of numbers that the library accepts.  It is far wider than any machine needs, and no
 ** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
 **
@@ -788,6 +814,17 @@ FOURLINK_API const char *fourlink_link_text(int kind, int link);
 ** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at
 ** its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
+
+/* What a kind of mechanism consists of: its words, its joints, what slides on what.
+**
+** Given:
+**    kind       FOURLINK_FOUR_BAR ...
+** Returned:
+**    facts      its texts are constant strings in English
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
+*/
+FOURLINK_API int fourlink_kind_of(int kind, fourlink_kind_facts *facts);
 
 /* Check a design and prepare it for the functions below.
 **

@@ -55,11 +55,13 @@ typedef enum flk_statistic {
 /* The statistic that a name asks for, and the column's name; FLK_NONE for another name. */
 flk_statistic flk_column_statistic_of(text name, text *of);
 
-/* Write the name of a statistic, max(COLUMN), in DECK_NAME_SIZE bytes; or at its place among those of all columns. */
+/* Write the name of a statistic, max(COLUMN), in DECK_NAME_SIZE bytes; or at its place among those of all
+** columns. */
 char *flk_column_statistic_text(flk_statistic statistic, const char *column, char *name);
 char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, char *names);
 
-/* The handle of a column, or of a statistic of it, and what it stands for; 0 if that is no column of the deck. */
+/* The handle of a column, or of a statistic of it, and what it stands for; 0 if that is no column of the
+** deck. */
 int flk_column_handle(const flk_column *c, flk_statistic statistic);
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
                          flk_statistic *statistic);

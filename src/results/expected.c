@@ -43,8 +43,8 @@ static const char *find_nearest(fourlink_results *r, const deck_expectation *e, 
     return flk_column_nearest(&r->a, e->name);
 }
 
-/* Find what a name means; the first in r->facts are those of it, such as the ends of two ranges.  Returns 0 and a message if the
-** deck has none. */
+/* Find what a name means; the first of r->facts are those of this name, such as the ends of two ranges.
+** Returns 0 and a message if the deck has none. */
 static int find_name(fourlink_results *r, const deck_expectation *e, fourlink_check *c, flk_name *n,
                      unsigned long *n_facts)
 {

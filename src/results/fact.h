@@ -25,15 +25,15 @@ void flk_fact_describe(const deck *d, int handle, fourlink_value *f);
 /* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or 1 to 19, why the actual motion ends before it has it. */
 int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch);
 
-/* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion does not
-** begin, or FOURLINK_NO_MEAN.  `names` as in flk_fact_list. */
+/* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
+** does not begin, or FOURLINK_NO_MEAN.  `names` as in flk_fact_list. */
 int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
                           flk_statistic statistic, fourlink_branch branch, char *names,
                           fourlink_value *f);
 
 /* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  The
-** extremes are those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column, `names`
-** for the names of the statistics of all columns, as flk_column_statistic_name writes them. */
+** extremes are those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column,
+** `names` for the names of the statistics of all columns, as flk_column_statistic_name writes them. */
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
                             const flk_column *columns, size_t n_columns, fourlink_value *list,
                             char *names);

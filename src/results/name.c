@@ -2,8 +2,8 @@
 **
 ** name.c - what a name means: a column, a statistic of a column, a fact, or a value that the deck gives.
 **
-** The handle of an input holds for one design only, as each design leaves out those that are 0; others hold for all
-** designs of a sweep.
+** The handle of an input holds for one design only, as each design leaves out those that are 0; others hold
+** for all designs of a sweep.
 */
 #include <string.h>
 

@@ -37,7 +37,8 @@ void flk_name_describe(const fourlink_results *r, const flk_name *n, fourlink_va
 int flk_name_value(fourlink_results *r, const flk_name *n, fourlink_branch branch, double angle,
                    fourlink_value *value);
 
-/* Put the facts of this handle on a branch first in r->facts, such as the ends of two ranges; returns their number. */
+/* Put the facts of this handle on a branch first in r->facts, such as the ends of two ranges; returns their
+** number. */
 unsigned long flk_name_facts(fourlink_results *r, int handle, fourlink_branch branch);
 
 #endif
