@@ -557,10 +557,10 @@ int flk_column_handle(const flk_column *c, flk_statistic statistic)
 
 int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_statistic *statistic)
 {
-    size_t i = (size_t)(handle - 1) / HANDLES;
+    size_t place = handle > 0 ? (size_t)handle - 1 : (size_t)-1;
 
-    *statistic = (flk_statistic)((handle - 1) % HANDLES);
-    return handle > 0 && i < flk_column_limit(a->d) && flk_column_number(a, i, c);
+    *statistic = (flk_statistic)(place % HANDLES);
+    return place / HANDLES < flk_column_limit(a->d) && flk_column_number(a, place / HANDLES, c);
 }
 
 static int is_known(text name)

@@ -55,15 +55,17 @@ static void ask_extreme(fourlink_results *r, const flk_name *n)
 static void ask_extremes(fourlink_results *r)
 {
     flk_name n;
+    text of;
     size_t i;
 
     for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
         if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
             flk_extremes_ask(&r->extremes, &r->columns[i]);
-    for (i = 0; i < r->d.n_expectations; i++) {
-        flk_name_find(r, r->d.expectations[i].name, &n);
-        ask_extreme(r, &n);
-    }
+    for (i = 0; i < r->d.n_expectations; i++)
+        if (flk_column_statistic_of(r->d.expectations[i].name, &of)) {
+            flk_name_find(r, r->d.expectations[i].name, &n);
+            ask_extreme(r, &n);
+        }
 }
 
 #define MOST_OUTPUTS 64

@@ -151,6 +151,30 @@ TEST(test_unknown_names_and_handles)
     fourlink_results_free(r);
 }
 
+/* Beside the last column and the last fact there is nothing. */
+TEST(test_first_and_last_handles)
+{
+    fourlink_results *r = opened(ROCKER ROWS SPRING);
+    const fourlink_value *list;
+    fourlink_value v;
+    unsigned long n;
+    int last;
+
+    assert_int_equal(fourlink_results_list(r, FOURLINK_ALL_COLUMNS, &list, &n), FOURLINK_OK);
+    assert_int_equal(fourlink_results_get(r, list[0].handle - 1, FOURLINK_OPEN, 0, &v),
+                     FOURLINK_NO_SUCH_NAME);
+    last = list[n - 1].handle + FOURLINK_RMS;
+    assert_int_equal(fourlink_results_get(r, last, FOURLINK_OPEN, 0, &v), FOURLINK_OK);
+    assert_string_equal(v.name, "rms(S.power)");
+    assert_int_equal(fourlink_results_get(r, last + 1, FOURLINK_OPEN, 0, &v),
+                     FOURLINK_NO_SUCH_NAME);
+    last = found(r, "motor_torque").handle;
+    assert_int_equal(fourlink_results_get(r, last, FOURLINK_OPEN, 0, &v), FOURLINK_NO_SUCH_FACT);
+    assert_int_equal(fourlink_results_get(r, last - 1, FOURLINK_OPEN, 0, &v),
+                     FOURLINK_NO_SUCH_NAME);
+    fourlink_results_free(r);
+}
+
 /* Handles of one design are those of another, though they have not the same columns. */
 TEST(test_handles_of_a_sweep)
 {
@@ -190,6 +214,13 @@ TEST(test_handles_of_a_sweep)
                                           FOURLINK_OPEN, 0, &v),
                      FOURLINK_OK);
     assert_true(v.value == 1);
+    assert_int_equal(fourlink_results_list(designs[3], FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
+    for (i = 0; i < n; i++) {
+        assert_int_equal(fourlink_results_get(designs[3], list[i].handle, FOURLINK_OPEN, 0, &v),
+                         FOURLINK_OK);
+        assert_string_equal(v.name, list[i].name);
+        assert_string_equal(v.meaning, list[i].meaning);
+    }
     for (k = 0; k < 4; k++)
         fourlink_results_free(designs[k]);
 }
