@@ -117,6 +117,8 @@ module fourlink
     fourlink_mode_run_up = 2, fourlink_mode_steady = 3
   integer(c_int), parameter :: fourlink_of_crank = 1, fourlink_crank_angle = 2, &
     fourlink_of_rounding = 4, fourlink_of_forces = 8
+  integer(c_int), parameter :: fourlink_max = 1, fourlink_min = 2, fourlink_mean = 3, &
+    fourlink_rms = 4
   integer(c_int), parameter :: fourlink_agrees = 0, fourlink_differs = 1, &
     fourlink_misprint = 2, fourlink_no_misprint = 3, fourlink_no_value = 4
 
@@ -138,6 +140,18 @@ module fourlink
     real(c_double) :: length = 0, mass = 0, inertia = 0
     type(fourlink_vector) :: cg
   end type fourlink_link
+
+  type, bind(c) :: fourlink_joint
+    type(c_ptr) :: letter ! for fourlink_text
+    integer(c_int) :: from, on, at, is_tip, slider
+  end type fourlink_joint
+
+  type, bind(c) :: fourlink_kind_facts
+    integer(c_int) :: kind
+    type(c_ptr) :: name, words, link(0:4) ! for fourlink_text
+    integer(c_int) :: slides_on(0:4), has_stroke, has_slot
+    type(fourlink_joint) :: joint(4)
+  end type fourlink_kind_facts
 
   type, bind(c) :: fourlink_design
     integer(c_int) :: kind = 0
@@ -342,7 +356,7 @@ module fourlink
     real(c_double) :: value, to_si
     integer(c_int) :: has_angle
     real(c_double) :: angle
-    integer(c_int) :: branch, flags
+    integer(c_int) :: branch, flags, handle
   end type fourlink_value
 
   type, bind(c) :: fourlink_instant
@@ -404,6 +418,12 @@ module fourlink
       import :: c_int
       integer(c_int), value :: kind, type
     end function fourlink_has_type
+    integer(c_int) function fourlink_kind_of(kind, facts) bind(c)
+      import
+      integer(c_int), value :: kind
+      type(fourlink_kind_facts), intent(inout) :: facts
+    end function fourlink_kind_of
+
     integer(c_int) function fourlink_slides(kind, link) bind(c)
       import
       integer(c_int), value :: kind, link
@@ -824,6 +844,22 @@ module fourlink
       real(c_double), intent(inout) :: angles(*)
       integer(c_long), intent(inout) :: n
     end function fourlink_results_crossings
+
+    ! The name ends in c_null_char.
+    integer(c_int) function fourlink_results_find(results, name, found) bind(c)
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: name(*)
+      type(fourlink_value), intent(inout) :: found
+    end function fourlink_results_find
+
+    integer(c_int) function fourlink_results_get(results, handle, branch, angle, value) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_int), value :: handle, branch
+      real(c_double), value :: angle
+      type(fourlink_value), intent(inout) :: value
+    end function fourlink_results_get
 
     ! The name ends in c_null_char.
     integer(c_int) function fourlink_results_value(results, name, branch, angle, value) bind(c)

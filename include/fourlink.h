@@ -98,7 +98,7 @@ extern "C" {
     X(FOURLINK_NO_SUCH_POINT, 38, "the deck has no such point")                                   \
     X(FOURLINK_TOO_MANY_LOADS, 39, "the number of loads is negative or above 100")                \
     X(FOURLINK_BAD_APPROXIMATION, 40, "the approximation is not exact, piston or all")            \
-    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column or fact of this name")                       \
+    X(FOURLINK_NO_SUCH_NAME, 41, "there is no column, fact or input of this name")                \
     X(FOURLINK_NO_SUCH_FACT, 42, "this design has no such fact")                                  \
     X(FOURLINK_NO_SUCH_ANGLE, 43, "the motion does not reach this crank angle")                   \
     X(FOURLINK_NO_TURNING_MOMENT, 44,                                                             \
@@ -127,6 +127,32 @@ typedef enum fourlink_kind {
     FOURLINK_SLIDER_CRANK = 2,
     FOURLINK_INVERTED_SLIDER_CRANK = 4
 } fourlink_kind;
+
+/* A joint of links `from` and `on`: two of the nine unknowns, what `from` exerts on `on`.
+**
+** pin      the force F_ij, along x and y
+** slider   a couple, and a normal force that acts at the joint, along the left normal of the slide
+**
+** The joint is at the origin of link `at`, or at its tip, the other end of its length.  A slider is at
+** the origin of the link that slides, along its own x axis. */
+typedef struct fourlink_joint {
+    const char *letter; /* A, B, C, D: the point at which it is */
+    int from, on, at;   /* links */
+    int is_tip;         /* 1: at the tip of link `at` */
+    int slider;         /* 0: a pin; otherwise the link that slides */
+} fourlink_joint;
+
+/* What a kind of mechanism consists of.  Arrays of links are by number; [0] is unused. */
+typedef struct fourlink_kind_facts {
+    fourlink_kind kind;
+    const char *name;        /* as in a deck */
+    const char *words;       /* in a sentence */
+    const char *link[5];     /* ground, crank; coupler, rod or slider; rocker, piston or lever */
+    int slides_on[5];        /* the link on which it slides; 0: it has only pins */
+    int has_stroke;          /* 1: link 4 is a piston, which slides on the ground */
+    int has_slot;            /* 1: link 4 is a lever, and link 3 slides on it */
+    fourlink_joint joint[4]; /* in the order of the unknowns: the last is at the origin of link 4 */
+} fourlink_kind_facts;
 
 /* The range of numbers that the library accepts.  It is far wider than any machine needs, and no
 ** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
@@ -669,6 +695,7 @@ typedef struct fourlink_value {
     double angle;       /* the crank angle, in the deck's unit */
     int branch;         /* FOURLINK_OPEN, FOURLINK_CROSSED; 0: the same on both */
     int flags;          /* of a column, FOURLINK_OF_CRANK ...; of a condition, FOURLINK_ABOVE ... */
+    int handle;         /* for fourlink_results_get */
 } fourlink_value;
 
 enum {
@@ -677,6 +704,9 @@ enum {
     FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
     FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
+
+/* Added to the handle of a column: the handle of its statistic. */
+enum { FOURLINK_MAX = 1, FOURLINK_MIN = 2, FOURLINK_MEAN = 3, FOURLINK_RMS = 4 };
 
 /* A condition: above or below its value, or equal to it. */
 enum { FOURLINK_ABOVE = 1, FOURLINK_BELOW = 2, FOURLINK_OR_EQUAL = 4 };
@@ -784,6 +814,17 @@ FOURLINK_API const char *fourlink_link_text(int kind, int link);
 ** slider; 0 for a link that has only pins.  A link slides along its own x axis, with the slider at
 ** its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
+
+/* What a kind of mechanism consists of: its words, its joints, what slides on what.
+**
+** Given:
+**    kind       FOURLINK_FOUR_BAR ...
+** Returned:
+**    facts      its texts are constant strings in English
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
+*/
+FOURLINK_API int fourlink_kind_of(int kind, fourlink_kind_facts *facts);
 
 /* Check a design and prepare it for the functions below.
 **
@@ -1621,11 +1662,33 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
                                      double angle, double *values, fourlink_instant *instant,
                                      fourlink_load *loads);
 
-/* Any number by its name: a column, an extreme or mean of one, or a fact.
+/* What a name means: a column, an extreme or mean of one, a fact, an input or a variable.
 **
 ** Given:
 **    results    from fourlink_results_open
-**    name       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min
+**    name       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min; an
+**               input such as crank.length
+** Returned:
+**    found      name, unit, quantity, meaning, flags, the handle for fourlink_results_get, and has_angle:
+**               1 for a column, which has a value at every crank angle
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
+** Notes:
+** 1) A name is found once; its values by the handle cost no search for the name.
+** 2) The handle holds for these results, and that of a column, fact or variable for all designs of
+**    the deck's sweep.  It is never 0.
+** 3) Entries of lists and facts have their handles too.  To the handle of a column may be added
+**    FOURLINK_MAX, _MIN, _MEAN or _RMS.
+** 4) A fact is found even if this design does not have it, such as the stroke of a four-bar linkage.
+*/
+FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *name,
+                                       fourlink_value *found);
+
+/* The value of what a handle stands for.
+**
+** Given:
+**    results    from fourlink_results_open
+**    handle     from fourlink_results_find, a list, facts or another value
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
 **    angle      of a column: crank angle in the deck's unit; else not used
 ** Returned:
@@ -1637,7 +1700,8 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 ** Notes:
 ** 1) Extremes are taken over the deck's motion, refined between its rows.
 ** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar
-**    linkage.
+**    linkage.  FOURLINK_NO_SUCH_NAME means that the handle is none of these results', or that of a
+**    column which this design of a sweep does not have.
 ** 3) If several facts have one name, the ends of two ranges, this is the first.
 ** 4) Mean and rms are taken over the crank angle, not over time, of that part of the deck's motion in
 **    which the linkage can be assembled: (integral of y dtheta2) / c, and the root of (integral of
@@ -1645,6 +1709,19 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 **    at a dead position velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms.
 **    If a column is unbounded to both sides, as mechanical_advantage is, the status is
 **    FOURLINK_NO_MEAN.
+*/
+FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fourlink_branch branch,
+                                      double angle, fourlink_value *value);
+
+/* Any number by its name: fourlink_results_find and fourlink_results_get in one call.
+**
+** Given:
+**    name       as for fourlink_results_find
+**    others     as for fourlink_results_get
+** Returned:
+**    as from fourlink_results_get
+** Returned (function value):
+**    as from fourlink_results_get
 */
 FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *name,
                                         fourlink_branch branch, double angle,
@@ -1774,11 +1851,13 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 /* Results by name, in the deck's units.
 **
 **       INTEGER*8 HANDLE
-**       INTEGER ISTAT, IBRNCH, I, N, NROWS, NCOLS
+**       INTEGER ISTAT, IBRNCH, ID, I, N, NROWS, NCOLS
 **       DOUBLE PRECISION ANGLE, VALUE, VALUES(N)
 **       CHARACTER TEXT*4000, MSG*80, NAME*32, UNIT*16
 **       CALL FLOPEN(TEXT, HANDLE, ISTAT, MSG)
 **       CALL FLVAL(HANDLE, NAME, IBRNCH, ANGLE, VALUE, ISTAT)
+**       CALL FLFIND(HANDLE, NAME, ID, ISTAT)
+**       CALL FLGET(HANDLE, ID, IBRNCH, ANGLE, VALUE, ISTAT)
 **       CALL FLNROW(HANDLE, NROWS, NCOLS)
 **       CALL FLNAME(HANDLE, I, NAME, UNIT, ISTAT)
 **       CALL FLROW(HANDLE, IBRNCH, I, N, VALUES, ISTAT)
@@ -1796,12 +1875,16 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLVAL gives any number by its name.
 **
 ** Given:
-**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min
+**    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min; an
+**               input such as crank.length
 **    IBRNCH     1 open, -1 crossed
 **    ANGLE      of a column: crank angle in the deck's unit; else not used
 ** Returned:
 **    VALUE      the number; untouched if ISTAT is not 0
 **    ISTAT      as from fourlink_results_value; FOURLINK_NO_SUCH_FACT for a fact in words
+**
+** FLFIND finds a name once, and FLGET gives its values without a search: ID is the handle of
+** fourlink_results_find.  For the statistics of a column add 1 (max), 2 (min), 3 (mean) or 4 (rms).
 **
 ** FLNROW gives the number of rows and columns of the deck's table.  FLNAME gives the name and unit
 ** of column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW gives row I, 1 to
@@ -1817,12 +1900,16 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Returned texts are padded with blanks, or cut off.
 **
 ** Reference:
-**    as fourlink_results_open, _value, _row
+**    as fourlink_results_open, _value, _find, _get, _row
 */
 FOURLINK_API void flopen_(const char *text, fourlink_results **handle, int *istat, char *msg,
                           unsigned long text_length, unsigned long msg_length);
 FOURLINK_API void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch,
                          const double *angle, double *value, int *istat, unsigned long name_length);
+FOURLINK_API void flfind_(fourlink_results *const *handle, const char *name, int *id, int *istat,
+                          unsigned long name_length);
+FOURLINK_API void flget_(fourlink_results *const *handle, const int *id, const int *ibrnch,
+                         const double *angle, double *value, int *istat);
 FOURLINK_API void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols);
 FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *name, char *unit,
                           int *istat, unsigned long name_length, unsigned long unit_length);

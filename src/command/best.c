@@ -53,7 +53,7 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     for (i = 0; i < s->n_conditions; i++) {
         const fourlink_value *c = &s->conditions[i];
 
-        if (fourlink_results_value(r, c->name, branch, from, &v) != FOURLINK_OK || v.words ||
+        if (fourlink_results_get(r, c->handle, branch, from, &v) != FOURLINK_OK || v.words ||
             !statistics_meets(c, v.value))
             return 0;
     }

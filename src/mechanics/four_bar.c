@@ -311,10 +311,10 @@ const flk_kind flk_four_bar = {
     FOURLINK_CRANK_ROCKER,
     FOURLINK_CHANGE_POINT_LINKAGE,
     {
-        {1, 2, FLK_ORIGIN, 2, 0}, /* A */
-        {2, 3, FLK_ORIGIN, 3, 0}, /* B */
-        {3, 4, FLK_TIP, 3, 0},    /* C */
-        {1, 4, FLK_ORIGIN, 4, 0}, /* D */
+        {"A", 1, 2, 2, 0, 0},
+        {"B", 2, 3, 3, 0, 0},
+        {"C", 3, 4, 3, 1, 0},
+        {"D", 1, 4, 4, 0, 0},
     },
     four_bar_prepare,
     four_bar_reach,

@@ -76,7 +76,7 @@ static fourlink_load *add_load(joint *j, int link)
     return load;
 }
 
-static void load_pin(const flk_joint *pin, joint *j)
+static void load_pin(const fourlink_joint *pin, joint *j)
 {
     double sign = j->speed > 0 ? 1 : -1;
     fourlink_load *on = add_load(j, pin->on), *from;
@@ -88,7 +88,8 @@ static void load_pin(const flk_joint *pin, joint *j)
 }
 
 /* Along the slide, at the origin of the link that slides; the same point of the other link. */
-static void load_guide(const fourlink_state *state, const flk_joint *guide, double length, joint *j)
+static void load_guide(const fourlink_state *state, const fourlink_joint *guide, double length,
+                       joint *j)
 {
     const fourlink_link_state *slider = &state->link[guide->slider], *other;
     int number = guide->from == guide->slider ? guide->on : guide->from;
@@ -113,7 +114,7 @@ static void load_guide(const fourlink_state *state, const flk_joint *guide, doub
 /* Speed of `on` against `from`, of the link that slides along the other, for a unit crank speed.  With r from the
 ** origin of the other link to that of the slider, the velocity of its point there is k r turned by 90 deg. */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                          const flk_joint *at)
+                          const fourlink_joint *at)
 {
     const fourlink_link_state *slider = &state->link[at->slider], *other;
     int number = at->from == at->slider ? at->on : at->from;
@@ -147,7 +148,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
     e->n = e->n_coupled = 0;
     for (k = 1; k <= JOINTS; k++) {
         int i = k % JOINTS;
-        const flk_joint *at = &kind->joint[i];
+        const fourlink_joint *at = &kind->joint[i];
         joint *j = &e->joint[e->n];
 
         j->number = i;
@@ -453,7 +454,7 @@ const int flk_friction_joint[FOURLINK_FRICTION_LOADS] = {1, 1, 2, 2, 3, 0};
 /* Of two links of a joint the first is the one that slides, or `on`: see load_pin and load_guide. */
 int flk_friction_link(const flk_kind *kind, unsigned long i)
 {
-    const flk_joint *at = &kind->joint[flk_friction_joint[i]];
+    const fourlink_joint *at = &kind->joint[flk_friction_joint[i]];
     int first = at->slider ? at->slider : at->on;
     int second = at->from == first ? at->on : at->from;
 

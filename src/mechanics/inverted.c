@@ -257,10 +257,10 @@ const flk_kind flk_inverted = {
     FOURLINK_SLOTTED_LEVER,
     FOURLINK_CHANGE_POINT_INVERTED,
     {
-        {1, 2, FLK_ORIGIN, 2, 0}, /* A */
-        {2, 3, FLK_ORIGIN, 3, 0}, /* B */
-        {3, 4, FLK_ORIGIN, 3, 3}, /* the slide */
-        {1, 4, FLK_ORIGIN, 4, 0}, /* D */
+        {"A", 1, 2, 2, 0, 0},
+        {"B", 2, 3, 3, 0, 0},
+        {"B", 3, 4, 3, 0, 3}, /* the slide */
+        {"D", 1, 4, 4, 0, 0},
     },
     inverted_prepare,
     inverted_reach,

@@ -76,6 +76,28 @@ int fourlink_slides(int kind, int link)
     return 0;
 }
 
+int fourlink_kind_of(int kind, fourlink_kind_facts *facts)
+{
+    const flk_kind *found = flk_kind_of((fourlink_kind)kind);
+    int link;
+
+    if (!facts)
+        return FOURLINK_NULL;
+    if (!found)
+        return FOURLINK_BAD_KIND;
+    facts->kind = found->kind;
+    facts->name = found->name;
+    facts->words = found->words;
+    for (link = 0; link < 5; link++) {
+        facts->link[link] = link ? found->link[link] : "";
+        facts->slides_on[link] = fourlink_slides(kind, link);
+    }
+    facts->has_stroke = facts->slides_on[FOURLINK_FOLLOWER] == FOURLINK_GROUND;
+    facts->has_slot = facts->slides_on[FOURLINK_COUPLER] == FOURLINK_FOLLOWER;
+    memcpy(facts->joint, found->joint, sizeof facts->joint);
+    return FOURLINK_OK;
+}
+
 const char *fourlink_unknown_text(int kind, int i)
 {
     const flk_kind *found = flk_kind_of((fourlink_kind)kind);

@@ -20,23 +20,6 @@ typedef struct flk_body {
     double largest;        /* N m, the largest term of it, components taken apart */
 } flk_body;
 
-/* A joint of links `from` and `on`: two of the nine unknowns, what `from` exerts on `on`.
-**
-** pin      the force F_ij, along x and y
-** slider   a couple, and a normal force N n that acts at the joint, n the direction of the slide
-**          turned left by 90 deg
-**
-** The joint is at the origin of a link, or at its tip, the other end of its length.  A slider is at the
-** origin of the link that slides, along its own x axis. */
-typedef enum flk_place { FLK_ORIGIN, FLK_TIP } flk_place;
-
-typedef struct flk_joint {
-    int from, on;    /* links */
-    flk_place place; /* of link `at` */
-    int at;
-    int slider; /* 0: a pin; otherwise the link that slides */
-} flk_joint;
-
 /* One of the nine unknowns, two of each joint and Ts: its name, and the member of fourlink_forces that
 ** has it; if the joint is a pin, and if it is a slider. */
 typedef struct flk_unknown {
@@ -80,7 +63,7 @@ typedef struct flk_kind {
     const char *link[5]; /* names of the links, by number */
     int has_length[5];   /* FLK_NO_LENGTH ... */
     fourlink_type first_type, last_type;
-    flk_joint joint[4]; /* in the order of the unknowns */
+    fourlink_joint joint[4]; /* in the order of the unknowns */
     void (*prepare)(fourlink_mechanism *mechanism);
     int (*reach)(const fourlink_mechanism *mechanism, double half_sine, double half_cosine,
                  double *sine);
@@ -133,7 +116,7 @@ int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch bran
 /* The relative speed in a joint for a unit crank speed: of a pin in rad, of a slider along its slide over the length of
 ** the crank.  The sense in which the crank turns, or is about to: 1 or -1 (friction.c). */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                          const flk_joint *at);
+                          const fourlink_joint *at);
 int flk_friction_sense(double omega2, const fourlink_friction *friction);
 
 /* As fourlink_solve_friction; joints rub in the senses that they have in the state `held`, if that is not null. */

@@ -43,11 +43,11 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
 ** origin, where it is G.  A pin of a link that has a length is at its origin or at its tip, which needs no
 ** difference of places, of which a short link behind a long crank has few digits. */
 static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
-                              const fourlink_state *state, const flk_joint *joint, int i,
+                              const fourlink_state *state, const fourlink_joint *joint, int i,
                               const flk_body *body)
 {
     const fourlink_link_state *link = &state->link[i], *other = &state->link[joint->at];
-    int is_tip = joint->at == i ? joint->place == FLK_TIP : !joint->slider && kind->has_length[i];
+    int is_tip = joint->at == i ? joint->is_tip : !joint->slider && kind->has_length[i];
     double length = is_tip ? mechanism->design.link[i].length : 0;
     fourlink_vector rho;
 
@@ -101,7 +101,7 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 
     memset(A, 0, 81 * sizeof A[0]);
     for (k = 0; k < 4; k++) {
-        const flk_joint *joint = &kind->joint[k];
+        const fourlink_joint *joint = &kind->joint[k];
         int first = at->column[2 * k], second = at->column[2 * k + 1];
 
         for (side = joint->from == FOURLINK_GROUND ? 1 : -1; side <= 1; side += 2) {

@@ -236,10 +236,10 @@ const flk_kind flk_slider_crank = {
     FOURLINK_ENGINE,
     FOURLINK_CHANGE_POINT_SLIDER,
     {
-        {1, 2, FLK_ORIGIN, 2, 0}, /* A */
-        {2, 3, FLK_ORIGIN, 3, 0}, /* B */
-        {3, 4, FLK_ORIGIN, 4, 0}, /* C */
-        {1, 4, FLK_ORIGIN, 4, 4}, /* the guide */
+        {"A", 1, 2, 2, 0, 0},
+        {"B", 2, 3, 3, 0, 0},
+        {"C", 3, 4, 4, 0, 0},
+        {"C", 1, 4, 4, 0, 4}, /* the guide */
     },
     slider_crank_prepare,
     slider_crank_reach,

@@ -48,7 +48,7 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
         arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_4, pins.C, f->F34x, f->F34y);
     else if (by == FOURLINK_FOLLOWER)
         arrow_add(arrows, PEN_FORCE, "F" SUB_4 SUB_3, pins.C, -f->F34x, -f->F34y);
-    else if (p->slides) /* F14x is the friction, a load */
+    else if (p->kind.has_stroke) /* F14x is the friction, a load */
         arrow_add(arrows, PEN_FORCE, "N", pins.C, 0, f->F14y);
     else
         arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_4, pins.D, f->F14x, f->F14y);
@@ -58,7 +58,7 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
 static int is_drawn(const picture *p, const fourlink_load_info *load, int is_free)
 {
     if (load->sort == FOURLINK_LOAD_FRICTION)
-        return p->slides;
+        return p->kind.has_stroke;
     return is_free || load->sort != FOURLINK_LOAD_SPRING;
 }
 

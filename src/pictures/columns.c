@@ -38,35 +38,20 @@ static int is_name(const char *name)
     return *name && !*c && strcmp(name, "all") != 0;
 }
 
-/* 1 if the deck has a column of this name. */
-static int is_column(const picture *p, const char *name)
-{
-    const fourlink_value *list;
-    unsigned long n = 0, i;
-
-    fourlink_results_list(p->results, FOURLINK_ALL_COLUMNS, &list, &n);
-    for (i = 0; i < n; i++)
-        if (strcmp(name, list[i].name) == 0)
-            return 1;
-    return 0;
-}
-
 /* Check the column of --plot-x.  A name that no column of a deck has is refused when the deck is opened with
 ** it, as any other. */
 static int check_x(const picture *p, const char *name, fourlink_mistake *mistake)
 {
     static const char *const words[] = {"status", "branch", "deck", "type", NULL};
     char message[MESSAGE_SIZE];
-    fourlink_value fact;
+    fourlink_value found;
     int i;
 
     for (i = 0; words[i] && strcmp(name, words[i]) != 0; i++)
         ;
     if (words[i])
         flk_message(message, sizeof message, "'%s' is a word, not a number to draw over", name);
-    else if (fourlink_results_value(p->results, name, p->branches[0], p->problem.motion.from,
-                                    &fact) == FOURLINK_OK &&
-             !is_column(p, name))
+    else if (fourlink_results_find(p->results, name, &found) == FOURLINK_OK && !found.has_angle)
         flk_message(message, sizeof message, "'%t' is one value, not a column", flk_text_of(name));
     else if (!is_name(name))
         flk_message(message, sizeof message, "expected the name of a column, not '%t'",
@@ -157,17 +142,14 @@ static int is_coordinate(const fourlink_value *column)
 
 static int is_unbounded(const picture *p, int column, int i)
 {
-    char extreme[80];
     fourlink_value found;
-    int k;
+    int which;
 
-    for (k = 0; k < 2; k++) {
-        flk_text_join(extreme, sizeof extreme, k ? "min(" : "max(", p->columns[column].name, ")",
-                      (char *)NULL);
-        if (fourlink_results_value(p->results, extreme, p->branches[i], 0, &found) == FOURLINK_OK &&
+    for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++)
+        if (fourlink_results_get(p->results, p->columns[column].handle + which, p->branches[i], 0,
+                                 &found) == FOURLINK_OK &&
             gsl_isinf(found.value))
             return 1;
-    }
     return 0;
 }
 

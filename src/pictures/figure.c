@@ -64,7 +64,7 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     pins.B = figure_point(p, state->link[3].origin);
     pins.C = end_of(p, state, 3);
     pins.D = figure_point(p, state->link[4].origin);
-    if (p->slides)
+    if (p->kind.has_stroke)
         pins.D.y = 0;
     return pins;
 }
@@ -146,7 +146,7 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     sketch_include(s, sketch_beside(pins.C, -margin, 0));
     sketch_include(s, sketch_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
-    if (p->slot) {
+    if (p->kind.has_slot) {
         double from, to;
 
         find_slot(p, state, margin, &from, &to);
@@ -180,7 +180,7 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (all_of_it) {
-        if (p->slides || p->slot)
+        if (p->kind.has_stroke || p->kind.has_slot)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
@@ -193,7 +193,7 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     sketch_support(s, pins.A);
-    if (!p->slides) {
+    if (!p->kind.has_stroke) {
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
@@ -247,13 +247,13 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     figure_pins pins = figure_place(p, state);
 
     sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-    if (p->slot) {
+    if (p->kind.has_slot) {
         figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
         figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
         return;
     }
     sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
-    if (p->slides)
+    if (p->kind.has_stroke)
         figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
     else
         sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
@@ -295,7 +295,7 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
         sketch_dot(s, at);
         sketch_text(s, at, 0.8, 0.8, name);
     }
-    if (!p->slides)
+    if (!p->kind.has_stroke)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (p->design->link[link].mass > 0)
@@ -328,13 +328,13 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
-    if (p->slot) {
+    if (p->kind.has_slot) {
         fourlink_vector C = on_slide(p, state, root_of_slide(p), 0);
 
         if (p->design->link[FOURLINK_FOLLOWER].length > 0)
             figure_letter(s, C, pins.D, pins.B, "C");
         figure_letter(s, pins.D, pins.B, pins.B, "D");
-    } else if (p->slides) {
+    } else if (p->kind.has_stroke) {
         figure_letter(s, pins.C, pins.B, pins.B, "C");
     } else {
         figure_letter(s, pins.C, pins.B, pins.D, "C");
@@ -365,9 +365,9 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA SUB_2);
-    if (!p->slot || p->design->angle != 0)
+    if (!p->kind.has_slot || p->design->angle != 0)
         put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA SUB_3);
-    if (!p->slides)
+    if (!p->kind.has_stroke)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
 }
 
@@ -450,7 +450,7 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 
     if (p->range.n_rows < 2)
         return;
-    if (!p->slot)
+    if (!p->kind.has_slot)
         put_path(s, p, branch, p->problem.n_points, until);
     for (i = 0; i < p->problem.n_points; i++)
         put_path(s, p, branch, i, until);

@@ -16,11 +16,8 @@
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
     static const fourlink_vector crankshaft = {0, 0};
-    static const char *const words[][2] = {{"1 ground, 2 crank,", "3 coupler, 4 rocker"},
-                                           {"1 ground, 2 crank,", "3 rod, 4 piston"},
-                                           {"1 ground, 2 crank,", "3 slider, 4 lever"}};
-    const char *const *names = words[p->slides ? 1 : p->slot ? 2 : 0];
     arrow_list arrows;
+    char words[80];
     double scale;
     int link, i;
 
@@ -43,8 +40,9 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
         ;
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, "load or weight");
-    sketch_note(s, names[0]);
-    sketch_note(s, names[1]);
+    sketch_note(s, "1 ground, 2 crank,");
+    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->kind.link[FOURLINK_COUPLER], ", 4 ",
+                                 p->kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
 /* Draw rows spread over the motion in grey. */

@@ -199,13 +199,10 @@ void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
     double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0, value, first = GSL_NAN;
     double size = GSL_MAX_DBL(fabs(q->e.low), fabs(q->e.high));
     fourlink_value found;
-    char extreme[80];
 
     for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
-        flk_text_join(extreme, sizeof extreme, k ? "min(" : "max(", column->name, ")",
-                      (char *)NULL);
-        if (fourlink_results_value(p->results, extreme, p->branches[branch], 0, &found) !=
-                FOURLINK_OK ||
+        if (fourlink_results_get(p->results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
+                                 p->branches[branch], 0, &found) != FOURLINK_OK ||
             !gsl_finite(found.value) ||
             (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
             continue;

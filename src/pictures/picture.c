@@ -216,14 +216,14 @@ static void lay_out(picture *p, FILE *out)
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
     }
-    p->has_inset = p->slides && p->design->link[FOURLINK_CRANK].length <
-                                    SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
+    p->has_inset = p->kind.has_stroke && p->design->link[FOURLINK_CRANK].length <
+                                             SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
     if (p->request->kind == PLOT_KLEIN && p->has_inset)
         rows = 2;
     if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->slot     ? 4
-                 : p->slides ? 5
-                             : 6) +
+        rows = ((p->kind.has_slot     ? 4
+                 : p->kind.has_stroke ? 5
+                                      : 6) +
                 (p->problem.asks_for_both ? p->n_branches : 1) + 2) /
                3;
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
@@ -357,9 +357,7 @@ static int take_results(picture *p)
     fourlink_deck_problem(p->deck, &p->problem);
     p->mechanism = &p->problem.mechanism;
     p->design = &p->mechanism->design;
-    p->kind = (int)p->design->kind;
-    p->slides = fourlink_slides(p->kind, FOURLINK_FOLLOWER);
-    p->slot = fourlink_slides(p->kind, FOURLINK_COUPLER);
+    fourlink_kind_of((int)p->design->kind, &p->kind);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(p->deck, flk_quantities[q].name, &p->units[q]);
     p->n_branches = 0;
@@ -377,14 +375,12 @@ static int take_results(picture *p)
 
 static int has_column(const picture *p, text name)
 {
-    const fourlink_value *list;
-    unsigned long n = 0, i;
+    char copy[40];
+    fourlink_value found;
 
-    fourlink_results_list(p->results, FOURLINK_ALL_COLUMNS, &list, &n);
-    for (i = 0; i < n; i++)
-        if (flk_text_same(name, list[i].name))
-            return 1;
-    return 0;
+    return fourlink_results_find(p->results, flk_text_copy(name, copy, sizeof copy), &found) ==
+               FOURLINK_OK &&
+           found.has_angle;
 }
 
 /* The column to draw over, and those columns of a kind's list that the deck has. */
@@ -550,7 +546,7 @@ static const char *missing(const picture *p)
         return "no forces to draw: the deck has no masses and no loads";
     if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)
         return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
-    if ((needs & PLOT_SLIDER_CRANK) && !p->slides)
+    if ((needs & PLOT_SLIDER_CRANK) && !p->kind.has_stroke)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
         p->n_columns > PICTURE_COLUMNS - 1)

@@ -118,10 +118,8 @@ typedef struct picture {
     fourlink_problem problem;
     const fourlink_mechanism *mechanism; /* of the problem */
     const fourlink_design *design;
-    int kind;      /* of the design */
-    int slides;    /* 1: link 4 slides on the ground */
+    fourlink_kind_facts kind;
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    int slot;      /* not 0: link 3 slides on link 4 */
     fourlink_branch branches[2];
     int n_branches;
     fourlink_range range;

@@ -321,21 +321,21 @@ static void set_source(source *x, const picture *p, fourlink_branch branch, cons
 ** slides. */
 static int put_bearing(picture *p, int by, int on)
 {
-    int slides = fourlink_slides(p->kind, on) == FOURLINK_GROUND;
-    const char *link = fourlink_link_text(p->kind, on);
+    int is_piston = p->kind.slides_on[on] == FOURLINK_GROUND;
+    const char *link = p->kind.link[on];
     char title[120];
     bearing b;
     int i;
 
-    if (fourlink_slides(p->kind, on) == by || fourlink_slides(p->kind, by) == on)
+    if (p->kind.slides_on[on] == by || p->kind.slides_on[by] == on)
         return 0; /* always across the slide */
     sprintf(b.name, "F%d%d", by, on);
-    b.x = component(p, &b, slides ? "x" : "_along");
-    b.y = component(p, &b, slides ? "y" : "_across");
+    b.x = component(p, &b, is_piston ? "x" : "_along");
+    b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, b.name, ", ", fourlink_link_text(p->kind, by), " on ", link,
-                  ", in the ", link, "'s axes", (char *)NULL);
+    flk_text_join(title, sizeof title, b.name, ", ", p->kind.link[by], " on ", link, ", in the ",
+                  link, "'s axes", (char *)NULL);
     b.n = p->n_branches;
     for (i = 0; i < b.n; i++)
         set_source(&b.of[i], p, p->branches[i], fourlink_branch_text(p->branches[i]));

@@ -110,7 +110,7 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
     }
     if (link == FOURLINK_CRANK)
         figure_off(x->s, pins.A, pins.B, end);
-    else if (!fourlink_slides(p->kind, link))
+    else if (!p->kind.slides_on[link])
         figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
     sketch_dot(x->s, end);
 }
@@ -156,7 +156,7 @@ static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
     int low = GSL_MIN_INT(spring->link, spring->to), high = GSL_MAX_INT(spring->link, spring->to);
 
     if (high == FOURLINK_FOLLOWER)
-        return low == FOURLINK_COUPLER || p->slides ? pins.C : pins.D;
+        return low == FOURLINK_COUPLER || p->kind.has_stroke ? pins.C : pins.D;
     return low == FOURLINK_CRANK ? pins.B : high == FOURLINK_CRANK ? pins.A : pins.B;
 }
 

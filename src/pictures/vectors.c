@@ -259,7 +259,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     open_polygon(&g, p, QUANTITY_ACCELERATION);
     b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
     c = put_parts(&g, state, FOURLINK_COUPLER, "aCBn", "aCBt", b);
-    if (p->slides)
+    if (p->kind.has_stroke)
         put_side(&g, PEN_FOLLOWER, "aC", zero, a_C);
     else
         put_parts(&g, state, FOURLINK_FOLLOWER, "aCn", "aCt", zero);
@@ -275,7 +275,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
 
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
 typedef struct free_body {
-    int link, slides;
+    int link, is_slider;
     fourlink_vector first, second, G; /* its pins, and its centre of mass */
     double length;
     friction_circle circle[2]; /* of the pins */
@@ -311,11 +311,11 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     fourlink_vector a_G;
 
     b->link = link;
-    b->slides = fourlink_slides(p->kind, link);
+    b->is_slider = p->kind.slides_on[link];
     b->first = link == FOURLINK_CRANK ? pins.A : link == FOURLINK_COUPLER ? pins.B : pins.C;
-    b->second = link == FOURLINK_CRANK                  ? pins.B
-                : link == FOURLINK_COUPLER || b->slides ? pins.C
-                                                        : pins.D;
+    b->second = link == FOURLINK_CRANK                     ? pins.B
+                : link == FOURLINK_COUPLER || b->is_slider ? pins.C
+                                                           : pins.D;
     b->G = figure_of_link(p, state, link, &body->cg);
     b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
     if (b->length == 0)
@@ -334,7 +334,6 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
 /* Draw a pin, in the middle of its friction circle if it has one. */
 static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
 {
-    static const char *const letters[2][4] = {{"A", "B", "C", "D"}, {"A", "B", "B", "D"}};
     fourlink_vector at = pin ? b->second : b->first, other = pin ? b->first : b->second;
 
     if (b->circle[pin].radius > 0) {
@@ -343,7 +342,7 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     } else {
         sketch_pin(s, at);
     }
-    figure_letter(s, at, other, other, letters[p->slot != 0][b->link - FOURLINK_CRANK + pin]);
+    figure_letter(s, at, other, other, p->kind.joint[b->link - FOURLINK_CRANK + pin].letter);
 }
 
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
@@ -351,9 +350,9 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 {
     unsigned long i;
 
-    if (b->slides)
+    if (b->is_slider)
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
-    else if (p->slot && b->link == FOURLINK_FOLLOWER)
+    else if (p->kind.has_slot && b->link == FOURLINK_FOLLOWER)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
@@ -366,7 +365,7 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         sketch_centre(s, b->G);
     }
     draw_pin(s, p, b, 0);
-    if (!b->slides)
+    if (!b->is_slider)
         draw_pin(s, p, b, 1);
 }
 
@@ -390,17 +389,16 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     if (b->link == FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, picture_driving_torque(p, &r->now.forces));
-    if (p->slot && b->link != FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, b->slides ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4, b->first,
-                          b->slides ? -r->now.forces.M34 : r->now.forces.M34);
-    if (p->slides && b->slides && fabs(r->now.forces.M14) > ROUNDING * largest * crank)
+    if (p->kind.has_slot && b->link != FOURLINK_CRANK)
+        arrow_draw_torque(&s, p, PEN_FORCE, b->is_slider ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4,
+                          b->first, b->is_slider ? -r->now.forces.M34 : r->now.forces.M34);
+    if (p->kind.has_stroke && b->is_slider && fabs(r->now.forces.M14) > ROUNDING * largest * crank)
         arrow_draw_torque(&s, p, PEN_FORCE, "M" SUB_1 SUB_4, b->first, r->now.forces.M14);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
         friction_circle_note(&s, b->circle_scale);
-    flk_text_join(words, sizeof words, "free body of the ", fourlink_link_text(p->kind, b->link),
-                  (char *)NULL);
+    flk_text_join(words, sizeof words, "free body of the ", p->kind.link[b->link], (char *)NULL);
     sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
 }
 
@@ -416,8 +414,7 @@ static void put_force_polygon(picture *p, const free_body *b)
     for (i = 0; i < b->forces.n; i++)
         at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", fourlink_link_text(p->kind, b->link),
-                  (char *)NULL);
+    flk_text_join(words, sizeof words, "forces on the ", p->kind.link[b->link], (char *)NULL);
     sketch_close(&g.s, words, p->units[QUANTITY_FORCE].name);
 }
 
@@ -442,8 +439,8 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     put_mechanism(p, &r.now);
-    (p->slot ? put_sliding : put_velocities)(p, &r.now.state);
-    (p->slot ? put_coriolis : put_accelerations)(p, &r.now.state);
+    (p->kind.has_slot ? put_sliding : put_velocities)(p, &r.now.state);
+    (p->kind.has_slot ? put_coriolis : put_accelerations)(p, &r.now.state);
     if (!p->problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {

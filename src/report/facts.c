@@ -75,14 +75,11 @@ static void put_facts(report *r, const char *heading, int group)
 }
 
 /* Write the smallest value of a column, or the largest, and its angle. */
-static void put_extreme(report *r, const char *function, const fourlink_value *column,
-                        fourlink_branch branch)
+static void put_extreme(report *r, int handle, fourlink_branch branch)
 {
     fourlink_value v;
-    char name[200];
 
-    flk_text_join(name, sizeof name, function, "(", column->name, ")", (char *)NULL);
-    if (fourlink_results_value(r->results, name, branch, 0, &v) != FOURLINK_OK) {
+    if (fourlink_results_get(r->results, handle, branch, 0, &v) != FOURLINK_OK) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
@@ -115,8 +112,8 @@ static void put_extremes(report *r, fourlink_branch branch)
             continue;
         page_print(&r->page, "<tr><th scope=\"row\">%s</th><td>%s</td>", columns[i].name,
                    cell_unit(columns[i].unit));
-        put_extreme(r, "min", &columns[i], branch);
-        put_extreme(r, "max", &columns[i], branch);
+        put_extreme(r, columns[i].handle + FOURLINK_MIN, branch);
+        put_extreme(r, columns[i].handle + FOURLINK_MAX, branch);
         page_print(&r->page, "</tr>\n");
     }
     cell_end(&r->page);

@@ -101,9 +101,8 @@ void report_put_mechanism(report *r)
     at_angle(r, "The mechanism, with loads and pin forces,", caption);
     if (!r->problem.has_forces)
         at_angle(r, "The mechanism", caption);
-    flk_text_join(alt, sizeof alt, "Drawing to scale of the ",
-                  fourlink_kind_text((int)r->design->kind), ": its links, pins and points",
-                  (char *)NULL);
+    flk_text_join(alt, sizeof alt, "Drawing to scale of the ", r->kind.words,
+                  ": its links, pins and points", (char *)NULL);
     put_figure(r, PLOT_MECHANISM, at, alt, caption);
     if (r->gnuplot)
         page_print(&r->page, "<p class=\"missing\">The pictures are missing: %s.</p>\n",

@@ -149,6 +149,7 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     r->deck = fourlink_results_deck(r->results);
     fourlink_deck_problem(r->deck, &r->problem);
     r->design = &r->problem.mechanism.design;
+    fourlink_kind_of((int)r->design->kind, &r->kind);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(r->deck, flk_quantities[q].name, &r->units[q]);
     if (r->problem.open)

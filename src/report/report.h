@@ -33,6 +33,7 @@ typedef struct report {
     const fourlink_deck *deck;
     fourlink_problem problem;
     const fourlink_design *design; /* of the problem */
+    fourlink_kind_facts kind;
     fourlink_unit units[QUANTITY_COUNT];
     fourlink_branch branches[2];
     int n_branches;

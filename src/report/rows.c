@@ -277,15 +277,15 @@ static void put_points(rows *t, unsigned long i, const fourlink_state *state)
 
     put(t, i, "A", QUANTITY_LENGTH, zero);
     put(t, i, "B", QUANTITY_LENGTH, state->link[FOURLINK_COUPLER].origin);
-    if (!t->slot) {
+    if (!t->kind.has_slot) {
         fourlink_point(state, FOURLINK_COUPLER, &C, &place, NULL, NULL);
         put(t, i, "C", QUANTITY_LENGTH, place);
     }
-    if (!t->slides)
+    if (!t->kind.has_stroke)
         put(t, i, "D", QUANTITY_LENGTH, state->link[FOURLINK_FOLLOWER].origin);
-    if (t->slot)
+    if (t->kind.has_slot)
         put_slot(t, i, state);
-    if (t->slides)
+    if (t->kind.has_stroke)
         put_stroke(t, i, state);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         if (t->design->link[link].mass > 0)
@@ -329,7 +329,7 @@ static void put_rod(rows *t, unsigned long i, const fourlink_state *state)
     put(t, i, "vCB", QUANTITY_SPEED, vector(v.x - v_B->x, v.y - v_B->y));
     put_parts(t, i, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER],
               arm(t, state, FOURLINK_COUPLER));
-    if (t->slides)
+    if (t->kind.has_stroke)
         put(t, i, "aC", QUANTITY_ACCELERATION, a);
     else
         put_parts(t, i, "aCn", "aCt", &state->link[FOURLINK_FOLLOWER],
@@ -419,11 +419,11 @@ static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
     put(t, i, "F23", QUANTITY_FORCE, vector(f->F23x, f->F23y));
     put(t, i, "F34", QUANTITY_FORCE, vector(f->F34x, f->F34y));
     put(t, i, "F14", QUANTITY_FORCE,
-        vector(t->slides ? 0 : f->F14x, f->F14y)); /* N without friction */
+        vector(t->kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
     put_number(t, i, "Ts", QUANTITY_TORQUE, is_rounding(t, f) ? 0 : f->Ts);
-    if (t->slot)
+    if (t->kind.has_slot)
         put_number(t, i, "M34", QUANTITY_TORQUE, f->M34);
-    if (t->slides)
+    if (t->kind.has_stroke)
         put_number(t, i, "M14", QUANTITY_TORQUE, f->M14);
     put_inertia(t, i, &now->state);
     put_loads(t, i, &now->state);
@@ -486,8 +486,7 @@ int rows_open(rows *t, const fourlink_source *source, double at)
     if (!open_deck(t, &whole) || !draws_all(t) || (t->problem.by_time && !reopen(t, &whole)))
         return 0;
     t->design = &t->problem.mechanism.design;
-    t->slides = fourlink_slides((int)t->design->kind, FOURLINK_FOLLOWER);
-    t->slot = fourlink_slides((int)t->design->kind, FOURLINK_COUPLER);
+    fourlink_kind_of((int)t->design->kind, &t->kind);
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(t->deck, flk_quantities[q].name, &t->units[q]);
     fourlink_results_list(t->results, FOURLINK_COLUMNS, &t->columns, &t->n_columns);
@@ -537,7 +536,7 @@ static void compute_row(rows *t, unsigned long i)
     }
     put_points(t, i, &now.state);
     put(t, i, "vB", QUANTITY_SPEED, now.state.link[FOURLINK_COUPLER].velocity);
-    if (t->slot)
+    if (t->kind.has_slot)
         put_sliding(t, i, &now.state);
     else
         put_rod(t, i, &now.state);

@@ -25,7 +25,7 @@ typedef struct rows {
     const fourlink_deck *deck;
     const fourlink_design *design;
     fourlink_unit units[QUANTITY_COUNT];
-    int slides, slot; /* not 0: link 4 slides on the ground; link 3 slides on link 4 */
+    fourlink_kind_facts kind;
     const fourlink_value *columns;
     unsigned long n_columns;
     unsigned long n;

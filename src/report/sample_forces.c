@@ -122,8 +122,7 @@ static void put_centre(report *r, math *m, const body *b, int link)
 {
     math_set(m, names[link][0], b->rho.x);
     math_set(m, names[link][1], b->rho.y);
-    page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n",
-               fourlink_link_text((int)r->design->kind, link));
+    page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->kind.link[link]);
     math_given(m, names[link][0], "m");
     math_given(m, names[link][1], "m");
     page_print(m->p, "</ul>\n");
@@ -135,7 +134,7 @@ static void put_centre(report *r, math *m, const body *b, int link)
 static void put_crank_pin(report *r, math *m)
 {
     const fourlink_vector *a = &r->now.state.link[3].acceleration;
-    int is_r = r->design->kind == FOURLINK_SLIDER_CRANK;
+    int is_r = r->kind.has_stroke;
 
     page_print(m->p, "<p>Pin B:</p>\n");
     math_let(m, "aBx",
@@ -161,7 +160,7 @@ static void put_centres(report *r, math *m, const body bodies[5])
             continue;
         if (link == 3)
             put_crank_pin(r, m);
-        if (link == 4 && fourlink_slides((int)r->design->kind, link))
+        if (link == 4 && r->kind.has_stroke)
             math_let(m, "aG4x", "aC", bodies[4].a.x, SAMPLE_M_S2);
         else
             put_centre(r, m, &bodies[link], link);
@@ -205,7 +204,7 @@ static void put_sides(report *r, const body bodies[5], const double b[9])
                   "</th></tr></thead>\n<tbody>\n");
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
-        const char *name = fourlink_link_text((int)r->design->kind, link);
+        const char *name = r->kind.link[link];
         double m = x->data->mass;
         const double *side = b + 3 * (link - 2);
 
@@ -255,13 +254,13 @@ static const char *unit_of(const char *unknown)
 
 static void put_solution(report *r, math *m)
 {
-    int kind = (int)r->design->kind, i;
+    int i;
     double x[9];
 
     fourlink_unknowns(&r->problem.mechanism, &r->now.forces, x);
     page_print(m->p, "<p>The solution:</p>\n<ul class=\"given solution\">\n");
     for (i = 0; i < 9; i++) {
-        const char *name = fourlink_unknown_text(kind, i);
+        const char *name = fourlink_unknown_text((int)r->kind.kind, i);
 
         math_set(m, name, x[i]);
         math_given(m, name, unit_of(name));
@@ -269,9 +268,9 @@ static void put_solution(report *r, math *m)
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
     math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), "N");
     math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), "N");
-    if (!fourlink_slides(kind, FOURLINK_COUPLER))
+    if (!r->kind.has_slot)
         math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), "N");
-    if (!fourlink_slides(kind, FOURLINK_FOLLOWER))
+    if (!r->kind.has_stroke)
         math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), "N");
 }
 
@@ -315,7 +314,7 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
         work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
         work[1] = -b->data->mass * dot(r->design->gravity, b->v);
         work[2] = -b->work;
-        put_works(p, fourlink_link_text((int)r->design->kind, link), work, sum);
+        put_works(p, r->kind.link[link], work, sum);
     }
     put_works(p, "sum", sum, NULL);
     page_print(p, "</tbody>\n</table></div>\n");

@@ -21,9 +21,7 @@ static const struct {
 /* 1 if a pin is there: C and D may be sliders. */
 static int is_pin(const report *r, int i)
 {
-    int kind = (int)r->design->kind;
-
-    return i < 2 || !fourlink_slides(kind, i == 2 ? FOURLINK_COUPLER : FOURLINK_FOLLOWER);
+    return !r->kind.joint[i].slider;
 }
 
 /* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
@@ -46,7 +44,7 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
 {
     static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
                                                {"mu * N34", "mu * { 2 * M34 | lguide }"}};
-    int is_slot = fourlink_slides((int)r->design->kind, FOURLINK_COUPLER) != 0;
+    int is_slot = r->kind.has_slot;
     const fourlink_forces *f = &r->now.forces;
     double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
     double l = friction->guide_length;
@@ -79,9 +77,8 @@ static void put_loads_of_joint(report *r, unsigned long joint)
         page_print(&r->page,
                    "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
                    "<td>%.6g</td></tr>\n",
-                   load->torque != 0 ? pins[joint].pin : "guide",
-                   fourlink_link_text((int)r->design->kind, info.link), load->force.x,
-                   load->force.y, load->torque);
+                   load->torque != 0 ? pins[joint].pin : "guide", r->kind.link[info.link],
+                   load->force.x, load->force.y, load->torque);
     }
 }
 
@@ -94,8 +91,7 @@ static void put_loads(report *r)
 
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.guide > 0)
-        page_print(p, "; the force of the guide acts at %s",
-                   fourlink_slides((int)r->design->kind, FOURLINK_COUPLER) ? "B" : "C");
+        page_print(p, "; the force of the guide acts at %s", r->kind.has_slot ? "B" : "C");
     page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
                   "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
                   "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"

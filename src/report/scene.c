@@ -52,18 +52,20 @@ static void put_label(line *l, const char *name, const char *sub, const char *su
 
 static void put_link(line *l, const rows *t, int link)
 {
-    static const char *const ends[5][2] = {{"", ""}, {"", ""}, {"A", "B"}, {"B", "C"}, {"C", "D"}};
-    int slides = fourlink_slides((int)t->design->kind, link), n = 0, on;
-    const char *shape = slides ? "block" : t->slot && link == FOURLINK_FOLLOWER ? "slot" : "bar";
+    const fourlink_joint *ends = &t->kind.joint[link - FOURLINK_CRANK];
+    int slides = t->kind.slides_on[link], n = 0, on;
+    const char *shape = slides                                          ? "block"
+                        : t->kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
+                                                                        : "bar";
     unsigned long i;
     char name[ROWS_NAME];
 
     line_put(l, "{\"link\":%lu", (unsigned long)link);
-    put_text(l, "name", fourlink_link_text((int)t->design->kind, link));
+    put_text(l, "name", t->kind.link[link]);
     put_text(l, "shape", shape);
-    line_put(l, ",\"pins\":[\"%s\"", t->slot && link == 4 ? "B" : ends[link][0]);
+    line_put(l, ",\"pins\":[\"%s\"", ends[0].letter);
     if (!slides)
-        line_put(l, ",\"%s\"", ends[link][1]);
+        line_put(l, ",\"%s\"", ends[1].letter);
     line_put(l, "],\"points\":[");
     for (i = 0; i < t->problem.n_points; i++) {
         fourlink_vector at;
@@ -112,16 +114,10 @@ static void put_tracers(line *l, const rows *t)
 /* The pin at which a torsional spring is: that of its links, or the first link's origin. */
 static const char *pin_of(const rows *t, const fourlink_spring *spring)
 {
-    static const char *const pins[5][5] = {{"", "", "", "", ""},
-                                           {"", "", "A", "B", "D"},
-                                           {"", "A", "", "B", "A"},
-                                           {"", "B", "B", "", "C"},
-                                           {"", "D", "D", "C", ""}};
-    const char *pin = pins[spring->link][spring->to];
+    static const int pins[5][5] = {
+        {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 0}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
 
-    if (*pin == 'C' && t->slot)
-        return "B";
-    return *pin == 'D' && t->slides ? "C" : pin;
+    return t->kind.joint[pins[spring->link][spring->to]].letter;
 }
 
 /* A spring: its name and what it is, its pin, or its ends on two links. */
@@ -230,15 +226,15 @@ static void put_polygons(line *l, const rows *t)
 {
     line_put(l, "\"polygons\":[\n{\"title\":\"Velocity polygon\",\"quantity\":\"speed\","
                 "\"zero\":\"all velocities are zero\",\"pole\":\"o\",\"lines\":[]");
-    put_sides(l, t, t->slot ? sliding : velocities);
+    put_sides(l, t, t->kind.has_slot ? sliding : velocities);
     put_images(l, t, "v", "");
     line_put(l, "},\n{\"title\":\"Acceleration polygon\",\"quantity\":\"acceleration\","
                 "\"zero\":\"all accelerations are zero\",\"pole\":\"o" PRIME "\",\"lines\":[");
-    if (t->slot)
+    if (t->kind.has_slot)
         line_put(l, "[\"o" PRIME "\",\"b" PRIME "\"],[\"o" PRIME "\",\"b" SUB_4 PRIME "\"]]");
     else
         line_put(l, "[\"o" PRIME "\",\"c" PRIME "\"],[\"b" PRIME "\",\"c" PRIME "\"]]");
-    put_sides(l, t, t->slot ? coriolis : accelerations);
+    put_sides(l, t, t->kind.has_slot ? coriolis : accelerations);
     put_images(l, t, "a", PRIME);
     line_put(l, "}],\n");
 }
@@ -262,28 +258,28 @@ static void put_force(line *l, int *n, const char *name, const char *sub, const 
 /* 1 for the friction of a slider on its lever, which F34 has. */
 static int is_in_F34(const rows *t, const fourlink_load_info *load)
 {
-    return t->slot && load->sort == FOURLINK_LOAD_FRICTION && load->element == JOINT_C;
+    return t->kind.has_slot && load->sort == FOURLINK_LOAD_FRICTION && load->element == JOINT_C;
 }
 
 /* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
 static int sense_of_load(const rows *t, const fourlink_load_info *load)
 {
     if (load->sort == FOURLINK_LOAD_FRICTION)
-        return t->slides && load->element == JOINT_D ? 1 : INNER;
+        return t->kind.has_stroke && load->element == JOINT_D ? 1 : INNER;
     return load->sort == FOURLINK_LOAD_SPRING ? INNER : 1;
 }
 
 static void put_pin_forces(line *l, const rows *t, int *n)
 {
-    const char *C = t->slot ? "B" : "C";
+    const char *C = t->kind.joint[JOINT_C].letter, *D = t->kind.joint[JOINT_D].letter;
 
     put_force(l, n, "F", "12", "F12", 1, "A", 2, "pin");
     put_force(l, n, "F", "32", "F23", -1, "B", 2, "pin");
     put_force(l, n, "F", "23", "F23", 1, "B", 3, "pin");
     put_force(l, n, "F", "43", "F34", -1, C, 3, "pin");
     put_force(l, n, "F", "34", "F34", 1, C, 4, "pin");
-    put_force(l, n, t->slides ? "N" : "F", t->slides ? "" : "14", "F14", 1, t->slides ? "C" : "D",
-              4, "pin");
+    put_force(l, n, t->kind.has_stroke ? "N" : "F", t->kind.has_stroke ? "" : "14", "F14", 1, D, 4,
+              "pin");
 }
 
 static void put_body_forces(line *l, const rows *t, int *n)
@@ -322,7 +318,7 @@ static void put_forces(line *l, const rows *t)
 
 static void put_torques(line *l, const rows *t)
 {
-    static const char *const names[] = {"", "", "A", "B", "D"}; /* the links' own origins */
+    static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
     char at[ROWS_NAME], of[ROWS_NAME];
     fourlink_load_info load;
     unsigned long i;
@@ -331,11 +327,11 @@ static void put_torques(line *l, const rows *t)
     line_put(l, "\"torques\":[");
     if (t->problem.has_forces)
         put_force(l, &n, "T", "s", "Ts", 1, "A", 2, "pin");
-    if (t->problem.has_forces && t->slot) {
+    if (t->problem.has_forces && t->kind.has_slot) {
         put_force(l, &n, "M", "43", "M34", -1, "B", 3, "pin");
         put_force(l, &n, "M", "34", "M34", 1, "B", 4, "pin");
     }
-    if (t->problem.has_forces && t->slides)
+    if (t->problem.has_forces && t->kind.has_stroke)
         put_force(l, &n, "M", "14", "M14", 1, "C", 4, "pin");
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER && t->problem.has_forces; i++)
         if (t->design->link[i].mass > 0 && t->design->link[i].inertia > 0)
@@ -347,7 +343,7 @@ static void put_torques(line *l, const rows *t)
                       joints[load.element], load.link, "load");
         else
             put_force(l, &n, load.name, "", rows_name("L", i, "T", of), sense_of_load(t, &load),
-                      t->slides && load.link == 4 ? "C" : names[load.link], load.link, "load");
+                      t->kind.joint[origins[load.link]].letter, load.link, "load");
     line_put(l, "],\n");
 }
 
@@ -380,7 +376,7 @@ static void put_frame(line *l, const rows *t)
     json_text_number(l, fabs(turn) < 1e-9 ? 0 : turn, 17);
     line_put(l, ",\"gravity\":%s,\"forced\":%s,\"supports\":[\"A\"%s],\n",
              is_heavy && (g->x != 0 || g->y != 0) ? "true" : "false",
-             t->problem.has_forces ? "true" : "false", t->slides ? "" : ",\"D\"");
+             t->problem.has_forces ? "true" : "false", t->kind.has_stroke ? "" : ",\"D\"");
 }
 
 void scene_write(line *l, const rows *t)

@@ -366,6 +366,7 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
 {
     size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
 
+    c->number = i;
     if (i >= FIXED_COUNT + n_of_points)
         make_of_spring(a->d, of_points - n_of_points, c);
     else if (i >= FIXED_COUNT)
@@ -534,9 +535,32 @@ flk_statistic flk_column_statistic_of(text name, text *of)
     return FLK_NONE;
 }
 
-void flk_column_statistic_name(flk_statistic statistic, const char *column, char *name, size_t size)
+char *flk_column_statistic_text(flk_statistic statistic, const char *column, char *name)
 {
-    flk_text_join(name, size, statistics[statistic], column, ")", (char *)NULL);
+    return flk_text_join(name, DECK_NAME_SIZE, statistics[statistic], column, ")", (char *)NULL);
+}
+
+char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, char *names)
+{
+    size_t place = FLK_STATISTICS * c->number + (size_t)(statistic - FLK_MAX);
+
+    return flk_column_statistic_text(statistic, c->name, names + DECK_NAME_SIZE * place);
+}
+
+/* From 1: a column, then its statistics. */
+#define HANDLES (1 + FLK_STATISTICS)
+
+int flk_column_handle(const flk_column *c, flk_statistic statistic)
+{
+    return 1 + HANDLES * (int)c->number + (int)statistic;
+}
+
+int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c, flk_statistic *statistic)
+{
+    size_t place = handle > 0 ? (size_t)handle - 1 : (size_t)-1;
+
+    *statistic = (flk_statistic)(place % HANDLES);
+    return place / HANDLES < flk_column_limit(a->d) && flk_column_number(a, place / HANDLES, c);
 }
 
 static int is_known(text name)

@@ -12,6 +12,7 @@ typedef struct flk_column_info flk_column_info;
 /* A column chosen for a deck. */
 typedef struct flk_column {
     const flk_column_info *info;
+    size_t number; /* its place among all possible ones */
     const char *name;
     double scale;                  /* what SI values are multiplied by */
     int link;                      /* of a point: where it is; 0: a column of the mechanism */
@@ -41,14 +42,29 @@ int flk_column_find(const flk_analysis *a, text name, flk_column *c);
 int flk_column_next_name(text *rest, text *name);
 
 /* What a column has over the motion: max(COLUMN) and so on. */
-typedef enum flk_statistic { FLK_NONE, FLK_MAX, FLK_MIN, FLK_MEAN, FLK_RMS } flk_statistic;
+typedef enum flk_statistic {
+    FLK_NONE,
+    FLK_MAX = FOURLINK_MAX,
+    FLK_MIN = FOURLINK_MIN,
+    FLK_MEAN = FOURLINK_MEAN,
+    FLK_RMS = FOURLINK_RMS
+} flk_statistic;
+
+#define FLK_STATISTICS 4
 
 /* The statistic that a name asks for, and the column's name; FLK_NONE for another name. */
 flk_statistic flk_column_statistic_of(text name, text *of);
 
-/* Write the name of a statistic, max(COLUMN). */
-void flk_column_statistic_name(flk_statistic statistic, const char *column, char *name,
-                               size_t size);
+/* Write the name of a statistic, max(COLUMN), in DECK_NAME_SIZE bytes; or at its place among those of all
+** columns. */
+char *flk_column_statistic_text(flk_statistic statistic, const char *column, char *name);
+char *flk_column_statistic_name(flk_statistic statistic, const flk_column *c, char *names);
+
+/* The handle of a column, or of a statistic of it, and what it stands for; 0 if that is no column of the
+** deck. */
+int flk_column_handle(const flk_column *c, flk_statistic statistic);
+int flk_column_of_handle(const flk_analysis *a, int handle, flk_column *c,
+                         flk_statistic *statistic);
 
 /* The most similar column name, or null. */
 const char *flk_column_nearest(const flk_analysis *a, text name);

@@ -11,115 +11,81 @@
 #include "expected.h"
 #include "fact.h"
 
-/* What a name means. */
-typedef struct found {
-    flk_column c; /* a column, or that of a statistic */
-    int is_column;
-    flk_statistic statistic;
-    quantity q;
-    double value; /* in the deck's unit */
-    const fourlink_value *facts;
-    unsigned long n_facts; /* with this name, such as the ends of two ranges; 0: a column */
-} found;
-
 /* Of more values than people write, an unknown name is reported without a similar one, so that a large file does
 ** not take long. */
 #define HINTED 1000
 
-/* Report a name that is neither a column nor a fact, with the most similar one. */
-static int unknown(fourlink_check *c, text name, const char *nearest)
+/* Report a name that is neither a column nor a fact. */
+static void refuse(fourlink_check *c, text name, const char *nearest)
 {
     flk_message(c->message, sizeof c->message, "'%t' is neither a column nor a fact of this deck%h",
                 name, nearest);
-    return 0;
 }
 
-/* The first fact with a similar name. */
-static const char *nearest_fact(text name, const fourlink_value *facts, unsigned long n)
+/* The first fact of the deck with a similar name, or the most similar column. */
+static const char *find_nearest(fourlink_results *r, const deck_expectation *e, int handle)
 {
+    int group = flk_fact_group(handle);
+    unsigned long n = flk_fact_list(
+        &r->a, NULL, (int)e->branch,
+        group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
+        NULL, 0, r->facts, NULL);
     unsigned long i;
 
     for (i = 0; i < n; i++) {
         const char *known[2];
 
-        known[0] = facts[i].name;
+        known[0] = r->facts[i].name;
         known[1] = NULL;
-        if (flk_text_nearest(name, known))
-            return facts[i].name;
+        if (flk_text_nearest(e->name, known))
+            return known[0];
     }
-    return NULL;
+    return flk_column_nearest(&r->a, e->name);
 }
 
-/* Find a column, a statistic of a column, or a fact. */
-static int find_name(flk_analysis *a, const deck_expectation *e, fourlink_value *facts,
-                     fourlink_check *c, found *f)
+/* Find what a name means; the first of r->facts are those of this name, such as the ends of two ranges.
+** Returns 0 and a message if the deck has none. */
+static int find_name(fourlink_results *r, const deck_expectation *e, fourlink_check *c, flk_name *n,
+                     unsigned long *n_facts)
 {
-    int group = flk_fact_group(e->name), is_hinted = e - a->d->expectations < HINTED;
-    unsigned long n = 0, i;
-    text of;
+    int is_hinted = e - r->d.expectations < HINTED;
 
-    memset(f, 0, sizeof *f);
-    f->statistic = flk_column_statistic_of(e->name, &of);
-    if (f->statistic && !flk_column_find(a, of, &f->c))
-        return unknown(c, of, is_hinted ? flk_column_nearest(a, of) : NULL);
-    if (f->statistic || flk_column_find(a, e->name, &f->c)) {
-        f->is_column = !f->statistic;
-        f->q = flk_column_quantity(&f->c);
+    *n_facts = 0;
+    flk_name_find(r, e->name, n);
+    if (n->kind == FLK_NAME_FACT)
+        *n_facts = flk_name_facts(r, n->handle, e->branch);
+    if (n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC || *n_facts)
         return 1;
-    }
-    if (group || is_hinted)
-        n = flk_fact_list(
-            a, NULL, (int)e->branch,
-            group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-            NULL, 0, facts, NULL);
-    for (i = 0; i < n; i++)
-        if (flk_text_same(e->name, facts[i].name))
-            facts[f->n_facts++] = facts[i];
-    if (!f->n_facts) {
-        const char *nearest = is_hinted ? nearest_fact(e->name, facts, n) : NULL;
-
-        return unknown(c, e->name,
-                       nearest || !is_hinted ? nearest : flk_column_nearest(a, e->name));
-    }
-    f->facts = facts;
-    f->q = flk_quantity_find(facts[0].quantity);
-    f->value = facts[0].value;
-    return 1;
+    refuse(c, n->of,
+           !is_hinted     ? NULL
+           : n->statistic ? flk_column_nearest(&r->a, n->of)
+                          : find_nearest(r, e, n->handle));
+    return 0;
 }
 
 /* Find the value of a column at the expected angle, or its statistic; 0 and a message if there is none. */
-static int value_there(flk_analysis *a, flk_extremes *x, const deck_expectation *e, found *f,
-                       fourlink_check *c)
+static int value_there(fourlink_results *r, const deck_expectation *e, const flk_name *n,
+                       fourlink_check *c, fourlink_value *v)
 {
-    const char *name = a->d->units[QUANTITY_ANGLE].name;
-    double at;
-    flk_row row;
+    const char *name = r->d.units[QUANTITY_ANGLE].name;
+    int is_column = n->kind == FLK_NAME_COLUMN, status;
 
-    if (f->statistic) {
-        fourlink_value v;
-        int status = flk_fact_of_statistic(a, x, &f->c, "", e->branch, f->statistic, &v);
-
-        if (status != FOURLINK_OK)
-            flk_message(c->message, sizeof c->message, "%s", fourlink_status_text(status));
-        f->value = v.value;
-        return status == FOURLINK_OK;
-    }
-    if (!e->has_at) {
+    if (is_column && !e->has_at) {
         flk_message(c->message, sizeof c->message,
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    if (!flk_course_find_angle(&a->course, e->at, &at)) {
+    status = flk_name_value(r, n, e->branch, e->at, v);
+    if (status == FOURLINK_OK)
+        return 1;
+    if (!is_column)
+        flk_message(c->message, sizeof c->message, "%s", fourlink_status_text(status));
+    else if (status == FOURLINK_NO_SUCH_ANGLE)
         flk_message(c->message, sizeof c->message, "the motion does not reach theta2 = %g %s",
                     e->at, name);
-        return 0;
-    }
-    flk_analysis_at_angle(a, flk_column_need(&f->c), e->branch, at, &row);
-    f->value = flk_column_value(&f->c, &row);
-    if (row.at.status == FOURLINK_OK || !gsl_isnan(f->value))
-        return 1;
-    flk_message(c->message, sizeof c->message, "no value at theta2 = %g %s, %s: %s", e->at, name,
-                fourlink_branch_text((int)e->branch), fourlink_status_text(row.at.status));
+    else
+        flk_message(c->message, sizeof c->message, "no value at theta2 = %g %s, %s: %s", e->at,
+                    name, fourlink_branch_text((int)e->branch), fourlink_status_text(status));
     return 0;
 }
 
@@ -187,50 +153,56 @@ static int infinite_sign(text value, quantity q, unit usual)
 }
 
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
-static int compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
-                   fourlink_value *facts, fourlink_check *c)
+static int compare(fourlink_results *r, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
+    const fourlink_value *facts = r->facts;
     quantity_value printed;
+    fourlink_value found;
+    unsigned long n_facts, i;
     const deck_unit *u;
     double tolerance, turn;
-    unsigned long i;
     int infinite;
-    found f;
+    quantity q;
 
-    if (!find_name(a, e, facts, c, &f))
+    if (!find_name(r, e, c, n, &n_facts))
         return -1;
-    c->has_angle = f.is_column;
-    if (f.n_facts && f.facts[0].words) {
-        flk_text_copy(flk_text_of(f.facts[0].words), c->words, sizeof c->words);
-        return flk_text_equal(e->value, f.facts[0].words);
+    c->has_angle = n->kind == FLK_NAME_COLUMN;
+    if (n_facts && facts[0].words) {
+        flk_text_copy(flk_text_of(facts[0].words), c->words, sizeof c->words);
+        return flk_text_equal(e->value, facts[0].words);
     }
-    u = &a->d->units[f.q];
+    q = n_facts ? flk_quantity_find(facts[0].quantity) : flk_column_quantity(&n->c);
+    u = &r->d.units[q];
     c->unit = u->name;
-    infinite = f.is_column || f.statistic ? infinite_sign(e->value, f.q, u->unit) : 0;
+    infinite = n_facts ? 0 : infinite_sign(e->value, q, u->unit);
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
-        c->computed = value_there(a, x, e, &f, c) ? f.value : 0;
-        return c->message[0] ? -1 : flk_expected_agrees(c, c->computed, 0);
+        if (!value_there(r, e, n, c, &found))
+            return -1;
+        c->computed = found.value;
+        return flk_expected_agrees(c, c->computed, 0);
     }
-    if (!flk_quantity_read(e->value, e->value, f.q, u->unit, &printed, c->message) ||
-        !read_tolerance(a->d, e, f.q, &printed, &tolerance, c))
+    if (!flk_quantity_read(e->value, e->value, q, u->unit, &printed, c->message) ||
+        !read_tolerance(&r->d, e, q, &printed, &tolerance, c))
         return -1;
     c->message_line = e->place.line;
-    if (!f.n_facts && !value_there(a, x, e, &f, c))
+    if (n_facts)
+        found = facts[0];
+    else if (!value_there(r, e, n, c, &found))
         return -1;
-    turn = f.q == QUANTITY_ANGLE ? flk_unit_from_si(2 * M_PI, u->unit) : 0;
+    turn = q == QUANTITY_ANGLE ? flk_unit_from_si(2 * M_PI, u->unit) : 0;
     c->printed = flk_unit_from_si(printed.si, u->unit);
-    for (i = 1; i < f.n_facts; i++) /* the nearest to the printed value is meant */
-        if (fabs(difference(f.facts[i].value, c->printed, turn)) <
-            fabs(difference(f.value, c->printed, turn)))
-            f.value = f.facts[i].value;
+    for (i = 1; i < n_facts; i++) /* the nearest to the printed value is meant */
+        if (fabs(difference(facts[i].value, c->printed, turn)) <
+            fabs(difference(found.value, c->printed, turn)))
+            found = facts[i];
     c->tolerance = flk_unit_from_si(tolerance, u->unit);
-    c->computed = f.value;
+    c->computed = found.value;
     return flk_expected_agrees(c, c->computed, turn);
 }
 
-void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
-                          fourlink_value *facts, fourlink_check *c)
+void flk_expected_compare(fourlink_results *r, const deck_expectation *e, flk_name *n,
+                          fourlink_check *c)
 {
     int agrees;
 
@@ -242,7 +214,7 @@ void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectati
     c->unit = "";
     c->angle = e->at;
     c->branch = e->branch;
-    agrees = compare(a, x, e, facts, c);
+    agrees = compare(r, e, n, c);
     if (agrees < 0)
         c->verdict = FOURLINK_NO_VALUE;
     else if (e->misprint)

@@ -5,11 +5,11 @@
 #ifndef FOURLINK_EXPECTED_H
 #define FOURLINK_EXPECTED_H
 
-#include "extreme.h"
+#include "name.h"
 
-/* Compare a printed value with the computed one.  `facts` has room for FLK_FACT_LIMIT facts. */
-void flk_expected_compare(flk_analysis *a, flk_extremes *x, const deck_expectation *e,
-                          fourlink_value *facts, fourlink_check *check);
+/* Compare a printed value with the computed one, and give what its name means. */
+void flk_expected_compare(fourlink_results *r, const deck_expectation *e, flk_name *n,
+                          fourlink_check *check);
 
 /* 1 if a value agrees with check->printed within check->tolerance.  `turn` is a turn of an angle in its unit, as whole
 ** turns do not count; else 0. */

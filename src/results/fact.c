@@ -90,37 +90,32 @@ static const struct {
     {FACT_FLUCTUATION_EXACT, "(largest - smallest speed) / mean_speed"},
 };
 
-static const char *meaning_of(const deck *d, int code)
+static const char *meaning_of(const deck *d, fact_code code)
 {
     size_t i;
 
     for (i = 0; i < sizeof meanings_if_free / sizeof meanings_if_free[0]; i++)
-        if (d->drive.mode == DRIVE_FREE && (int)meanings_if_free[i].code == code)
+        if (d->drive.mode == DRIVE_FREE && meanings_if_free[i].code == code)
             return meanings_if_free[i].meaning;
     return fact_table[code].meaning;
 }
 
-static int find(text name)
+/* A handle and a fact: each of the other. */
+#define OTHER(i) (-1 - (int)(i))
+
+int flk_fact_find(text name)
 {
     int i;
 
-    for (i = 0; i < FACT_COUNT && !flk_text_same(name, fact_table[i].name); i++)
-        ;
-    return i;
+    for (i = 0; i < FACT_COUNT; i++)
+        if (flk_text_same(name, fact_table[i].name))
+            return OTHER(i);
+    return 0;
 }
 
-int flk_fact_group(text name)
+int flk_fact_group(int handle)
 {
-    int i = find(name);
-
-    return i == FACT_COUNT ? 0 : fact_table[i].group;
-}
-
-int flk_fact_needs_angles(text name)
-{
-    int i = find(name);
-
-    return i < FACT_COUNT && fact_table[i].group != FOURLINK_FACTS_LIMITS;
+    return handle < 0 && handle >= -FACT_COUNT ? fact_table[OTHER(handle)].group : 0;
 }
 
 const char *flk_fact_nearest(text name)
@@ -134,12 +129,13 @@ const char *flk_fact_nearest(text name)
     return flk_text_nearest(name, known);
 }
 
-void flk_fact_describe(const deck *d, const char *name, fourlink_value *f)
+void flk_fact_describe(const deck *d, int handle, fourlink_value *f)
 {
-    int i = find(flk_text_of(name));
+    fact_code code = (fact_code)OTHER(handle);
 
-    flk_list_describe(d, fact_table[i].q, meaning_of(d, i), f);
-    f->name = name;
+    flk_list_describe(d, fact_table[code].q, meaning_of(d, code), f);
+    f->name = fact_table[code].name;
+    f->handle = handle;
 }
 
 /* The facts listed so far. */
@@ -159,7 +155,7 @@ static fourlink_value *tell(teller *t, fact_code code, double si)
 {
     fourlink_value *f = &t->list[t->n++];
 
-    flk_fact_describe(t->d, fact_table[code].name, f);
+    flk_fact_describe(t->d, OTHER(code), f);
     f->value = in_unit(t, si, fact_table[code].q);
     f->branch = t->branch;
     return f;
@@ -337,12 +333,12 @@ static int is_of_motion(const deck *d, int i)
     }
 }
 
-int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch)
+int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch)
 {
     const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
-    int i = find(name), status;
+    int i = OTHER(handle), status;
 
-    if (!f || i == FACT_COUNT || !is_of_motion(a->d, i))
+    if (!f || !is_of_motion(a->d, i))
         return FOURLINK_NO_SUCH_FACT;
     status = f->status == FOURLINK_OK && i != FACT_STALL_ANGLE ? f->no_cycle : f->status;
     return status == FOURLINK_OK ? FOURLINK_NO_SUCH_FACT : status;
@@ -364,8 +360,9 @@ static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
     return FOURLINK_OK;
 }
 
-int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
-                          fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
+int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
+                          flk_statistic statistic, fourlink_branch branch, char *names,
+                          fourlink_value *f)
 {
     static const char *const meanings[] = {"", "largest value", "smallest value",
                                            "mean over the crank angle",
@@ -374,7 +371,8 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     int status;
 
     flk_list_describe(a->d, flk_column_quantity(c), meanings[statistic], &v);
-    v.name = name;
+    v.name = flk_column_statistic_name(statistic, c, names);
+    v.handle = flk_column_handle(c, statistic);
     v.branch = (int)branch;
     status = statistic == FLK_MAX || statistic == FLK_MIN
                  ? find_extreme(a, x, c, branch, statistic, &v)
@@ -393,11 +391,9 @@ static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk
 
     if (flk_column_flags(c) & FOURLINK_CRANK_ANGLE)
         return;
-    for (statistic = FLK_MAX; statistic <= FLK_MIN; statistic++, names += DECK_NAME_SIZE) {
-        flk_column_statistic_name(statistic, c->name, names, DECK_NAME_SIZE);
-        t->n += flk_fact_of_statistic(a, x, c, names, (fourlink_branch)t->branch, statistic,
+    for (statistic = FLK_MAX; statistic <= FLK_MIN; statistic++)
+        t->n += flk_fact_of_statistic(a, x, c, statistic, (fourlink_branch)t->branch, names,
                                       &t->list[t->n]) == FOURLINK_OK;
-    }
 }
 
 static void tell_turning(teller *t, flk_analysis *a)
@@ -476,7 +472,7 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
         if (groups & FOURLINK_FACTS_LIMITS)
             tell_limits(&t);
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
-            tell_extremes(&t, a, x, &columns[j], names + 2 * DECK_NAME_SIZE * j);
+            tell_extremes(&t, a, x, &columns[j], names);
         if (groups & FOURLINK_FACTS_TURNING)
             tell_turning(&t, a);
         if (groups & FOURLINK_FACTS_MOTION)

@@ -10,29 +10,30 @@
 /* The largest number of facts besides extremes, on both branches. */
 #define FLK_FACT_LIMIT 100
 
-/* The group of a fact, FOURLINK_FACTS_LIMITS ...; 0 if no deck has this fact. */
-int flk_fact_group(text name);
+/* The handle of a fact, which is negative; 0 if no deck has one of this name. */
+int flk_fact_find(text name);
 
-/* 1 if a fact is one of a motion that goes forwards, which rows by time do not have. */
-int flk_fact_needs_angles(text name);
+/* Its group, FOURLINK_FACTS_LIMITS ...; 0 if the handle is not that of a fact. */
+int flk_fact_group(int handle);
 
 /* The most similar name of a fact, or null. */
 const char *flk_fact_nearest(text name);
 
-/* Describe a fact by name and unit, without its value. */
-void flk_fact_describe(const deck *d, const char *name, fourlink_value *f);
+/* Describe a fact without its value. */
+void flk_fact_describe(const deck *d, int handle, fourlink_value *f);
 
 /* Why a branch does not have a fact: FOURLINK_NO_SUCH_FACT, or 1 to 19, why the actual motion ends before it has it. */
-int flk_fact_lack(flk_analysis *a, text name, fourlink_branch branch);
+int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch);
 
-/* A statistic of a column, as a fact of this name; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
-** does not begin, or FOURLINK_NO_MEAN. */
-int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c, const char *name,
-                          fourlink_branch branch, flk_statistic statistic, fourlink_value *f);
+/* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
+** does not begin, or FOURLINK_NO_MEAN.  `names` as in flk_fact_list. */
+int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
+                          flk_statistic statistic, fourlink_branch branch, char *names,
+                          fourlink_value *f);
 
 /* List the facts of some groups on a branch, or with 0 on the deck's branches; returns their number.  The
 ** extremes are those of the columns.  `list` has room for FLK_FACT_LIMIT facts and four for each column,
-** `names` for two names of DECK_NAME_SIZE bytes for each column. */
+** `names` for the names of the statistics of all columns, as flk_column_statistic_name writes them. */
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
                             const flk_column *columns, size_t n_columns, fourlink_value *list,
                             char *names);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/message.h"
-#include "results.h"
+#include "opened.h"
 
 /* The length of a FORTRAN text without its trailing blanks. */
 static unsigned long without_blanks(const char *words, unsigned long length)
@@ -70,12 +70,12 @@ void flname_(fourlink_results *const *handle, const int *i, char *name, char *in
     put_text(list[*i - 1].unit, in_unit, unit_length);
 }
 
-void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch,
-            const double *angle, double *value, int *istat, unsigned long name_length)
+void flfind_(fourlink_results *const *handle, const char *name, int *id, int *istat,
+             unsigned long name_length)
 {
     char words[2 * DECK_NAME_SIZE];
     unsigned long n = without_blanks(name, name_length);
-    fourlink_value v;
+    fourlink_value found;
 
     if (n >= sizeof words) {
         *istat = FOURLINK_NO_SUCH_NAME;
@@ -83,11 +83,31 @@ void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch
     }
     memcpy(words, name, n);
     words[n] = '\0';
-    *istat = fourlink_results_value(*handle, words, (fourlink_branch)*ibrnch, *angle, &v);
+    *istat = fourlink_results_find(*handle, words, &found);
+    if (*istat == FOURLINK_OK)
+        *id = found.handle;
+}
+
+void flget_(fourlink_results *const *handle, const int *id, const int *ibrnch, const double *angle,
+            double *value, int *istat)
+{
+    fourlink_value v;
+
+    *istat = fourlink_results_get(*handle, *id, (fourlink_branch)*ibrnch, *angle, &v);
     if (*istat == FOURLINK_OK && v.words)
         *istat = FOURLINK_NO_SUCH_FACT;
     if (*istat == FOURLINK_OK)
         *value = v.value;
+}
+
+void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch,
+            const double *angle, double *value, int *istat, unsigned long name_length)
+{
+    int id;
+
+    flfind_(handle, name, &id, istat, name_length);
+    if (*istat == FOURLINK_OK)
+        flget_(handle, &id, ibrnch, angle, value, istat);
 }
 
 void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, const int *n,

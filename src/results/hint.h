@@ -5,9 +5,9 @@
 #ifndef FOURLINK_HINT_H
 #define FOURLINK_HINT_H
 
-#include "fourlink.h"
+#include "name.h"
 
-/* Set check->hint if the difference is a typical one; `check` holds two numbers that differ. */
-void flk_hint_find(fourlink_results *r, fourlink_check *check);
+/* Set check->hint if the difference is a typical one; `check` holds two numbers of this name that differ. */
+void flk_hint_find(fourlink_results *r, const flk_name *n, fourlink_check *check);
 
 #endif

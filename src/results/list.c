@@ -25,6 +25,7 @@ void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
     v->name = c->name;
     v->source = flk_column_source_name(c);
     v->flags = flk_column_flags(c);
+    v->handle = flk_column_handle(c, FLK_NONE);
 }
 
 void flk_list_columns(const flk_analysis *a, flk_list *columns)
@@ -32,6 +33,8 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns)
     flk_column c;
     size_t i;
 
+    if (columns->n)
+        return;
     for (i = 0; i < flk_column_limit(a->d); i++)
         if (flk_column_number(a, i, &c))
             flk_list_column(a->d, &c, &columns->list[columns->n++]);
@@ -46,6 +49,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
         fourlink_value *v = &variables->list[variables->n++];
 
         flk_list_describe(d, x->q, "", v);
+        v->handle = FLK_LIST_HANDLE(i);
         v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
     }
@@ -66,6 +70,7 @@ static fourlink_value *tell(teller *t, const char *key, quantity q, double si, c
     fourlink_value *v = &t->to->list[t->to->n++];
 
     flk_list_describe(t->d, q, meaning, v);
+    v->handle = FLK_LIST_HANDLE(t->d->sweep.n_variables + t->to->n);
     v->name = flk_text_join(name, DECK_NAME_SIZE, t->section, ".", key, (char *)NULL);
     v->value = flk_unit_from_si(si, t->d->units[q].unit);
     return v;
@@ -307,6 +312,8 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     size_t i;
     int link;
 
+    if (inputs->n)
+        return;
     t.d = d;
     t.to = inputs;
     t.names = names;

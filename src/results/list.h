@@ -13,6 +13,10 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
+/* The handle of a variable, and behind all of them of an input.  Those of facts are between these and 0,
+** those of columns greater than 0. */
+#define FLK_LIST_HANDLE(i) (-1000 - (int)(i))
+
 /* A value of a deck without its name and number; of a column, with its name. */
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
@@ -23,8 +27,8 @@ void flk_list_columns(const flk_analysis *a, flk_list *columns);
 /* The largest number of inputs of a deck. */
 size_t flk_list_input_limit(const deck *d);
 
-/* The inputs of a deck as the reader understood them; the variables of its sweep, with this design's values.
-** Both are in the deck's units; `names` receives names of DECK_NAME_SIZE bytes each. */
+/* The inputs of a deck as the reader understood them, listed once; the variables of its sweep, with this
+** design's values.  Both are in the deck's units; `names` receives names of DECK_NAME_SIZE bytes each. */
 void flk_list_inputs(const deck *d, flk_list *inputs, char *names);
 void flk_list_variables(const deck *d, flk_list *variables, char *names);
 

@@ -23,10 +23,10 @@ static int is_hidden(const deck *d, flk_point_code code)
 /* The pin C: the joint of links 3 and 4, or if these slide on each other the end of link 4. */
 static const char *find_C(const deck *d, int *link, fourlink_vector *at)
 {
-    const flk_joint *joint = &flk_kind_of(d->design.kind)->joint[2];
+    const fourlink_joint *joint = &flk_kind_of(d->design.kind)->joint[2];
 
     *link = joint->slider ? FOURLINK_FOLLOWER : joint->at;
-    if (joint->slider || joint->place == FLK_TIP)
+    if (joint->slider || joint->is_tip)
         at->x = d->design.link[*link].length;
     return joint->slider && at->x <= 0 ? "needs a lever with a length" : NULL;
 }

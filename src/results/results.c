@@ -14,78 +14,59 @@
 #include "expected.h"
 #include "fact.h"
 #include "hint.h"
-#include "results.h"
+#include "name.h"
 #include "turning.h"
 
 /* ------------------------------------------------------------------------------------------ opening */
 
 /* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one
 ** instant. */
-static void check_output(fourlink_results *r, text name, text_place place, mistakes *m)
+static void check_output(fourlink_results *r, text name, const flk_name *n, text_place place)
 {
-    text of = name;
-    flk_statistic statistic = flk_column_statistic_of(name, &of);
-    char nearest[DECK_NAME_SIZE];
-    const char *column;
-    flk_column c;
+    mistakes *m = &r->d.mistakes;
+    char statistic[DECK_NAME_SIZE];
+    const char *nearest;
 
-    if (r->d.drive.by_time && flk_fact_needs_angles(name))
+    if (r->d.drive.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
         flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
-    if (flk_column_find(&r->a, of, &c) ? statistic || r->d.one_instant
-                                       : !statistic && flk_fact_group(name))
+    if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT ||
+        (n->kind == FLK_NAME_COLUMN && r->d.one_instant))
         return;
-    column = flk_column_nearest(&r->a, of);
-    if (statistic && column)
-        flk_column_statistic_name(statistic, column, nearest, sizeof nearest);
+    nearest = n->statistic ? flk_column_nearest(&r->a, n->of) : flk_fact_nearest(name);
+    if (n->statistic && nearest)
+        nearest = flk_column_statistic_text(n->statistic, nearest, statistic);
     flk_mistake(m, place,
-                flk_column_find(&r->a, name, &c)
+                n->kind == FLK_NAME_COLUMN
                     ? "'%t' has a value in each row: use its max(), min(), mean() or rms()%h"
                     : "'%t' is neither a fact nor the max(), min(), mean() or rms() of a column of "
                       "this deck%h",
-                name,
-                !statistic ? flk_fact_nearest(name)
-                : column   ? nearest
-                           : NULL);
+                name, nearest);
 }
 
 /* Ask for the extreme that a name stands for, if it is one. */
-static void ask_extreme(fourlink_results *r, text name)
+static void ask_extreme(fourlink_results *r, const flk_name *n)
 {
-    flk_statistic statistic = flk_column_statistic_of(name, &name);
-    flk_column c;
-
-    if ((statistic == FLK_MAX || statistic == FLK_MIN) && flk_column_find(&r->a, name, &c))
-        flk_extremes_ask(&r->extremes, &c);
+    if (n->kind == FLK_NAME_STATISTIC && (n->statistic == FLK_MAX || n->statistic == FLK_MIN))
+        flk_extremes_ask(&r->extremes, &n->c);
 }
 
-/* Ask for the extremes that are found in one search: those of a sweep's outputs, or of the columns; and those that
-** are expected. */
+/* Ask for the extremes that are found in one search with those of a sweep's outputs: those of the columns of a deck
+** without a sweep, and those that are expected. */
 static void ask_extremes(fourlink_results *r)
 {
-    const flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
+    flk_name n;
+    text of;
     size_t i;
 
     r->extremes.is_together = r->d.sweep.n_variables > 0;
-    for (i = 0; i < outputs->n; i++)
-        ask_extreme(r, flk_text_of(outputs->list[i].name));
     for (i = 0; i < r->n_columns && !r->d.sweep.n_variables; i++)
         if (!(flk_column_flags(&r->columns[i]) & FOURLINK_CRANK_ANGLE))
             flk_extremes_ask(&r->extremes, &r->columns[i]);
     for (i = 0; i < r->d.n_expectations; i++)
-        ask_extreme(r, r->d.expectations[i].name);
-}
-
-static void describe_output(fourlink_results *r, const char *name, fourlink_value *v)
-{
-    text of = flk_text_of(name);
-    flk_column c;
-
-    flk_column_statistic_of(of, &of);
-    if (flk_column_find(&r->a, of, &c))
-        flk_list_column(&r->d, &c, v);
-    else if (flk_fact_group(of))
-        flk_fact_describe(&r->d, name, v);
-    v->name = name;
+        if (flk_column_statistic_of(r->d.expectations[i].name, &of)) {
+            flk_name_find(r, r->d.expectations[i].name, &n);
+            ask_extreme(r, &n);
+        }
 }
 
 #define MOST_OUTPUTS 64
@@ -95,9 +76,9 @@ static const fourlink_value *add_output(fourlink_results *r, text name, text_pla
                                         int is_new)
 {
     flk_list *outputs = &r->lists[FOURLINK_OUTPUTS];
-    char *copy = r->names + DECK_NAME_SIZE * outputs->n;
     fourlink_value *output = &outputs->list[outputs->n];
     unsigned long i;
+    flk_name n;
 
     for (i = 0; i < outputs->n && !is_new; i++)
         if (flk_text_same(name, outputs->list[i].name))
@@ -106,10 +87,12 @@ static const fourlink_value *add_output(fourlink_results *r, text name, text_pla
         flk_mistake(&r->d.mistakes, place, "more than 64 outputs");
         return NULL;
     }
-    check_output(r, name, place, &r->d.mistakes);
-    memset(output, 0, sizeof *output);
-    describe_output(r, flk_text_copy(name, copy, DECK_NAME_SIZE), output);
-    outputs->n++;
+    flk_name_find(r, name, &n);
+    flk_name_describe(r, &n, output);
+    check_output(r, name, &n, place);
+    ask_extreme(r, &n);
+    output->name =
+        flk_text_copy(name, r->output_names + DECK_NAME_SIZE * outputs->n++, DECK_NAME_SIZE);
     return output;
 }
 
@@ -147,8 +130,8 @@ static int add_condition(fourlink_results *r, const flk_condition *c)
     *v = *output;
     v->value = flk_unit_from_si(limit.si, r->d.units[q].unit);
     v->flags = c->flags;
-    v->meaning = flk_text_copy(c->whole, r->names + DECK_NAME_SIZE * (MOST_OUTPUTS + list->n++),
-                               DECK_NAME_SIZE);
+    v->meaning = flk_text_copy(
+        c->whole, r->output_names + DECK_NAME_SIZE * (MOST_OUTPUTS + list->n++), DECK_NAME_SIZE);
     return 1;
 }
 
@@ -183,12 +166,17 @@ static int take_memory(fourlink_results *r)
     for (i = 0; i <= FOURLINK_CONDITIONS; i++)
         total += size[i];
     r->columns = malloc(columns * sizeof *r->columns);
-    r->names = malloc((2 * MOST_OUTPUTS + variables + inputs + 2 * columns) * DECK_NAME_SIZE);
+    r->output_names =
+        malloc((2 * MOST_OUTPUTS + variables + inputs + FLK_STATISTICS * columns) * DECK_NAME_SIZE);
     r->facts = next = malloc(total * sizeof *next);
     for (i = 0; next && i <= FOURLINK_CONDITIONS; next += size[i++])
         r->lists[i].list = next;
-    return r->columns && r->names && r->facts && flk_turning_open(&r->a) &&
-           flk_extremes_open(&r->extremes, columns);
+    if (!r->columns || !r->output_names || !r->facts)
+        return 0;
+    r->variable_names = r->output_names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE;
+    r->input_names = r->variable_names + variables * DECK_NAME_SIZE;
+    r->statistic_names = r->input_names + inputs * DECK_NAME_SIZE;
+    return flk_turning_open(&r->a) && flk_extremes_open(&r->extremes, columns);
 }
 
 /* Open a deck without mistakes; 0 if out of memory. */
@@ -209,8 +197,7 @@ static int open_deck(fourlink_results *r)
     list_outputs(r);
     list_conditions(r);
     ask_extremes(r);
-    flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES],
-                       r->names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE);
+    flk_list_variables(&r->d, &r->lists[FOURLINK_VARIABLES], r->variable_names);
     return 1;
 }
 
@@ -337,7 +324,7 @@ void fourlink_results_free(fourlink_results *r)
     flk_analysis_close(&r->a);
     flk_deck_free(&r->d);
     free(r->columns);
-    free(r->names);
+    free(r->output_names);
     free(r->facts);
     free(r);
 }
@@ -347,18 +334,6 @@ void fourlink_results_free(fourlink_results *r)
 const fourlink_deck *fourlink_results_deck(const fourlink_results *r)
 {
     return r ? &r->d : NULL;
-}
-
-/* Fill the lists of inputs and of all columns when they are first asked for. */
-static void fill(fourlink_results *r, int which)
-{
-    flk_list *list = &r->lists[which];
-    size_t names = 2 * MOST_OUTPUTS + r->d.sweep.n_variables;
-
-    if (which == FOURLINK_ALL_COLUMNS)
-        flk_list_columns(&r->a, list);
-    else if (which == FOURLINK_INPUTS)
-        flk_list_inputs(&r->d, list, r->names + names * DECK_NAME_SIZE);
 }
 
 int fourlink_results_notes(const fourlink_results *r, unsigned long max_notes,
@@ -377,8 +352,10 @@ int fourlink_results_list(fourlink_results *r, int which, const fourlink_value *
         return FOURLINK_NULL;
     if (which < FOURLINK_COLUMNS || which > FOURLINK_CONDITIONS)
         return FOURLINK_NO_SUCH_LIST;
-    if (!r->lists[which].n)
-        fill(r, which);
+    if (which == FOURLINK_ALL_COLUMNS)
+        flk_list_columns(&r->a, &r->lists[which]);
+    else if (which == FOURLINK_INPUTS)
+        flk_list_inputs(&r->d, &r->lists[which], r->input_names);
     *list = r->lists[which].list;
     *n = r->lists[which].n;
     return FOURLINK_OK;
@@ -392,15 +369,12 @@ static int is_branch(int branch)
 int fourlink_results_facts(fourlink_results *r, int branch, int groups,
                            const fourlink_value **facts, unsigned long *n)
 {
-    size_t names;
-
     if (!r || !facts || !n)
         return FOURLINK_NULL;
     if (branch && !is_branch(branch))
         return FOURLINK_BAD_BRANCH;
-    names = 2 * MOST_OUTPUTS + r->d.sweep.n_variables + flk_list_input_limit(&r->d);
     *n = flk_fact_list(&r->a, &r->extremes, branch, groups, r->columns, r->n_columns, r->facts,
-                       r->names + names * DECK_NAME_SIZE);
+                       r->statistic_names);
     *facts = r->facts;
     return FOURLINK_OK;
 }
@@ -488,60 +462,43 @@ int fourlink_results_crossings(fourlink_results *r, const char *name, fourlink_b
 
 /* ------------------------------------------------------------------------------------------ by name */
 
-static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_branch branch,
-                           double angle, fourlink_value *value)
+int fourlink_results_find(fourlink_results *r, const char *name, fourlink_value *found)
 {
-    fourlink_value v;
-    double at;
-    flk_row row;
+    flk_name n;
 
-    if (!flk_course_find_angle(&r->a.course, angle, &at))
-        return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
-    flk_list_column(&r->d, c, &v);
-    v.value = flk_column_value(c, &row);
-    v.has_angle = 1;
-    v.angle = row.at.row.angle;
-    v.branch = (int)branch;
-    if (row.at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
-        return row.at.status;
-    *value = v;
+    if (!r || !name || !found)
+        return FOURLINK_NULL;
+    flk_name_find(r, flk_text_of(name), &n);
+    if (n.kind == FLK_NAME_UNKNOWN)
+        return FOURLINK_NO_SUCH_NAME;
+    flk_name_describe(r, &n, found);
     return FOURLINK_OK;
 }
 
-static int value_of_fact(fourlink_results *r, text name, int group, fourlink_branch branch,
+int fourlink_results_get(fourlink_results *r, int handle, fourlink_branch branch, double angle,
                          fourlink_value *value)
 {
-    unsigned long n = flk_fact_list(&r->a, NULL, (int)branch, group, NULL, 0, r->facts, NULL), i;
+    flk_name n;
 
-    for (i = 0; i < n; i++)
-        if (flk_text_same(name, r->facts[i].name)) {
-            *value = r->facts[i];
-            return FOURLINK_OK;
-        }
-    return flk_fact_lack(&r->a, name, branch);
+    if (!r || !value)
+        return FOURLINK_NULL;
+    if (!is_branch((int)branch))
+        return FOURLINK_BAD_BRANCH;
+    flk_name_of_handle(r, handle, &n);
+    return flk_name_value(r, &n, branch, angle, value);
 }
 
 int fourlink_results_value(fourlink_results *r, const char *name, fourlink_branch branch,
                            double angle, fourlink_value *value)
 {
-    text whole, of;
-    flk_statistic statistic;
-    flk_column c;
-    int group;
+    flk_name n;
 
     if (!r || !name || !value)
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    whole = of = flk_text_of(name);
-    statistic = flk_column_statistic_of(whole, &of);
-    if (flk_column_find(&r->a, of, &c))
-        return statistic
-                   ? flk_fact_of_statistic(&r->a, &r->extremes, &c, name, branch, statistic, value)
-                   : value_of_column(r, &c, branch, angle, value);
-    group = flk_fact_group(whole);
-    return group ? value_of_fact(r, whole, group, branch, value) : FOURLINK_NO_SUCH_NAME;
+    flk_name_find(r, flk_text_of(name), &n);
+    return flk_name_value(r, &n, branch, angle, value);
 }
 
 int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *angle)
@@ -574,12 +531,14 @@ int fourlink_results_turning(fourlink_results *r, fourlink_branch branch, fourli
 
 int fourlink_results_check(fourlink_results *r, unsigned long i, fourlink_check *check)
 {
+    flk_name n;
+
     if (!r || !check)
         return FOURLINK_NULL;
     if (i >= r->d.n_expectations)
         return FOURLINK_NO_SUCH_ROW;
-    flk_expected_compare(&r->a, &r->extremes, &r->d.expectations[i], r->facts, check);
+    flk_expected_compare(r, &r->d.expectations[i], &n, check);
     if (check->verdict == FOURLINK_DIFFERS && !check->words[0])
-        flk_hint_find(r, check);
+        flk_hint_find(r, &n, check);
     return FOURLINK_OK;
 }

@@ -284,16 +284,13 @@ int sheet_find_extremes(fourlink_results *results, fourlink_branch branch)
 {
     const fourlink_value *columns;
     unsigned long n, i;
-    char name[80];
     fourlink_value v;
 
     fourlink_results_list(results, FOURLINK_COLUMNS, &columns, &n);
     for (i = 0; i < n && (columns[i].flags & FOURLINK_CRANK_ANGLE); i++)
         ;
-    if (i == n)
-        return FOURLINK_OK;
-    flk_text_join(name, sizeof name, "max(", columns[i].name, ")", (char *)NULL);
-    return fourlink_results_value(results, name, branch, 0, &v);
+    return i == n ? FOURLINK_OK
+                  : fourlink_results_get(results, columns[i].handle + FOURLINK_MAX, branch, 0, &v);
 }
 
 /* In a summary, why it has no extremes. */
@@ -562,11 +559,10 @@ void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, con
 
 /* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
 ** have needs no reason. */
-static const char *find_output(sheet *s, fourlink_branch branch, const char *name,
-                               sheet_output *output)
+static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
 {
     int status =
-        fourlink_results_value(s->results, name, branch, s->problem.motion.from, &output->v);
+        fourlink_results_get(s->results, handle, branch, s->problem.motion.from, &output->v);
 
     output->has_value = status == FOURLINK_OK;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
@@ -586,7 +582,7 @@ static void write_lines(sheet *s)
         const char *why = NULL;
 
         for (k = 0; k < s->n_header; k++) {
-            const char *reason = find_output(s, branches[i], s->header[k].name, &outputs[k]);
+            const char *reason = find_output(s, branches[i], s->header[k].handle, &outputs[k]);
 
             why = why ? why : reason;
         }

@@ -79,7 +79,7 @@ static double value_of(const statistics *x, const fourlink_value *condition, con
     unsigned long i;
 
     for (i = 0; values && i < x->n_outputs; i++)
-        if (strcmp(x->outputs[i].name, condition->name) == 0)
+        if (x->outputs[i].handle == condition->handle)
             return values[i];
     return GSL_NAN;
 }

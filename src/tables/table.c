@@ -50,15 +50,12 @@ static void block_begins(sheet *s, fourlink_branch branch)
     put_names(s, 1);
 }
 
-static void find_extreme(sheet *s, fourlink_branch branch, int sign, const fourlink_value *c,
+static void find_extreme(sheet *s, fourlink_branch branch, int which, const fourlink_value *c,
                          style *x)
 {
-    char name[80];
-
-    flk_text_join(name, sizeof name, sign > 0 ? "max(" : "min(", c->name, ")", (char *)NULL);
     x->has_extreme =
         !(c->flags & FOURLINK_CRANK_ANGLE) &&
-        fourlink_results_value(s->results, name, branch, 0, &x->extreme) == FOURLINK_OK;
+        fourlink_results_get(s->results, c->handle + which, branch, 0, &x->extreme) == FOURLINK_OK;
 }
 
 /* The field of an extreme, or of its crank angle. */
@@ -102,7 +99,7 @@ static void block_ends(sheet *s, fourlink_branch branch)
 {
     style *styles = s->layout;
     unsigned long j;
-    int sign, status;
+    int which, status;
 
     if (s->problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
         return;
@@ -113,11 +110,11 @@ static void block_ends(sheet *s, fourlink_branch branch)
     }
     if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) /* which is written */
         return;
-    for (sign = 1; sign >= -1; sign -= 2) {
+    for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++) {
         for (j = 0; j < s->n_columns; j++)
             if (fit_has(s, styles, j))
-                find_extreme(s, branch, sign, &s->columns[j], &styles[j]);
-        put_extremes(s, sign > 0 ? "max" : "min", 0);
+                find_extreme(s, branch, which, &s->columns[j], &styles[j]);
+        put_extremes(s, which == FOURLINK_MAX ? "max" : "min", 0);
         put_extremes(s, "", 1);
     }
 }

@@ -12,6 +12,8 @@ int main(void)
 {
     PRINT_SIZE(fourlink_vector);
     PRINT_SIZE(fourlink_link);
+    PRINT_SIZE(fourlink_joint);
+    PRINT_SIZE(fourlink_kind_facts);
     PRINT_SIZE(fourlink_design);
     PRINT_SIZE(fourlink_mechanism);
     PRINT_SIZE(fourlink_crank);

@@ -8,6 +8,8 @@ program sizes
 
   type(fourlink_vector) :: vector_
   type(fourlink_link) :: link_
+  type(fourlink_joint) :: joint_
+  type(fourlink_kind_facts) :: kind_facts_
   type(fourlink_design) :: design_
   type(fourlink_mechanism) :: mechanism_
   type(fourlink_crank) :: crank_
@@ -44,6 +46,8 @@ program sizes
 
   write (*, '(a, 1x, i0)') 'fourlink_vector', c_sizeof(vector_)
   write (*, '(a, 1x, i0)') 'fourlink_link', c_sizeof(link_)
+  write (*, '(a, 1x, i0)') 'fourlink_joint', c_sizeof(joint_)
+  write (*, '(a, 1x, i0)') 'fourlink_kind_facts', c_sizeof(kind_facts_)
   write (*, '(a, 1x, i0)') 'fourlink_design', c_sizeof(design_)
   write (*, '(a, 1x, i0)') 'fourlink_mechanism', c_sizeof(mechanism_)
   write (*, '(a, 1x, i0)') 'fourlink_crank', c_sizeof(crank_)

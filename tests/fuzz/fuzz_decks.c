@@ -67,6 +67,8 @@ static void ask_lists(fourlink_results *r)
             for (i = 0; i < n && i < 3; i++) {
                 snprintf(name, sizeof name, i == 1 ? "rms(%s)" : "mean(%s)", list[i].name);
                 fourlink_results_value(r, name, FOURLINK_CROSSED, 0, &value);
+                MUST(fourlink_results_find(r, name, &value) == FOURLINK_OK);
+                MUST(value.handle == list[i].handle + (i == 1 ? FOURLINK_RMS : FOURLINK_MEAN));
             }
     }
 }

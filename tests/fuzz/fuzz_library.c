@@ -378,12 +378,17 @@ static void ask_fortran77(void)
 static void ask_texts(void)
 {
     int code = (int)next_bytes(4), other = next_code(1, 5);
+    fourlink_kind_facts facts;
 
     MUST(fourlink_status_text(code) && fourlink_branch_text(code) && fourlink_type_text(code));
     MUST(fourlink_kind_text(code) && fourlink_link_text(code, other));
     MUST(fourlink_link_text(other, code) && fourlink_unknown_text(other, code));
     fourlink_has_type(code, other);
     fourlink_slides(other, code);
+    if (fourlink_kind_of(other, &facts) == FOURLINK_OK)
+        MUST(facts.kind == (fourlink_kind)other &&
+             strcmp(facts.words, fourlink_kind_text(other)) == 0);
+    MUST(fourlink_kind_of(code, NULL) == FOURLINK_NULL);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -57,6 +57,55 @@ TEST(test_sliders)
     }
 }
 
+/* The record of a kind agrees with the functions that ask for one thing. */
+TEST(test_facts)
+{
+    static const struct {
+        int kind;
+        const char *name, *letters, *bearings; /* of the joints; p: a pin, s: a slider */
+        int has_stroke, has_slot;
+    } cases[] = {{FOURLINK_FOUR_BAR, "four-bar", "ABCD", "pppp", 0, 0},
+                 {FOURLINK_SLIDER_CRANK, "slider-crank", "ABCC", "ppps", 1, 0},
+                 {FOURLINK_INVERTED_SLIDER_CRANK, "inverted-slider-crank", "ABBD", "ppsp", 0, 1}};
+    static const int links[4][2] = {{1, 2}, {2, 3}, {3, 4}, {1, 4}};
+    fourlink_kind_facts facts, before;
+    size_t k;
+    int i;
+
+    for (k = 0; k < COUNT(cases); k++) {
+        int kind = cases[k].kind;
+
+        assert_int_equal(fourlink_kind_of(kind, &facts), FOURLINK_OK);
+        assert_int_equal(facts.kind, kind);
+        assert_string_equal(facts.name, cases[k].name);
+        assert_string_equal(facts.words, fourlink_kind_text(kind));
+        assert_int_equal(facts.has_stroke, cases[k].has_stroke);
+        assert_int_equal(facts.has_slot, cases[k].has_slot);
+        assert_string_equal(facts.link[0], "");
+        for (i = FOURLINK_GROUND; i <= FOURLINK_FOLLOWER; i++) {
+            assert_string_equal(facts.link[i], fourlink_link_text(kind, i));
+            assert_int_equal(facts.slides_on[i], fourlink_slides(kind, i));
+        }
+        for (i = 0; i < 4; i++) {
+            const fourlink_joint *joint = &facts.joint[i];
+
+            assert_int_equal(joint->letter[0], cases[k].letters[i]);
+            assert_int_equal(joint->from, links[i][0]);
+            assert_int_equal(joint->on, links[i][1]);
+            assert_int_equal(joint->slider != 0, cases[k].bearings[i] == 's');
+            if (joint->slider) {
+                assert_int_equal(joint->at, joint->slider);
+                assert_int_equal(joint->from + joint->on,
+                                 joint->slider + facts.slides_on[joint->slider]);
+            }
+        }
+    }
+    before = facts;
+    assert_int_equal(fourlink_kind_of(3, &facts), FOURLINK_BAD_KIND);
+    assert_int_equal(fourlink_kind_of(FOURLINK_FOUR_BAR, NULL), FOURLINK_NULL);
+    assert_memory_equal(&facts, &before, sizeof facts);
+}
+
 /* Draw until the links reach, and not too near a dead position. */
 static void draw(uint64_t *seed, int n, sample *s)
 {
@@ -66,6 +115,37 @@ static void draw(uint64_t *seed, int n, sample *s)
            fourlink_analyse(&s->mechanism, s->branch, &s->crank, s->load, s->n_loads, &s->state,
                             &s->forces) != FOURLINK_OK ||
            fabs(s->state.sine) < 0.1);
+}
+
+/* The joints of a drawn position are where the record says, on both links. */
+TEST(test_places_of_joints)
+{
+    uint64_t seed = 3;
+    sample s;
+    int n, i;
+
+    for (n = 0; n < 300; n++) {
+        fourlink_kind_facts facts;
+
+        draw(&seed, n, &s);
+        assert_int_equal(fourlink_kind_of((int)s.design.kind, &facts), FOURLINK_OK);
+        for (i = 0; i < 4; i++) {
+            const fourlink_joint *joint = &facts.joint[i];
+            const fourlink_link_state *on = &s.state.link[joint->on];
+            fourlink_vector tip = {0, 0}, at;
+
+            tip.x = joint->is_tip ? s.design.link[joint->at].length : 0;
+            assert_int_equal(fourlink_point(&s.state, joint->at, &tip, &at, NULL, NULL),
+                             FOURLINK_OK);
+            if (joint->letter[0] == 'A')
+                assert_true(at.x == 0 && at.y == 0);
+            else if (joint->letter[0] == 'B')
+                assert_true(
+                    hypot(at.x - s.state.link[3].origin.x, at.y - s.state.link[3].origin.y) == 0);
+            else if (joint->letter[0] == 'D' || joint->slider)
+                assert_true(at.x == on->origin.x && at.y == on->origin.y);
+        }
+    }
 }
 
 /* The unknowns solve the system of their position. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** results.h - a deck opened for results.
+** opened.h - a deck opened for results.
 */
-#ifndef FOURLINK_RESULTS_H
-#define FOURLINK_RESULTS_H
+#ifndef FOURLINK_OPENED_H
+#define FOURLINK_OPENED_H
 
 #include "extreme.h"
 #include "list.h"
@@ -17,7 +17,9 @@ struct fourlink_results {
     int needs;                               /* what these columns need */
     flk_list lists[FOURLINK_CONDITIONS + 1]; /* by FOURLINK_COLUMNS ... */
     fourlink_value *facts;                   /* room for all facts of flk_fact_list */
-    char *names; /* names of inputs, outputs and variables; of extremes */
+    char *output_names;                      /* of DECK_NAME_SIZE bytes each, as are all below */
+    char *variable_names, *input_names;
+    char *statistic_names; /* by column and statistic */
 };
 
 #endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** name.c - what a name means: a column, a statistic of a column, a fact, or a value that the deck gives.
+**
+** The handle of an input holds for one design only, as each design leaves out those that are 0; others hold
+** for all designs of a sweep.
+*/
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "fact.h"
+#include "name.h"
+
+/* Find the variable or input of this name, or with a handle that of this handle. */
+static void find_given(fourlink_results *r, text name, flk_name *n)
+{
+    static const int which[] = {FOURLINK_VARIABLES, FOURLINK_INPUTS};
+    unsigned long i;
+    int k;
+
+    flk_list_inputs(&r->d, &r->lists[FOURLINK_INPUTS], r->input_names);
+    for (k = 0; k < 2; k++) {
+        const flk_list *list = &r->lists[which[k]];
+
+        for (i = 0; i < list->n && !n->kind; i++)
+            if (n->handle ? list->list[i].handle == n->handle
+                          : flk_text_same(name, list->list[i].name)) {
+                n->kind = FLK_NAME_GIVEN;
+                n->handle = list->list[i].handle;
+                n->given = &list->list[i];
+            }
+    }
+}
+
+void flk_name_find(fourlink_results *r, text name, flk_name *n)
+{
+    memset(n, 0, sizeof *n);
+    n->of = name;
+    n->statistic = flk_column_statistic_of(name, &n->of);
+    if (flk_column_find(&r->a, n->of, &n->c)) {
+        n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
+        n->handle = flk_column_handle(&n->c, n->statistic);
+    } else if ((n->handle = flk_fact_find(name)) != 0) {
+        n->kind = FLK_NAME_FACT;
+    } else {
+        find_given(r, name, n);
+    }
+}
+
+void flk_name_of_handle(fourlink_results *r, int handle, flk_name *n)
+{
+    memset(n, 0, sizeof *n);
+    n->handle = handle;
+    if (flk_fact_group(handle))
+        n->kind = FLK_NAME_FACT;
+    else if (flk_column_of_handle(&r->a, handle, &n->c, &n->statistic))
+        n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
+    else if (handle)
+        find_given(r, n->of, n);
+}
+
+void flk_name_describe(const fourlink_results *r, const flk_name *n, fourlink_value *v)
+{
+    memset(v, 0, sizeof *v);
+    if (n->kind == FLK_NAME_GIVEN)
+        *v = *n->given;
+    else if (n->kind == FLK_NAME_FACT)
+        flk_fact_describe(&r->d, n->handle, v);
+    else if (n->kind)
+        flk_list_column(&r->d, &n->c, v);
+    v->has_angle = n->kind == FLK_NAME_COLUMN;
+    if (n->kind == FLK_NAME_STATISTIC) {
+        v->name = flk_column_statistic_name(n->statistic, &n->c, r->statistic_names);
+        v->handle = n->handle;
+    }
+}
+
+static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_branch branch,
+                           double angle, fourlink_value *value)
+{
+    fourlink_value v;
+    double at;
+    flk_row row;
+
+    if (!flk_course_find_angle(&r->a.course, angle, &at))
+        return FOURLINK_NO_SUCH_ANGLE;
+    flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
+    flk_list_column(&r->d, c, &v);
+    v.value = flk_column_value(c, &row);
+    v.has_angle = 1;
+    v.angle = row.at.row.angle;
+    v.branch = (int)branch;
+    if (row.at.status != FOURLINK_OK && (!(v.flags & FOURLINK_OF_CRANK) || gsl_isnan(v.value)))
+        return row.at.status;
+    *value = v;
+    return FOURLINK_OK;
+}
+
+unsigned long flk_name_facts(fourlink_results *r, int handle, fourlink_branch branch)
+{
+    unsigned long n =
+        flk_fact_list(&r->a, NULL, (int)branch, flk_fact_group(handle), NULL, 0, r->facts, NULL);
+    unsigned long named = 0, i;
+
+    for (i = 0; i < n; i++)
+        if (r->facts[i].handle == handle)
+            r->facts[named++] = r->facts[i];
+    return named;
+}
+
+int flk_name_value(fourlink_results *r, const flk_name *n, fourlink_branch branch, double angle,
+                   fourlink_value *value)
+{
+    switch (n->kind) {
+    case FLK_NAME_COLUMN:
+        return value_of_column(r, &n->c, branch, angle, value);
+    case FLK_NAME_STATISTIC:
+        return flk_fact_of_statistic(&r->a, &r->extremes, &n->c, n->statistic, branch,
+                                     r->statistic_names, value);
+    case FLK_NAME_FACT:
+        if (!flk_name_facts(r, n->handle, branch))
+            return flk_fact_lack(&r->a, n->handle, branch);
+        *value = r->facts[0];
+        return FOURLINK_OK;
+    case FLK_NAME_GIVEN:
+        *value = *n->given;
+        return FOURLINK_OK;
+    case FLK_NAME_UNKNOWN:
+    default:
+        return FOURLINK_NO_SUCH_NAME;
+    }
+}
