@@ -83,7 +83,7 @@ static void build_slide(parser *p)
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
-    else if (use && use->has_unknown)
+    else if (use && use->is_mistaken)
         return;
     else if (IS_SET(length) && !IS_SET(angle))
         flk_mistake(p->mistakes, length->place,
@@ -185,8 +185,7 @@ void flk_build_mechanism(parser *p)
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         if (design->link[i].mass > 0 || design->link[i].inertia > 0)
             p->d->has_forces = 1;
-    if (!p->lacks_values)
-        check_reach(p, kind);
+    check_reach(p, kind);
     if (p->mistakes->count)
         return;
     i = fourlink_prepare(design, &p->d->machine.mechanism);

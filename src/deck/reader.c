@@ -51,6 +51,11 @@ text flk_reader_blanks(parser *p, text t)
     return spell(p, t, flk_spelling_blanks);
 }
 
+size_t flk_reader_mistakes(const parser *p)
+{
+    return p->mistakes->count + p->mistakes->left_out;
+}
+
 text_place flk_reader_end(const parser *p)
 {
     text_place place;

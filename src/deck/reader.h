@@ -24,7 +24,6 @@ typedef struct setting {
     double si[2];     /* the value in SI units and radians, or the two components */
     int of_length;    /* 1: a point, as a part of the length of its link */
     int is_bare;      /* 1: a force without a direction */
-    int is_mistaken;  /* 1: its value cannot be read, so that no mistake follows from it */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -46,7 +45,7 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    int has_unknown;   /* 1: a key of it is unknown, so that none is reported as missing */
+    int is_mistaken;   /* 1: a mistake in it is noted, so that none is that follows from it */
     setting *settings; /* see flk_setting_of */
 } section_use;
 
@@ -82,7 +81,6 @@ typedef struct parser {
     size_t n_slots;
     int expectations_only;
     int has_unknown_section;
-    int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
     int not_text;      /* 1: the reading ended at a byte that is not text */
     quantity argument; /* of the curve that is being read */
     long last_line;
@@ -121,6 +119,12 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
 /* 0 and a mistake: there is no section of this name. */
 int flk_section_unknown(parser *p, text_place place, text name);
 
+/* 1 if the deck has such a section, and it is mistaken. */
+int flk_section_is_mistaken(parser *p, section_code section);
+
+/* How many mistakes there are so far. */
+size_t flk_reader_mistakes(const parser *p);
+
 /* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
 
@@ -157,7 +161,7 @@ int flk_line_is_text(parser *p, text line, text_place place);
 void flk_lines_read(parser *p, text rest, char *copy);
 
 /* Second pass: the units, which bare numbers need; the assignments of a design of the [sweep]; the values. */
-void flk_values_read_section(parser *p, const section_use *use);
+void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
 /* What a load over FLK_THETA2 ... is over. */
@@ -232,9 +236,6 @@ void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
-
-/* 1 if a key of the section has a mistake, from which no other should follow. */
-int flk_build_is_mistaken(parser *p, section_code section);
 
 /* How the crank's speed comes about: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);

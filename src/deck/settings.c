@@ -41,7 +41,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use->section = section;
     use->name = name;
     use->place = place;
-    use->has_unknown = 0;
+    use->is_mistaken = 0;
     use->settings = settings;
     return use;
 }
@@ -62,6 +62,13 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
         if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
             return &p->uses[i];
     return NULL;
+}
+
+int flk_section_is_mistaken(parser *p, section_code section)
+{
+    const section_use *use = flk_section_find(p, section, NULL);
+
+    return use && use->is_mistaken;
 }
 
 setting *flk_setting_of(const section_use *use, key_code key)
@@ -262,7 +269,7 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
         i++;
     t->use = (size_t)(use - p->uses);
     if (i == end && !TAKES_NAMES(use->section)) {
-        p->uses[t->use].has_unknown = 1;
+        p->uses[t->use].is_mistaken = 1;
         return refuse_key(p, place, use->section, key);
     }
     t->key = i < end ? i : KEY_COUNT;

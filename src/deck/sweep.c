@@ -411,6 +411,13 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
                     "30 mm step 2 mm'");
 }
 
+/* A quantity gets no value, so that its section is not checked further. */
+static void leave_out(parser *p, const variation *v)
+{
+    if (v->key)
+        p->uses[v->target.use].is_mistaken = 1;
+}
+
 /* Read one line of [sweep], whose quantities are varied together; returns the number of its values, 0 if it has
 ** mistakes. */
 static double read_line(parser *p, variation *list, const named_value *named, unsigned long design)
@@ -433,8 +440,10 @@ static double read_line(parser *p, variation *list, const named_value *named, un
             flk_mistake(p->mistakes, v->place, "[sweep] varies more than 1000 quantities");
             return 0;
         }
-        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
+        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v)) {
+            leave_out(p, v);
             return 0;
+        }
         sweep->n_variables++;
         count = v->count;
     }
@@ -519,8 +528,10 @@ static void assign(parser *p, variation *list, double samples, unsigned long des
         variable->name = v->name;
         variable->q = v->q;
         variable->value = 0;
-        if (!read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
+        if (!read_in(p, v, value, &p->d->units[v->q].unit, &variable->value)) {
+            leave_out(p, v);
             continue;
+        }
         find_neighbours(p, v, variable);
         flk_setting_assign(p, v->place, v->name, value);
     }
@@ -548,7 +559,7 @@ void flk_sweep_read(parser *p, unsigned long design)
 {
     section_use *use = flk_section_find(p, SECTION_SWEEP, NULL);
     deck_sweep *sweep = &p->d->sweep;
-    size_t before = p->mistakes->count, keys;
+    size_t before = p->mistakes->count, keys, i;
     int has_tolerance = 0;
     double designs, samples;
     const setting *s;
@@ -575,7 +586,9 @@ void flk_sweep_read(parser *p, unsigned long design)
     if (p->mistakes->count == before && !p->out_of_memory) {
         sweep->n_designs = (unsigned long)designs;
         assign(p, list, samples, design);
+    } else {
+        for (i = 0; i < sweep->n_variables; i++)
+            leave_out(p, &list[i]);
     }
-    p->lacks_values = p->mistakes->count > before;
     read_outputs(p);
 }

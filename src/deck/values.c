@@ -245,7 +245,7 @@ static int has_meaning(const section_use *use, key_code key)
     int over;
 
     if (key == KEY_SPRING_PRELOAD)
-        return !flk_setting_of(use, KEY_SPRING_STIFFNESS)->is_mistaken;
+        return !use->is_mistaken;
     if (use->section != SECTION_LOAD ||
         (form != FORM_VECTOR && form != FORM_CURVE && key != KEY_LOAD_AT_SPEED))
         return 1;
@@ -308,7 +308,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
     }
 }
 
-void flk_values_read_section(parser *p, const section_use *use)
+void flk_values_read_section(parser *p, section_use *use)
 {
     key_code k;
 
@@ -316,11 +316,11 @@ void flk_values_read_section(parser *p, const section_use *use)
         setting *s = flk_setting_of(use, k);
 
         if (IS_SET(s) && s->value.length) {
-            size_t before = p->mistakes->count + p->mistakes->left_out;
+            size_t before = flk_reader_mistakes(p);
 
             if (has_meaning(use, k))
                 read_value(p, use, k, s);
-            s->is_mistaken = p->mistakes->count + p->mistakes->left_out > before;
+            use->is_mistaken |= flk_reader_mistakes(p) > before;
         }
     }
 }
