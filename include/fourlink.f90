@@ -749,6 +749,16 @@ module fourlink
       integer(c_long), intent(inout) :: n_mistakes
     end function fourlink_results_open
 
+    integer(c_int) function fourlink_results_design(from, design, max_mistakes, results, mistakes, &
+        n_mistakes) bind(c)
+      import
+      type(c_ptr), value :: from
+      integer(c_long), value :: design, max_mistakes
+      type(c_ptr), intent(inout) :: results
+      type(fourlink_mistake), intent(inout) :: mistakes(*)
+      integer(c_long), intent(inout) :: n_mistakes
+    end function fourlink_results_design
+
     integer(c_int) function fourlink_source_design(source, max, values) bind(c)
       import
       type(fourlink_source), intent(in) :: source

@@ -1501,6 +1501,27 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
+/* Open another design of the [sweep] of a deck that is open.  Its text is not read again, which takes a fraction of the time.
+**
+** Given:
+**    from          results of the deck, or of a design; must stay until `results` is freed
+**    design        its number, from 0: below n_designs of fourlink_problem
+**    max_mistakes  size of `mistakes`
+** Returned:
+**    results       to be given to fourlink_results_free, as from fourlink_results_open with this design
+**    mistakes      as from fourlink_results_open
+**    n_mistakes    as from fourlink_results_open
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_BAD_NUMBER if there is no such design, FOURLINK_NULL,
+**    FOURLINK_NO_MEMORY
+** Notes:
+** 1) `from` is not changed: several threads can open designs of it at once.
+** 2) fourlink_results_notes gives only notes on what a design is built of, not those on the text.
+*/
+FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned long design,
+                                         unsigned long max_mistakes, fourlink_results **results,
+                                         fourlink_mistake *mistakes, unsigned long *n_mistakes);
+
 /* The values of what a sweep varies in a design, even if that design has mistakes.
 **
 ** Given:

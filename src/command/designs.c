@@ -2,7 +2,7 @@
 **
 ** designs.c - the designs of a deck's [sweep], one after the other.
 **
-** Every design is a deck of its own, read from the same text.  Its output depends on its number alone, so the
+** Every design is a deck of its own, built from the same settings.  Its output depends on its number alone, so the
 ** parts joined are the whole, and memory holds one design.
 */
 #include <stdlib.h>
@@ -31,15 +31,16 @@ static int write_design(sheet *s, const input *in, unsigned long i, double *vari
     unsigned long n, k;
     int status;
 
-    source.design = i;
-    status = fourlink_results_open(&source, 1, &results, &mistake, NULL);
+    status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
     if (status == FOURLINK_OK) {
         fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n);
         for (k = 0; k < n; k++)
             varied[k] = list[k].value;
-    } else if (status != FOURLINK_BAD_DECK ||
-               fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK) {
-        return 0;
+    } else {
+        source.design = i;
+        if (status != FOURLINK_BAD_DECK ||
+            fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK)
+            return 0;
     }
     sheet_write_design(s, results, in->results, i, varied, mistake.message);
     fourlink_results_free(results);

@@ -132,7 +132,17 @@ static void read_deck(parser *p, const fourlink_source *source)
     if (!p->out_of_memory)
         flk_values_read(p, 1);
     if (!p->out_of_memory && !p->not_text)
-        flk_sweep_read(p, source->design);
+        flk_sweep_read(p);
+    if (!p->out_of_memory)
+        flk_values_read(p, 0);
+    p->is_sound = !flk_reader_mistakes(p);
+}
+
+/* Build a design of the deck, from 0; of a deck without [sweep] the only one. */
+static void build_design(parser *p, unsigned long design)
+{
+    if (p->d->sweep.n_designs)
+        flk_sweep_assign(p, design);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     if (!p->out_of_memory && !p->not_text)
@@ -143,43 +153,117 @@ static void read_deck(parser *p, const fourlink_source *source)
 static void read_answers(parser *p, const fourlink_source *source)
 {
     p->expectations_only = 1;
-    p->d->n_expectations = 0;
     read_lines(p, source->answers, source->answers_length);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
+}
+
+static void build_answers(parser *p)
+{
+    p->d->n_expectations = 0;
     if (!p->out_of_memory)
         flk_build_expectations(p);
 }
 
-/* Read one text of a source; 1, or 0 if out of memory. */
-static int run(deck *d, const fourlink_source *source, const char *name,
-               void read(parser *, const fourlink_source *))
+/* A reader of a text of the deck, or one that has the settings of another; null if out of memory. */
+static parser *open_reader(deck *d, const parser *from)
 {
-    parser p;
+    parser *p = flk_deck_keep(d, sizeof *p);
 
-    memset(&p, 0, sizeof p);
-    p.d = d;
-    p.mistakes = &d->mistakes;
-    p.load = source->load;
-    p.host = source->host;
-    p.name = flk_reader_copy(&p, flk_text_of(name ? name : ""), "");
-    if (!p.out_of_memory)
-        read(&p, source);
-    flk_mistakes_sort(p.mistakes);
+    if (!p)
+        return NULL;
+    if (from)
+        *p = *from;
+    p->d = d;
+    p->mistakes = &d->mistakes;
+    p->is_design = from != NULL;
+    return p;
+}
+
+static parser *open_text(deck *d, const fourlink_source *source, const char *name)
+{
+    parser *p = open_reader(d, NULL);
+
+    if (!p)
+        return NULL;
+    p->load = source->load;
+    p->host = source->host;
+    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
+    return p;
+}
+
+void flk_reader_close(parser *p)
+{
+    if (!p || p->is_design)
+        return;
+    free(p->uses);
+    free(p->named);
+    free(p->named_slots);
+}
+
+/* What flk_deck_read returns; p is null if out of memory. */
+static int status_of(deck *d, const parser *p)
+{
+    flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
-    free(p.uses);
-    free(p.named);
-    free(p.named_slots);
-    return !p.out_of_memory && !d->mistakes.out_of_memory && !d->notes.out_of_memory;
+    if (!p || p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
+        return -1;
+    return d->mistakes.count == 0;
 }
 
 int flk_deck_read(const fourlink_source *source, deck *d)
 {
-    int all_read;
+    int status;
 
     flk_deck_start(d);
-    all_read = run(d, source, source->name, read_deck);
-    if (source->answers && all_read && !d->mistakes.count)
-        all_read = run(d, source, source->answers_name, read_answers);
-    return all_read ? d->mistakes.count == 0 : -1;
+    d->settings = open_text(d, source, source->name);
+    if (d->settings && !d->settings->out_of_memory) {
+        read_deck(d->settings, source);
+        build_design(d->settings, source->design);
+    }
+    status = status_of(d, d->settings);
+    if (!source->answers || status != 1)
+        return status;
+    d->answers = open_text(d, source, source->answers_name);
+    if (d->answers && !d->answers->out_of_memory) {
+        read_answers(d->answers, source);
+        build_answers(d->answers);
+    }
+    return status_of(d, d->answers);
+}
+
+/* The sections of a design, whose settings are those of its deck until one is set; 0 if out of memory. */
+static int share_sections(parser *p)
+{
+    const section_use *from = p->uses;
+    size_t i;
+
+    p->uses = flk_reader_keep(p, p->n_uses * sizeof *p->uses);
+    for (i = 0; i < p->n_uses && p->uses; i++) {
+        p->uses[i] = from[i];
+        p->uses[i].is_shared = 1;
+        p->uses[i].is_mistaken = 0; /* a mistake of another design */
+    }
+    return p->uses != NULL;
+}
+
+int flk_deck_design(const deck *from, unsigned long design, deck *d)
+{
+    int status;
+
+    memset(d, 0, sizeof *d);
+    if (!from->settings->is_sound)
+        return 0;
+    memcpy(d->units, from->units, sizeof d->units);
+    d->sweep = from->sweep;
+    d->settings = open_reader(d, from->settings);
+    if (d->settings && share_sections(d->settings))
+        build_design(d->settings, design);
+    status = status_of(d, d->settings);
+    if (!from->answers || status != 1)
+        return status;
+    d->answers = open_reader(d, from->answers);
+    if (d->answers)
+        build_answers(d->answers);
+    return status_of(d, d->answers);
 }

@@ -18,12 +18,14 @@ typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } ve
 /* What the deck sets a key to. */
 typedef struct setting {
     text_place place; /* see IS_SET */
-    text value;       /* empty: it has a mistake that is already noted */
-    double number;    /* as written */
-    unit unit;        /* its unit */
-    double si[2];     /* the value in SI units and radians, or the two components */
-    int of_length;    /* 1: a point, as a part of the length of its link */
-    int is_bare;      /* 1: a force without a direction */
+    text value;
+    double number;  /* as written */
+    unit unit;      /* its unit */
+    double si[2];   /* the value in SI units and radians, or the two components */
+    int of_length;  /* 1: a point, as a part of the length of its link */
+    int is_bare;    /* 1: a force without a direction */
+    int is_read;    /* 1: what follows from `value` is read from it */
+    int is_pending; /* 1: a design of the [sweep] sets it, and none has */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -46,6 +48,8 @@ typedef struct section_use {
     text name;
     text_place place;
     int is_mistaken;   /* 1: a mistake in it is noted, so that none is that follows from it */
+    int is_read;       /* 1: all its settings are */
+    int is_shared;     /* 1: its settings are those of the deck of which this is a design */
     setting *settings; /* see flk_setting_of */
 } section_use;
 
@@ -65,8 +69,11 @@ typedef struct target {
     text name;
 } target;
 
+struct variation;
+
+/* What a text says: the settings of a deck, kept as long as it is, or of its answers. */
 typedef struct parser {
-    deck *d;
+    deck *d;                /* that is being read, or built */
     mistakes *mistakes;     /* the deck's */
     char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
     const char *name;
@@ -79,6 +86,10 @@ typedef struct parser {
     size_t n_named, named_capacity;
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
+    struct variation *variations; /* of [sweep], in the order of its variables */
+    double samples;
+    int is_sound;  /* 1: no mistake is noted before a design is set */
+    int is_design; /* 1: the lists are those of the deck of which this is a design */
     int expectations_only;
     int has_unknown_section;
     int not_text;      /* 1: the reading ended at a byte that is not text */
@@ -89,6 +100,9 @@ typedef struct parser {
     int line_end;
     int out_of_memory;
 } parser;
+
+/* Free its lists; null is allowed. */
+void flk_reader_close(parser *p);
 
 /* Memory set to 0 that lasts as long as the deck; null if there is none. */
 void *flk_reader_keep(parser *p, size_t size);
@@ -147,7 +161,8 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
 ** section that the deck does not have. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set it from outside its section: by --set, or for a design of a sweep. */
+/* Set it from outside its section: for a design of a sweep; by --set. */
+void flk_setting_set(parser *p, text_place place, const target *t, text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
@@ -160,13 +175,16 @@ int flk_line_is_text(parser *p, text line, text_place place);
 /* First pass: the lines of the deck, all within `copy`. */
 void flk_lines_read(parser *p, text rest, char *copy);
 
-/* Second pass: the units, which bare numbers need; the assignments of a design of the [sweep]; the values. */
+/* Second pass: the units, which bare numbers need; the values that are not read. */
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
 /* What a load over FLK_THETA2 ... is over. */
 quantity flk_values_quantity_over(int over);
-void flk_sweep_read(parser *p, unsigned long design);
+
+/* The quantities of [sweep]; the values of one of its designs. */
+void flk_sweep_read(parser *p);
+void flk_sweep_assign(parser *p, unsigned long design);
 
 /* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */
 quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key);

@@ -25,11 +25,15 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t
     return bigger;
 }
 
+static size_t n_keys(section_code section)
+{
+    return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
+}
+
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
-    size_t n = (size_t)(flk_first_key(section + 1) - flk_first_key(section));
     section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses), *use;
-    setting *settings = flk_reader_keep(p, n * sizeof *settings);
+    setting *settings = flk_reader_keep(p, n_keys(section) * sizeof *settings);
 
     if (uses)
         p->uses = uses;
@@ -38,10 +42,10 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use = &uses[p->n_uses++];
     if (!p->first_use[section])
         p->first_use[section] = p->n_uses;
+    memset(use, 0, sizeof *use);
     use->section = section;
     use->name = name;
     use->place = place;
-    use->is_mistaken = 0;
     use->settings = settings;
     return use;
 }
@@ -286,16 +290,42 @@ static int set(text_place place, setting *s, text value)
     return 1;
 }
 
+/* Forget what has been read from its value. */
+static void forget(setting *s)
+{
+    setting old = *s;
+
+    set(old.place, s, old.value);
+    s->parts = old.parts;
+}
+
+/* Copy the settings of a section before one of them changes; 0 if out of memory. */
+static int unshare(parser *p, section_use *use)
+{
+    size_t size = n_keys(use->section) * sizeof *use->settings;
+    setting *copy = use->is_shared ? flk_reader_keep(p, size) : use->settings;
+
+    if (!copy)
+        return 0;
+    if (use->is_shared)
+        memcpy(copy, use->settings, size);
+    use->settings = copy;
+    use->is_shared = 0;
+    return 1;
+}
+
 /* x and y, or size and angle */
 static int set_part(parser *p, text_place place, const target *t, setting *s, text value)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
+    setting *parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
 
-    if (!s->parts) {
-        s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
-        if (!s->parts)
-            return 0;
-    }
+    if (!parts)
+        return 0;
+    if (s->parts) /* may be those of the deck of which this is a design */
+        memcpy(parts, s->parts, PART_NONE * sizeof *parts);
+    s->parts = parts;
+    forget(s);
     if (s->parts[other].place.source || s->parts[other + 1].place.source)
         return flk_mistake(p->mistakes, place,
                            "'%t' and another part of it: set x and y, or size and angle", t->name);
@@ -305,11 +335,15 @@ static int set_part(parser *p, text_place place, const target *t, setting *s, te
 /* key = value; the key's own text is in `t->name`. */
 static int set_target(parser *p, text_place place, const target *t, text value, int replace)
 {
+    section_use *use = &p->uses[t->use];
     setting *s;
 
     if (t->key == KEY_COUNT)
         return set_named(p, place, t, value, replace);
-    s = flk_setting_of(&p->uses[t->use], t->key);
+    if (!unshare(p, use))
+        return 0;
+    use->is_read = 0;
+    s = flk_setting_of(use, t->key);
     if (IS_SET(s) && !replace)
         return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
                            s->place.line);
@@ -408,6 +442,11 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
         return 0;
     t->part = part;
     return part == PART_NONE || has_parts(p, place, t, key);
+}
+
+void flk_setting_set(parser *p, text_place place, const target *t, text value)
+{
+    set_target(p, place, t, value, 1);
 }
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)

@@ -312,12 +312,14 @@ void flk_values_read_section(parser *p, section_use *use)
 {
     key_code k;
 
+    use->is_read = 1;
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
         setting *s = flk_setting_of(use, k);
 
-        if (IS_SET(s) && s->value.length) {
+        if (IS_SET(s) && !s->is_read && !s->is_pending) {
             size_t before = flk_reader_mistakes(p);
 
+            s->is_read = 1;
             if (has_meaning(use, k))
                 read_value(p, use, k, s);
             use->is_mistaken |= flk_reader_mistakes(p) > before;
@@ -330,7 +332,7 @@ void flk_values_read(parser *p, int units_only)
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section != SECTION_SWEEP &&
+        if (!p->uses[i].is_read && p->uses[i].section != SECTION_SWEEP &&
             (p->uses[i].section == SECTION_UNITS) == units_only)
             flk_values_read_section(p, &p->uses[i]);
 }

@@ -102,7 +102,7 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
 
     source.design = i;
     p->n_lines += (unsigned long)p->n_branches;
-    status = fourlink_results_open(&source, 1, &r, &mistake, NULL);
+    status = fourlink_results_design(p->results, i, 1, &r, &mistake, NULL);
     if (fourlink_source_design(&source, d->n_variables, variables) != FOURLINK_OK)
         status = FOURLINK_NO_MEMORY;
     if (status == FOURLINK_OK) {
