@@ -739,6 +739,14 @@ module fourlink
       type(fourlink_load_info), intent(inout) :: info
     end function fourlink_deck_load
 
+    integer(c_int) function fourlink_deck_write(deck, out, size, length) bind(c)
+      import
+      type(c_ptr), value :: deck
+      character(c_char), intent(inout) :: out(*)
+      integer(c_long), value :: size
+      integer(c_long), intent(inout) :: length
+    end function fourlink_deck_write
+
     integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &
         n_mistakes) bind(c)
       import

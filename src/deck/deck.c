@@ -8,8 +8,8 @@
 
 #include <gsl/gsl_math.h>
 
+#include "deck.h"
 #include "mechanics/kind.h"
-#include "reader.h"
 
 void flk_deck_start(deck *d)
 {
@@ -47,8 +47,6 @@ void flk_deck_free(deck *d)
     flk_mistakes_free(&d->mistakes);
     flk_mistakes_free(&d->notes);
     free(d->expectations);
-    flk_reader_close(d->settings);
-    flk_reader_close(d->answers);
     for (k = d->storage; k; k = next) {
         next = k->next;
         free(k);

@@ -36,6 +36,7 @@ static section_use *read_section(parser *p, text line, text_place place)
 {
     text word = flk_text_from(line, 1), name;
     section_code section;
+    section_use *use;
 
     if (line.start[line.length - 1] != ']') {
         flk_mistake(p->mistakes, place, "expected ']' at the end of the section's name");
@@ -48,7 +49,10 @@ static section_use *read_section(parser *p, text line, text_place place)
     if (section == SECTION_COUNT ? !flk_section_unknown(p, place, word)
                                  : !check_section(p, place, section, name))
         return NULL;
-    return flk_section_open(p, section, name, place);
+    use = flk_section_open(p, section, name, place);
+    if (use)
+        use->start = line.start;
+    return use;
 }
 
 text flk_line_without_comment(text line)
@@ -154,6 +158,8 @@ void flk_lines_read(parser *p, text rest, char *copy)
     place.line = 1;
     use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
     rest = flk_text_without_mark(rest);
+    if (use)
+        use->start = rest.start;
     p->line_end = flk_text_line_end(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;

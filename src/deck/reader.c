@@ -6,7 +6,6 @@
 ** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
 ** does not end the reading, so that one run reports all of them.
 */
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -116,9 +115,10 @@ static void read_lines(parser *p, const char *start, unsigned long length)
 
     contents.start = start;
     contents.length = length;
-    copy = flk_reader_copy(p, contents, "");
-    contents.start = copy;
-    if (copy)
+    p->text.start = flk_reader_copy(p, contents, "");
+    p->text.length = length;
+    p->copy = contents.start = copy = flk_reader_copy(p, contents, "");
+    if (p->text.start && copy)
         flk_lines_read(p, contents, copy);
 }
 
@@ -176,7 +176,6 @@ static parser *open_reader(deck *d, const parser *from)
         *p = *from;
     p->d = d;
     p->mistakes = &d->mistakes;
-    p->is_design = from != NULL;
     return p;
 }
 
@@ -190,15 +189,6 @@ static parser *open_text(deck *d, const fourlink_source *source, const char *nam
     p->host = source->host;
     p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
     return p;
-}
-
-void flk_reader_close(parser *p)
-{
-    if (!p || p->is_design)
-        return;
-    free(p->uses);
-    free(p->named);
-    free(p->named_slots);
 }
 
 /* What flk_deck_read returns; p is null if out of memory. */

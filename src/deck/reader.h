@@ -15,10 +15,15 @@ struct flk_kind;
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
+/* Who gives a key or a name its value. */
+typedef enum value_giver { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_giver;
+
 /* What the deck sets a key to. */
 typedef struct setting {
     text_place place; /* see IS_SET */
-    text value;
+    text own;         /* its value in the deck's text; null: it is not there */
+    text value;       /* the value that counts */
+    value_giver giver;
     double number;  /* as written */
     unit unit;      /* its unit */
     double si[2];   /* the value in SI units and radians, or the two components */
@@ -47,6 +52,7 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
+    const char *start; /* of its header in the text; null: it is not there */
     int is_mistaken;   /* 1: a mistake in it is noted, so that none is that follows from it */
     int is_read;       /* 1: all its settings are */
     int is_shared;     /* 1: its settings are those of the deck of which this is a design */
@@ -58,7 +64,8 @@ typedef struct named_value {
     size_t use; /* number of its section */
     text name;
     text_place place;
-    text value;
+    text own, value; /* as of a setting */
+    value_giver giver;
 } named_value;
 
 /* What a key of a section means: a key of the schema, a part of its vector, or a name. */
@@ -77,6 +84,8 @@ typedef struct parser {
     mistakes *mistakes;     /* the deck's */
     char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
     const char *name;
+    text text;        /* all of it, for fourlink_deck_write */
+    const char *copy; /* of it, with blanks where a value goes on in the next line */
     fourlink_loader *load;
     void *host; /* for the loader */
     section_use *uses;
@@ -86,10 +95,10 @@ typedef struct parser {
     size_t n_named, named_capacity;
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
+    int has_changed_names;        /* 1: one of them is not given by the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
     double samples;
-    int is_sound;  /* 1: no mistake is noted before a design is set */
-    int is_design; /* 1: the lists are those of the deck of which this is a design */
+    int is_sound; /* 1: no mistake is noted before a design is set */
     int expectations_only;
     int has_unknown_section;
     int not_text;      /* 1: the reading ended at a byte that is not text */
@@ -100,9 +109,6 @@ typedef struct parser {
     int line_end;
     int out_of_memory;
 } parser;
-
-/* Free its lists; null is allowed. */
-void flk_reader_close(parser *p);
 
 /* Memory set to 0 that lasts as long as the deck; null if there is none. */
 void *flk_reader_keep(parser *p, size_t size);
@@ -161,8 +167,8 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
 ** section that the deck does not have. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set it from outside its section: for a design of a sweep; by --set. */
-void flk_setting_set(parser *p, text_place place, const target *t, text value);
+/* Set it from outside its section: a design of a sweep does; a change of the source. */
+void flk_setting_vary(parser *p, text_place place, const target *t, text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
@@ -187,7 +193,7 @@ void flk_sweep_read(parser *p);
 void flk_sweep_assign(parser *p, unsigned long design);
 
 /* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */
-quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key);
+quantity flk_quantity_of_key(const section_use *use, key_code key);
 
 /* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
 int flk_spring_is_torsional(const section_use *use);

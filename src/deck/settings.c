@@ -3,25 +3,24 @@
 ** settings.c - the sections of a deck and the settings of their keys: in the deck, by --set, for a design of
 ** a sweep.
 */
-#include <stdlib.h>
 #include <string.h>
 
 #include "reader.h"
 
-static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t size)
+/* Room for one more in a list of n; null if out of memory. */
+static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
 {
-    size_t more = *capacity ? *capacity : 64;
+    size_t more = *capacity ? 2 * *capacity : 64;
     void *bigger;
 
-    while (more < wanted)
-        more *= 2;
-    if (more == *capacity)
+    if (n < *capacity)
         return list;
-    bigger = realloc(list, more * size);
+    bigger = flk_reader_keep(p, more * size);
     if (!bigger)
-        p->out_of_memory = 1;
-    else
-        *capacity = more;
+        return NULL;
+    if (n)
+        memcpy(bigger, list, n * size);
+    *capacity = more;
     return bigger;
 }
 
@@ -32,7 +31,7 @@ static size_t n_keys(section_code section)
 
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
-    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses), *use;
+    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
     setting *settings = flk_reader_keep(p, n_keys(section) * sizeof *settings);
 
     if (uses)
@@ -221,7 +220,7 @@ static size_t *find_slot(parser *p, size_t use, text name)
 /* Make room for one more name; at least half of the slots stay free. */
 static int grow_named(parser *p)
 {
-    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *p->named);
+    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
     size_t i;
 
     if (!list)
@@ -229,20 +228,17 @@ static int grow_named(parser *p)
     p->named = list;
     if (p->n_slots == 2 * p->named_capacity)
         return 1;
-    free(p->named_slots);
     p->n_slots = 2 * p->named_capacity;
-    p->named_slots = calloc(p->n_slots, sizeof *p->named_slots);
-    if (!p->named_slots) {
-        p->out_of_memory = 1;
+    p->named_slots = flk_reader_keep(p, p->n_slots * sizeof *p->named_slots);
+    if (!p->named_slots)
         return 0;
-    }
     for (i = 0; i < p->n_named; i++)
         *find_slot(p, p->named[i].use, p->named[i].name) = i + 1;
     return 1;
 }
 
 /* Set a name in a section that takes names. */
-static int set_named(parser *p, text_place place, const target *t, text value, int replace)
+static int set_named(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
     size_t *slot;
     named_value *named;
@@ -252,15 +248,21 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
     if (!grow_named(p))
         return 0;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && !replace)
+    if (*slot && giver == GIVEN_BY_TEXT)
         return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
-    if (!*slot)
+    if (!*slot) {
         *slot = ++p->n_named;
+        memset(&p->named[p->n_named - 1], 0, sizeof *p->named);
+    }
     named = &p->named[*slot - 1];
     named->use = t->use;
     named->name = t->name;
     named->place = place;
     named->value = value;
+    named->giver = giver;
+    p->has_changed_names |= giver != GIVEN_BY_TEXT;
+    if (giver == GIVEN_BY_TEXT)
+        named->own = value;
     return 1;
 }
 
@@ -282,21 +284,16 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static int set(text_place place, setting *s, text value)
+static int set(text_place place, setting *s, text value, value_giver giver)
 {
+    text own = giver == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
+
     memset(s, 0, sizeof *s);
     s->place = place;
+    s->own = own;
     s->value = value;
+    s->giver = giver;
     return 1;
-}
-
-/* Forget what has been read from its value. */
-static void forget(setting *s)
-{
-    setting old = *s;
-
-    set(old.place, s, old.value);
-    s->parts = old.parts;
 }
 
 /* Copy the settings of a section before one of them changes; 0 if out of memory. */
@@ -315,7 +312,8 @@ static int unshare(parser *p, section_use *use)
 }
 
 /* x and y, or size and angle */
-static int set_part(parser *p, text_place place, const target *t, setting *s, text value)
+static int set_part(parser *p, text_place place, const target *t, setting *s, text value,
+                    value_giver giver)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
     setting *parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
@@ -324,32 +322,33 @@ static int set_part(parser *p, text_place place, const target *t, setting *s, te
         return 0;
     if (s->parts) /* may be those of the deck of which this is a design */
         memcpy(parts, s->parts, PART_NONE * sizeof *parts);
+    set(s->place, s, s->value, s->giver); /* what has been read from it is forgotten */
     s->parts = parts;
-    forget(s);
-    if (s->parts[other].place.source || s->parts[other + 1].place.source)
+    if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1]))
         return flk_mistake(p->mistakes, place,
                            "'%t' and another part of it: set x and y, or size and angle", t->name);
-    return set(place, &s->parts[t->part], value);
+    return set(place, &parts[t->part], value, giver);
 }
 
 /* key = value; the key's own text is in `t->name`. */
-static int set_target(parser *p, text_place place, const target *t, text value, int replace)
+static int set_target(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
     section_use *use = &p->uses[t->use];
     setting *s;
 
     if (t->key == KEY_COUNT)
-        return set_named(p, place, t, value, replace);
+        return set_named(p, place, t, value, giver);
     if (!unshare(p, use))
         return 0;
     use->is_read = 0;
     s = flk_setting_of(use, t->key);
-    if (IS_SET(s) && !replace)
+    if (IS_SET(s) && giver == GIVEN_BY_TEXT)
         return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
                            s->place.line);
     if (!value.length)
         return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
-    return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
+    return t->part == PART_NONE ? set(place, s, value, giver)
+                                : set_part(p, place, t, s, value, giver);
 }
 
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)
@@ -357,7 +356,7 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
     target t;
 
     if (find_key(p, place, use, key, &t))
-        set_target(p, place, &t, value, 0);
+        set_target(p, place, &t, value, GIVEN_BY_TEXT);
 }
 
 /* Remove the part of SECTION.KEY.PART and return it. */
@@ -415,7 +414,7 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
         form == FORM_POINT || form == FORM_VECTOR ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
 
     if (s && form == FORM_POINT && !IS_SET(s))
-        set(place, s, flk_text_of("(0, 0)"));
+        set(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
     if (s && IS_SET(s))
         return 1;
     return flk_mistake(p->mistakes, place,
@@ -444,9 +443,9 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
     return part == PART_NONE || has_parts(p, place, t, key);
 }
 
-void flk_setting_set(parser *p, text_place place, const target *t, text value)
+void flk_setting_vary(parser *p, text_place place, const target *t, text value)
 {
-    set_target(p, place, t, value, 1);
+    set_target(p, place, t, value, GIVEN_BY_DESIGN);
 }
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)
@@ -463,5 +462,5 @@ void flk_setting_assign(parser *p, text_place place, text key, text value)
     } else if (!flk_setting_target(p, place, key, &t)) {
         return;
     }
-    set_target(p, place, &t, value, 1);
+    set_target(p, place, &t, value, GIVEN_BY_CHANGE);
 }

@@ -350,7 +350,7 @@ static int find_quantity(parser *p, variation *v)
     v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE
            : v->target.key == KEY_COUNT
                ? key->q
-               : flk_quantity_of_key(p, &p->uses[v->target.use], v->target.key);
+               : flk_quantity_of_key(&p->uses[v->target.use], v->target.key);
     if (v->target.key != KEY_COUNT) { /* report nothing else about it until it has a value */
         s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         s->is_pending = 1;
@@ -515,7 +515,10 @@ void flk_sweep_assign(parser *p, unsigned long design)
     generator g;
 
     sweep->variables = flk_reader_keep(p, n * sizeof *sweep->variables);
-    if (!sweep->variables || !start_generator(&g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design)) {
+    if (!sweep->variables)
+        return;
+    if (IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)) && /* there are tolerances */
+        !start_generator(&g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design)) {
         p->out_of_memory = 1;
         return;
     }
@@ -529,7 +532,7 @@ void flk_sweep_assign(parser *p, unsigned long design)
         variable->name = v->name;
         variable->q = v->q;
         if (read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
-            flk_setting_set(p, v->place, &v->target, value);
+            flk_setting_vary(p, v->place, &v->target, value);
         else
             leave_out(p, v);
     }

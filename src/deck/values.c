@@ -209,9 +209,8 @@ static quantity argument_of(const section_use *use)
     return flk_values_quantity_over(over);
 }
 
-quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
+quantity flk_quantity_of_key(const section_use *use, key_code key)
 {
-    (void)p;
     if (key == KEY_LOAD_AT_SPEED)
         return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
     if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
@@ -280,7 +279,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         if (s->word)
             break;
         if ((key->form != FORM_EITHER || has_unit(p, code, s)) &&
-            flk_values_piece(p, s, s->value, flk_quantity_of_key(p, use, code), &s->si[0]))
+            flk_values_piece(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
             check_sign(p, key, s);
         break;
     case FORM_COUNT:
@@ -300,7 +299,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         flk_vector_read_pin(p, s, key->q);
         break;
     case FORM_CURVE:
-        flk_curve_text_read(p, s, flk_quantity_of_key(p, use, code));
+        flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
         break;
     case FORM_NAMES:
     default:

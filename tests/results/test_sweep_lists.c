@@ -125,6 +125,25 @@ static void check_same(fourlink_results *x, fourlink_results *y)
     }
 }
 
+/* The deck that is written of a design has the same inputs, and no variables. */
+static void check_written(fourlink_results *r)
+{
+    const fourlink_value *a, *b;
+    unsigned long n, m, length, i;
+    fourlink_results *again;
+    char text[4000];
+
+    fourlink_deck_write(fourlink_results_deck(r), text, sizeof text, &length);
+    again = opened(text);
+    assert_int_equal(problem_of(again).n_designs, 0);
+    fourlink_results_list(r, FOURLINK_INPUTS, &a, &n);
+    fourlink_results_list(again, FOURLINK_INPUTS, &b, &m);
+    assert_int_equal(n, m);
+    for (i = 0; i < n; i++)
+        assert_true(is_same(&a[i], &b[i]));
+    fourlink_results_free(again);
+}
+
 /* A design that is built from the settings of another is as if it were read from the text. */
 TEST(test_designs_of_settings)
 {
@@ -160,6 +179,7 @@ TEST(test_designs_of_settings)
             assert_int_equal(fourlink_results_design(built, design, 0, &again, NULL, NULL),
                              FOURLINK_OK);
             check_same(again, read);
+            check_written(built);
             fourlink_results_free(again);
             fourlink_results_free(read);
             fourlink_results_free(built);
