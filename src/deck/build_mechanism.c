@@ -60,11 +60,7 @@ int flk_build_kind(parser *p)
 /* A length in the unit in which another is written, and that unit's text. */
 static double in_unit_of(parser *p, const setting *s, double length, text *written)
 {
-    double number;
-
-    *written = s->value;
-    flk_number_read(written, &number);
-    *written = flk_text_trim(*written);
+    *written = flk_quantity_unit_text(s->value);
     if (!written->length)
         *written = flk_text_of(p->d->units[QUANTITY_LENGTH].name);
     return flk_unit_from_si(length, s->unit);

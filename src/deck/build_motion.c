@@ -70,13 +70,9 @@ static void build_run_up(parser *p, const setting *run_up)
 static void check_speed(parser *p)
 {
     const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
-    text after = speed->value;
-    double number;
-
     if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
         return;
-    flk_number_read(&after, &number);
-    if (!flk_text_trim(after).length)
+    if (!flk_quantity_unit_text(speed->value).length)
         flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
                     speed->value, speed->value, speed->value);
 }
@@ -369,6 +365,8 @@ void flk_build_expectations(parser *p)
     deck_expectation *list;
     size_t i;
 
+    if (p->is_answers)
+        d->n_expectations = 0;
     if (!p->n_named)
         return;
     list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
@@ -403,6 +401,6 @@ void flk_build_expectations(parser *p)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
     }
-    if (p->expectations_only)
+    if (p->is_answers)
         keep_one_branch(d);
 }

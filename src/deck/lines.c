@@ -18,7 +18,7 @@ static int check_section(parser *p, text_place place, section_code section, text
 
     if (p->n_uses >= MOST_SECTIONS)
         return flk_mistake(p->mistakes, place, "too many sections");
-    if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT)
+    if (p->is_answers && section != SECTION_EXPECT && section != SECTION_MISPRINT)
         return flk_mistake(p->mistakes, place,
                            "expected [expect] or [misprint] in this file, not [%s]", info->name);
     if (name.length && !info->repeats)

@@ -107,27 +107,31 @@ static void build(parser *p)
     flk_build_expectations(p);
 }
 
-/* Read the lines of a copy of the text. */
-static void read_lines(parser *p, const char *start, unsigned long length)
+/* What a text of the source says; null if out of memory. */
+static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
 {
+    const char *name = is_answers ? source->answers_name : source->name;
+    parser *p = flk_deck_keep(d, sizeof *p);
+    unsigned long i;
     text contents;
     char *copy;
 
-    contents.start = start;
-    contents.length = length;
+    if (!p)
+        return NULL;
+    p->d = d;
+    p->mistakes = &d->mistakes;
+    p->load = source->load;
+    p->host = source->host;
+    p->is_answers = is_answers;
+    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
+    contents.start = is_answers ? source->answers : source->text;
+    contents.length = is_answers ? source->answers_length : source->length;
+    p->text = contents;
     p->text.start = flk_reader_copy(p, contents, "");
-    p->text.length = length;
     p->copy = contents.start = copy = flk_reader_copy(p, contents, "");
-    if (p->text.start && copy)
+    if (!p->out_of_memory)
         flk_lines_read(p, contents, copy);
-}
-
-static void read_deck(parser *p, const fourlink_source *source)
-{
-    unsigned long i;
-
-    read_lines(p, source->text, source->length);
-    for (i = 0; i < source->n_changes && !p->out_of_memory; i++)
+    for (i = 0; i < source->n_changes && !is_answers && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
         flk_values_read(p, 1);
@@ -136,64 +140,20 @@ static void read_deck(parser *p, const fourlink_source *source)
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     p->is_sound = !flk_reader_mistakes(p);
+    return p;
 }
 
-/* Build a design of the deck, from 0; of a deck without [sweep] the only one. */
-static void build_design(parser *p, unsigned long design)
+/* Build what a text says, of a deck with [sweep] one of its designs; returns what flk_deck_read does. */
+static int build_from(deck *d, parser *p, unsigned long design)
 {
-    if (p->d->sweep.n_designs)
+    if (p && !p->out_of_memory && d->sweep.n_designs && !p->is_answers)
         flk_sweep_assign(p, design);
-    if (!p->out_of_memory)
+    if (p && !p->out_of_memory)
         flk_values_read(p, 0);
-    if (!p->out_of_memory && !p->not_text)
-        build(p);
-}
-
-/* Read the [expect] and [misprint] sections of another text, instead of the deck's. */
-static void read_answers(parser *p, const fourlink_source *source)
-{
-    p->expectations_only = 1;
-    read_lines(p, source->answers, source->answers_length);
-    if (!p->out_of_memory)
-        flk_values_read(p, 0);
-}
-
-static void build_answers(parser *p)
-{
-    p->d->n_expectations = 0;
-    if (!p->out_of_memory)
+    if (p && !p->out_of_memory && p->is_answers)
         flk_build_expectations(p);
-}
-
-/* A reader of a text of the deck, or one that has the settings of another; null if out of memory. */
-static parser *open_reader(deck *d, const parser *from)
-{
-    parser *p = flk_deck_keep(d, sizeof *p);
-
-    if (!p)
-        return NULL;
-    if (from)
-        *p = *from;
-    p->d = d;
-    p->mistakes = &d->mistakes;
-    return p;
-}
-
-static parser *open_text(deck *d, const fourlink_source *source, const char *name)
-{
-    parser *p = open_reader(d, NULL);
-
-    if (!p)
-        return NULL;
-    p->load = source->load;
-    p->host = source->host;
-    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
-    return p;
-}
-
-/* What flk_deck_read returns; p is null if out of memory. */
-static int status_of(deck *d, const parser *p)
-{
+    else if (p && !p->out_of_memory && !p->not_text)
+        build(p);
     flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
     if (!p || p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
@@ -206,35 +166,33 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     int status;
 
     flk_deck_start(d);
-    d->settings = open_text(d, source, source->name);
-    if (d->settings && !d->settings->out_of_memory) {
-        read_deck(d->settings, source);
-        build_design(d->settings, source->design);
-    }
-    status = status_of(d, d->settings);
+    d->settings = read_text(d, source, 0);
+    status = build_from(d, d->settings, source->design);
     if (!source->answers || status != 1)
         return status;
-    d->answers = open_text(d, source, source->answers_name);
-    if (d->answers && !d->answers->out_of_memory) {
-        read_answers(d->answers, source);
-        build_answers(d->answers);
-    }
-    return status_of(d, d->answers);
+    d->answers = read_text(d, source, 1);
+    return build_from(d, d->answers, 0);
 }
 
-/* The sections of a design, whose settings are those of its deck until one is set; 0 if out of memory. */
-static int share_sections(parser *p)
+/* What a text of another deck says, whose settings are shared until one of their section is set; null if out of memory. */
+static parser *share(deck *d, const parser *from)
 {
-    const section_use *from = p->uses;
+    parser *p = flk_deck_keep(d, sizeof *p);
+    section_use *uses = flk_deck_keep(d, from->n_uses * sizeof *uses);
     size_t i;
 
-    p->uses = flk_reader_keep(p, p->n_uses * sizeof *p->uses);
-    for (i = 0; i < p->n_uses && p->uses; i++) {
-        p->uses[i] = from[i];
-        p->uses[i].is_shared = 1;
-        p->uses[i].is_mistaken = 0; /* a mistake of another design */
+    if (!p || !uses)
+        return NULL;
+    *p = *from;
+    p->d = d;
+    p->mistakes = &d->mistakes;
+    p->uses = uses;
+    for (i = 0; i < p->n_uses; i++) {
+        uses[i] = from->uses[i];
+        uses[i].is_shared = 1;
+        uses[i].is_mistaken = 0; /* a mistake of that deck's design */
     }
-    return p->uses != NULL;
+    return p;
 }
 
 int flk_deck_design(const deck *from, unsigned long design, deck *d)
@@ -246,14 +204,10 @@ int flk_deck_design(const deck *from, unsigned long design, deck *d)
         return 0;
     memcpy(d->units, from->units, sizeof d->units);
     d->sweep = from->sweep;
-    d->settings = open_reader(d, from->settings);
-    if (d->settings && share_sections(d->settings))
-        build_design(d->settings, design);
-    status = status_of(d, d->settings);
+    d->settings = share(d, from->settings);
+    status = build_from(d, d->settings, design);
     if (!from->answers || status != 1)
         return status;
-    d->answers = open_reader(d, from->answers);
-    if (d->answers)
-        build_answers(d->answers);
-    return status_of(d, d->answers);
+    d->answers = share(d, from->answers);
+    return build_from(d, d->answers, 0);
 }

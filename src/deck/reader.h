@@ -98,8 +98,8 @@ typedef struct parser {
     int has_changed_names;        /* 1: one of them is not given by the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
     double samples;
-    int is_sound; /* 1: no mistake is noted before a design is set */
-    int expectations_only;
+    int is_sound;   /* 1: no mistake is noted before a design is set */
+    int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
     int has_unknown_section;
     int not_text;      /* 1: the reading ended at a byte that is not text */
     quantity argument; /* of the curve that is being read */

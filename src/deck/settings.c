@@ -24,15 +24,10 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size
     return bigger;
 }
 
-static size_t n_keys(section_code section)
-{
-    return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
-}
-
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
 {
     section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
-    setting *settings = flk_reader_keep(p, n_keys(section) * sizeof *settings);
+    setting *settings = flk_reader_keep(p, flk_section_keys(section) * sizeof *settings);
 
     if (uses)
         p->uses = uses;
@@ -299,7 +294,7 @@ static int set(text_place place, setting *s, text value, value_giver giver)
 /* Copy the settings of a section before one of them changes; 0 if out of memory. */
 static int unshare(parser *p, section_use *use)
 {
-    size_t size = n_keys(use->section) * sizeof *use->settings;
+    size_t size = flk_section_keys(use->section) * sizeof *use->settings;
     setting *copy = use->is_shared ? flk_reader_keep(p, size) : use->settings;
 
     if (!copy)

@@ -104,11 +104,7 @@ static int read_in(parser *p, const variation *v, text t, const unit *u, double 
 ** 300 rpm. */
 static int units_agree(parser *p, const variation *v, text x, text y)
 {
-    double number;
-
-    flk_number_read(&x, &number);
-    flk_number_read(&y, &number);
-    if ((flk_text_trim(x).length > 0) == (flk_text_trim(y).length > 0))
+    if ((flk_quantity_unit_text(x).length > 0) == (flk_quantity_unit_text(y).length > 0))
         return 1;
     return flk_mistake(p->mistakes, v->place,
                        "either all values of a quantity have a unit or none has");

@@ -161,13 +161,9 @@ static text spelled(parser *p, key_code code, text value)
 /* The unit of a quantity's text; 0 if it has none. */
 static int unit_of(text t, unit *u)
 {
-    double number;
     text bad;
 
-    t = flk_text_trim(t);
-    if (flk_number_read(&t, &number) != NUMBER_OK)
-        return 0;
-    t = flk_text_trim(t);
+    t = flk_quantity_unit_text(t);
     return t.length && flk_unit_read(t, u, &bad);
 }
 
@@ -225,11 +221,7 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
 /* Stiffness and damping need a unit, which says what sort of spring it is. */
 static int has_unit(parser *p, key_code key, const setting *s)
 {
-    double number;
-    text t = s->value;
-
-    if (key == KEY_SPRING_PRELOAD || flk_number_read(&t, &number) != NUMBER_OK ||
-        flk_text_trim(t).length)
+    if (key == KEY_SPRING_PRELOAD || flk_quantity_unit_text(s->value).length)
         return 1;
     return flk_mistake(p->mistakes, s->place, "the %s of a spring needs a unit: %s",
                        flk_key_table[key].name,

@@ -14,7 +14,8 @@ typedef struct writer {
     const parser *p;
     char *out;
     size_t size, length;
-    int last;       /* the last character; 0 at the beginning */
+    const char *line_end;
+    int is_within_line;
     const char *at; /* what is before it in the text is written, or left out */
 } writer;
 
@@ -29,12 +30,11 @@ static void put(writer *w, text t)
 {
     size_t room = w->size > w->length ? w->size - w->length : 0;
 
-    if (!t.length)
-        return;
-    if (room)
+    if (t.length && room)
         memcpy(w->out + w->length, t.start, t.length < room ? t.length : room);
     w->length += t.length;
-    w->last = t.start[t.length - 1];
+    if (t.length)
+        w->is_within_line = t.start[t.length - 1] != w->p->line_end;
 }
 
 static void put_string(writer *w, const char *string)
@@ -42,38 +42,20 @@ static void put_string(writer *w, const char *string)
     put(w, flk_text_of(string));
 }
 
-static void end_line(writer *w)
-{
-    text first = w->p->text, end;
-
-    end.start = memchr(first.start, w->p->line_end, first.length);
-    end.length = 1;
-    if (end.start && end.start > first.start && w->p->line_end == '\n' && end.start[-1] == '\r')
-        put_string(w, "\r\n");
-    else
-        put_string(w, w->p->line_end == '\r' ? "\r" : "\n");
-}
-
 /* ------------------------------------------------------------------------------------------ values */
 
-/* Read the unit of a quantity, or of a vector, from its text, and find its name, which is empty if it is the deck's; 0 if it
-** cannot be read. */
+/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it cannot be read. */
 static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
 {
-    text angle, bad;
-    double number;
+    text size = value, rest;
 
-    *name = value;
     *u = d->units[q].unit;
-    if (value.length && value.start[0] == '(') {
-        flk_text_split(name, ')', &angle);
-    } else {
-        if (!flk_text_cut(value, " at ", name, &angle))
-            *name = value;
-        flk_number_read(name, &number);
-    }
-    *name = flk_text_trim(*name);
-    return !name->length || flk_unit_read(*name, u, &bad);
+    if (value.length && value.start[0] == '(')
+        flk_text_split(&size, ')', &rest);
+    else if (!flk_text_cut(value, " at ", &size, &rest))
+        size = value;
+    *name = flk_quantity_unit_text(size);
+    return !name->length || flk_unit_read(*name, u, &rest);
 }
 
 /* A number that in this unit is the very value in SI units; 0 if there is none. */
@@ -106,26 +88,25 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
         put(w, c->value);
         return;
     }
-    put_string(w, number);
-    put_string(w, " ");
+    put_string(w, strcat(number, " "));
     put(w, own);
 }
 
 /* A vector of which parts are set: both components, in the unit of the vector, or of a part that a change has set. */
 static void put_vector(writer *w, const setting *s, quantity q)
 {
+    char x[DIGITS_SIZE], y[DIGITS_SIZE], both[2 * DIGITS_SIZE];
     const deck *d = w->p->d;
-    char x[DIGITS_SIZE], y[DIGITS_SIZE];
     text name, other;
-    unit u, u_other;
+    unit u, of_part;
     int i;
 
     find_unit(d, s->value, q, &name, &u);
     for (i = 0; i < PART_ANGLE; i++)
         if (IS_SET(&s->parts[i]) && (s->parts[i].giver == GIVEN_BY_CHANGE || !name.length) &&
-            find_unit(d, s->parts[i].value, q, &other, &u_other) && other.length) {
+            find_unit(d, s->parts[i].value, q, &other, &of_part) && other.length) {
             name = other;
-            u = u_other;
+            u = of_part;
         }
     if (!name.length)
         name = flk_text_of(d->units[q].name);
@@ -135,11 +116,7 @@ static void put_vector(writer *w, const setting *s, quantity q)
         find_number(s->si[0], &u, x);
         find_number(s->si[1], &u, y);
     }
-    put_string(w, "(");
-    put_string(w, x);
-    put_string(w, ", ");
-    put_string(w, y);
-    put_string(w, ") ");
+    put_string(w, flk_text_join(both, sizeof both, "(", x, ", ", y, ") ", (char *)NULL));
     put(w, name);
 }
 
@@ -164,7 +141,7 @@ static void put_value(writer *w, const section_use *use, const changed *c)
 /* What entry i of a section has, its keys first; 0 if that is as in the text. */
 static int find_changed(const parser *p, const section_use *use, size_t i, changed *c)
 {
-    size_t n = (size_t)(flk_first_key(use->section + 1) - flk_first_key(use->section));
+    size_t n = flk_section_keys(use->section);
     const named_value *named;
 
     memset(c, 0, sizeof *c);
@@ -185,28 +162,20 @@ static int find_changed(const parser *p, const section_use *use, size_t i, chang
 
 static size_t count_entries(const parser *p, const section_use *use)
 {
-    return (size_t)(flk_first_key(use->section + 1) - flk_first_key(use->section)) +
-           (p->has_changed_names ? p->n_named : 0);
+    return flk_section_keys(use->section) + (p->has_changed_names ? p->n_named : 0);
 }
 
-/* The place in the text of a character of its copy. */
+/* The place in the text of a character of its copy; the end of the text for null. */
 static const char *in_text(const parser *p, const char *in_copy)
 {
-    return p->text.start + (in_copy - p->copy);
-}
-
-static const char *end_of(text t)
-{
-    return t.start + t.length;
+    return p->text.start + (in_copy ? (size_t)(in_copy - p->copy) : p->text.length);
 }
 
 static const char *next_line(const parser *p, const char *from)
 {
-    text rest, line;
+    const char *end = in_text(p, NULL), *last = memchr(from, p->line_end, (size_t)(end - from));
 
-    rest.start = from;
-    rest.length = (size_t)(end_of(p->text) - from);
-    return flk_text_split(&rest, p->line_end, &line) && rest.start ? rest.start : end_of(p->text);
+    return last ? last + 1 : end;
 }
 
 /* Write the text up to a place. */
@@ -223,51 +192,48 @@ static void copy_to(writer *w, const char *to)
 /* Write another value.  Of one that goes on in other lines, the comment of the first line stays. */
 static void replace(writer *w, const section_use *use, const changed *c)
 {
+    const char *start = in_text(w->p, c->own.start), *end = start + c->own.length;
+    const char *next = next_line(w->p, start);
     text first;
-    const char *next;
 
-    first.start = in_text(w->p, c->own.start);
-    first.length = c->own.length;
-    next = next_line(w->p, first.start);
-    copy_to(w, first.start);
+    copy_to(w, start);
     put_value(w, use, c);
-    w->at = end_of(first);
-    if (end_of(first) <= next)
+    w->at = end;
+    if (end <= next)
         return;
-    first.length = (size_t)(next - first.start);
-    w->at = end_of(flk_line_without_comment(first));
+    first.start = start;
+    first.length = (size_t)(next - start);
+    w->at = start + flk_line_without_comment(first).length;
     copy_to(w, next);
-    w->at = next_line(w->p, in_text(w->p, end_of(c->own)));
+    w->at = next_line(w->p, end);
 }
 
-/* Write the values that the text does not have, in lines of their own; 0 if there are none. */
-static int add(writer *w, const section_use *use, int has_header)
+/* Write the values that the text does not have, in lines of their own. */
+static void add(writer *w, const section_use *use)
 {
     size_t n = count_entries(w->p, use), i;
-    int n_added = 0;
+    int has_header = use->start != NULL;
     changed c;
 
     for (i = 0; i < n; i++) {
         if (!find_changed(w->p, use, i, &c) || c.own.start)
             continue;
-        if (w->last && w->last != w->p->line_end)
-            end_line(w);
-        if (!has_header && !n_added) {
-            end_line(w);
+        put_string(w, w->is_within_line ? w->line_end : "");
+        if (!has_header) {
+            put_string(w, w->line_end);
             put_string(w, "[");
             put_string(w, flk_section_table[use->section].name);
             put_string(w, use->name.length ? " " : "");
             put(w, use->name);
             put_string(w, "]");
-            end_line(w);
+            put_string(w, w->line_end);
+            has_header = 1;
         }
         put(w, c.name);
         put_string(w, " = ");
         put_value(w, use, &c);
-        end_line(w);
-        n_added++;
+        put_string(w, w->line_end);
     }
-    return n_added;
 }
 
 /* The next value of a section, in the order of the text, that has changed; 0 if there is none. */
@@ -286,18 +252,12 @@ static int find_next(const writer *w, const section_use *use, changed *next)
 
 static void write_section(writer *w, const section_use *use)
 {
-    const char *start;
+    const char *start = in_text(w->p, use->start);
     changed c;
 
-    if (!use->start) {
-        add(w, use, 0);
-        return;
-    }
-    start = in_text(w->p, use->start);
-    copy_to(w, use->section == SECTION_TOP ? start : next_line(w->p, start));
-    if (use->section == SECTION_TOP)
-        w->last = 0;
-    add(w, use, 1);
+    copy_to(w, use->section == SECTION_TOP || !use->start ? start : next_line(w->p, start));
+    w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
+    add(w, use);
     while (find_next(w, use, &c))
         replace(w, use, &c);
 }
@@ -305,31 +265,30 @@ static void write_section(writer *w, const section_use *use)
 int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
                         unsigned long *length)
 {
-    const parser *p;
-    size_t i;
+    const section_use *use, *end;
+    const char *first;
     writer w;
 
     if (!d || (!out && size) || !length)
         return FOURLINK_NULL;
     memset(&w, 0, sizeof w);
-    w.p = p = d->settings;
+    w.p = d->settings;
     w.out = out;
     w.size = size;
-    w.at = p->text.start;
-    for (i = 0; i < p->n_uses; i++) {
-        const section_use *use = &p->uses[i];
-        int is_last = i + 1 == p->n_uses || !use[1].start;
-        const char *end = is_last ? end_of(p->text) : in_text(p, use[1].start);
-
-        if (use->section != SECTION_SWEEP)
+    w.at = w.p->text.start;
+    first = next_line(w.p, w.at);
+    w.line_end = w.p->line_end == '\r'                   ? "\r"
+                 : first - w.at > 1 && first[-2] == '\r' ? "\r\n"
+                                                         : "\n";
+    end = w.p->uses + w.p->n_uses;
+    for (use = w.p->uses; use < end; use++)
+        if (use->section != SECTION_SWEEP) {
             write_section(&w, use);
-        else if (use->start)
-            copy_to(&w, in_text(p, use->start));
-        if (use->start && use->section != SECTION_SWEEP)
-            copy_to(&w, end);
-        else if (use->start)
-            w.at = end;
-    }
+        } else if (use->start) {
+            copy_to(&w, in_text(w.p, use->start));
+            w.at = in_text(w.p, use + 1 < end ? use[1].start : NULL);
+        }
+    copy_to(&w, in_text(w.p, NULL));
     if (size)
         out[w.length < size ? w.length : size - 1] = '\0';
     *length = (unsigned long)w.length;
