@@ -31,16 +31,15 @@ static int write_design(sheet *s, const input *in, unsigned long i, double *vari
     unsigned long n, k;
     int status;
 
+    source.design = i;
     status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
     if (status == FOURLINK_OK) {
         fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n);
         for (k = 0; k < n; k++)
             varied[k] = list[k].value;
-    } else {
-        source.design = i;
-        if (status != FOURLINK_BAD_DECK ||
-            fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK)
-            return 0;
+    } else if (status != FOURLINK_BAD_DECK ||
+               fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK) {
+        return 0;
     }
     sheet_write_design(s, results, in->results, i, varied, mistake.message);
     fourlink_results_free(results);

@@ -98,9 +98,8 @@ static void build_stroke(parser *p)
 static int is_without_length(parser *p, const flk_kind *kind, int number)
 {
     section_code section = flk_find_section(flk_text_of(kind->link[number]));
-    const section_use *use = flk_section_find(p, section, NULL);
 
-    return kind->has_length[number] != FLK_LENGTH && !(use && use->is_mistaken) &&
+    return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
            !IS_SET(flk_setting_by_name(p, section, "length"));
 }
 

@@ -72,14 +72,13 @@ static void build_slide(parser *p)
     const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET),
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
-    const section_use *use = flk_section_find(p, SECTION_LEVER, NULL);
 
     p->d->design.offset = IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
     p->d->design.angle = angle->si[0];
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
-    else if (use && use->is_mistaken)
+    else if (flk_section_is_mistaken(p, SECTION_LEVER))
         return;
     else if (IS_SET(length) && !IS_SET(angle))
         flk_mistake(p->mistakes, length->place,

@@ -9,19 +9,13 @@
 
 /* ------------------------------------------------------------------------------------------ springs */
 
-/* 1 if a mistake leaves open of which sort a spring is. */
-static int lacks_sort(const section_use *use)
-{
-    return !flk_spring_is_torsional(use) && use->is_mistaken;
-}
-
 /* Refuse a key that springs of the other sort have. */
 static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
 {
     const setting *s = flk_setting_of(use, key),
                   *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
 
-    if (!IS_SET(s) || lacks_sort(use))
+    if (!IS_SET(s) || (!is_torsional && use->is_mistaken)) /* of which sort? */
         return;
     if (is_torsional)
         flk_mistake(p->mistakes, s->place, "a torsional spring has no %s", flk_key_table[key].name);
@@ -57,7 +51,8 @@ static void build_point(parser *p, const section_use *use, key_code key, int lin
 
     if (!link)
         return;
-    if (!IS_SET(place) && !lacks_sort(use) && !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
+    if (!IS_SET(place) && !use->is_mistaken &&
+        !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
         (link == FOURLINK_GROUND || fourlink_slides(kind, link) == 0))
         flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
                     flk_key_table[key].name, fourlink_link_text(kind, link));

@@ -114,7 +114,6 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     parser *p = flk_deck_keep(d, sizeof *p);
     unsigned long i;
     text contents;
-    char *copy;
 
     if (!p)
         return NULL;
@@ -128,9 +127,9 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     contents.length = is_answers ? source->answers_length : source->length;
     p->text = contents;
     p->text.start = flk_reader_copy(p, contents, "");
-    p->copy = contents.start = copy = flk_reader_copy(p, contents, "");
+    p->copy = flk_reader_copy(p, contents, "");
     if (!p->out_of_memory)
-        flk_lines_read(p, contents, copy);
+        flk_lines_read(p);
     for (i = 0; i < source->n_changes && !is_answers && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
@@ -140,23 +139,25 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     p->is_sound = !flk_reader_mistakes(p);
-    return p;
+    return p->out_of_memory ? NULL : p;
 }
 
 /* Build what a text says, of a deck with [sweep] one of its designs; returns what flk_deck_read does. */
 static int build_from(deck *d, parser *p, unsigned long design)
 {
-    if (p && !p->out_of_memory && d->sweep.n_designs && !p->is_answers)
+    if (!p)
+        return -1;
+    if (d->sweep.n_designs && !p->is_answers)
         flk_sweep_assign(p, design);
-    if (p && !p->out_of_memory)
+    if (!p->out_of_memory)
         flk_values_read(p, 0);
-    if (p && !p->out_of_memory && p->is_answers)
+    if (!p->out_of_memory && p->is_answers)
         flk_build_expectations(p);
-    else if (p && !p->out_of_memory && !p->not_text)
+    else if (!p->out_of_memory && !p->not_text)
         build(p);
     flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
-    if (!p || p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
+    if (p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
         return -1;
     return d->mistakes.count == 0;
 }

@@ -84,8 +84,8 @@ typedef struct parser {
     mistakes *mistakes;     /* the deck's */
     char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
     const char *name;
-    text text;        /* all of it, for fourlink_deck_write */
-    const char *copy; /* of it, with blanks where a value goes on in the next line */
+    text text;  /* all of it, for fourlink_deck_write */
+    char *copy; /* of it, with blanks between the lines of a value */
     fourlink_loader *load;
     void *host; /* for the loader */
     section_use *uses;
@@ -133,8 +133,9 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
 
-/* Open a section without settings; null if out of memory. */
-section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
+/* Open a section without settings; null if out of memory.  `start` is as in section_use. */
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
+                              const char *start);
 
 /* 0 and a mistake: there is no section of this name. */
 int flk_section_unknown(parser *p, text_place place, text name);
@@ -178,8 +179,8 @@ text flk_line_without_comment(text line);
 /* 1 if a line is text, of a file that is not too large; otherwise 0 and a mistake: read no further. */
 int flk_line_is_text(parser *p, text line, text_place place);
 
-/* First pass: the lines of the deck, all within `copy`. */
-void flk_lines_read(parser *p, text rest, char *copy);
+/* First pass: the lines of the text. */
+void flk_lines_read(parser *p);
 
 /* Second pass: the units, which bare numbers need; the values that are not read. */
 void flk_values_read_section(parser *p, section_use *use);

@@ -24,7 +24,8 @@ static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size
     return bigger;
 }
 
-section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
+                              const char *start)
 {
     section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
     setting *settings = flk_reader_keep(p, flk_section_keys(section) * sizeof *settings);
@@ -36,10 +37,10 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use = &uses[p->n_uses++];
     if (!p->first_use[section])
         p->first_use[section] = p->n_uses;
-    memset(use, 0, sizeof *use);
     use->section = section;
     use->name = name;
     use->place = place;
+    use->start = start;
     use->settings = settings;
     return use;
 }
@@ -245,10 +246,8 @@ static int set_named(parser *p, text_place place, const target *t, text value, v
     slot = find_slot(p, t->use, t->name);
     if (*slot && giver == GIVEN_BY_TEXT)
         return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
-    if (!*slot) {
+    if (!*slot)
         *slot = ++p->n_named;
-        memset(&p->named[p->n_named - 1], 0, sizeof *p->named);
-    }
     named = &p->named[*slot - 1];
     named->use = t->use;
     named->name = t->name;
@@ -397,7 +396,7 @@ static section_use *find_section(parser *p, text_place place, section_code code,
                     flk_section_table[code].name, name);
         return NULL;
     }
-    return use ? use : flk_section_open(p, code, name, place);
+    return use ? use : flk_section_open(p, code, name, place, NULL);
 }
 
 /* 1 if the target is a vector whose parts can be set.  The deck must have a force; a point defaults to the
