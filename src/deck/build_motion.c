@@ -285,7 +285,7 @@ void flk_build_motion(parser *p)
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
     const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP),
                   *at = flk_setting_find(p, KEY_MOTION_AT);
-    size_t before = flk_reader_mistakes(p);
+    size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
     check_speed(p);
@@ -313,7 +313,7 @@ void flk_build_motion(parser *p)
         build_run_up(p, run_up);
     if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
         p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
-    if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_reader_mistakes(p) == before)
+    if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_mistakes_count(p->mistakes) == before)
         check_range(p);
 }
 

@@ -115,7 +115,7 @@ void flk_build_motor(parser *p)
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *points = flk_setting_find(p, KEY_MOTOR_CURVE);
     fourlink_motor *motor = &p->d->machine.motor;
-    size_t before = flk_reader_mistakes(p);
+    size_t before = flk_mistakes_count(p->mistakes);
     int line, power, n;
 
     if (!use || use->is_mistaken)
@@ -147,7 +147,7 @@ void flk_build_motor(parser *p)
         build_curve(p, points, motor);
     if (n == 1)
         check_mode(p, use, motor);
-    use->is_mistaken = flk_reader_mistakes(p) > before;
+    use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 
 /* The torque of a motor that says in which sense it turns. */

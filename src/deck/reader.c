@@ -50,11 +50,6 @@ text flk_reader_blanks(parser *p, text t)
     return spell(p, t, flk_spelling_blanks);
 }
 
-size_t flk_reader_mistakes(const parser *p)
-{
-    return p->mistakes->count + p->mistakes->left_out;
-}
-
 text_place flk_reader_end(const parser *p)
 {
     text_place place;
@@ -138,7 +133,7 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
         flk_sweep_read(p);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
-    p->is_sound = !flk_reader_mistakes(p);
+    p->is_sound = !flk_mistakes_count(p->mistakes);
     return p->out_of_memory ? NULL : p;
 }
 

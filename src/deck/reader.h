@@ -143,9 +143,6 @@ int flk_section_unknown(parser *p, text_place place, text name);
 /* 1 if the deck has such a section, and it is mistaken. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
-/* How many mistakes there are so far. */
-size_t flk_reader_mistakes(const parser *p);
-
 /* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
 

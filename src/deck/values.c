@@ -308,12 +308,12 @@ void flk_values_read_section(parser *p, section_use *use)
         setting *s = flk_setting_of(use, k);
 
         if (IS_SET(s) && !s->is_read && !s->is_pending) {
-            size_t before = flk_reader_mistakes(p);
+            size_t before = flk_mistakes_count(p->mistakes);
 
             s->is_read = 1;
             if (has_meaning(use, k))
                 read_value(p, use, k, s);
-            use->is_mistaken |= flk_reader_mistakes(p) > before;
+            use->is_mistaken |= flk_mistakes_count(p->mistakes) > before;
         }
     }
 }
