@@ -1446,9 +1446,9 @@ FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_fric
 FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
                                      int *link, fourlink_vector *at);
 
-/* The text of a deck with its values as they are: with those that changes and the design of its [sweep] have set, and
-** without [sweep].  All else is as in the text that was read, comments and ends of lines too, so that a deck without changes
-** and [sweep] is written as it was.
+/* The text of a deck with its values as they are: those that changes and the design of its [sweep] have set,
+** and without [sweep].  All else is as in the text that was read, comments and ends of lines too; a deck without
+** changes and [sweep] is written as it was.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
@@ -1459,12 +1459,13 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
 ** Notes:
-** 1) A value of a design has the unit of the value that it replaces, `length = 21 mm`, if there is a number with at most
-**    17 digits that means the same in it.  A value of a change is written as the change gives it.
+** 1) A value of a design has the unit of the value that it replaces, `length = 21 mm`, if a number with at
+**    most 17 digits means the same in it.  A value of a change is written as the change gives it.
 ** 2) A vector of which a part is set is written with its two components.
-** 3) A value that the text does not have is added after the first line of its section, or in a section at the end.
-** 4) A deck that is read from this text has the same values.  The forces of designs are solved by dyads unless the deck has
-**    `solver`; those of the written deck, which has no [sweep], by the matrix: they differ by rounding.
+** 3) A value that the text does not have is added after the first line of its section, or in a section at the
+**    end.
+** 4) A deck that is read from this text has the same values.  Forces of designs are solved by dyads unless the
+**    deck has `solver`, those of the written deck, which has no [sweep], by the matrix: they differ by rounding.
 */
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);
@@ -1524,7 +1525,8 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
-/* Open another design of the [sweep] of a deck that is open.  Its text is not read again, which takes a fraction of the time.
+/* Open another design of the [sweep] of a deck that is open.  Its text is not read again, which saves most of
+** the time of fourlink_results_open.
 **
 ** Given:
 **    from          results of the deck, or of a design; must stay until `results` is freed

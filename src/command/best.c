@@ -58,8 +58,8 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     return 1;
 }
 
-/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield.  Its results are
-** freed. */
+/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield.
+** Its results are freed. */
 static double value_of(search *s, int status, fourlink_results *r, fourlink_branch *branch)
 {
     fourlink_problem problem;

@@ -154,8 +154,8 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 */
 int flk_deck_design(const deck *from, unsigned long design, deck *d);
 
-/* The values before and after that of variable i in its range, in the deck's unit; its own value at an end of the range,
-** and in a list. */
+/* The values before and after that of variable i in its range, in the deck's unit; its own value at an end of
+** the range, and in a list. */
 void flk_deck_neighbours(deck *d, size_t i, double *low, double *high);
 
 /* Copy the first `max` mistakes or notes of a deck for a host, and their number. */

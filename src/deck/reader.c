@@ -170,7 +170,8 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     return build_from(d, d->answers, 0);
 }
 
-/* What a text of another deck says, whose settings are shared until one of their section is set; null if out of memory. */
+/* What a text of another deck says.  Settings are shared until one of their section is set.  Null if out of
+** memory. */
 static parser *share(deck *d, const parser *from)
 {
     parser *p = flk_deck_keep(d, sizeof *p);

@@ -44,7 +44,8 @@ static void put_string(writer *w, const char *string)
 
 /* ------------------------------------------------------------------------------------------ values */
 
-/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it cannot be read. */
+/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
+** cannot be read. */
 static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
 {
     text size = value, rest;
@@ -92,7 +93,8 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
     put(w, own);
 }
 
-/* A vector of which parts are set: both components, in the unit of the vector, or of a part that a change has set. */
+/* A vector of which parts are set: both components, in the unit of the vector, or of a part that a change has
+** set. */
 static void put_vector(writer *w, const setting *s, quantity q)
 {
     char x[DIGITS_SIZE], y[DIGITS_SIZE], both[2 * DIGITS_SIZE];

@@ -203,6 +203,43 @@ TEST(test_designs)
     }
 }
 
+#define REST "[coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm\n[ground]\nlength = 80 mm\n"
+
+/* A bare number, or one that is none of the quantity, gives way to the value as [sweep] has it. */
+TEST(test_values_without_a_unit)
+{
+    static const char *const values[] = {"0.02", "20 kg"};
+    size_t i;
+
+    for (i = 0; i < COUNT(values); i++) {
+        fourlink_results *r = opened(print("mechanism = four-bar\n[crank]\nlength = %s # C\n" REST
+                                           "[sweep]\ncrank.length = 2.5 cm, 3 cm\n",
+                                           values[i]));
+
+        assert_string_equal(written(r),
+                            "mechanism = four-bar\n[crank]\nlength = 2.5 cm # C\n" REST);
+        fourlink_results_free(r);
+    }
+}
+
+/* At 4 deg no number of mm is the very x of the point: it is written in m. */
+TEST(test_exact_vectors)
+{
+    int angle;
+
+    for (angle = 1; angle < 90; angle++) {
+        fourlink_results *r =
+            changed_by("mechanism = four-bar\n[crank]\nlength = 20 mm\n" REST
+                       "[load F]\nlink = coupler\nforce = 1 N at 0 deg\nat = 3 mm\n",
+                       print("load F.at.angle=%d deg", angle));
+        fourlink_results *again = opened(written(r));
+
+        assert_true(has_same_inputs(r, again));
+        fourlink_results_free(again);
+        fourlink_results_free(r);
+    }
+}
+
 /* What does not fit is cut off; the length is told in any case. */
 TEST(test_room)
 {
@@ -239,8 +276,8 @@ static const char *read_file(const char *name)
     return contents;
 }
 
-/* Change each value that is a number, in the unit of its line: nothing else in the text changes, and what is written reads
-** back as what was changed.  The number of such values. */
+/* Change each value that is a number, in the unit of its line: nothing else in the text changes, and what is
+** written reads back as what was changed.  The number of such values. */
 static int check_changes(const char *contents)
 {
     char section[200] = "";
