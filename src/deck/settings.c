@@ -294,13 +294,14 @@ static int set(text_place place, setting *s, text value, value_giver giver)
 static int unshare(parser *p, section_use *use)
 {
     size_t size = flk_section_keys(use->section) * sizeof *use->settings;
-    setting *copy = use->is_shared ? flk_reader_keep(p, size) : use->settings;
+    setting *copy;
 
+    if (!use->is_shared)
+        return 1;
+    copy = flk_reader_keep(p, size);
     if (!copy)
         return 0;
-    if (use->is_shared)
-        memcpy(copy, use->settings, size);
-    use->settings = copy;
+    use->settings = memcpy(copy, use->settings, size);
     use->is_shared = 0;
     return 1;
 }

@@ -559,7 +559,6 @@ void flk_sweep_read(parser *p)
     size_t before = p->mistakes->count, keys;
     int has_tolerance = 0;
     double designs;
-    const setting *s;
     text_place place;
     variation *list;
 
@@ -567,8 +566,7 @@ void flk_sweep_read(parser *p)
         return;
     place = use->place;
     flk_values_read_section(p, use);
-    s = flk_setting_find(p, KEY_SWEEP_SAMPLES);
-    p->samples = s->si[0] > 0 ? s->si[0] : 1;
+    p->samples = GSL_MAX(flk_setting_find(p, KEY_SWEEP_SAMPLES)->si[0], 1);
     p->variations = list = flk_reader_keep(p, most_variations(p) * sizeof *list);
     if (!list)
         return;
