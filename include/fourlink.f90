@@ -759,6 +759,14 @@ module fourlink
       type(fourlink_load_info), intent(inout) :: info
     end function fourlink_deck_load
 
+    integer(c_int) function fourlink_deck_write(deck, out, size, length) bind(c)
+      import
+      type(c_ptr), value :: deck
+      character(c_char), intent(inout) :: out(*)
+      integer(c_long), value :: size
+      integer(c_long), intent(inout) :: length
+    end function fourlink_deck_write
+
     integer(c_int) function fourlink_results_open(source, max_mistakes, results, mistakes, &
         n_mistakes) bind(c)
       import
@@ -768,6 +776,16 @@ module fourlink
       type(fourlink_mistake), intent(inout) :: mistakes(*)
       integer(c_long), intent(inout) :: n_mistakes
     end function fourlink_results_open
+
+    integer(c_int) function fourlink_results_design(from, design, max_mistakes, results, mistakes, &
+        n_mistakes) bind(c)
+      import
+      type(c_ptr), value :: from
+      integer(c_long), value :: design, max_mistakes
+      type(c_ptr), intent(inout) :: results
+      type(fourlink_mistake), intent(inout) :: mistakes(*)
+      integer(c_long), intent(inout) :: n_mistakes
+    end function fourlink_results_design
 
     integer(c_int) function fourlink_source_design(source, max, values) bind(c)
       import

@@ -1487,6 +1487,30 @@ FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_fric
 FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
                                      int *link, fourlink_vector *at);
 
+/* The text of a deck with its values as they are: those that changes and the design of its [sweep] have set,
+** and without [sweep].  All else is as in the text that was read, comments and ends of lines too; a deck without
+** changes and [sweep] is written as it was.
+**
+** Given:
+**    deck       from fourlink_deck_read, or fourlink_results_deck
+**    size       of `out`; 0: only the length is wanted
+** Returned:
+**    out        the text, null-terminated; cut off if it is longer than size - 1.  May be null if size is 0
+**    length     of the text in bytes, without the null character
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL
+** Notes:
+** 1) A value of a design has the unit of the value that it replaces, `length = 21 mm`, if a number with at
+**    most 17 digits means the same in it.  A value of a change is written as the change gives it.
+** 2) A vector of which a part is set is written with its two components.
+** 3) A value that the text does not have is added after the first line of its section, or in a section at the
+**    end.
+** 4) A deck that is read from this text has the same values.  Forces of designs are solved by dyads unless the
+**    deck has `solver`, those of the written deck, which has no [sweep], by the matrix: they differ by rounding.
+*/
+FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
+                                     unsigned long *length);
+
 /* The unit of a quantity in a deck: of bare numbers, and of printed ones.
 **
 ** Given:
@@ -1541,6 +1565,28 @@ FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
+
+/* Open another design of the [sweep] of a deck that is open.  Its text is not read again, which saves most of
+** the time of fourlink_results_open.
+**
+** Given:
+**    from          results of the deck, or of a design; must stay until `results` is freed
+**    design        its number, from 0: below n_designs of fourlink_problem
+**    max_mistakes  size of `mistakes`
+** Returned:
+**    results       to be given to fourlink_results_free, as from fourlink_results_open with this design
+**    mistakes      as from fourlink_results_open
+**    n_mistakes    as from fourlink_results_open
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_BAD_NUMBER if there is no such design, FOURLINK_NULL,
+**    FOURLINK_NO_MEMORY
+** Notes:
+** 1) `from` is not changed: several threads can open designs of it at once.
+** 2) fourlink_results_notes gives only notes on what a design is built of, not those on the text.
+*/
+FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned long design,
+                                         unsigned long max_mistakes, fourlink_results **results,
+                                         fourlink_mistake *mistakes, unsigned long *n_mistakes);
 
 /* The values of what a sweep varies in a design, even if that design has mistakes.
 **

@@ -115,6 +115,11 @@ int flk_mistake(mistakes *m, text_place place, const char *format, ...)
     return 0;
 }
 
+size_t flk_mistakes_count(const mistakes *m)
+{
+    return m->count + m->left_out;
+}
+
 int flk_mistakes_are_full(const mistakes *m)
 {
     return m->count == MOST_MISTAKES;

@@ -45,6 +45,9 @@ struct mistake {
 /* Note a mistake, with a format as above.  Returns 0, for a function that fails to return. */
 int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
+/* How many there are, those left out too. */
+size_t flk_mistakes_count(const mistakes *m);
+
 /* 1: further mistakes are only counted, so that nothing need be found out about them. */
 int flk_mistakes_are_full(const mistakes *m);
 

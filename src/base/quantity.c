@@ -158,6 +158,15 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
     return 0;
 }
 
+text flk_quantity_unit_text(text t)
+{
+    double number;
+
+    t = flk_text_trim(t);
+    flk_number_read(&t, &number);
+    return flk_text_trim(t);
+}
+
 /* Above 1e9 rad the digits of an angle are used up by its revolutions. */
 #define ANGLE_MAX 1e9
 

@@ -37,4 +37,7 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                       char message[MESSAGE_SIZE]);
 int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE]);
 
+/* What follows the number of a quantity; empty if that is bare. */
+text flk_quantity_unit_text(text t);
+
 #endif

@@ -18,7 +18,6 @@
 #include "best.h"
 #include "command.h"
 #include "progress.h"
-#include "rewrite.h"
 #include "tables/statistics.h"
 
 #define DIGITS 10      /* of a refined value */
@@ -34,12 +33,11 @@ typedef struct search {
     unsigned long n_conditions, n;
     double *low, *high, *values, *best; /* by variable, in the deck's units */
     unsigned long n_free;               /* variables with neighbours */
-    fourlink_source source;             /* the deck without its sweep */
-    fourlink_change *changes;           /* those of the command line, and one for each variable */
-    char *texts;                        /* of the latter, ASSIGNMENT bytes each */
-    unsigned long n_kept;               /* changes of the command line */
-    double found;                       /* the smallest sign * value so far */
-    fourlink_branch branch;             /* on which it is */
+    fourlink_source source;   /* the deck without its sweep, with the changes of the command line */
+    fourlink_change *changes; /* one for each variable */
+    char *texts;              /* of these, ASSIGNMENT bytes each */
+    double found;             /* the smallest sign * value so far */
+    fourlink_branch branch;   /* on which it is */
     int out_of_memory;
 } search;
 
@@ -60,15 +58,14 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     return 1;
 }
 
-/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield. */
-static double value_of(search *s, const fourlink_source *source, fourlink_branch *branch)
+/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield.
+** Its results are freed. */
+static double value_of(search *s, int status, fourlink_results *r, fourlink_branch *branch)
 {
-    fourlink_results *r = NULL;
     fourlink_problem problem;
-    fourlink_mistake mistake;
     fourlink_value v;
     double least = WORST;
-    int status = fourlink_results_open(source, 1, &r, &mistake, NULL), i;
+    int i;
 
     s->out_of_memory |= status == FOURLINK_NO_MEMORY;
     if (status != FOURLINK_OK)
@@ -102,10 +99,10 @@ static int search_grid(search *s, FILE *out)
     s->found = WORST;
     progress_begin(&p, out);
     for (i = 0; i < n && !s->out_of_memory && !system_caught(); i++) {
-        double value;
+        fourlink_results *r = NULL;
+        int status = fourlink_results_design(s->in->results, i, 0, &r, NULL, NULL);
+        double value = value_of(s, status, r, &branch);
 
-        source.design = i;
-        value = value_of(s, &source, &branch);
         progress_tell(&p, i + 1, n);
         if (!(value < s->found))
             continue;
@@ -175,12 +172,15 @@ static void set_changes(search *s)
 static double value_at(const gsl_vector *x, void *data)
 {
     search *s = data;
+    fourlink_results *r = NULL;
     fourlink_branch branch;
     double value;
+    int status;
 
     set_values(s, x);
     set_changes(s);
-    value = value_of(s, &s->source, &branch);
+    status = fourlink_results_open(&s->source, 0, &r, NULL, NULL);
+    value = value_of(s, status, r, &branch);
     if (value < s->found) {
         s->found = value;
         s->branch = branch;
@@ -253,113 +253,34 @@ static void refine(search *s)
 
 /* ------------------------------------------------------------------------------------------ the deck */
 
-/* 1 if an input is SECTION.KEY.PART; a section without a name means the only one. */
-static int is_input(const char *name, text section, text key, const char *part)
-{
-    text vector, end, head, last;
-
-    return flk_text_cut_last(flk_text_of(name), ".", &vector, &end) && flk_text_same(end, part) &&
-           flk_text_cut_last(vector, ".", &head, &last) && rewrite_same(last, key) &&
-           (rewrite_same(head, section) ||
-            (head.length > section.length && head.start[section.length] == ' ' &&
-             (head.length = section.length, rewrite_same(head, section))));
-}
-
-/* A component of a vector of the deck; 0 if there is no such input. */
-static double input_of(fourlink_results *r, text section, text key, const char *part,
-                       const char **unit_name)
-{
-    const fourlink_value *list;
-    unsigned long n, i;
-
-    fourlink_results_list(r, FOURLINK_INPUTS, &list, &n);
-    for (i = 0; i < n; i++)
-        if (is_input(list[i].name, section, key, part)) {
-            *unit_name = list[i].unit;
-            return list[i].value;
-        }
-    return 0;
-}
-
-/* The place of a tracer point, in the deck's unit; 0 if the section is none. */
-static int place_of_point(fourlink_results *r, const rewrite *w, double place[2],
-                          const char **unit_name)
+/* The text of a deck with its values as they are, without [sweep]: memory to free, or null. */
+static char *text_of(const fourlink_results *r, unsigned long *length)
 {
     const fourlink_deck *deck = fourlink_results_deck(r);
-    fourlink_vector at;
-    fourlink_unit u;
-    unsigned long i;
-    const char *name;
-    int link;
+    char *contents;
 
-    if (!flk_text_equal(w->section, "point"))
-        return 0;
-    for (i = 0; fourlink_deck_point(deck, i, &name, &link, &at) == FOURLINK_OK; i++)
-        if (!w->name.length || flk_text_equal(w->name, name))
-            break;
-    fourlink_deck_unit(deck, "length", &u);
-    place[0] = at.x * u.down / u.up;
-    place[1] = at.y * u.down / u.up;
-    *unit_name = u.name;
-    return 1;
+    fourlink_deck_write(deck, NULL, 0, length);
+    contents = malloc(*length + 1);
+    if (contents)
+        fourlink_deck_write(deck, contents, *length + 1, length);
+    return contents;
 }
 
-/* A part of a vector, SECTION.KEY.PART, is written as the whole vector, of which `r` has the components. */
-static void write_vector(fourlink_results *r, text whole, rewrite *w)
+/* Write a deck in lines that end in LF. */
+static void write_deck(FILE *out, const char *contents, unsigned long length)
 {
-    char x[FORMAT_SIZE], y[FORMAT_SIZE];
-    const char *unit_name = "";
-    text section, vector, part, key;
-    double place[2];
+    text deck, one;
+    int end;
 
-    flk_text_cut_last(whole, ".", &vector, &part);
-    flk_text_cut_last(vector, ".", &section, &key);
-    rewrite_split(vector, w);
-    if (!place_of_point(r, w, place, &unit_name)) {
-        place[0] = input_of(r, section, key, "x", &unit_name);
-        place[1] = input_of(r, section, key, "y", &unit_name);
+    deck.start = contents;
+    deck.length = length;
+    deck = flk_text_without_mark(deck);
+    end = flk_text_line_end(deck);
+    while (deck.length && flk_text_split(&deck, end, &one)) {
+        one.length -= one.length && one.start[one.length - 1] == '\r';
+        fwrite(one.start, 1, one.length, out);
+        putc('\n', out);
     }
-    format_general(place[0], 15, x);
-    format_general(place[1], 15, y);
-    flk_text_join(w->value, sizeof w->value, "(", x, ", ", y, ") ", unit_name, (char *)NULL);
-}
-
-static int is_part(text whole)
-{
-    static const char *const parts[] = {"x", "y", "size", "angle"};
-    text vector, part, section, key;
-    size_t i;
-
-    if (!flk_text_cut_last(whole, ".", &vector, &part) ||
-        !flk_text_cut_last(vector, ".", &section, &key))
-        return 0;
-    for (i = 0; i < 4; i++)
-        if (flk_text_equal(part, parts[i]))
-            return 1;
-    return 0;
-}
-
-/* Write the deck with all changes. */
-static void write_deck(FILE *out, const search *s, fourlink_results *r, rewrite *list)
-{
-    text deck;
-    unsigned long i;
-
-    for (i = 0; i < s->source.n_changes; i++) {
-        text value = flk_text_of(s->changes[i].assignment), whole;
-
-        flk_text_split(&value, '=', &whole);
-        whole = flk_text_trim(whole);
-        if (is_part(whole)) {
-            write_vector(r, whole, &list[i]);
-            continue;
-        }
-        rewrite_split(whole, &list[i]);
-        flk_text_copy(flk_text_trim(value), list[i].value, sizeof list[i].value);
-    }
-    deck.start = s->in->source.text;
-    deck.length = s->in->source.length;
-    rewrite_deck(out, deck, list, s->source.n_changes);
 }
 
 static int write_result(FILE *out, const search *s)
@@ -367,12 +288,12 @@ static int write_result(FILE *out, const search *s)
     fourlink_results *r = NULL;
     fourlink_mistake mistake;
     fourlink_value v;
-    rewrite *list = calloc(s->source.n_changes + 1, sizeof *list);
-    char value[ASSIGNMENT];
+    char value[ASSIGNMENT], *deck = NULL;
+    unsigned long length;
 
-    if (!list || fourlink_results_open(&s->source, 1, &r, &mistake, NULL) != FOURLINK_OK ||
-        fourlink_results_value(r, s->name, s->branch, 0, &v) != FOURLINK_OK) {
-        free(list);
+    if (fourlink_results_open(&s->source, 1, &r, &mistake, NULL) != FOURLINK_OK ||
+        fourlink_results_value(r, s->name, s->branch, 0, &v) != FOURLINK_OK ||
+        (deck = text_of(r, &length)) == NULL) {
         fourlink_results_free(r);
         return command_complain("cannot analyse", s->in->name, "not enough memory");
     }
@@ -380,38 +301,18 @@ static int write_result(FILE *out, const search *s)
             s->sign > 0 ? "min" : "max", s->name,
             value_text(v.value, 6, v.unit, value, sizeof value),
             fourlink_branch_text((int)s->branch));
-    write_deck(out, s, r, list);
-    free(list);
+    write_deck(out, deck, length);
+    free(deck);
     fourlink_results_free(r);
     return 0;
 }
 
 /* --------------------------------------------------------------------------------------------- all */
 
-/* The changes of the command line but for those of the sweep, then those of the variables. */
-static void keep_changes(search *s)
-{
-    const options *o = s->in->o;
-    unsigned long i;
-
-    for (i = 0; i < o->n_changes; i++) {
-        text section = flk_text_of(o->changes[i].assignment), before, after;
-
-        if (flk_text_cut(section, ".", &before, &after) && flk_text_equal(before, "sweep"))
-            continue;
-        s->changes[s->n_kept++] = o->changes[i];
-    }
-    for (i = 0; i < s->n; i++) {
-        s->changes[s->n_kept + i].origin = "--best";
-        s->changes[s->n_kept + i].assignment = s->texts + ASSIGNMENT * i;
-    }
-}
-
 /* Returns 0 if out of memory. */
 static int open_search(search *s, const input *in)
 {
-    text deck;
-    size_t length;
+    unsigned long i;
 
     memset(s, 0, sizeof *s);
     s->in = in;
@@ -420,21 +321,21 @@ static int open_search(search *s, const input *in)
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &s->conditions, &s->n_conditions);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n);
     s->low = calloc(5 * s->n, sizeof *s->low); /* low, high, best of all, values, best */
-    s->changes = calloc(in->o->n_changes + s->n, sizeof *s->changes);
+    s->changes = calloc(s->n, sizeof *s->changes);
     s->texts = calloc(s->n, ASSIGNMENT);
-    deck.start = in->source.text;
-    deck.length = in->source.length;
     s->source = in->source;
-    s->source.text = rewrite_without_sweep(deck, &length);
-    s->source.length = (unsigned long)length;
+    s->source.text = text_of(in->results, &s->source.length);
     if (!s->low || !s->changes || !s->texts || !s->source.text)
         return 0;
     s->high = s->low + s->n;
     s->values = s->low + 3 * s->n;
     s->best = s->low + 4 * s->n;
-    keep_changes(s);
+    for (i = 0; i < s->n; i++) {
+        s->changes[i].origin = "--best";
+        s->changes[i].assignment = s->texts + ASSIGNMENT * i;
+    }
     s->source.changes = s->changes;
-    s->source.n_changes = s->n_kept + s->n;
+    s->source.n_changes = s->n;
     s->source.design = 0;
     return 1;
 }

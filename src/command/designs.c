@@ -2,8 +2,8 @@
 **
 ** designs.c - the designs of a deck's [sweep], one after the other.
 **
-** Every design is a deck of its own, read from the same text.  Its output depends on its number alone, so the
-** parts joined are the whole, and memory holds one design.
+** Every design is a deck of its own, built from the same settings.  Its output depends on its number alone, so
+** the parts joined are the whole, and memory holds one design.
 */
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ static int write_design(sheet *s, const input *in, unsigned long i, double *vari
     int status;
 
     source.design = i;
-    status = fourlink_results_open(&source, 1, &results, &mistake, NULL);
+    status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
     if (status == FOURLINK_OK) {
         fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n);
         for (k = 0; k < n; k++)

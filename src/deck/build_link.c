@@ -19,7 +19,7 @@ static void require_length(parser *p, const char *link)
 {
     const section_use *use = flk_section_find(p, flk_find_section(flk_text_of(link)), NULL);
 
-    if (use ? use->has_unknown : p->has_unknown_section)
+    if (use ? use->is_mistaken : p->has_unknown_section)
         return;
     if (use)
         flk_mistake(p->mistakes, use->place, "[%s] has no length%s", link,
@@ -79,7 +79,7 @@ static void build_stroke(parser *p)
     const setting *s = flk_setting_find(p, KEY_CRANK_STROKE);
     double S, l = link[3].length, e = fabs(p->d->design.offset), rest;
 
-    if (l <= 0 || !flk_build_has_stroke(p) || p->lacks_values)
+    if (l <= 0 || !flk_build_has_stroke(p))
         return;
     if (IS_SET(flk_setting_find(p, KEY_CRANK_LENGTH)))
         flk_mistake(p->mistakes, s->place, "give either the length or the stroke, not both");
@@ -98,9 +98,8 @@ static void build_stroke(parser *p)
 static int is_without_length(parser *p, const flk_kind *kind, int number)
 {
     section_code section = flk_find_section(flk_text_of(kind->link[number]));
-    const section_use *use = flk_section_find(p, section, NULL);
 
-    return kind->has_length[number] != FLK_LENGTH && !(use && use->has_unknown) &&
+    return kind->has_length[number] != FLK_LENGTH && !flk_section_is_mistaken(p, section) &&
            !IS_SET(flk_setting_by_name(p, section, "length"));
 }
 
@@ -195,7 +194,7 @@ static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int
 }
 
 /* The inertia, which is given in one of several ways. */
-static void build_inertia(parser *p, const body *b, int number, int lacks_keys)
+static void build_inertia(parser *p, const body *b, int number, int is_mistaken)
 {
     fourlink_link *link = &p->d->design.link[number];
     const setting *other = IS_SET(b->gyration) ? b->gyration : b->period;
@@ -206,11 +205,11 @@ static void build_inertia(parser *p, const body *b, int number, int lacks_keys)
                     "give only one of gyration, inertia and swing_period");
     if (IS_SET(b->gyration))
         link->inertia = link->mass * b->gyration->si[0] * b->gyration->si[0]; /* I = m k^2 */
-    if (b->period->si[0] > 0 && !p->lacks_values && !(lacks_keys && !IS_SET(b->pin)))
+    if (b->period->si[0] > 0 && !is_mistaken)
         build_swing(p, b->period, b->pin, number);
     if (IS_SET(other))
         check_inertia(p, other, link);
-    if (!IS_SET(b->period) && IS_SET(b->pin) && !lacks_keys)
+    if (!IS_SET(b->period) && IS_SET(b->pin) && !is_mistaken)
         flk_mistake(p->mistakes, b->pin->place, "a swing_pin needs a swing_period");
 }
 
@@ -226,7 +225,7 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
 
     link->mass = b.mass->si[0];
     flk_build_place(p, b.cg, number, &link->cg);
-    if (other && !IS_SET(b.mass) && !use->has_unknown)
+    if (other && !IS_SET(b.mass) && !use->is_mistaken)
         flk_mistake(p->mistakes, other->place, "%s needs a mass",
                     other == b.gyration ? "the radius of gyration"
                     : other == b.period ? "the swing_period"
@@ -235,7 +234,7 @@ static void build_body(parser *p, const flk_kind *kind, int number, section_code
         build_bar(p, kind, &b, number);
         return;
     }
-    build_inertia(p, &b, number, use && use->has_unknown);
+    build_inertia(p, &b, number, use && use->is_mistaken);
     check_point_mass(p, kind, &b, number);
 }
 

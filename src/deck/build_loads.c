@@ -118,11 +118,11 @@ void flk_build_gas(parser *p)
         return;
     p->d->has_forces = 1;
     if (!IS_SET(bore)) {
-        if (!use->has_unknown)
+        if (!use->is_mistaken)
             flk_mistake(p->mistakes, use->place, "[gas] has no bore");
         return;
     }
-    if (!use->has_unknown && !IS_SET(pressure) && !IS_SET(card) &&
+    if (!use->is_mistaken && !IS_SET(pressure) && !IS_SET(card) &&
         !IS_SET(flk_setting_find(p, KEY_GAS_BACK_PRESSURE)))
         flk_mistake(p->mistakes, use->place, "[gas] has neither a pressure nor an indicator");
     if (IS_SET(pressure) && IS_SET(card))
@@ -148,7 +148,7 @@ int flk_build_check_link(parser *p, const section_use *use, const setting *link)
     const flk_kind *kind = flk_kind_of(p->d->design.kind);
     const char *const *own = kind->link;
 
-    if (!IS_SET(link) && !use->has_unknown)
+    if (!IS_SET(link) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[%s] has no link: %s, %s or %s",
                     flk_section_table[use->section].name, own[2], own[3], own[4]);
     else if (link->word && !flk_text_equal(link->value, own[link->word]))
@@ -169,7 +169,7 @@ static void build_window(parser *p, const section_use *use, flk_own_load *own)
     own->is_windowed = 1;
     own->window[0] = from->si[0]; /* 0 if not given */
     own->window[1] = IS_SET(to) ? to->si[0] : p->d->machine.cycle;
-    if (from->is_mistaken || to->is_mistaken)
+    if (use->is_mistaken)
         return;
     if (own->window[1] <= own->window[0])
         flk_mistake(p->mistakes, (IS_SET(from) ? from : to)->place,
@@ -263,10 +263,10 @@ static void build_force(parser *p, const section_use *use, flk_own_load *own)
                     "not '%t'",
                     force->value);
     else if ((force->si[0] != 0 || force->si[1] != 0 || force->curve) && !IS_SET(at) && link &&
-             !use->has_unknown && flk_kind_of(p->d->design.kind)->has_length[link] != FLK_NO_LENGTH)
+             !use->is_mistaken && flk_kind_of(p->d->design.kind)->has_length[link] != FLK_NO_LENGTH)
         flk_mistake(p->mistakes, use->place,
                     "the force needs 'at', the point of the link where it acts");
-    if (IS_SET(at) && !IS_SET(force) && !use->has_unknown)
+    if (IS_SET(at) && !IS_SET(force) && !use->is_mistaken)
         flk_mistake(p->mistakes, at->place, "'at' needs a force");
     own->values.force.x = force->si[0];
     own->values.force.y = force->si[1];
@@ -344,8 +344,7 @@ static void build_law(parser *p, const section_use *use, flk_own_load *own)
                   *from = flk_setting_of(use, KEY_LOAD_FROM),
                   *to = flk_setting_of(use, KEY_LOAD_TO);
     int has_curve = force->curve || torque->curve;
-    int is_clear = !over->is_mistaken && !force->is_mistaken && !torque->is_mistaken &&
-                   !use->has_unknown && (IS_SET(force) || IS_SET(torque));
+    int is_clear = !use->is_mistaken && (IS_SET(force) || IS_SET(torque));
 
     own->over = (flk_variable)over->word;
     check_over(p, over);
@@ -369,7 +368,7 @@ static void build_load(parser *p, const section_use *use, flk_own_load *own)
                   *frame = flk_setting_of(use, KEY_LOAD_FRAME);
 
     own->load.link = flk_build_check_link(p, use, link) ? link->word : 0;
-    if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->has_unknown)
+    if (!IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)) && !IS_SET(torque) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[load] has neither a force nor a torque");
     own->load.frame = (fourlink_frame)frame->word;
     build_force(p, use, own);

@@ -60,11 +60,7 @@ int flk_build_kind(parser *p)
 /* A length in the unit in which another is written, and that unit's text. */
 static double in_unit_of(parser *p, const setting *s, double length, text *written)
 {
-    double number;
-
-    *written = s->value;
-    flk_number_read(written, &number);
-    *written = flk_text_trim(*written);
+    *written = flk_quantity_unit_text(s->value);
     if (!written->length)
         *written = flk_text_of(p->d->units[QUANTITY_LENGTH].name);
     return flk_unit_from_si(length, s->unit);
@@ -76,14 +72,13 @@ static void build_slide(parser *p)
     const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET),
                   *length = flk_setting_find(p, KEY_LEVER_LENGTH),
                   *angle = flk_setting_find(p, KEY_LEVER_ANGLE);
-    const section_use *use = flk_section_find(p, SECTION_LEVER, NULL);
 
     p->d->design.offset = IS_SET(offset) ? offset->si[0] : flk_setting_or(p, KEY_GROUND_OFFSET, 0);
     p->d->design.angle = angle->si[0];
     if (IS_SET(offset) && (IS_SET(length) || IS_SET(angle)))
         flk_mistake(p->mistakes, offset->place,
                     "give the lever either an offset, or a length and an angle, not both");
-    else if (use && use->has_unknown)
+    else if (flk_section_is_mistaken(p, SECTION_LEVER))
         return;
     else if (IS_SET(length) && !IS_SET(angle))
         flk_mistake(p->mistakes, length->place,
@@ -185,8 +180,7 @@ void flk_build_mechanism(parser *p)
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER; i++)
         if (design->link[i].mass > 0 || design->link[i].inertia > 0)
             p->d->has_forces = 1;
-    if (!p->lacks_values)
-        check_reach(p, kind);
+    check_reach(p, kind);
     if (p->mistakes->count)
         return;
     i = fourlink_prepare(design, &p->d->machine.mechanism);

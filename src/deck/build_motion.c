@@ -21,25 +21,6 @@ static double angle_or(parser *p, key_code key, double otherwise)
     return IS_SET(s) ? flk_setting_in_unit(p, s, QUANTITY_ANGLE) : otherwise;
 }
 
-int flk_build_is_mistaken(parser *p, section_code section)
-{
-    const section_use *use = flk_section_find(p, section, NULL);
-    key_code k;
-    size_t i;
-
-    if (use && use->has_unknown)
-        return 1;
-    for (k = flk_first_key(section); use && k < flk_first_key(section + 1); k++) {
-        text_place place = flk_setting_of(use, k)->place;
-
-        for (i = 0; place.source && i < p->mistakes->count; i++)
-            if (p->mistakes->list[i].place.source == place.source &&
-                p->mistakes->list[i].place.line == place.line)
-                return 1;
-    }
-    return 0;
-}
-
 /* One instant has no range, but `at` from the command line replaces the deck's range. */
 static void check_alone(parser *p, const setting *at)
 {
@@ -89,13 +70,9 @@ static void build_run_up(parser *p, const setting *run_up)
 static void check_speed(parser *p)
 {
     const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
-    text after = speed->value;
-    double number;
-
     if (speed->si[0] == 0 || IS_SET(flk_setting_find(p, KEY_UNITS_ANGULAR_SPEED)))
         return;
-    flk_number_read(&after, &number);
-    if (!flk_text_trim(after).length)
+    if (!flk_quantity_unit_text(speed->value).length)
         flk_mistake(NOTES(p), speed->place, "'%t' is read as rad/s: write %t rad/s or %t rpm",
                     speed->value, speed->value, speed->value);
 }
@@ -139,11 +116,11 @@ static void check_mode(parser *p, int mode)
                     "the speed of the steady motion is computed: give a mean_speed with [motor] "
                     "torque = constant, or a motor that has a speed");
     if (IS_SET(mean) && p->d->machine.motor.kind != FOURLINK_MOTOR_BALANCE &&
-        !flk_build_is_mistaken(p, SECTION_MOTOR))
+        !flk_section_is_mistaken(p, SECTION_MOTOR))
         flk_mistake(p->mistakes, mean->place,
                     "a mean_speed needs [motor] torque = constant, which balances the loads at any "
                     "speed");
-    else if (IS_SET(mean) && mean->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
+    else if (IS_SET(mean) && mean->si[0] == 0 && !flk_section_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, mean->place, "the mean_speed must not be 0");
 }
 
@@ -169,8 +146,7 @@ static void build_rows_by_time(parser *p, int mode)
     }
     if (mode != DRIVE_FREE && mode != DRIVE_RUN_UP)
         flk_mistake(p->mistakes, rows->place, "rows by time need mode = free or run-up");
-    if ((!IS_SET(step) || !IS_SET(duration)) &&
-        !flk_section_find(p, SECTION_MOTION, NULL)->has_unknown)
+    if ((!IS_SET(step) || !IS_SET(duration)) && !flk_section_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, rows->place, "rows by time need '%s'",
                     IS_SET(step) ? "duration" : "time_step");
     for (i = 0; i < sizeof of_angle / sizeof of_angle[0]; i++) {
@@ -213,7 +189,7 @@ static double last_angle(parser *p, double cycle)
     p->d->drive.turns = turns->si[0];
     if (IS_SET(turns) && IS_SET(to))
         flk_mistake(p->mistakes, turns->place, "give either 'to' or 'turns', not both");
-    else if (IS_SET(turns) && turns->si[0] == 0 && !flk_build_is_mistaken(p, SECTION_MOTION))
+    else if (IS_SET(turns) && turns->si[0] == 0 && !flk_section_is_mistaken(p, SECTION_MOTION))
         flk_mistake(p->mistakes, turns->place, "the turns must not be 0");
     if (IS_SET(to))
         return angle_or(p, KEY_MOTION_TO, 0);
@@ -309,6 +285,7 @@ void flk_build_motion(parser *p)
     const unit *u = &p->d->units[QUANTITY_ANGLE].unit;
     const setting *run_up = flk_setting_find(p, KEY_MOTION_RUN_UP),
                   *at = flk_setting_find(p, KEY_MOTION_AT);
+    size_t before = flk_mistakes_count(p->mistakes);
     double cycle;
 
     check_speed(p);
@@ -336,7 +313,7 @@ void flk_build_motion(parser *p)
         build_run_up(p, run_up);
     if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
         p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
-    if (!flk_build_is_mistaken(p, SECTION_MOTION) && !p->lacks_values)
+    if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_mistakes_count(p->mistakes) == before)
         check_range(p);
 }
 
@@ -388,6 +365,8 @@ void flk_build_expectations(parser *p)
     deck_expectation *list;
     size_t i;
 
+    if (p->is_answers)
+        d->n_expectations = 0;
     if (!p->n_named)
         return;
     list = realloc(d->expectations, (d->n_expectations + p->n_named) * sizeof *list);
@@ -422,6 +401,6 @@ void flk_build_expectations(parser *p)
                     : d->open    ? FOURLINK_OPEN
                                  : FOURLINK_CROSSED;
     }
-    if (p->expectations_only)
+    if (p->is_answers)
         keep_one_branch(d);
 }

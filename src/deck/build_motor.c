@@ -111,13 +111,14 @@ static void check_mode(parser *p, const section_use *use, const fourlink_motor *
 
 void flk_build_motor(parser *p)
 {
-    const section_use *use = flk_section_find(p, SECTION_MOTOR, NULL);
+    section_use *use = flk_section_find(p, SECTION_MOTOR, NULL);
     const setting *torque = flk_setting_find(p, KEY_MOTOR_TORQUE),
                   *points = flk_setting_find(p, KEY_MOTOR_CURVE);
     fourlink_motor *motor = &p->d->machine.motor;
+    size_t before = flk_mistakes_count(p->mistakes);
     int line, power, n;
 
-    if (!use || p->lacks_values || flk_build_is_mistaken(p, SECTION_MOTOR))
+    if (!use || use->is_mistaken)
         return;
     line = has_line(p);
     power = has_power(p);
@@ -146,6 +147,7 @@ void flk_build_motor(parser *p)
         build_curve(p, points, motor);
     if (n == 1)
         check_mode(p, use, motor);
+    use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 
 /* The torque of a motor that says in which sense it turns. */
@@ -229,8 +231,7 @@ void flk_build_flywheel(parser *p)
                     "give either the fluctuation or the inertia: the other follows");
     p->d->machine.flywheel = inertia->si[0];
     build_exact(p, flk_setting_find(p, KEY_FLYWHEEL_EXACT), fluctuation);
-    if (p->d->drive.mode != DRIVE_GIVEN && !has_inertia(p->d) && !p->mistakes->count &&
-        !p->lacks_values)
+    if (p->d->drive.mode != DRIVE_GIVEN && !has_inertia(p->d) && !p->mistakes->count)
         flk_mistake(p->mistakes, mode->place,
                     "nothing that moves has a mass or a moment of inertia: the actual motion needs "
                     "one");

@@ -9,21 +9,13 @@
 
 /* ------------------------------------------------------------------------------------------ springs */
 
-/* 1 if a mistake leaves open of which sort a spring is. */
-static int lacks_sort(const section_use *use)
-{
-    return !flk_spring_is_torsional(use) &&
-           (use->has_unknown || flk_setting_of(use, KEY_SPRING_STIFFNESS)->is_mistaken ||
-            flk_setting_of(use, KEY_SPRING_DAMPING)->is_mistaken);
-}
-
 /* Refuse a key that springs of the other sort have. */
 static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
 {
     const setting *s = flk_setting_of(use, key),
                   *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
 
-    if (!IS_SET(s) || lacks_sort(use))
+    if (!IS_SET(s) || (!is_torsional && use->is_mistaken)) /* of which sort? */
         return;
     if (is_torsional)
         flk_mistake(p->mistakes, s->place, "a torsional spring has no %s", flk_key_table[key].name);
@@ -42,7 +34,7 @@ static int build_link(parser *p, const section_use *use, key_code key)
     const setting *link = flk_setting_of(use, key);
 
     if (!IS_SET(link) && key == KEY_SPRING_TO) {
-        if (!use->has_unknown)
+        if (!use->is_mistaken)
             flk_mistake(p->mistakes, use->place,
                         "[spring] has no 'to': the ground or another link");
         return 0;
@@ -59,7 +51,8 @@ static void build_point(parser *p, const section_use *use, key_code key, int lin
 
     if (!link)
         return;
-    if (!IS_SET(place) && !lacks_sort(use) && !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
+    if (!IS_SET(place) && !use->is_mistaken &&
+        !IS_SET(flk_setting_of(use, KEY_SPRING_FREE_ANGLE)) &&
         (link == FOURLINK_GROUND || fourlink_slides(kind, link) == 0))
         flk_mistake(p->mistakes, use->place, "the spring needs '%s', its end on the %s",
                     flk_key_table[key].name, fourlink_link_text(kind, link));
@@ -131,10 +124,10 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
     build_ends(p, use, s);
     check_sort(p, use, s->is_torsional ? KEY_SPRING_FREE_LENGTH : KEY_SPRING_FREE_ANGLE,
                s->is_torsional);
-    if (!IS_SET(stiffness) && !IS_SET(damping) && !IS_SET(preload) && !use->has_unknown)
+    if (!IS_SET(stiffness) && !IS_SET(damping) && !IS_SET(preload) && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place,
                     "[spring] has neither a stiffness nor a damping nor a preload");
-    if ((IS_SET(free_length) || IS_SET(free_angle)) && !IS_SET(stiffness) && !use->has_unknown)
+    if ((IS_SET(free_length) || IS_SET(free_angle)) && !IS_SET(stiffness) && !use->is_mistaken)
         flk_mistake(p->mistakes, (IS_SET(free_length) ? free_length : free_angle)->place,
                     "'%s' needs a stiffness", IS_SET(free_length) ? "free_length" : "free_angle");
     s->stiffness = stiffness->si[0];
@@ -142,14 +135,14 @@ static void build_spring(parser *p, const section_use *use, flk_element *new)
     s->preload = preload->si[0];
     s->damping = damping->si[0];
     s->only = only->word;
-    if (s->only == FOURLINK_PUSHES && !s->is_torsional && !IS_SET(free_length) && !use->has_unknown)
+    if (s->only == FOURLINK_PUSHES && !s->is_torsional && !IS_SET(free_length) && !use->is_mistaken)
         flk_mistake(p->mistakes, only->place,
                     "a spring that only pushes needs a free_length, below which it acts");
     new->name = flk_reader_copy(p, use->name, "");
     for (i = 0; i < FLK_ELEMENT_COLUMNS; i++)
         new->column_names[i] = flk_reader_copy(p, use->name, endings[s->is_torsional][i]);
     flk_element_of_spring(s, new);
-    if (p->mistakes->count || p->lacks_values)
+    if (p->mistakes->count)
         return;
     fourlink_spring_prepare(&p->d->machine.mechanism, s);
     if (!s->is_torsional)
@@ -193,17 +186,17 @@ void flk_build_friction(parser *p)
 
         has_any |= IS_SET(mu);
         friction->circle[i] = mu->si[0] * radius->si[0];
-        if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->has_unknown)
+        if (IS_SET(mu) && !IS_SET(radius) && mu->si[0] > 0 && !use->is_mistaken)
             flk_mistake(p->mistakes, mu->place, "the friction of %s needs '%s', that of its pin",
                         flk_key_table[coefficients[i]].name, flk_key_table[radii[i]].name);
-        if (IS_SET(radius) && !IS_SET(mu) && !use->has_unknown)
+        if (IS_SET(radius) && !IS_SET(mu) && !use->is_mistaken)
             flk_mistake(p->mistakes, radius->place, "'%s' needs '%s', the coefficient of friction",
                         flk_key_table[radii[i]].name, flk_key_table[coefficients[i]].name);
     }
-    if (IS_SET(length) && !IS_SET(guide) && !use->has_unknown)
+    if (IS_SET(length) && !IS_SET(guide) && !use->is_mistaken)
         flk_mistake(p->mistakes, length->place,
                     "'guide_length' needs 'guide', the coefficient of friction");
-    if (!has_any && !use->has_unknown)
+    if (!has_any && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[friction] has no coefficient of friction");
     friction->guide = guide->si[0];
     friction->guide_length = length->si[0];
@@ -238,15 +231,15 @@ void flk_build_balance(parser *p)
     b->crank = flk_setting_find(p, KEY_BALANCE_CRANK)->word || IS_SET(fraction);
     b->rocker = flk_setting_find(p, KEY_BALANCE_ROCKER)->word;
     b->radius = radius->si[0];
-    if (!b->crank && !b->rocker && !use->has_unknown)
+    if (!b->crank && !b->rocker && !use->is_mistaken)
         flk_mistake(p->mistakes, use->place, "[balance] needs %s",
                     p->d->design.kind == FOURLINK_SLIDER_CRANK
                         ? "the fraction of the reciprocating mass to be balanced"
                         : "'crank = yes', 'rocker = yes' or both");
-    if (add->word && !IS_SET(radius) && !use->has_unknown)
+    if (add->word && !IS_SET(radius) && !use->is_mistaken)
         flk_mistake(p->mistakes, add->place,
                     "'apply' needs a radius, at which the counterweights are");
-    if (p->mistakes->count || p->lacks_values ||
+    if (p->mistakes->count ||
         fourlink_balance_of(&p->d->machine.mechanism, fraction->si[0], &b->moment) != FOURLINK_OK)
         return;
     if (p->d->design.kind == FOURLINK_SLIDER_CRANK)

@@ -67,7 +67,7 @@ void flk_deck_give_mistakes(const mistakes *from, unsigned long max, fourlink_mi
         memcpy(list[i].message, m->message, sizeof list[i].message);
     }
     if (n_mistakes)
-        *n_mistakes = (unsigned long)(from->count + from->left_out);
+        *n_mistakes = (unsigned long)flk_mistakes_count(from);
 }
 
 int fourlink_deck_read(const char *contents, unsigned long length, fourlink_loader *load,

@@ -60,8 +60,8 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    double value;     /* in this design, in the deck's unit */
-    double low, high; /* of the neighbours in its range; the value itself at an end, or in a list */
+    unsigned long index; /* of its value in this design, in its range or list */
+    double value;        /* in the deck's unit */
 } deck_variable;
 
 /* [sweep]; a deck without one has no variables. */
@@ -123,9 +123,10 @@ struct fourlink_deck {
     int digits;
     deck_unit units[QUANTITY_COUNT];
 
-    mistakes mistakes;    /* none: the deck is valid */
-    mistakes notes;       /* what is allowed, but probably not meant */
-    struct kept *storage; /* texts that names and places point to */
+    mistakes mistakes;                 /* none: the deck is valid */
+    mistakes notes;                    /* what is allowed, but probably not meant */
+    struct parser *settings, *answers; /* what its texts say; null: they are not read */
+    struct kept *storage;              /* texts that names and places point to */
 };
 
 /* Read a deck.
@@ -140,6 +141,22 @@ struct fourlink_deck {
 **    Answers are read only if the deck itself has no mistakes.
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
+
+/* Build another design of a deck's [sweep] from its settings, without its text.
+**
+** Given:
+**    from        from flk_deck_read or flk_deck_design; must outlive `d`
+**    design      below d->sweep.n_designs
+** Returned:
+**    d           the deck, for flk_deck_free, even if it has mistakes; of notes only those on what is built
+** Returned (function value):
+**    as from flk_deck_read; 0 if the text itself has mistakes
+*/
+int flk_deck_design(const deck *from, unsigned long design, deck *d);
+
+/* The values before and after that of variable i in its range, in the deck's unit; its own value at an end of
+** the range, and in a list. */
+void flk_deck_neighbours(deck *d, size_t i, double *low, double *high);
 
 /* Copy the first `max` mistakes or notes of a deck for a host, and their number. */
 void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,

@@ -18,7 +18,7 @@ static int check_section(parser *p, text_place place, section_code section, text
 
     if (p->n_uses >= MOST_SECTIONS)
         return flk_mistake(p->mistakes, place, "too many sections");
-    if (p->expectations_only && section != SECTION_EXPECT && section != SECTION_MISPRINT)
+    if (p->is_answers && section != SECTION_EXPECT && section != SECTION_MISPRINT)
         return flk_mistake(p->mistakes, place,
                            "expected [expect] or [misprint] in this file, not [%s]", info->name);
     if (name.length && !info->repeats)
@@ -48,7 +48,7 @@ static section_use *read_section(parser *p, text line, text_place place)
     if (section == SECTION_COUNT ? !flk_section_unknown(p, place, word)
                                  : !check_section(p, place, section, name))
         return NULL;
-    return flk_section_open(p, section, name, place);
+    return flk_section_open(p, section, name, place, line.start);
 }
 
 text flk_line_without_comment(text line)
@@ -123,7 +123,7 @@ static int next_line(parser *p, text *rest, text *line)
 
 /* A line that ends in a comma continues in the next, unless that is an assignment or a section.  The comment
 ** and the end of line between them become blanks in the deck's copy. */
-static void join_lines(parser *p, char *copy, text *rest, text *line)
+static void join_lines(parser *p, text *rest, text *line)
 {
     while (line->length && line->start[line->length - 1] == ',' && rest->start) {
         text ahead = *rest, next;
@@ -138,22 +138,24 @@ static void join_lines(parser *p, char *copy, text *rest, text *line)
             return;
         if (!next.length)
             continue;
-        gap = copy + (line->start + line->length - copy);
+        gap = p->copy + (line->start + line->length - p->copy);
         memset(gap, ' ', (size_t)(next.start - gap));
         line->length = (size_t)(next.start - line->start) + next.length;
     }
 }
 
-void flk_lines_read(parser *p, text rest, char *copy)
+void flk_lines_read(parser *p)
 {
+    text rest = p->text;
     section_use *use;
     text line;
     text_place place;
 
     place = flk_reader_end(p);
     place.line = 1;
-    use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place);
+    rest.start = p->copy;
     rest = flk_text_without_mark(rest);
+    use = flk_section_open(p, SECTION_TOP, flk_text_of(""), place, rest.start);
     p->line_end = flk_text_line_end(rest);
     while (!p->out_of_memory && next_line(p, &rest, &line)) {
         text key, value;
@@ -165,7 +167,7 @@ void flk_lines_read(parser *p, text rest, char *copy)
             use = read_section(p, line, place);
             continue;
         }
-        join_lines(p, copy, &rest, &line);
+        join_lines(p, &rest, &line);
         value = line;
         flk_text_split(&value, '=', &key);
         if (!value.start) {

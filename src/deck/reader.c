@@ -6,7 +6,6 @@
 ** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
 ** does not end the reading, so that one run reports all of them.
 */
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -103,78 +102,109 @@ static void build(parser *p)
     flk_build_expectations(p);
 }
 
-/* Read the lines of a copy of the text. */
-static void read_lines(parser *p, const char *start, unsigned long length)
+/* What a text of the source says; null if out of memory. */
+static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
 {
-    text contents;
-    char *copy;
-
-    contents.start = start;
-    contents.length = length;
-    copy = flk_reader_copy(p, contents, "");
-    contents.start = copy;
-    if (copy)
-        flk_lines_read(p, contents, copy);
-}
-
-static void read_deck(parser *p, const fourlink_source *source)
-{
+    const char *name = is_answers ? source->answers_name : source->name;
+    parser *p = flk_deck_keep(d, sizeof *p);
     unsigned long i;
+    text contents;
 
-    read_lines(p, source->text, source->length);
-    for (i = 0; i < source->n_changes && !p->out_of_memory; i++)
+    if (!p)
+        return NULL;
+    p->d = d;
+    p->mistakes = &d->mistakes;
+    p->load = source->load;
+    p->host = source->host;
+    p->is_answers = is_answers;
+    p->name = flk_reader_copy(p, flk_text_of(name ? name : ""), "");
+    contents.start = is_answers ? source->answers : source->text;
+    contents.length = is_answers ? source->answers_length : source->length;
+    p->text = contents;
+    p->text.start = flk_reader_copy(p, contents, "");
+    p->copy = flk_reader_copy(p, contents, "");
+    if (!p->out_of_memory)
+        flk_lines_read(p);
+    for (i = 0; i < source->n_changes && !is_answers && !p->out_of_memory; i++)
         change(p, &source->changes[i]);
     if (!p->out_of_memory)
         flk_values_read(p, 1);
     if (!p->out_of_memory && !p->not_text)
-        flk_sweep_read(p, source->design);
+        flk_sweep_read(p);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
-    if (!p->out_of_memory && !p->not_text)
-        build(p);
+    p->is_sound = !flk_mistakes_count(p->mistakes);
+    return p->out_of_memory ? NULL : p;
 }
 
-/* Read the [expect] and [misprint] sections of another text, instead of the deck's. */
-static void read_answers(parser *p, const fourlink_source *source)
+/* Build what a text says, of a deck with [sweep] one of its designs; returns what flk_deck_read does. */
+static int build_from(deck *d, parser *p, unsigned long design)
 {
-    p->expectations_only = 1;
-    p->d->n_expectations = 0;
-    read_lines(p, source->answers, source->answers_length);
+    if (!p)
+        return -1;
+    if (d->sweep.n_designs && !p->is_answers)
+        flk_sweep_assign(p, design);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
-    if (!p->out_of_memory)
+    if (!p->out_of_memory && p->is_answers)
         flk_build_expectations(p);
-}
-
-/* Read one text of a source; 1, or 0 if out of memory. */
-static int run(deck *d, const fourlink_source *source, const char *name,
-               void read(parser *, const fourlink_source *))
-{
-    parser p;
-
-    memset(&p, 0, sizeof p);
-    p.d = d;
-    p.mistakes = &d->mistakes;
-    p.load = source->load;
-    p.host = source->host;
-    p.name = flk_reader_copy(&p, flk_text_of(name ? name : ""), "");
-    if (!p.out_of_memory)
-        read(&p, source);
-    flk_mistakes_sort(p.mistakes);
+    else if (!p->out_of_memory && !p->not_text)
+        build(p);
+    flk_mistakes_sort(&d->mistakes);
     flk_mistakes_sort(&d->notes);
-    free(p.uses);
-    free(p.named);
-    free(p.named_slots);
-    return !p.out_of_memory && !d->mistakes.out_of_memory && !d->notes.out_of_memory;
+    if (p->out_of_memory || d->mistakes.out_of_memory || d->notes.out_of_memory)
+        return -1;
+    return d->mistakes.count == 0;
 }
 
 int flk_deck_read(const fourlink_source *source, deck *d)
 {
-    int all_read;
+    int status;
 
     flk_deck_start(d);
-    all_read = run(d, source, source->name, read_deck);
-    if (source->answers && all_read && !d->mistakes.count)
-        all_read = run(d, source, source->answers_name, read_answers);
-    return all_read ? d->mistakes.count == 0 : -1;
+    d->settings = read_text(d, source, 0);
+    status = build_from(d, d->settings, source->design);
+    if (!source->answers || status != 1)
+        return status;
+    d->answers = read_text(d, source, 1);
+    return build_from(d, d->answers, 0);
+}
+
+/* What a text of another deck says.  Settings are shared until one of their section is set.  Null if out of
+** memory. */
+static parser *share(deck *d, const parser *from)
+{
+    parser *p = flk_deck_keep(d, sizeof *p);
+    section_use *uses = flk_deck_keep(d, from->n_uses * sizeof *uses);
+    size_t i;
+
+    if (!p || !uses)
+        return NULL;
+    *p = *from;
+    p->d = d;
+    p->mistakes = &d->mistakes;
+    p->uses = uses;
+    for (i = 0; i < p->n_uses; i++) {
+        uses[i] = from->uses[i];
+        uses[i].is_shared = 1;
+        uses[i].is_mistaken = 0; /* a mistake of that deck's design */
+    }
+    return p;
+}
+
+int flk_deck_design(const deck *from, unsigned long design, deck *d)
+{
+    int status;
+
+    memset(d, 0, sizeof *d);
+    if (!from->settings->is_sound)
+        return 0;
+    memcpy(d->units, from->units, sizeof d->units);
+    d->sweep = from->sweep;
+    d->settings = share(d, from->settings);
+    status = build_from(d, d->settings, design);
+    if (!from->answers || status != 1)
+        return status;
+    d->answers = share(d, from->answers);
+    return build_from(d, d->answers, 0);
 }

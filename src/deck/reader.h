@@ -15,16 +15,22 @@ struct flk_kind;
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
+/* Who gives a key or a name its value. */
+typedef enum value_giver { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_giver;
+
 /* What the deck sets a key to. */
 typedef struct setting {
     text_place place; /* see IS_SET */
-    text value;       /* empty: it has a mistake that is already noted */
-    double number;    /* as written */
-    unit unit;        /* its unit */
-    double si[2];     /* the value in SI units and radians, or the two components */
-    int of_length;    /* 1: a point, as a part of the length of its link */
-    int is_bare;      /* 1: a force without a direction */
-    int is_mistaken;  /* 1: its value cannot be read, so that no mistake follows from it */
+    text own;         /* its value in the deck's text; null: it is not there */
+    text value;       /* the value that counts */
+    value_giver giver;
+    double number;  /* as written */
+    unit unit;      /* its unit */
+    double si[2];   /* the value in SI units and radians, or the two components */
+    int of_length;  /* 1: a point, as a part of the length of its link */
+    int is_bare;    /* 1: a force without a direction */
+    int is_read;    /* 1: what follows from `value` is read from it */
+    int is_pending; /* 1: a design of the [sweep] sets it, and none has */
     int word;
     struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
@@ -46,7 +52,10 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    int has_unknown;   /* 1: a key of it is unknown, so that none is reported as missing */
+    const char *start; /* of its header in the text; null: it is not there */
+    int is_mistaken;   /* 1: a mistake in it is noted, so that none is that follows from it */
+    int is_read;       /* 1: all its settings are */
+    int is_shared;     /* 1: its settings are those of the deck of which this is a design */
     setting *settings; /* see flk_setting_of */
 } section_use;
 
@@ -55,7 +64,8 @@ typedef struct named_value {
     size_t use; /* number of its section */
     text name;
     text_place place;
-    text value;
+    text own, value; /* as of a setting */
+    value_giver giver;
 } named_value;
 
 /* What a key of a section means: a key of the schema, a part of its vector, or a name. */
@@ -66,11 +76,16 @@ typedef struct target {
     text name;
 } target;
 
+struct variation;
+
+/* What a text says: the settings of a deck, kept as long as it is, or of its answers. */
 typedef struct parser {
-    deck *d;
+    deck *d;                /* that is being read, or built */
     mistakes *mistakes;     /* the deck's */
     char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
     const char *name;
+    text text;  /* all of it, for fourlink_deck_write */
+    char *copy; /* of it, with blanks between the lines of a value */
     fourlink_loader *load;
     void *host; /* for the loader */
     section_use *uses;
@@ -80,9 +95,12 @@ typedef struct parser {
     size_t n_named, named_capacity;
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
-    int expectations_only;
+    int has_changed_names;        /* 1: one of them is not given by the text */
+    struct variation *variations; /* of [sweep], in the order of its variables */
+    double samples;
+    int is_sound;   /* 1: no mistake is noted before a design is set */
+    int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
     int has_unknown_section;
-    int lacks_values; /* 1: a mistake left values out, so that nothing that depends on values is checked */
     int not_text;      /* 1: the reading ended at a byte that is not text */
     quantity argument; /* of the curve that is being read */
     long last_line;
@@ -115,11 +133,15 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
 
-/* Open a section without settings; null if out of memory. */
-section_use *flk_section_open(parser *p, section_code section, text name, text_place place);
+/* Open a section without settings; null if out of memory.  `start` is as in section_use. */
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
+                              const char *start);
 
 /* 0 and a mistake: there is no section of this name. */
 int flk_section_unknown(parser *p, text_place place, text name);
+
+/* 1 if the deck has such a section, and it is mistaken. */
+int flk_section_is_mistaken(parser *p, section_code section);
 
 /* The setting of a key in a section that has the key. */
 setting *flk_setting_of(const section_use *use, key_code key);
@@ -143,7 +165,8 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
 ** section that the deck does not have. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set it from outside its section: by --set, or for a design of a sweep. */
+/* Set it from outside its section: a design of a sweep does; a change of the source. */
+void flk_setting_vary(parser *p, text_place place, const target *t, text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
@@ -153,19 +176,22 @@ text flk_line_without_comment(text line);
 /* 1 if a line is text, of a file that is not too large; otherwise 0 and a mistake: read no further. */
 int flk_line_is_text(parser *p, text line, text_place place);
 
-/* First pass: the lines of the deck, all within `copy`. */
-void flk_lines_read(parser *p, text rest, char *copy);
+/* First pass: the lines of the text. */
+void flk_lines_read(parser *p);
 
-/* Second pass: the units, which bare numbers need; the assignments of a design of the [sweep]; the values. */
-void flk_values_read_section(parser *p, const section_use *use);
+/* Second pass: the units, which bare numbers need; the values that are not read. */
+void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
 /* What a load over FLK_THETA2 ... is over. */
 quantity flk_values_quantity_over(int over);
-void flk_sweep_read(parser *p, unsigned long design);
+
+/* The quantities of [sweep]; the values of one of its designs. */
+void flk_sweep_read(parser *p);
+void flk_sweep_assign(parser *p, unsigned long design);
 
 /* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */
-quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key);
+quantity flk_quantity_of_key(const section_use *use, key_code key);
 
 /* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
 int flk_spring_is_torsional(const section_use *use);
@@ -232,9 +258,6 @@ void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
-
-/* 1 if a key of the section has a mistake, from which no other should follow. */
-int flk_build_is_mistaken(parser *p, section_code section);
 
 /* How the crank's speed comes about: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);

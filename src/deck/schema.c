@@ -90,6 +90,11 @@ key_code flk_first_key(section_code section)
     return flk_section_table[section].first;
 }
 
+size_t flk_section_keys(section_code section)
+{
+    return (size_t)(flk_first_key(section + 1) - flk_first_key(section));
+}
+
 int flk_link_of_section(section_code section)
 {
     const word_info *w;

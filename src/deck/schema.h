@@ -245,6 +245,7 @@ extern const word_info flk_word_table[];
 
 /* The first key of a section; the last is just before the first key of the next section. */
 key_code flk_first_key(section_code section);
+size_t flk_section_keys(section_code section); /* their number */
 
 /* The link, by number, that a section has in some mechanism; 0: the section is no link. */
 int flk_link_of_section(section_code section);

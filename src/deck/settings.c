@@ -3,33 +3,32 @@
 ** settings.c - the sections of a deck and the settings of their keys: in the deck, by --set, for a design of
 ** a sweep.
 */
-#include <stdlib.h>
 #include <string.h>
 
 #include "reader.h"
 
-static void *grow(parser *p, void *list, size_t *capacity, size_t wanted, size_t size)
+/* Room for one more in a list of n; null if out of memory. */
+static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
 {
-    size_t more = *capacity ? *capacity : 64;
+    size_t more = *capacity ? 2 * *capacity : 64;
     void *bigger;
 
-    while (more < wanted)
-        more *= 2;
-    if (more == *capacity)
+    if (n < *capacity)
         return list;
-    bigger = realloc(list, more * size);
+    bigger = flk_reader_keep(p, more * size);
     if (!bigger)
-        p->out_of_memory = 1;
-    else
-        *capacity = more;
+        return NULL;
+    if (n)
+        memcpy(bigger, list, n * size);
+    *capacity = more;
     return bigger;
 }
 
-section_use *flk_section_open(parser *p, section_code section, text name, text_place place)
+section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
+                              const char *start)
 {
-    size_t n = (size_t)(flk_first_key(section + 1) - flk_first_key(section));
-    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses + 1, sizeof *uses), *use;
-    setting *settings = flk_reader_keep(p, n * sizeof *settings);
+    section_use *uses = grow(p, p->uses, &p->uses_capacity, p->n_uses, sizeof *uses), *use;
+    setting *settings = flk_reader_keep(p, flk_section_keys(section) * sizeof *settings);
 
     if (uses)
         p->uses = uses;
@@ -41,7 +40,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     use->section = section;
     use->name = name;
     use->place = place;
-    use->has_unknown = 0;
+    use->start = start;
     use->settings = settings;
     return use;
 }
@@ -62,6 +61,13 @@ section_use *flk_section_find(parser *p, section_code section, const text *name)
         if (p->uses[i].section == section && (!name || same_name(p->uses[i].name, *name)))
             return &p->uses[i];
     return NULL;
+}
+
+int flk_section_is_mistaken(parser *p, section_code section)
+{
+    const section_use *use = flk_section_find(p, section, NULL);
+
+    return use && use->is_mistaken;
 }
 
 setting *flk_setting_of(const section_use *use, key_code key)
@@ -210,7 +216,7 @@ static size_t *find_slot(parser *p, size_t use, text name)
 /* Make room for one more name; at least half of the slots stay free. */
 static int grow_named(parser *p)
 {
-    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named + 1, sizeof *p->named);
+    named_value *list = grow(p, p->named, &p->named_capacity, p->n_named, sizeof *p->named);
     size_t i;
 
     if (!list)
@@ -218,20 +224,17 @@ static int grow_named(parser *p)
     p->named = list;
     if (p->n_slots == 2 * p->named_capacity)
         return 1;
-    free(p->named_slots);
     p->n_slots = 2 * p->named_capacity;
-    p->named_slots = calloc(p->n_slots, sizeof *p->named_slots);
-    if (!p->named_slots) {
-        p->out_of_memory = 1;
+    p->named_slots = flk_reader_keep(p, p->n_slots * sizeof *p->named_slots);
+    if (!p->named_slots)
         return 0;
-    }
     for (i = 0; i < p->n_named; i++)
         *find_slot(p, p->named[i].use, p->named[i].name) = i + 1;
     return 1;
 }
 
 /* Set a name in a section that takes names. */
-static int set_named(parser *p, text_place place, const target *t, text value, int replace)
+static int set_named(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
     size_t *slot;
     named_value *named;
@@ -241,7 +244,7 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
     if (!grow_named(p))
         return 0;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && !replace)
+    if (*slot && giver == GIVEN_BY_TEXT)
         return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
     if (!*slot)
         *slot = ++p->n_named;
@@ -250,6 +253,10 @@ static int set_named(parser *p, text_place place, const target *t, text value, i
     named->name = t->name;
     named->place = place;
     named->value = value;
+    named->giver = giver;
+    p->has_changed_names |= giver != GIVEN_BY_TEXT;
+    if (giver == GIVEN_BY_TEXT)
+        named->own = value;
     return 1;
 }
 
@@ -262,7 +269,7 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
         i++;
     t->use = (size_t)(use - p->uses);
     if (i == end && !TAKES_NAMES(use->section)) {
-        p->uses[t->use].has_unknown = 1;
+        p->uses[t->use].is_mistaken = 1;
         return refuse_key(p, place, use->section, key);
     }
     t->key = i < end ? i : KEY_COUNT;
@@ -271,44 +278,72 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static int set(text_place place, setting *s, text value)
+static int set(text_place place, setting *s, text value, value_giver giver)
 {
+    text own = giver == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
+
     memset(s, 0, sizeof *s);
     s->place = place;
+    s->own = own;
     s->value = value;
+    s->giver = giver;
+    return 1;
+}
+
+/* Copy the settings of a section before one of them changes; 0 if out of memory. */
+static int unshare(parser *p, section_use *use)
+{
+    size_t size = flk_section_keys(use->section) * sizeof *use->settings;
+    setting *copy;
+
+    if (!use->is_shared)
+        return 1;
+    copy = flk_reader_keep(p, size);
+    if (!copy)
+        return 0;
+    use->settings = memcpy(copy, use->settings, size);
+    use->is_shared = 0;
     return 1;
 }
 
 /* x and y, or size and angle */
-static int set_part(parser *p, text_place place, const target *t, setting *s, text value)
+static int set_part(parser *p, text_place place, const target *t, setting *s, text value,
+                    value_giver giver)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
+    setting *parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
 
-    if (!s->parts) {
-        s->parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
-        if (!s->parts)
-            return 0;
-    }
-    if (s->parts[other].place.source || s->parts[other + 1].place.source)
+    if (!parts)
+        return 0;
+    if (s->parts) /* may be those of the deck of which this is a design */
+        memcpy(parts, s->parts, PART_NONE * sizeof *parts);
+    set(s->place, s, s->value, s->giver); /* what has been read from it is forgotten */
+    s->parts = parts;
+    if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1]))
         return flk_mistake(p->mistakes, place,
                            "'%t' and another part of it: set x and y, or size and angle", t->name);
-    return set(place, &s->parts[t->part], value);
+    return set(place, &parts[t->part], value, giver);
 }
 
 /* key = value; the key's own text is in `t->name`. */
-static int set_target(parser *p, text_place place, const target *t, text value, int replace)
+static int set_target(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
+    section_use *use = &p->uses[t->use];
     setting *s;
 
     if (t->key == KEY_COUNT)
-        return set_named(p, place, t, value, replace);
-    s = flk_setting_of(&p->uses[t->use], t->key);
-    if (IS_SET(s) && !replace)
+        return set_named(p, place, t, value, giver);
+    if (!unshare(p, use))
+        return 0;
+    use->is_read = 0;
+    s = flk_setting_of(use, t->key);
+    if (IS_SET(s) && giver == GIVEN_BY_TEXT)
         return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
                            s->place.line);
     if (!value.length)
         return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
-    return t->part == PART_NONE ? set(place, s, value) : set_part(p, place, t, s, value);
+    return t->part == PART_NONE ? set(place, s, value, giver)
+                                : set_part(p, place, t, s, value, giver);
 }
 
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)
@@ -316,7 +351,7 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
     target t;
 
     if (find_key(p, place, use, key, &t))
-        set_target(p, place, &t, value, 0);
+        set_target(p, place, &t, value, GIVEN_BY_TEXT);
 }
 
 /* Remove the part of SECTION.KEY.PART and return it. */
@@ -362,7 +397,7 @@ static section_use *find_section(parser *p, text_place place, section_code code,
                     flk_section_table[code].name, name);
         return NULL;
     }
-    return use ? use : flk_section_open(p, code, name, place);
+    return use ? use : flk_section_open(p, code, name, place, NULL);
 }
 
 /* 1 if the target is a vector whose parts can be set.  The deck must have a force; a point defaults to the
@@ -374,7 +409,7 @@ static int has_parts(parser *p, text_place place, const target *t, text key)
         form == FORM_POINT || form == FORM_VECTOR ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
 
     if (s && form == FORM_POINT && !IS_SET(s))
-        set(place, s, flk_text_of("(0, 0)"));
+        set(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
     if (s && IS_SET(s))
         return 1;
     return flk_mistake(p->mistakes, place,
@@ -403,6 +438,11 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
     return part == PART_NONE || has_parts(p, place, t, key);
 }
 
+void flk_setting_vary(parser *p, text_place place, const target *t, text value)
+{
+    set_target(p, place, t, value, GIVEN_BY_DESIGN);
+}
+
 void flk_setting_assign(parser *p, text_place place, text key, text value)
 {
     static const text no_name = {"", 0};
@@ -417,5 +457,5 @@ void flk_setting_assign(parser *p, text_place place, text key, text value)
     } else if (!flk_setting_target(p, place, key, &t)) {
         return;
     }
-    set_target(p, place, &t, value, 1);
+    set_target(p, place, &t, value, GIVEN_BY_CHANGE);
 }

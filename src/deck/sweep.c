@@ -35,7 +35,6 @@ typedef struct variation {
     int is_normal;
     double count;        /* of values; 1 for a tolerance */
     int piece, n_pieces; /* in step with others: which of the values between the & are its own */
-    unsigned long index; /* of the value of this design */
 } variation;
 
 static text next_item(text *rest)
@@ -105,11 +104,7 @@ static int read_in(parser *p, const variation *v, text t, const unit *u, double 
 ** 300 rpm. */
 static int units_agree(parser *p, const variation *v, text x, text y)
 {
-    double number;
-
-    flk_number_read(&x, &number);
-    flk_number_read(&y, &number);
-    if ((flk_text_trim(x).length > 0) == (flk_text_trim(y).length > 0))
+    if ((flk_quantity_unit_text(x).length > 0) == (flk_quantity_unit_text(y).length > 0))
         return 1;
     return flk_mistake(p->mistakes, v->place,
                        "either all values of a quantity have a unit or none has");
@@ -215,14 +210,14 @@ static int read_item(parser *p, const variation *v, text first, text item)
     return read(p, v, own, &value) && units_agree(p, v, own_piece(v, first), own);
 }
 
-/* A, B, C; only the first design reads all of them, because a list can be long. */
-static int read_list(parser *p, variation *v, unsigned long design)
+/* A, B, C */
+static int read_list(parser *p, variation *v)
 {
     text rest = v->value, first = next_item(&rest), item = first;
 
     v->form = VARY_LIST;
     for (;;) {
-        if (design == 0 && !read_item(p, v, first, item))
+        if (!read_item(p, v, first, item))
             return 0;
         v->count++;
         if (!rest.start)
@@ -233,20 +228,20 @@ static int read_list(parser *p, variation *v, unsigned long design)
     }
 }
 
-static int read_variation(parser *p, unsigned long design, variation *v)
+static int read_variation(parser *p, variation *v)
 {
     static const char *const signs[] = {"\302\261", "+/-", "+-"};
     text before, after;
     size_t i;
 
     if (v->n_pieces > 1)
-        return read_list(p, v, design);
+        return read_list(p, v);
     for (i = 0; i < sizeof signs / sizeof signs[0]; i++)
         if (flk_text_cut(v->value, signs[i], &before, &after))
             return read_tolerance(p, before, after, v);
     if (flk_text_cut(v->value, " to ", &before, &after))
         return read_range(p, v);
-    return read_list(p, v, design);
+    return read_list(p, v);
 }
 
 /* The generator of a design, in the caller's memory: GSL would call its error handler if out of memory. */
@@ -351,14 +346,15 @@ static int find_quantity(parser *p, variation *v)
     v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE
            : v->target.key == KEY_COUNT
                ? key->q
-               : flk_quantity_of_key(p, &p->uses[v->target.use], v->target.key);
-    if (v->target.part != PART_NONE)
-        return 1;
+               : flk_quantity_of_key(&p->uses[v->target.use], v->target.key);
     if (v->target.key != KEY_COUNT) { /* report nothing else about it until it has a value */
         s = flk_setting_of(&p->uses[v->target.use], v->target.key);
-        memset(s, 0, sizeof *s);
-        s->place = v->place;
+        s->is_pending = 1;
+        if (v->target.part == PART_NONE)
+            s->place = v->place;
     }
+    if (v->target.part != PART_NONE)
+        return 1;
     if (key->form == FORM_QUANTITY || key->form == FORM_EITHER ||
         (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
         return 1; /* an indicator card is always a curve */
@@ -411,9 +407,16 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
                     "30 mm step 2 mm'");
 }
 
+/* A quantity gets no value, so that its section is not checked further. */
+static void leave_out(parser *p, const variation *v)
+{
+    if (v->key)
+        p->uses[v->target.use].is_mistaken = 1;
+}
+
 /* Read one line of [sweep], whose quantities are varied together; returns the number of its values, 0 if it has
 ** mistakes. */
-static double read_line(parser *p, variation *list, const named_value *named, unsigned long design)
+static double read_line(parser *p, variation *list, const named_value *named)
 {
     deck_sweep *sweep = &p->d->sweep;
     text value = flk_reader_plain(p, named->value);
@@ -433,8 +436,10 @@ static double read_line(parser *p, variation *list, const named_value *named, un
             flk_mistake(p->mistakes, v->place, "[sweep] varies more than 1000 quantities");
             return 0;
         }
-        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, design, v))
+        if (!find_quantity(p, v) || is_twice(p, list, v) || !read_variation(p, v)) {
+            leave_out(p, v);
             return 0;
+        }
         sweep->n_variables++;
         count = v->count;
     }
@@ -442,8 +447,7 @@ static double read_line(parser *p, variation *list, const named_value *named, un
 }
 
 /* Read the lines of [sweep]; returns the number of designs. */
-static double read_variations(parser *p, variation *list, double samples, unsigned long design,
-                              int *has_tolerance)
+static double read_variations(parser *p, variation *list, double samples, int *has_tolerance)
 {
     deck_sweep *sweep = &p->d->sweep;
     double designs = samples, count;
@@ -452,7 +456,7 @@ static double read_variations(parser *p, variation *list, double samples, unsign
     for (i = 0; i < p->n_named && !p->out_of_memory; i++) {
         if (p->uses[p->named[i].use].section != SECTION_SWEEP)
             continue;
-        count = read_line(p, list, &p->named[i], design);
+        count = read_line(p, list, &p->named[i]);
         designs *= count > 0 ? count : 1;
         *has_tolerance |= count > 0 && list[sweep->n_variables - 1].form == VARY_TOLERANCE;
     }
@@ -471,58 +475,62 @@ static size_t most_variations(const parser *p)
 }
 
 /* The digits of a combination's number: the last quantity changes fastest. */
-static void number_values(variation *list, size_t n, unsigned long combination)
+static void number_values(const variation *list, deck_sweep *sweep, unsigned long combination)
 {
     unsigned long count;
     size_t i;
 
-    for (i = n; i-- > 0;) {
+    for (i = sweep->n_variables; i-- > 0;) {
         count = (unsigned long)list[i].count;
-        list[i].index = combination % count;
+        sweep->variables[i].index = combination % count;
         if (list[i].piece == 0)
             combination /= count;
     }
 }
 
-/* The values of the neighbours in a range, in the deck's unit. */
-static void find_neighbours(parser *p, const variation *v, deck_variable *variable)
+void flk_deck_neighbours(deck *d, size_t i, double *low, double *high)
 {
-    const unit *u = &p->d->units[v->q].unit;
-    unsigned long last = (unsigned long)v->count - 1;
+    parser *p = d->settings;
+    const variation *v = &p->variations[i];
+    const deck_variable *variable = &d->sweep.variables[i];
+    const unit *u = &d->units[v->q].unit;
 
-    variable->low = variable->high = variable->value;
+    *low = *high = variable->value;
     if (v->form != VARY_RANGE)
         return;
-    if (v->index > 0)
-        read_in(p, v, value_at(p, v, v->index - 1, NULL), u, &variable->low);
-    if (v->index < last)
-        read_in(p, v, value_at(p, v, v->index + 1, NULL), u, &variable->high);
+    if (variable->index > 0)
+        read_in(p, v, value_at(p, v, variable->index - 1, NULL), u, low);
+    if (variable->index + 1 < (unsigned long)v->count)
+        read_in(p, v, value_at(p, v, variable->index + 1, NULL), u, high);
 }
 
-/* Make the assignments of a design, and its variables in the deck's units. */
-static void assign(parser *p, variation *list, double samples, unsigned long design)
+void flk_sweep_assign(parser *p, unsigned long design)
 {
     deck_sweep *sweep = &p->d->sweep;
-    size_t i;
+    size_t n = sweep->n_variables, i;
     generator g;
 
-    if (!start_generator(&g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design)) {
+    sweep->variables = flk_reader_keep(p, n * sizeof *sweep->variables);
+    if (!sweep->variables)
+        return;
+    if (IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)) && /* there are tolerances */
+        !start_generator(&g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design)) {
         p->out_of_memory = 1;
         return;
     }
-    number_values(list, sweep->n_variables, design / (unsigned long)samples);
-    for (i = 0; i < sweep->n_variables && !p->out_of_memory; i++) {
-        const variation *v = &list[i];
+    sweep->design = design;
+    number_values(p->variations, sweep, design / (unsigned long)p->samples);
+    for (i = 0; i < n && !p->out_of_memory; i++) {
+        const variation *v = &p->variations[i];
         deck_variable *variable = &sweep->variables[i];
-        text value = value_at(p, v, v->index, &g.rng);
+        text value = value_at(p, v, variable->index, &g.rng);
 
         variable->name = v->name;
         variable->q = v->q;
-        variable->value = 0;
-        if (!read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
-            continue;
-        find_neighbours(p, v, variable);
-        flk_setting_assign(p, v->place, v->name, value);
+        if (read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
+            flk_setting_vary(p, v->place, &v->target, value);
+        else
+            leave_out(p, v);
     }
 }
 
@@ -544,14 +552,13 @@ static void read_outputs(parser *p)
                     "statistics need 'output = NAME, ...' in [sweep]");
 }
 
-void flk_sweep_read(parser *p, unsigned long design)
+void flk_sweep_read(parser *p)
 {
     section_use *use = flk_section_find(p, SECTION_SWEEP, NULL);
     deck_sweep *sweep = &p->d->sweep;
     size_t before = p->mistakes->count, keys;
     int has_tolerance = 0;
-    double designs, samples;
-    const setting *s;
+    double designs;
     text_place place;
     variation *list;
 
@@ -559,23 +566,20 @@ void flk_sweep_read(parser *p, unsigned long design)
         return;
     place = use->place;
     flk_values_read_section(p, use);
-    s = flk_setting_find(p, KEY_SWEEP_SAMPLES);
-    samples = s->si[0] > 0 ? s->si[0] : 1;
-    list = flk_reader_keep(p, most_variations(p) * sizeof *list);
-    sweep->variables = flk_reader_keep(p, most_variations(p) * sizeof *sweep->variables);
-    if (!list || !sweep->variables)
+    p->samples = GSL_MAX(flk_setting_find(p, KEY_SWEEP_SAMPLES)->si[0], 1);
+    p->variations = list = flk_reader_keep(p, most_variations(p) * sizeof *list);
+    if (!list)
         return;
     keys = p->mistakes->count;
-    designs = read_variations(p, list, samples, design, &has_tolerance);
+    designs = read_variations(p, list, p->samples, &has_tolerance);
     if (p->mistakes->count == keys) {
         check_samples(p, place, has_tolerance);
         if (designs > MOST_DESIGNS)
             flk_mistake(p->mistakes, place, "more than 4e9 designs");
     }
-    if (p->mistakes->count == before && !p->out_of_memory) {
+    if (p->mistakes->count == before)
         sweep->n_designs = (unsigned long)designs;
-        assign(p, list, samples, design);
-    }
-    p->lacks_values = p->mistakes->count > before;
+    while (sweep->n_variables && !sweep->n_designs)
+        leave_out(p, &list[--sweep->n_variables]);
     read_outputs(p);
 }

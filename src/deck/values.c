@@ -161,13 +161,9 @@ static text spelled(parser *p, key_code code, text value)
 /* The unit of a quantity's text; 0 if it has none. */
 static int unit_of(text t, unit *u)
 {
-    double number;
     text bad;
 
-    t = flk_text_trim(t);
-    if (flk_number_read(&t, &number) != NUMBER_OK)
-        return 0;
-    t = flk_text_trim(t);
+    t = flk_quantity_unit_text(t);
     return t.length && flk_unit_read(t, u, &bad);
 }
 
@@ -209,9 +205,8 @@ static quantity argument_of(const section_use *use)
     return flk_values_quantity_over(over);
 }
 
-quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
+quantity flk_quantity_of_key(const section_use *use, key_code key)
 {
-    (void)p;
     if (key == KEY_LOAD_AT_SPEED)
         return argument_of(use) == QUANTITY_SPEED ? QUANTITY_SPEED : QUANTITY_ANGULAR_SPEED;
     if (key == KEY_LOAD_BACK && IS_SET(flk_setting_of(use, KEY_LOAD_FORCE)))
@@ -226,11 +221,7 @@ quantity flk_quantity_of_key(parser *p, const section_use *use, key_code key)
 /* Stiffness and damping need a unit, which says what sort of spring it is. */
 static int has_unit(parser *p, key_code key, const setting *s)
 {
-    double number;
-    text t = s->value;
-
-    if (key == KEY_SPRING_PRELOAD || flk_number_read(&t, &number) != NUMBER_OK ||
-        flk_text_trim(t).length)
+    if (key == KEY_SPRING_PRELOAD || flk_quantity_unit_text(s->value).length)
         return 1;
     return flk_mistake(p->mistakes, s->place, "the %s of a spring needs a unit: %s",
                        flk_key_table[key].name,
@@ -245,7 +236,7 @@ static int has_meaning(const section_use *use, key_code key)
     int over;
 
     if (key == KEY_SPRING_PRELOAD)
-        return !flk_setting_of(use, KEY_SPRING_STIFFNESS)->is_mistaken;
+        return !use->is_mistaken;
     if (use->section != SECTION_LOAD ||
         (form != FORM_VECTOR && form != FORM_CURVE && key != KEY_LOAD_AT_SPEED))
         return 1;
@@ -280,7 +271,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         if (s->word)
             break;
         if ((key->form != FORM_EITHER || has_unit(p, code, s)) &&
-            flk_values_piece(p, s, s->value, flk_quantity_of_key(p, use, code), &s->si[0]))
+            flk_values_piece(p, s, s->value, flk_quantity_of_key(use, code), &s->si[0]))
             check_sign(p, key, s);
         break;
     case FORM_COUNT:
@@ -300,7 +291,7 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
         flk_vector_read_pin(p, s, key->q);
         break;
     case FORM_CURVE:
-        flk_curve_text_read(p, s, flk_quantity_of_key(p, use, code));
+        flk_curve_text_read(p, s, flk_quantity_of_key(use, code));
         break;
     case FORM_NAMES:
     default:
@@ -308,19 +299,21 @@ static void read_value(parser *p, const section_use *use, key_code code, setting
     }
 }
 
-void flk_values_read_section(parser *p, const section_use *use)
+void flk_values_read_section(parser *p, section_use *use)
 {
     key_code k;
 
+    use->is_read = 1;
     for (k = flk_first_key(use->section); k < flk_first_key(use->section + 1); k++) {
         setting *s = flk_setting_of(use, k);
 
-        if (IS_SET(s) && s->value.length) {
-            size_t before = p->mistakes->count + p->mistakes->left_out;
+        if (IS_SET(s) && !s->is_read && !s->is_pending) {
+            size_t before = flk_mistakes_count(p->mistakes);
 
+            s->is_read = 1;
             if (has_meaning(use, k))
                 read_value(p, use, k, s);
-            s->is_mistaken = p->mistakes->count + p->mistakes->left_out > before;
+            use->is_mistaken |= flk_mistakes_count(p->mistakes) > before;
         }
     }
 }
@@ -330,7 +323,7 @@ void flk_values_read(parser *p, int units_only)
     size_t i;
 
     for (i = 0; i < p->n_uses; i++)
-        if (p->uses[i].section != SECTION_SWEEP &&
+        if (!p->uses[i].is_read && p->uses[i].section != SECTION_SWEEP &&
             (p->uses[i].section == SECTION_UNITS) == units_only)
             flk_values_read_section(p, &p->uses[i]);
 }

@@ -75,15 +75,11 @@ static int read_share(parser *p, setting *s, text t, double *share)
 /* 10 mm */
 static int read_size(parser *p, setting *s, text t, quantity q, point *result, double *size)
 {
-    text after = t;
-    double number;
-
     if (q == QUANTITY_LENGTH && read_share(p, s, t, size))
         return 1;
     if (!flk_values_piece(p, s, t, q, size))
         return 0;
-    flk_number_read(&after, &number);
-    result->has_unit = flk_text_trim(after).length > 0;
+    result->has_unit = flk_quantity_unit_text(t).length > 0;
     result->unit_to_si = flk_unit_to_si(1, s->unit);
     return 1;
 }

@@ -96,22 +96,26 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
 {
     fourlink_source source = *p->source;
     fourlink_results *r = NULL;
+    const fourlink_value *list;
     fourlink_problem problem;
-    fourlink_mistake mistake;
+    unsigned long n, k;
     int status, b;
 
     source.design = i;
     p->n_lines += (unsigned long)p->n_branches;
-    status = fourlink_results_open(&source, 1, &r, &mistake, NULL);
-    if (fourlink_source_design(&source, d->n_variables, variables) != FOURLINK_OK)
-        status = FOURLINK_NO_MEMORY;
+    status = fourlink_results_design(p->results, i, 0, &r, NULL, NULL);
     if (status == FOURLINK_OK) {
+        fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
+        for (k = 0; k < n; k++)
+            variables[k] = list[k].value;
         fourlink_deck_problem(fourlink_results_deck(r), &problem);
         for (b = 0; b < p->n_branches; b++)
             p->n_missing += !keep_outputs(p, d, i, b, r, problem.motion.from);
-    }
-    if (status != FOURLINK_OK)
+    } else {
         p->n_missing += (unsigned long)p->n_branches;
+        if (fourlink_source_design(&source, d->n_variables, variables) != FOURLINK_OK)
+            status = FOURLINK_NO_MEMORY;
+    }
     fourlink_results_free(r);
     return status != FOURLINK_NO_MEMORY;
 }

@@ -10,6 +10,7 @@
 
 struct fourlink_results {
     deck d;
+    int whole_cycle; /* as in fourlink_source */
     flk_analysis a;
     flk_extremes extremes;
     flk_column *columns; /* the columns that the deck asks for */

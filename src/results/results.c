@@ -213,11 +213,8 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
     deck other;
     int status;
 
-    if (source->design != FOURLINK_ANY_DESIGN) {
-        status = flk_deck_read(source, &r->d);
-        r->d.sweep.design = r->d.sweep.n_designs ? source->design : 0;
-        return status;
-    }
+    if (source->design != FOURLINK_ANY_DESIGN)
+        return flk_deck_read(source, &r->d);
     one.design = 0;
     status = flk_deck_read(&one, &r->d);
     n = r->d.sweep.n_designs;
@@ -225,13 +222,12 @@ static int read_deck(const fourlink_source *source, fourlink_results *r)
         n = 1;
     for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
         one.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
-        if (flk_deck_read(&one, &other) == 1) {
-            flk_deck_free(&r->d);
-            r->d = other;
-            r->d.sweep.design = one.design;
-            return 1;
-        }
+        status = flk_deck_design(&r->d, one.design, &other);
         flk_deck_free(&other);
+        if (status == 1) {
+            flk_deck_free(&r->d);
+            return flk_deck_read(&one, &r->d);
+        }
     }
     return status;
 }
@@ -250,20 +246,12 @@ static void hold_instant(deck *d)
     d->one_instant = 0;
 }
 
-int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
-                          fourlink_results **results, fourlink_mistake *list,
-                          unsigned long *n_mistakes)
+/* Open results of their deck, with the status of flk_deck_read. */
+static int open_results(fourlink_results *r, int status, unsigned long max_mistakes,
+                        fourlink_results **results, fourlink_mistake *list,
+                        unsigned long *n_mistakes)
 {
-    fourlink_results *r;
-    int status;
-
-    if (!source || !source->text || !results || (!list && max_mistakes))
-        return FOURLINK_NULL;
-    r = calloc(1, sizeof *r);
-    if (!r)
-        return FOURLINK_NO_MEMORY;
-    status = read_deck(source, r);
-    if (status > 0 && source->whole_cycle && r->d.one_instant)
+    if (status > 0 && r->whole_cycle && r->d.one_instant)
         hold_instant(&r->d);
     if (status > 0 && !open_deck(r))
         status = -1;
@@ -281,6 +269,39 @@ int fourlink_results_open(const fourlink_source *source, unsigned long max_mista
     flk_deck_give_mistakes(&r->d.mistakes, max_mistakes, list, n_mistakes);
     fourlink_results_free(r);
     return FOURLINK_BAD_DECK;
+}
+
+int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
+                          fourlink_results **results, fourlink_mistake *list,
+                          unsigned long *n_mistakes)
+{
+    fourlink_results *r;
+
+    if (!source || !source->text || !results || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    r = calloc(1, sizeof *r);
+    if (!r)
+        return FOURLINK_NO_MEMORY;
+    r->whole_cycle = source->whole_cycle;
+    return open_results(r, read_deck(source, r), max_mistakes, results, list, n_mistakes);
+}
+
+int fourlink_results_design(const fourlink_results *from, unsigned long design,
+                            unsigned long max_mistakes, fourlink_results **results,
+                            fourlink_mistake *list, unsigned long *n_mistakes)
+{
+    fourlink_results *r;
+
+    if (!from || !results || (!list && max_mistakes))
+        return FOURLINK_NULL;
+    if (design >= from->d.sweep.n_designs)
+        return FOURLINK_BAD_NUMBER;
+    r = calloc(1, sizeof *r);
+    if (!r)
+        return FOURLINK_NO_MEMORY;
+    r->whole_cycle = from->whole_cycle;
+    return open_results(r, flk_deck_design(&from->d, design, &r->d), max_mistakes, results, list,
+                        n_mistakes);
 }
 
 int fourlink_source_design(const fourlink_source *source, unsigned long max, double *values)
@@ -308,10 +329,8 @@ int fourlink_source_neighbours(const fourlink_source *source, unsigned long max,
     if (!source || !source->text || !low || !high)
         return FOURLINK_NULL;
     status = flk_deck_read(source, &d);
-    for (i = 0; i < d.sweep.n_variables && i < max; i++) {
-        low[i] = d.sweep.variables[i].low;
-        high[i] = d.sweep.variables[i].high;
-    }
+    for (i = 0; i < d.sweep.n_variables && i < max; i++)
+        flk_deck_neighbours(&d, i, &low[i], &high[i]);
     flk_deck_free(&d);
     return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
 }

@@ -127,10 +127,18 @@ static void ask_deck(const fourlink_deck *deck, const fourlink_problem *p)
 
 static void ask_design(const fourlink_source *source, fourlink_results *r)
 {
+    fourlink_results *other;
     const fourlink_value *list;
+    fourlink_problem p;
     double *low, *high;
     unsigned long n;
+    int status;
 
+    fourlink_deck_problem(fourlink_results_deck(r), &p);
+    status = fourlink_results_design(r, p.n_designs / 2, 0, &other, NULL, NULL);
+    MUST((status == FOURLINK_BAD_NUMBER) == !p.n_designs);
+    if (status == FOURLINK_OK)
+        fourlink_results_free(other);
     fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
     low = calloc(n + 1, sizeof *low);
     high = calloc(n + 1, sizeof *high);

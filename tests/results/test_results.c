@@ -38,6 +38,10 @@ TEST(test_null_pointers)
     assert_int_equal(fourlink_results_open(&source, 1, &r, NULL, &n), FOURLINK_NULL);
     assert_null(r);
     assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(fourlink_results_design(NULL, 0, 1, &r, &mistake, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_design(r, 0, 1, NULL, &mistake, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_design(r, 0, 1, &r, NULL, &n), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_design(r, 0, 1, &r, &mistake, &n), FOURLINK_BAD_NUMBER);
     assert_int_equal(fourlink_source_design(NULL, 1, &x), FOURLINK_NULL);
     assert_int_equal(fourlink_source_design(&none, 1, &x), FOURLINK_NULL);
     assert_int_equal(fourlink_source_design(&source, 1, NULL), FOURLINK_NULL);

@@ -65,6 +65,129 @@ TEST(test_conditions)
     fourlink_results_free(r);
 }
 
+/* ------------------------------------------------------------------------------- designs of settings */
+
+/* Sweeps whose values other keys of their section depend on, or that another design has changed before. */
+static const char *const sweeps[] = {
+    "[sweep]\ncrank.length = 10 mm to 20 mm in 3\ncoupler.length & motion.speed = 66 mm & 3 rad/s, "
+    "1 m & 9 rpm\n",
+    "[spring K]\nlink = rocker\nto = ground\nstiffness = 2 N m/rad\npreload = 3 N m\ndamping = 1 N "
+    "m s/rad\n"
+    "[sweep]\nspring K.stiffness = 1 N m/rad, 2 N m/rad\nspring K.damping = 0 N m s/rad, 2 N m "
+    "s/rad\n",
+    "[spring K]\nlink = rocker\nto = ground\ndamping = 1 N m s/rad\npreload = 3 N m\n"
+    "[sweep]\nspring K.stiffness = 1 N m/rad, 2 N m/rad\n",
+    "[load F]\nlink = coupler\nforce = 5 N at 30 deg\nat = 50 %\n[sweep]\nload F.force.angle = 0 "
+    "deg to 90 deg in 3\n"
+    "load F.force.size = 3 N, 4 N\ncoupler.cg.x = 1 mm, 2 mm\ncoupler.mass = 1 kg, 2 kg\n",
+    "[point P]\nlink = coupler\nat = (1, 2) mm\n[sweep]\npoint P.at.x = 5 mm +- 1 mm normal\n"
+    "load Tl.torque = -2 N m, 2 N m\nsamples = 3\nseed = 4\n",
+    "[load V]\nlink = rocker\ntorque = 0 deg 0 N m, 90 deg 1 N m\nover = theta4\nback = 3 N m\n"
+    "[flywheel]\nfluctuation = 0.1\n[expect]\nmax(Ts) = 3\n[sweep]\nground.length = 70 mm to 300 "
+    "mm in 4\n"
+    "load V.back = 1 N m, 2 N m\n"};
+
+static int is_same(const fourlink_value *x, const fourlink_value *y)
+{
+    return strcmp(x->name, y->name) == 0 && strcmp(x->unit, y->unit) == 0 &&
+           (x->value == y->value || (x->value != x->value && y->value != y->value)) &&
+           (x->words ? y->words && strcmp(x->words, y->words) == 0 : !y->words);
+}
+
+/* Both have the same inputs, variables, columns, facts, extremes and checks, to the last bit. */
+static void check_same(fourlink_results *x, fourlink_results *y)
+{
+    const fourlink_value *a, *b;
+    unsigned long n, m, i;
+    fourlink_check check, other;
+    int which, branch;
+
+    assert_int_equal(problem_of(x).design, problem_of(y).design);
+    for (which = FOURLINK_COLUMNS; which <= FOURLINK_CONDITIONS; which++) {
+        fourlink_results_list(x, which, &a, &n);
+        fourlink_results_list(y, which, &b, &m);
+        assert_int_equal(n, m);
+        for (i = 0; i < n; i++)
+            assert_true(is_same(&a[i], &b[i]));
+    }
+    for (branch = FOURLINK_CROSSED; branch <= FOURLINK_OPEN; branch++) {
+        fourlink_results_facts(x, branch, 7, &a, &n);
+        fourlink_results_facts(y, branch, 7, &b, &m);
+        assert_int_equal(n, m);
+        for (i = 0; i < n; i++)
+            assert_true(is_same(&a[i], &b[i]));
+    }
+    for (i = 0; i < problem_of(x).n_expected; i++) {
+        fourlink_results_check(x, i, &check);
+        fourlink_results_check(y, i, &other);
+        assert_true(check.verdict == other.verdict && check.line == other.line &&
+                    check.computed == other.computed);
+    }
+}
+
+/* The deck that is written of a design has the same inputs, and no variables. */
+static void check_written(fourlink_results *r)
+{
+    const fourlink_value *a, *b;
+    unsigned long n, m, length, i;
+    fourlink_results *again;
+    char text[4000];
+
+    fourlink_deck_write(fourlink_results_deck(r), text, sizeof text, &length);
+    again = opened(text);
+    assert_int_equal(problem_of(again).n_designs, 0);
+    fourlink_results_list(r, FOURLINK_INPUTS, &a, &n);
+    fourlink_results_list(again, FOURLINK_INPUTS, &b, &m);
+    assert_int_equal(n, m);
+    for (i = 0; i < n; i++)
+        assert_true(is_same(&a[i], &b[i]));
+    fourlink_results_free(again);
+}
+
+/* A design that is built from the settings of another is as if it were read from the text. */
+TEST(test_designs_of_settings)
+{
+    size_t i;
+
+    for (i = 0; i < COUNT(sweeps); i++) {
+        fourlink_source source = deck_source(linkage(sweeps[i]));
+        fourlink_results *first, *built, *again, *read;
+        fourlink_mistake mistake, expected;
+        unsigned long n, design, n_mistakes, n_expected;
+        int status;
+
+        source.answers = "[expect]\nbranch = open\nmax(theta4) = 3\n";
+        source.answers_length = (unsigned long)strlen(source.answers);
+        source.design = FOURLINK_ANY_DESIGN;
+        assert_int_equal(fourlink_results_open(&source, 1, &first, &mistake, NULL), FOURLINK_OK);
+        n = problem_of(first).n_designs;
+        assert_int_equal(fourlink_results_design(first, n, 1, &built, &mistake, NULL),
+                         FOURLINK_BAD_NUMBER);
+        for (design = n; design-- > 0;) {
+            source.design = design;
+            status = fourlink_results_open(&source, 1, &read, &expected, &n_expected);
+            assert_int_equal(
+                fourlink_results_design(first, design, 1, &built, &mistake, &n_mistakes), status);
+            if (status != FOURLINK_OK) {
+                assert_int_equal(n_mistakes, n_expected);
+                assert_string_equal(mistake.message, expected.message);
+                assert_string_equal(mistake.file, expected.file);
+                assert_int_equal(mistake.line, expected.line);
+                continue;
+            }
+            check_same(built, read);
+            assert_int_equal(fourlink_results_design(built, design, 0, &again, NULL, NULL),
+                             FOURLINK_OK);
+            check_same(again, read);
+            check_written(built);
+            fourlink_results_free(again);
+            fourlink_results_free(read);
+            fourlink_results_free(built);
+        }
+        fourlink_results_free(first);
+    }
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

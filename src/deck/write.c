@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** write.c - the text of a deck with the values that changes and the design have set.
+**
+** It is the user's text but for these values, and without its [sweep].
+*/
+#include <string.h>
+
+#include "base/number.h"
+#include "reader.h"
+
+/* Where a deck is written to, as far as there is room. */
+typedef struct writer {
+    const parser *p;
+    char *out;
+    size_t size, length;
+    const char *line_end;
+    int is_within_line;
+    const char *at; /* what is before it in the text is written, or left out */
+} writer;
+
+/* A key or a name of a section that has another value than in the text. */
+typedef struct changed {
+    text name, own, value;
+    key_code key; /* of a setting */
+    const setting *s;
+} changed;
+
+static void put(writer *w, text t)
+{
+    size_t room = w->size > w->length ? w->size - w->length : 0;
+
+    if (t.length && room)
+        memcpy(w->out + w->length, t.start, t.length < room ? t.length : room);
+    w->length += t.length;
+    if (t.length)
+        w->is_within_line = t.start[t.length - 1] != w->p->line_end;
+}
+
+static void put_string(writer *w, const char *string)
+{
+    put(w, flk_text_of(string));
+}
+
+/* ------------------------------------------------------------------------------------------ values */
+
+/* Read the unit of a quantity or a vector, and find its name, which is empty if it is the deck's; 0 if it
+** cannot be read. */
+static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
+{
+    text size = value, rest;
+
+    *u = d->units[q].unit;
+    if (value.length && value.start[0] == '(')
+        flk_text_split(&size, ')', &rest);
+    else if (!flk_text_cut(value, " at ", &size, &rest))
+        size = value;
+    *name = flk_quantity_unit_text(size);
+    return !name->length || flk_unit_read(*name, u, &rest);
+}
+
+/* A number that in this unit is the very value in SI units; 0 if there is none. */
+static int find_number(double si, const unit *u, char number[DIGITS_SIZE])
+{
+    double value = flk_unit_from_si(si, *u), same;
+    int digits;
+
+    for (digits = 15; digits <= 17; digits++) {
+        text t = flk_text_of(flk_digits_short(value, digits, number));
+
+        if (flk_number_read(&t, &same) == NUMBER_OK && flk_unit_to_si(same, *u) == si)
+            return 1;
+    }
+    return 0;
+}
+
+/* A value of a design in the unit of the deck's own, if that has one and it is another. */
+static void put_varied(writer *w, const section_use *use, const changed *c)
+{
+    quantity q = flk_quantity_of_key(use, c->key);
+    char number[DIGITS_SIZE];
+    text own, given;
+    unit u, other;
+
+    if (!c->own.start || !find_unit(w->p->d, c->value, q, &given, &other) ||
+        !find_unit(w->p->d, c->own, q, &own, &u) || !own.length ||
+        !flk_dimension_equal(u.dim, other.dim) || (u.up == other.up && u.down == other.down) ||
+        !find_number(c->s->si[0], &u, number)) {
+        put(w, c->value);
+        return;
+    }
+    put_string(w, strcat(number, " "));
+    put(w, own);
+}
+
+/* A vector of which parts are set: both components, in the unit of the vector, or of a part that a change has
+** set. */
+static void put_vector(writer *w, const setting *s, quantity q)
+{
+    char x[DIGITS_SIZE], y[DIGITS_SIZE], both[2 * DIGITS_SIZE];
+    const deck *d = w->p->d;
+    text name, other;
+    unit u, of_part;
+    int i;
+
+    find_unit(d, s->value, q, &name, &u);
+    for (i = 0; i < PART_ANGLE; i++)
+        if (IS_SET(&s->parts[i]) && (s->parts[i].giver == GIVEN_BY_CHANGE || !name.length) &&
+            find_unit(d, s->parts[i].value, q, &other, &of_part) && other.length) {
+            name = other;
+            u = of_part;
+        }
+    if (!name.length)
+        name = flk_text_of(d->units[q].name);
+    if (!find_number(s->si[0], &u, x) || !find_number(s->si[1], &u, y)) {
+        name = flk_text_of(flk_quantities[q].unit);
+        u.up = u.down = 1;
+        find_number(s->si[0], &u, x);
+        find_number(s->si[1], &u, y);
+    }
+    put_string(w, flk_text_join(both, sizeof both, "(", x, ", ", y, ") ", (char *)NULL));
+    put(w, name);
+}
+
+static void put_value(writer *w, const section_use *use, const changed *c)
+{
+    int is_quoted = c->s && flk_key_table[c->key].form == FORM_TEXT &&
+                    flk_line_without_comment(c->value).length < c->value.length;
+
+    if (c->s && c->s->parts) {
+        put_vector(w, c->s, flk_key_table[c->key].q);
+    } else if (c->s && c->s->giver == GIVEN_BY_DESIGN) {
+        put_varied(w, use, c);
+    } else {
+        put_string(w, is_quoted ? "\"" : "");
+        put(w, c->value);
+        put_string(w, is_quoted ? "\"" : "");
+    }
+}
+
+/* ------------------------------------------------------------------------------------------ sections */
+
+/* What entry i of a section has, its keys first; 0 if that is as in the text. */
+static int find_changed(const parser *p, const section_use *use, size_t i, changed *c)
+{
+    size_t n = flk_section_keys(use->section);
+    const named_value *named;
+
+    memset(c, 0, sizeof *c);
+    if (i < n) {
+        c->s = &use->settings[i];
+        c->key = (key_code)(flk_first_key(use->section) + (key_code)i);
+        c->name = flk_text_of(flk_key_table[c->key].name);
+        c->own = c->s->own;
+        c->value = c->s->value;
+        return IS_SET(c->s) && (c->s->parts || c->s->giver != GIVEN_BY_TEXT);
+    }
+    named = &p->named[i - n];
+    c->name = named->name;
+    c->own = named->own;
+    c->value = named->value;
+    return named->giver != GIVEN_BY_TEXT && &p->uses[named->use] == use;
+}
+
+static size_t count_entries(const parser *p, const section_use *use)
+{
+    return flk_section_keys(use->section) + (p->has_changed_names ? p->n_named : 0);
+}
+
+/* The place in the text of a character of its copy; the end of the text for null. */
+static const char *in_text(const parser *p, const char *in_copy)
+{
+    return p->text.start + (in_copy ? (size_t)(in_copy - p->copy) : p->text.length);
+}
+
+static const char *next_line(const parser *p, const char *from)
+{
+    const char *end = in_text(p, NULL), *last = memchr(from, p->line_end, (size_t)(end - from));
+
+    return last ? last + 1 : end;
+}
+
+/* Write the text up to a place. */
+static void copy_to(writer *w, const char *to)
+{
+    text t;
+
+    t.start = w->at;
+    t.length = (size_t)(to - w->at);
+    put(w, t);
+    w->at = to;
+}
+
+/* Write another value.  Of one that goes on in other lines, the comment of the first line stays. */
+static void replace(writer *w, const section_use *use, const changed *c)
+{
+    const char *start = in_text(w->p, c->own.start), *end = start + c->own.length;
+    const char *next = next_line(w->p, start);
+    text first;
+
+    copy_to(w, start);
+    put_value(w, use, c);
+    w->at = end;
+    if (end <= next)
+        return;
+    first.start = start;
+    first.length = (size_t)(next - start);
+    w->at = start + flk_line_without_comment(first).length;
+    copy_to(w, next);
+    w->at = next_line(w->p, end);
+}
+
+/* Write the values that the text does not have, in lines of their own. */
+static void add(writer *w, const section_use *use)
+{
+    size_t n = count_entries(w->p, use), i;
+    int has_header = use->start != NULL;
+    changed c;
+
+    for (i = 0; i < n; i++) {
+        if (!find_changed(w->p, use, i, &c) || c.own.start)
+            continue;
+        put_string(w, w->is_within_line ? w->line_end : "");
+        if (!has_header) {
+            put_string(w, w->line_end);
+            put_string(w, "[");
+            put_string(w, flk_section_table[use->section].name);
+            put_string(w, use->name.length ? " " : "");
+            put(w, use->name);
+            put_string(w, "]");
+            put_string(w, w->line_end);
+            has_header = 1;
+        }
+        put(w, c.name);
+        put_string(w, " = ");
+        put_value(w, use, &c);
+        put_string(w, w->line_end);
+    }
+}
+
+/* The next value of a section, in the order of the text, that has changed; 0 if there is none. */
+static int find_next(const writer *w, const section_use *use, changed *next)
+{
+    size_t n = count_entries(w->p, use), i;
+    changed c;
+
+    next->own.start = NULL;
+    for (i = 0; i < n; i++)
+        if (find_changed(w->p, use, i, &c) && c.own.start && in_text(w->p, c.own.start) >= w->at &&
+            (!next->own.start || c.own.start < next->own.start))
+            *next = c;
+    return next->own.start != NULL;
+}
+
+static void write_section(writer *w, const section_use *use)
+{
+    const char *start = in_text(w->p, use->start);
+    changed c;
+
+    copy_to(w, use->section == SECTION_TOP || !use->start ? start : next_line(w->p, start));
+    w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
+    add(w, use);
+    while (find_next(w, use, &c))
+        replace(w, use, &c);
+}
+
+int fourlink_deck_write(const fourlink_deck *d, char *out, unsigned long size,
+                        unsigned long *length)
+{
+    const section_use *use, *end;
+    const char *first;
+    writer w;
+
+    if (!d || (!out && size) || !length)
+        return FOURLINK_NULL;
+    memset(&w, 0, sizeof w);
+    w.p = d->settings;
+    w.out = out;
+    w.size = size;
+    w.at = w.p->text.start;
+    first = next_line(w.p, w.at);
+    w.line_end = w.p->line_end == '\r'                   ? "\r"
+                 : first - w.at > 1 && first[-2] == '\r' ? "\r\n"
+                                                         : "\n";
+    end = w.p->uses + w.p->n_uses;
+    for (use = w.p->uses; use < end; use++)
+        if (use->section != SECTION_SWEEP) {
+            write_section(&w, use);
+        } else if (use->start) {
+            copy_to(&w, in_text(w.p, use->start));
+            w.at = in_text(w.p, use + 1 < end ? use[1].start : NULL);
+        }
+    copy_to(&w, in_text(w.p, NULL));
+    if (size)
+        out[w.length < size ? w.length : size - 1] = '\0';
+    *length = (unsigned long)w.length;
+    return FOURLINK_OK;
+}
