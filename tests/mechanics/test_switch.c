@@ -68,6 +68,26 @@ TEST(test_passes)
     check_switch(0, one, 1);
 }
 
+/* A speed is zero at the same crank angles whatever that of the crank; it has another value elsewhere. */
+TEST(test_of_position)
+{
+    static const double some = 0.3, two[] = {0, 1};
+    flk_switch s;
+
+    flk_switch_at_zero(FLK_OMEGA4, &s);
+    assert_true(flk_switch_is_of_position(&s));
+    s.level = &some;
+    assert_false(flk_switch_is_of_position(&s));
+    s.of = FLK_SLIDE;
+    assert_true(flk_switch_is_of_position(&s));
+    flk_switch_at_zero(FLK_V, &s);
+    s.level = two;
+    s.n = 2;
+    assert_false(flk_switch_is_of_position(&s));
+    s.joint = 2;
+    assert_true(flk_switch_is_of_position(&s));
+}
+
 int main(void)
 {
     return run_all_tests(NULL);

@@ -78,6 +78,15 @@ TEST(test_one_speed)
     }
 }
 
+/* At 180 deg the piston turns round, whatever the speed: also of a crank that is at rest at first. */
+TEST(test_speed_that_is_zero)
+{
+    check_end(CRANK
+              "[motion]\nspeed = 0 rad/s\nacceleration = 5 rad/s2\ninterval = 10 deg\n[load]\n"
+              "link = piston\nforce = -10 N\nover = v\nat_speed = 1 m/s\nexponent = 2\n",
+              180);
+}
+
 /* The free length of a rope that is taut beyond 60 deg; the edges of a range, for either sense. */
 TEST(test_positions)
 {
