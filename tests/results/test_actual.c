@@ -470,6 +470,36 @@ TEST(test_positions)
     fourlink_results_free(r);
 }
 
+/* Linkages with one change point, at 0 or at 180 deg, and engines with one at 90 or at -90 deg keep their energy. */
+TEST(test_one_change_point)
+{
+    static const char motion[] =
+        "[motion]\nmode = free\nspeed = 40 rad/s\nfrom = 31 deg\nto = 1111 deg\ninterval = "
+        "20 deg\n";
+    static const char linkage[] = "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = "
+                                  "0.3 m\n[coupler]\nlength = %g m\n"
+                                  "[rocker]\nlength = %g m\nmass = 1 kg\ncg = 0.1 m\n";
+    const char *decks[4];
+    unsigned long i, k;
+
+    decks[0] = print(linkage, 1.2, 0.5);
+    decks[1] = print(linkage, 0.6, 0.7);
+    decks[2] = slider_crank(0.3, 0.4, 0.1, "[piston]\nmass = 1 kg\n");
+    decks[3] = slider_crank(0.3, 0.4, -0.1, "[piston]\nmass = 1 kg\n");
+    for (i = 0; i < 4; i++) {
+        fourlink_results *r =
+            opened(print("%s[flywheel]\ninertia = 0.3 kg m2\n%s", decks[i], motion));
+        fourlink_instant at = row_of(r, 0);
+        double first = energy_of(r, &at) + 0.15 * 1600;
+
+        for (k = 1; k < problem_of(r).n_rows; k++) {
+            at = row_of(r, k);
+            assert_close(energy_of(r, &at) + 0.15 * gsl_pow_2(at.row.crank.omega2), first, 1e-10);
+        }
+        fourlink_results_free(r);
+    }
+}
+
 /* ------------------------------------------------------------------------------------ by time */
 
 /* Rows by time are those by angle at the same time. */
