@@ -10,14 +10,15 @@
     "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = " \
     "1 kg\n"
 
-/* 1 if a piece of the motion ends at this crank angle, in degrees; the motion of loads, or of the links alone. */
-static int has_end(const char *contents, int has_loads, double angle)
+/* The pieces of a motion, of loads or of the links alone: what its beginning is, and if a piece ends at this crank angle,
+** in degrees, what that end is; else FLK_END_NOWHERE. */
+static void follow(const char *contents, int has_loads, double angle, flk_piece_end *begin,
+                   flk_piece_end *end)
 {
     flk_course course;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
-    int found = 0;
     deck d;
 
     read_deck(contents, &d);
@@ -30,14 +31,26 @@ static int has_end(const char *contents, int has_loads, double angle)
     pieces.length = flk_course_length(&course, FOURLINK_OPEN);
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
+    *begin = *end = FLK_END_NOWHERE;
     while (flk_pieces_next(&pieces, &piece)) {
         assert_true(piece.from < piece.to);
-        found |= fabs(piece.to * 180 / M_PI - angle) < 1e-7;
+        if (piece.from == 0)
+            *begin = piece.begin;
+        if (fabs(piece.to * 180 / M_PI - angle) < 1e-7)
+            *end = piece.end;
     }
     flk_course_close(&course);
     free(acting.load);
     flk_deck_free(&d);
-    return found;
+}
+
+/* 1 if a piece of the motion ends at this crank angle. */
+static int has_end(const char *contents, int has_loads, double angle)
+{
+    flk_piece_end begin, end;
+
+    follow(contents, has_loads, angle, &begin, &end);
+    return end != FLK_END_NOWHERE;
 }
 
 static void check_end(const char *contents, double angle)
@@ -105,6 +118,42 @@ TEST(test_positions)
     sprintf(contents,
             CRANK STEADY "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n", -10.0);
     check_end(contents, 360 - 77); /* rad passed, clockwise */
+}
+
+/* This engine has a change point at -90 deg. */
+TEST(test_kinds_of_ends)
+{
+    static const struct {
+        const char *motion;
+        double passed; /* deg, to an end */
+        flk_piece_end begin, end;
+    } cases[] = {
+        {"speed = 9 rad/s\nfrom = 0 deg\nto = 330 deg\n", 270, FLK_END_PLAIN, FLK_END_CHANGE},
+        {"speed = 9 rad/s\nfrom = -90 deg\nto = 50 deg\n", 140, FLK_END_CHANGE, FLK_END_PLAIN},
+        {"speed = 0\nacceleration = 5 rad/s2\nfrom = -90 deg\nto = 50 deg\n", 140,
+         FLK_END_CHANGE_REST, FLK_END_PLAIN},
+        {"speed = 0\nacceleration = 5 rad/s2\nfrom = -80 deg\nto = 50 deg\n", 130, FLK_END_ROOT,
+         FLK_END_PLAIN},
+        {"speed = 5 rad/s\nacceleration = -5 rad/s2\nfrom = -80 deg\nto = 180 deg\n",
+         2.5 * 180 / M_PI, FLK_END_PLAIN, FLK_END_ROOT},
+        {"mode = run-up\nfrom = -80 deg\nto = 50 deg\n[motor]\ntorque = 9 N m\n[flywheel]\ninertia "
+         "= 1 kg m2\n",
+         130, FLK_END_ROOT, FLK_END_PLAIN},
+    };
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        flk_piece_end begin, end;
+        char contents[1000];
+
+        sprintf(contents,
+                "mechanism = slider-crank\n[crank]\nlength = 30 mm\n[rod]\nlength = 40 "
+                "mm\n[ground]\noffset = 10 mm\n[motion]\n%s",
+                cases[i].motion);
+        follow(contents, 0, cases[i].passed, &begin, &end);
+        assert_int_equal(begin, cases[i].begin);
+        assert_int_equal(end, cases[i].end);
+    }
 }
 
 int main(void)
