@@ -10,15 +10,16 @@
     "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = " \
     "1 kg\n"
 
-/* The pieces of a motion, of loads or of the links alone: what its beginning is, and if a piece ends at this crank angle,
-** in degrees, what that end is; else FLK_END_NOWHERE. */
-static void follow(const char *contents, int has_loads, double angle, flk_piece_end *begin,
-                   flk_piece_end *end)
+#define MOST 20
+
+/* The pieces of the open branch's motion, of loads or of the links alone: their number. */
+static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
 {
     flk_course course;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
+    size_t n = 0;
     deck d;
 
     read_deck(contents, &d);
@@ -31,26 +32,32 @@ static void follow(const char *contents, int has_loads, double angle, flk_piece_
     pieces.length = flk_course_length(&course, FOURLINK_OPEN);
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
-    *begin = *end = FLK_END_NOWHERE;
     while (flk_pieces_next(&pieces, &piece)) {
-        assert_true(piece.from < piece.to);
-        if (piece.from == 0)
-            *begin = piece.begin;
-        if (fabs(piece.to * 180 / M_PI - angle) < 1e-7)
-            *end = piece.end;
+        assert_true(piece.from < piece.to && n < MOST);
+        list[n++] = piece;
     }
     flk_course_close(&course);
     free(acting.load);
     flk_deck_free(&d);
+    return n;
+}
+
+/* The piece that ends at this crank angle, in degrees; null if there is none. */
+static const flk_piece *find_end(const flk_piece *list, size_t n, double angle)
+{
+    for (; n > 0; n--, list++)
+        if (fabs(list->to * 180 / M_PI - angle) < 1e-7)
+            return list;
+    return NULL;
 }
 
 /* 1 if a piece of the motion ends at this crank angle. */
 static int has_end(const char *contents, int has_loads, double angle)
 {
-    flk_piece_end begin, end;
+    flk_piece list[MOST];
+    size_t n = list_pieces(contents, has_loads, list);
 
-    follow(contents, has_loads, angle, &begin, &end);
-    return end != FLK_END_NOWHERE;
+    return find_end(list, n, angle) != NULL;
 }
 
 static void check_end(const char *contents, double angle)
@@ -143,16 +150,51 @@ TEST(test_kinds_of_ends)
     size_t i;
 
     for (i = 0; i < COUNT(cases); i++) {
-        flk_piece_end begin, end;
+        const flk_piece *last;
         char contents[1000];
+        flk_piece list[MOST];
+        size_t n;
 
         sprintf(contents,
                 "mechanism = slider-crank\n[crank]\nlength = 30 mm\n[rod]\nlength = 40 "
                 "mm\n[ground]\noffset = 10 mm\n[motion]\n%s",
                 cases[i].motion);
-        follow(contents, 0, cases[i].passed, &begin, &end);
-        assert_int_equal(begin, cases[i].begin);
-        assert_int_equal(end, cases[i].end);
+        n = list_pieces(contents, 0, list);
+        last = find_end(list, n, cases[i].passed);
+        assert_non_null(last);
+        assert_int_equal(list[0].begin, cases[i].begin);
+        assert_int_equal(last->end, cases[i].end);
+    }
+}
+
+/* Columns of the motion alone are smooth beyond the corners of loads, up to where links come near to one line; those of an
+** actual motion, which follows from the loads, are not. */
+TEST(test_motion_beyond_loads)
+{
+    static const double ends[] = {0, 90, 270, 360};
+    static const char window[] = "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n";
+    char contents[1000];
+    flk_piece list[MOST];
+    size_t n, i, k;
+
+    sprintf(contents, CRANK STEADY "%s", 10.0, window);
+    n = list_pieces(contents, 1, list);
+    assert_int_equal(n, 5);
+    for (i = 0; i < n; i++) {
+        for (k = 0; ends[k + 1] * DEG <= list[i].from + 1e-9; k++)
+            continue;
+        assert_near(list[i].motion_from, ends[k] * DEG, 1e-9);
+        assert_near(list[i].motion_to, ends[k + 1] * DEG, 1e-9);
+    }
+    sprintf(contents,
+            CRANK
+            "%s[motion]\nmode = free\nspeed = 9 rad/s\nturns = 1\n[flywheel]\ninertia = 9 kg m2\n",
+            window);
+    n = list_pieces(contents, 1, list);
+    assert_int_equal(n, 5);
+    for (i = 0; i < n; i++) {
+        assert_near(list[i].motion_from, list[i].from, 0);
+        assert_near(list[i].motion_to, list[i].to, 0);
     }
 }
 
