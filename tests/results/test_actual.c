@@ -525,6 +525,30 @@ TEST(test_time_and_angle)
     fourlink_results_free(s);
 }
 
+/* By time as by angle, a linkage moves up to its dead position, and its energy is the same up to there. */
+TEST(test_time_to_a_dead_position)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 60 mm\nmass = 1 kg\ncg "
+        "= 20 mm\n"
+        "[coupler]\nlength = 50 mm\n[rocker]\nlength = 40 mm\nmass = 1 kg\ncg = 10 "
+        "mm\n[motion]\nmode = free\n"
+        "speed = 30 rad/s\nfrom = 50 deg\nrows = time\ntime_step = 1 ms\nduration = 0.1 s\n");
+    fourlink_instant at = row_of(r, 0);
+    double first = energy_of(r, &at);
+    unsigned long i;
+
+    for (i = 0; fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL) == FOURLINK_OK; i++) {
+        assert_near(at.row.time, 1e-3 * (double)i, 1e-15);
+        assert_close(energy_of(r, &at), first, 1e-9);
+    }
+    assert_in_range(i, 10, 99);
+    for (; i < 101; i++)
+        assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL),
+                         FOURLINK_DEAD_POSITION);
+    fourlink_results_free(r);
+}
+
 /* A pendulum swings between the angles at which its energy is that of its weight, as often as it should. */
 TEST(test_pendulum)
 {
