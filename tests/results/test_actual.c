@@ -300,6 +300,26 @@ TEST(test_fluctuation)
     fourlink_results_free(r);
 }
 
+/* The facts of the last cycle of a motion that slows down are those of one cycle from its speed there. */
+TEST(test_last_cycle)
+{
+    static const char *const names[] = {"mean_speed", "mean_speed_textbook", "fluctuation_exact",
+                                        "period"};
+    static const char motion[] = "%s[motion]\nmode = free\nspeed = %.17g rad/s\nturns = %d\n";
+    fourlink_results *r = opened(print(motion, PUMP FAN FLYWHEEL, 30.0, 4)),
+                     *last =
+                         opened(print(motion, PUMP FAN FLYWHEEL, value_at(r, "omega2", 1080), 1));
+    size_t i;
+
+    assert_true(value_at(r, "omega2", 1080) < 20);
+    for (i = 0; i < COUNT(names); i++)
+        assert_close(value_at(r, names[i], 0), value_at(last, names[i], 0), 1e-9);
+    assert_close(value_at(r, "period", 0), value_at(r, "time", 1440) - value_at(r, "time", 1080),
+                 1e-10);
+    fourlink_results_free(r);
+    fourlink_results_free(last);
+}
+
 /* The rate of the map of the energy over a cycle is that by which a run-up comes to the steady speed. */
 TEST(test_rate)
 {
