@@ -29,9 +29,9 @@ typedef struct crossings {
     flk_search x;
     flk_tracked t;
     double value, size;
-    int varies;  /* 1: the column is not constant */
-    double side; /* 1 or -1: of the samples at hand */
-    double last; /* rad passed, of the last that was found */
+    int varies;         /* 1: the column is not constant */
+    double side;        /* 1 or -1: of the samples at hand */
+    double first, last; /* rad passed, of the first and of the last that was found */
     unsigned long max, n;
     double *angles;
 } crossings;
@@ -66,6 +66,7 @@ static void keep(crossings *k, double s)
         return;
     if (k->n < k->max)
         k->angles[k->n] = flk_search_corner(&k->x, s);
+    k->first = k->n == 0 ? passed : k->first;
     k->last = passed;
     k->n++;
 }
@@ -175,16 +176,12 @@ static void measure(crossings *k)
 static void search_motion(crossings *k)
 {
     sample before = {0, 0};
-    double first = GSL_NAN;
 
     before.off = k->last = GSL_NAN;
-    while (!flk_search_is_over(&k->x) && flk_search_next(&k->x)) {
+    while (!flk_search_is_over(&k->x) && flk_search_next(&k->x))
         search_piece(k, &before);
-        if (gsl_isnan(first) && k->n)
-            first = k->last;
-    }
     /* a revolution ends with its first row */
-    if (k->n > 1 && first < SAME && k->last > k->x.motion.length - SAME &&
+    if (k->n > 1 && k->first < SAME && k->last > k->x.motion.length - SAME &&
         flk_course_is_periodic(&k->x.a->course))
         k->n--;
 }

@@ -143,6 +143,9 @@ TEST(test_kinds_of_ends)
          FLK_END_PLAIN},
         {"speed = 5 rad/s\nacceleration = -5 rad/s2\nfrom = -80 deg\nto = 180 deg\n",
          2.5 * 180 / M_PI, FLK_END_PLAIN, FLK_END_ROOT},
+        {"mode = free\nspeed = 2 rad/s\nfrom = -80 deg\nto = 180 deg\n[load]\nlink = crank\ntorque "
+         "= -1 N m\n[flywheel]\ninertia = 1 kg m2\n",
+         2 * 180 / M_PI, FLK_END_PLAIN, FLK_END_ROOT},
         {"mode = run-up\nfrom = -80 deg\nto = 50 deg\n[motor]\ntorque = 9 N m\n[flywheel]\ninertia "
          "= 1 kg m2\n",
          130, FLK_END_ROOT, FLK_END_PLAIN},
