@@ -147,10 +147,10 @@ TEST(test_jumps)
 /* A revolution of a motion that repeats ends with its first row, which counts once; one that slows down does not. */
 TEST(test_first_row)
 {
-#define MACHINE                                                                                    \
-    ROCKER                                                                                         \
-        "[motor]\nstall_torque = 9 N m\nno_load_speed = 14 rad/s\n[flywheel]\ninertia = 1 kg m2\n" \
-        "[load]\nlink = crank\ntorque = -2 N m\n[motion]\nmode = "
+#define MACHINE                                                                                \
+    ROCKER                                                                                     \
+    "[motor]\nstall_torque = 9 N m\nno_load_speed = 14 rad/s\n[flywheel]\ninertia = 1 kg m2\n" \
+    "[load]\nlink = crank\ntorque = -2 N m\n[motion]\nmode = "
     static const char *const decks[] = {ROCKER SPEED, MACHINE "steady\n",
                                         MACHINE "free\nspeed = 9 rad/s\nturns = 1\n"};
     double at[MOST];
