@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_corners.c - where columns of loads are not smooth, at angles that are known.
+** test_corners.c - where columns of loads are not smooth, at angles that are known, and what the ends of pieces are.
 */
 #include "check.h"
 #include "motion/pieces.h"
@@ -69,11 +69,19 @@ static void check_end(const char *contents, double angle)
 /* omega2^2 = 2 alpha theta2: a point of the curve at 6 rad/s is passed at 18 / alpha. */
 TEST(test_speed_that_grows)
 {
-    check_end(
-        CRANK
-        "[motion]\nspeed = 0 rad/s\nacceleration = 5 rad/s2\ninterval = 10 deg\n[load]\n"
-        "link = crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s -2 N m, 20 rad/s -3 N m\n",
-        18.0 / 5 * 180 / M_PI);
+    static const double alpha[] = {5, 50};
+    char contents[1000];
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        sprintf(
+            contents,
+            CRANK
+            "[motion]\nspeed = 0 rad/s\nacceleration = %g rad/s2\ninterval = 10 deg\n[load]\nlink "
+            "= crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s -2 N m, 20 rad/s -3 N m\n",
+            alpha[i]);
+        check_end(contents, 18 / alpha[i] * 180 / M_PI);
+    }
 }
 
 #define STEADY "[motion]\nspeed = %g rad/s\ninterval = 10 deg\n"
