@@ -177,20 +177,9 @@ static void take_unknowns(const joint *j, const fourlink_forces *forces, double 
     x[1] = *FLK_MEMBER(forces, flk_unknowns[i + 1][form]);
 }
 
-/* As flk_apply_load; a pin has only torques. */
-static void apply_load(const joint *j, const fourlink_load *load, const fourlink_state *state,
-                       flk_body body[3])
+static void apply_load(const fourlink_load *load, const fourlink_state *state, flk_body body[3])
 {
-    flk_body *b = &body[load->link - FOURLINK_CRANK];
-    double work = load->torque * state->link[load->link].k;
-
-    if (j->is_guide) {
-        flk_apply_load(load, &state->link[load->link], b);
-        return;
-    }
-    b->moment -= load->torque;
-    b->work += work;
-    b->largest = flk_larger(b->largest, fabs(work));
+    flk_apply_load(load, &state->link[load->link], &body[load->link - FOURLINK_CRANK]);
 }
 
 /* x0 and S; a status. */
@@ -211,7 +200,7 @@ static int find_columns(const flk_kind *kind, const fourlink_mechanism *mechanis
     for (k = 0; k < e->n_coupled && status == FOURLINK_OK; k++) {
         memset(body, 0, sizeof body);
         for (i = 0; i < e->joint[k].n_loads; i++)
-            apply_load(&e->joint[k], &e->joint[k].load[i], state, body);
+            apply_load(&e->joint[k].load[i], state, body);
         status = solve(kind, mechanism, state, body, &forces);
         for (i = 0; i < e->n; i++) {
             take_unknowns(&e->joint[i], &forces, x);
@@ -443,7 +432,7 @@ static void apply(const fourlink_state *state, equations *e, flk_body body[3])
             load->torque *= e->y[k];
             load->force.x *= e->y[k];
             load->force.y *= e->y[k];
-            apply_load(j, load, state, body);
+            apply_load(load, state, body);
         }
     }
 }

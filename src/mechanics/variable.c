@@ -2,8 +2,6 @@
 **
 ** variable.c - the variables of a state that a load can follow.
 */
-#include <math.h>
-
 #include "variable.h"
 
 #define STANDSTILL 1e-12 /* of a unit crank speed: what is slower turns round */
@@ -31,14 +29,12 @@ double flk_variable_value(const fourlink_state *state, flk_variable variable)
 }
 
 int flk_variable_falls(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       flk_variable position, int direction)
+                       flk_variable position, int sense)
 {
     int is_length = position == FLK_X || position == FLK_SLIDE;
     double r = is_length ? mechanism->design.link[FOURLINK_CRANK].length : 1;
     fourlink_state moved = *state;
 
-    if (state->link[FOURLINK_CRANK].omega == 0)
-        fourlink_velocity(mechanism, direction < 0 ? -1 : 1, &moved);
-    return flk_variable_value(&moved, FLK_RATE_OF(position)) <
-           -STANDSTILL * r * fabs(moved.link[FOURLINK_CRANK].omega);
+    fourlink_velocity(mechanism, sense, &moved);
+    return flk_variable_value(&moved, FLK_RATE_OF(position)) < -STANDSTILL * r;
 }

@@ -26,9 +26,8 @@ typedef enum flk_variable {
 /* Its value, rad or m, rad/s or m/s. */
 double flk_variable_value(const fourlink_state *state, flk_variable variable);
 
-/* 1 if a position falls: of a crank at rest, if it would in the sense in which that is about to turn (1 or -1).  Where it
-** turns round it does not fall. */
+/* 1 if a position falls as the crank turns in a sense, 1 or -1.  Where it turns round it does not fall. */
 int flk_variable_falls(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                       flk_variable position, int direction);
+                       flk_variable position, int sense);
 
 #endif

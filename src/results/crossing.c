@@ -26,8 +26,8 @@ typedef struct crossings {
     flk_samples x;
     const flk_sampled *c;
     double value, size;
-    double side; /* 1 or -1: of the samples at hand */
-    double last; /* rad passed, of the last that was found */
+    double side;        /* 1 or -1: of the samples at hand */
+    double first, last; /* rad passed, of the first and of the last that was found */
     unsigned long max, n;
     double *angles;
 } crossings;
@@ -63,6 +63,7 @@ static void keep(crossings *k, double s)
         return;
     if (k->n < k->max)
         k->angles[k->n] = flk_follow_angle(&k->x.f, passed);
+    k->first = k->n == 0 ? passed : k->first;
     k->last = passed;
     k->n++;
 }
@@ -176,16 +177,12 @@ static int measure(crossings *k)
 static void search_motion(crossings *k)
 {
     sample before = {0, 0};
-    double first = GSL_NAN;
 
     before.off = k->last = GSL_NAN;
-    while (flk_samples_next(&k->x)) {
+    while (flk_samples_next(&k->x))
         search_piece(k, &before);
-        if (gsl_isnan(first) && k->n)
-            first = k->last;
-    }
     /* a revolution ends with its first row */
-    if (k->n > 1 && first < SAME && k->last > k->x.f.motion.length - SAME &&
+    if (k->n > 1 && k->first < SAME && k->last > k->x.f.motion.length - SAME &&
         flk_course_is_periodic(&k->x.f.a->course))
         k->n--;
 }

@@ -115,6 +115,13 @@ sed "s/^duration.*/duration = 40 ms/" "$decks/../fuzz/decks/free.deck" >time.dec
 sed 's/^cg = 0 mm//' single.deck >note.deck # point masses: notes
 few='-i 90deg'
 
+# each allocation of an integrated motion: without it the crank would turn as if its motion were given
+other=$every every=1
+sed '/^rows\|^duration\|^time_step/d; s|^speed.*|speed = 20 rad/s|' time.deck >free.deck
+all 0 -f csv -b open -o files/result time.deck
+all 0 -f csv -b open -o files/result $few free.deck
+every=$other
+
 for format in table csv json; do
     all 0 -f $format -o files/result $few single.deck
 done

@@ -579,6 +579,24 @@ TEST(test_change_points_are_said)
     }
 }
 
+/* A linkage of two nearly equal pairs of links lies in one line at 0 deg within the rounding of its sine, whose square is
+** (a - d - b + c) (a - d + b - c) (4 b c) / (4 b c)^2 there. */
+TEST(test_nearly_equal_pairs)
+{
+    static const double off[] = {1e-8, 1e-6};
+    fourlink_state s;
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        fourlink_mechanism m = four_bar(1 + off[i], 2 + 2 * off[i], 2, 1);
+
+        assert_int_equal(m.change_folded, i == 0);
+        assert_int_equal(m.change_stretched, 0);
+        assert_int_equal(analyse(&m, FOURLINK_OPEN, 0, 1, 0, &s),
+                         i == 0 ? FOURLINK_CHANGE_POINT : FOURLINK_TOO_NEAR);
+    }
+}
+
 /* Lengths in whole millimetres, given in metres: whether their sums agree is then a question of
 ** whole numbers, which rounding must not decide. */
 TEST(test_change_points_of_decimal_lengths)

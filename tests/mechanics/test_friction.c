@@ -173,6 +173,16 @@ static int fixed_point(const sample *s, const fourlink_friction *friction, doubl
     return 0;
 }
 
+/* Of the power that comes in, at the crank or from the loads, what is not lost goes out at the other side. */
+static void check_efficiency(const sample *s, const fourlink_forces *f, const fourlink_losses *l)
+{
+    double at_crank = f->Ts * s->crank.omega2;
+    double in = at_crank > 0 ? at_crank : l->power - at_crank;
+    double out = at_crank > 0 ? fmax(at_crank - l->power, 0) : -at_crank;
+
+    assert_near(l->efficiency * in, out, 1e-9 * (in + l->power));
+}
+
 #define MACHINES 10000
 
 TEST(test_fixed_point)
@@ -208,6 +218,7 @@ TEST(test_fixed_point)
         assert_true(l.power >= 0 && l.efficiency >= 0 && l.efficiency <= 1 + 1e-12);
         assert_near((f.Ts - l.Ts0) * s.crank.omega2, l.power,
                     1e-9 * (l.power + fabs(l.Ts0 * s.crank.omega2) + 100 * fabs(f.residual)));
+        check_efficiency(&s, &f, &l);
         kinds[s.design.kind]++;
         n++;
     }
@@ -319,6 +330,25 @@ TEST(test_reversed)
     friction.direction = 0;
     assert_int_equal(solve(&s, &friction, &at_rest, &l), FOURLINK_OK);
     assert_close(at_rest.Ts, f.Ts, 1e-9);
+}
+
+/* Where no force acts, nothing is lost. */
+TEST(test_no_force)
+{
+    fourlink_friction friction = pins(0.01);
+    fourlink_forces f;
+    fourlink_losses l;
+    sample s;
+
+    memset(&s, 0, sizeof s);
+    s.design.kind = FOURLINK_SLIDER_CRANK;
+    s.design.link[2].length = 0.05;
+    s.design.link[3].length = 0.2;
+    s.branch = FOURLINK_OPEN;
+    s.crank.theta2 = s.crank.omega2 = 1;
+    assert_int_equal(move(&s), FOURLINK_OK);
+    assert_int_equal(solve(&s, &friction, &f, &l), FOURLINK_OK);
+    assert_true(f.Ts == 0 && l.power == 0 && l.efficiency == 1);
 }
 
 /* At a dead centre the piston stands still: its guide has no friction. */

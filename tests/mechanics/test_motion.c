@@ -412,6 +412,7 @@ TEST(test_intervals)
     check_rows(0, 360, 360.0 / 7, 8);
     check_rows(0, 360, 1e-3, 360001);
     check_rows(0, 360, 1e-4, 3600001);
+    check_rows(0, 2.1, 0.7, 4); /* the quotient is above 3 */
     check_rows(0.1, 0.7, 0.1, 7);
     check_rows(-0.3, 0.3, 0.1, 7);
     check_rows(360, 0, 40, 10);

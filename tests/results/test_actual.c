@@ -300,6 +300,26 @@ TEST(test_fluctuation)
     fourlink_results_free(r);
 }
 
+/* The facts of the last cycle of a motion that slows down are those of one cycle from its speed there. */
+TEST(test_last_cycle)
+{
+    static const char *const names[] = {"mean_speed", "mean_speed_textbook", "fluctuation_exact",
+                                        "period"};
+    static const char motion[] = "%s[motion]\nmode = free\nspeed = %.17g rad/s\nturns = %d\n";
+    fourlink_results *r = opened(print(motion, PUMP FAN FLYWHEEL, 30.0, 4)),
+                     *last =
+                         opened(print(motion, PUMP FAN FLYWHEEL, value_at(r, "omega2", 1080), 1));
+    size_t i;
+
+    assert_true(value_at(r, "omega2", 1080) < 20);
+    for (i = 0; i < COUNT(names); i++)
+        assert_close(value_at(r, names[i], 0), value_at(last, names[i], 0), 1e-9);
+    assert_close(value_at(r, "period", 0), value_at(r, "time", 1440) - value_at(r, "time", 1080),
+                 1e-10);
+    fourlink_results_free(r);
+    fourlink_results_free(last);
+}
+
 /* The rate of the map of the energy over a cycle is that by which a run-up comes to the steady speed. */
 TEST(test_rate)
 {
@@ -470,6 +490,36 @@ TEST(test_positions)
     fourlink_results_free(r);
 }
 
+/* Linkages with one change point, at 0 or at 180 deg, and engines with one at 90 or at -90 deg keep their energy. */
+TEST(test_one_change_point)
+{
+    static const char motion[] =
+        "[motion]\nmode = free\nspeed = 40 rad/s\nfrom = 31 deg\nto = 1111 deg\ninterval = "
+        "20 deg\n";
+    static const char linkage[] = "mechanism = four-bar\n[ground]\nlength = 1 m\n[crank]\nlength = "
+                                  "0.3 m\n[coupler]\nlength = %g m\n"
+                                  "[rocker]\nlength = %g m\nmass = 1 kg\ncg = 0.1 m\n";
+    const char *decks[4];
+    unsigned long i, k;
+
+    decks[0] = print(linkage, 1.2, 0.5);
+    decks[1] = print(linkage, 0.6, 0.7);
+    decks[2] = slider_crank(0.3, 0.4, 0.1, "[piston]\nmass = 1 kg\n");
+    decks[3] = slider_crank(0.3, 0.4, -0.1, "[piston]\nmass = 1 kg\n");
+    for (i = 0; i < 4; i++) {
+        fourlink_results *r =
+            opened(print("%s[flywheel]\ninertia = 0.3 kg m2\n%s", decks[i], motion));
+        fourlink_instant at = row_of(r, 0);
+        double first = energy_of(r, &at) + 0.15 * 1600;
+
+        for (k = 1; k < problem_of(r).n_rows; k++) {
+            at = row_of(r, k);
+            assert_close(energy_of(r, &at) + 0.15 * gsl_pow_2(at.row.crank.omega2), first, 1e-10);
+        }
+        fourlink_results_free(r);
+    }
+}
+
 /* ------------------------------------------------------------------------------------ by time */
 
 /* Rows by time are those by angle at the same time. */
@@ -493,6 +543,30 @@ TEST(test_time_and_angle)
     }
     fourlink_results_free(r);
     fourlink_results_free(s);
+}
+
+/* By time as by angle, a linkage moves up to its dead position, and its energy is the same up to there. */
+TEST(test_time_to_a_dead_position)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[ground]\nlength = 80 mm\n[crank]\nlength = 60 mm\nmass = 1 kg\ncg "
+        "= 20 mm\n"
+        "[coupler]\nlength = 50 mm\n[rocker]\nlength = 40 mm\nmass = 1 kg\ncg = 10 "
+        "mm\n[motion]\nmode = free\n"
+        "speed = 30 rad/s\nfrom = 50 deg\nrows = time\ntime_step = 1 ms\nduration = 0.1 s\n");
+    fourlink_instant at = row_of(r, 0);
+    double first = energy_of(r, &at);
+    unsigned long i;
+
+    for (i = 0; fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL) == FOURLINK_OK; i++) {
+        assert_near(at.row.time, 1e-3 * (double)i, 1e-15);
+        assert_close(energy_of(r, &at), first, 1e-9);
+    }
+    assert_in_range(i, 10, 99);
+    for (; i < 101; i++)
+        assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, i, NULL, &at, NULL),
+                         FOURLINK_DEAD_POSITION);
+    fourlink_results_free(r);
 }
 
 /* A pendulum swings between the angles at which its energy is that of its weight, as often as it should. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** test_corners.c - where columns of loads are not smooth, at angles that are known.
+** test_corners.c - where columns of loads are not smooth, at angles that are known, and what the ends of pieces are.
 */
 #include "check.h"
 #include "motion/pieces.h"
@@ -10,14 +10,16 @@
     "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 mm\n[piston]\nmass = " \
     "1 kg\n"
 
-/* 1 if a piece of the motion ends at this crank angle, in degrees; the motion of loads, or of the links alone. */
-static int has_end(const char *contents, int has_loads, double angle)
+#define MOST 20
+
+/* The pieces of the open branch's motion, of loads or of the links alone: their number. */
+static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
 {
     flk_course course;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
-    int found = 0;
+    size_t n = 0;
     deck d;
 
     read_deck(contents, &d);
@@ -31,13 +33,31 @@ static int has_end(const char *contents, int has_loads, double angle)
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
     while (flk_pieces_next(&pieces, &piece)) {
-        assert_true(piece.from < piece.to);
-        found |= fabs(piece.to * 180 / M_PI - angle) < 1e-7;
+        assert_true(piece.from < piece.to && n < MOST);
+        list[n++] = piece;
     }
     flk_course_close(&course);
     free(acting.load);
     flk_deck_free(&d);
-    return found;
+    return n;
+}
+
+/* The piece that ends at this crank angle, in degrees; null if there is none. */
+static const flk_piece *find_end(const flk_piece *list, size_t n, double angle)
+{
+    for (; n > 0; n--, list++)
+        if (fabs(list->to * 180 / M_PI - angle) < 1e-7)
+            return list;
+    return NULL;
+}
+
+/* 1 if a piece of the motion ends at this crank angle. */
+static int has_end(const char *contents, int has_loads, double angle)
+{
+    flk_piece list[MOST];
+    size_t n = list_pieces(contents, has_loads, list);
+
+    return find_end(list, n, angle) != NULL;
 }
 
 static void check_end(const char *contents, double angle)
@@ -49,11 +69,19 @@ static void check_end(const char *contents, double angle)
 /* omega2^2 = 2 alpha theta2: a point of the curve at 6 rad/s is passed at 18 / alpha. */
 TEST(test_speed_that_grows)
 {
-    check_end(
-        CRANK
-        "[motion]\nspeed = 0 rad/s\nacceleration = 5 rad/s2\ninterval = 10 deg\n[load]\n"
-        "link = crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s -2 N m, 20 rad/s -3 N m\n",
-        18.0 / 5 * 180 / M_PI);
+    static const double alpha[] = {5, 50};
+    char contents[1000];
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        sprintf(
+            contents,
+            CRANK
+            "[motion]\nspeed = 0 rad/s\nacceleration = %g rad/s2\ninterval = 10 deg\n[load]\nlink "
+            "= crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s -2 N m, 20 rad/s -3 N m\n",
+            alpha[i]);
+        check_end(contents, 18 / alpha[i] * 180 / M_PI);
+    }
 }
 
 #define STEADY "[motion]\nspeed = %g rad/s\ninterval = 10 deg\n"
@@ -78,6 +106,15 @@ TEST(test_one_speed)
     }
 }
 
+/* At 180 deg the piston turns round, whatever the speed: also of a crank that is at rest at first. */
+TEST(test_speed_that_is_zero)
+{
+    check_end(CRANK
+              "[motion]\nspeed = 0 rad/s\nacceleration = 5 rad/s2\ninterval = 10 deg\n[load]\n"
+              "link = piston\nforce = -10 N\nover = v\nat_speed = 1 m/s\nexponent = 2\n",
+              180);
+}
+
 /* The free length of a rope that is taut beyond 60 deg; the edges of a range, for either sense. */
 TEST(test_positions)
 {
@@ -96,6 +133,80 @@ TEST(test_positions)
     sprintf(contents,
             CRANK STEADY "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n", -10.0);
     check_end(contents, 360 - 77); /* rad passed, clockwise */
+}
+
+/* This engine has a change point at -90 deg. */
+TEST(test_kinds_of_ends)
+{
+    static const struct {
+        const char *motion;
+        double passed; /* deg, to an end */
+        flk_piece_end begin, end;
+    } cases[] = {
+        {"speed = 9 rad/s\nfrom = 0 deg\nto = 330 deg\n", 270, FLK_END_PLAIN, FLK_END_CHANGE},
+        {"speed = 9 rad/s\nfrom = -90 deg\nto = 50 deg\n", 140, FLK_END_CHANGE, FLK_END_PLAIN},
+        {"speed = 0\nacceleration = 5 rad/s2\nfrom = -90 deg\nto = 50 deg\n", 140,
+         FLK_END_CHANGE_REST, FLK_END_PLAIN},
+        {"speed = 0\nacceleration = 5 rad/s2\nfrom = -80 deg\nto = 50 deg\n", 130, FLK_END_ROOT,
+         FLK_END_PLAIN},
+        {"speed = 5 rad/s\nacceleration = -5 rad/s2\nfrom = -80 deg\nto = 180 deg\n",
+         2.5 * 180 / M_PI, FLK_END_PLAIN, FLK_END_ROOT},
+        {"mode = free\nspeed = 2 rad/s\nfrom = -80 deg\nto = 180 deg\n[load]\nlink = crank\ntorque "
+         "= -1 N m\n[flywheel]\ninertia = 1 kg m2\n",
+         2 * 180 / M_PI, FLK_END_PLAIN, FLK_END_ROOT},
+        {"mode = run-up\nfrom = -80 deg\nto = 50 deg\n[motor]\ntorque = 9 N m\n[flywheel]\ninertia "
+         "= 1 kg m2\n",
+         130, FLK_END_ROOT, FLK_END_PLAIN},
+    };
+    size_t i;
+
+    for (i = 0; i < COUNT(cases); i++) {
+        const flk_piece *last;
+        char contents[1000];
+        flk_piece list[MOST];
+        size_t n;
+
+        sprintf(contents,
+                "mechanism = slider-crank\n[crank]\nlength = 30 mm\n[rod]\nlength = 40 "
+                "mm\n[ground]\noffset = 10 mm\n[motion]\n%s",
+                cases[i].motion);
+        n = list_pieces(contents, 0, list);
+        last = find_end(list, n, cases[i].passed);
+        assert_non_null(last);
+        assert_int_equal(list[0].begin, cases[i].begin);
+        assert_int_equal(last->end, cases[i].end);
+    }
+}
+
+/* Columns of the motion alone are smooth beyond the corners of loads, up to where links come near to one line; those of an
+** actual motion, which follows from the loads, are not. */
+TEST(test_motion_beyond_loads)
+{
+    static const double ends[] = {0, 90, 270, 360};
+    static const char window[] = "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n";
+    char contents[1000];
+    flk_piece list[MOST];
+    size_t n, i, k;
+
+    sprintf(contents, CRANK STEADY "%s", 10.0, window);
+    n = list_pieces(contents, 1, list);
+    assert_int_equal(n, 5);
+    for (i = 0; i < n; i++) {
+        for (k = 0; ends[k + 1] * DEG <= list[i].from + 1e-9; k++)
+            continue;
+        assert_near(list[i].motion_from, ends[k] * DEG, 1e-9);
+        assert_near(list[i].motion_to, ends[k + 1] * DEG, 1e-9);
+    }
+    sprintf(contents,
+            CRANK
+            "%s[motion]\nmode = free\nspeed = 9 rad/s\nturns = 1\n[flywheel]\ninertia = 9 kg m2\n",
+            window);
+    n = list_pieces(contents, 1, list);
+    assert_int_equal(n, 5);
+    for (i = 0; i < n; i++) {
+        assert_near(list[i].motion_from, list[i].from, 0);
+        assert_near(list[i].motion_to, list[i].to, 0);
+    }
 }
 
 int main(void)

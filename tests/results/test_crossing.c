@@ -144,6 +144,30 @@ TEST(test_jumps)
     fourlink_results_free(r);
 }
 
+/* A revolution of a motion that repeats ends with its first row, which counts once; one that slows down does not. */
+TEST(test_first_row)
+{
+#define MACHINE                                                                                \
+    ROCKER                                                                                     \
+    "[motor]\nstall_torque = 9 N m\nno_load_speed = 14 rad/s\n[flywheel]\ninertia = 1 kg m2\n" \
+    "[load]\nlink = crank\ntorque = -2 N m\n[motion]\nmode = "
+    static const char *const decks[] = {ROCKER SPEED, MACHINE "steady\n",
+                                        MACHINE "free\nspeed = 9 rad/s\nturns = 1\n"};
+    double at[MOST];
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        fourlink_results *r = opened(decks[i]);
+        double first = value_at(r, "theta4", FOURLINK_OPEN, 0);
+
+        assert_int_equal(crossings(r, "theta4", FOURLINK_OPEN, first, at), i < 2 ? 2 : 3);
+        assert_near(at[0], 0, 1e-9);
+        assert_true(at[1] > 10 && at[1] < 350);
+        fourlink_results_free(r);
+    }
+#undef MACHINE
+}
+
 /* Each turn has its own. */
 TEST(test_turns)
 {

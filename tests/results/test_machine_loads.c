@@ -265,6 +265,27 @@ TEST(test_power_law)
     fourlink_results_free(r);
 }
 
+/* At 90 deg the slide of an inverted slider-crank has the length sqrt(a^2 + d^2) and the speed a d omega2 / sqrt(a^2 + d^2),
+** and the lever turns at omega4 = omega2 a^2 / (a^2 + d^2): at a point of its curve a load has its value T, and Ts is
+** -T omega4 / omega2. */
+TEST(test_over_the_slide)
+{
+    static const double a = 0.12, d = 0.24, omega2 = 10;
+    double square = a * a + d * d, slide = sqrt(square);
+    const char *lever = print("mechanism = inverted-slider-crank\n[ground]\nlength = 240 mm\n"
+                              "[crank]\nlength = 120 mm\n[motion]\nspeed = 10 rad/s\n[load L]\n"
+                              "link = lever\n");
+    fourlink_results *r = opened(
+        print("%sover = slide\ntorque = 0.1 m 1 N m, %.17g m 7 N m, 0.4 m 2 N m\n", lever, slide));
+
+    assert_close(value(r, "Ts", 90), -7 * a * a / square, 1e-12);
+    fourlink_results_free(r);
+    r = opened(print("%sover = slide_v\ntorque = -9 m/s 1 N m, %.17g m/s 7 N m, 9 m/s 2 N m\n",
+                     lever, a * d * omega2 / slide));
+    assert_close(value(r, "Ts", 90), -7 * a * a / square, 1e-12);
+    fourlink_results_free(r);
+}
+
 /* Beyond the ends of a curve that is not periodic its values hold. */
 TEST(test_ends_of_curves)
 {

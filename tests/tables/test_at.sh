@@ -30,13 +30,15 @@ prints '# omega2 = 10.5 rad/s: the column is constant: it is not at a value at s
 run 0 --at='theta4 = 120 deg' -f json -b open -c $columns "$rocker"
 check 'json' test "$(grep -c '"status"' out)" -eq 2
 
-for at in "theta5 = 3 deg|no column 'theta5'; did you mean 'theta3'?" "theta4 = 3 mm|'theta4 = 3 mm' is a length; expected an angle" \
-    "theta4 =|expected an angle" "800 deg x|expected an angle"; do
+for at in "theta5 = 3 deg|no column 'theta5'; did you mean 'theta2'?" "theta4 = 3 mm|'theta4 = 3 mm' is a length; expected an angle" \
+    "theta4 =|expected an angle" "800 deg x|unknown unit 'x' in '800 deg x'"; do
     run 2 --at="${at%%|*}" "$rocker"
     check "message for ${at%%|*}: $(cat err)" grep -qF -e "${at#*|}" err
 done
+sed '/^interval/d' "$rocker" >time.deck
 run 2 --at='theta4 = 120 deg' -s motion.mode=free -s motion.speed='5 rad/s' -s motion.rows=time -s motion.time_step='1 ms' \
-    -s motion.duration='9 ms' -s crank.mass='1 kg' "$rocker"
+    -s motion.duration='9 ms' -s crank.inertia='1 kg m^2' time.deck
 check "rows by time: $(cat err)" grep -q 'needs rows by angle; these are rows by time' err
 usage '--at chooses rows of a table, csv, json or --expect' --at='30 deg' --format=paper "$rocker"
 usage '--at chooses rows of a table, csv, json or --expect' --at='30 deg' --plot=x.svg "$rocker"
+finish
