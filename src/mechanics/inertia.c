@@ -58,8 +58,8 @@ int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *
     return FOURLINK_OK;
 }
 
-double flk_inertia_push(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                        const fourlink_load *loads, unsigned long n_loads)
+double flk_inertia_force(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_load *loads, unsigned long n_loads)
 {
     const fourlink_vector *g = &mechanism->design.gravity;
     fourlink_vector r, F, k;
@@ -96,6 +96,6 @@ int fourlink_generalised_force(const fourlink_mechanism *mechanism, const fourli
     if (status == FOURLINK_OK)
         status = state ? flk_check_loads(loads, n_loads) : FOURLINK_NULL;
     if (status == FOURLINK_OK)
-        *Q = flk_inertia_push(mechanism, state, loads, n_loads);
+        *Q = flk_inertia_force(mechanism, state, loads, n_loads);
     return status;
 }

@@ -13,8 +13,8 @@ void flk_inertia_of_motion(const fourlink_mechanism *mechanism, const fourlink_s
                            double *J, double *turning);
 
 /* Q, N m, of weights and valid loads. */
-double flk_inertia_push(const fourlink_mechanism *mechanism, const fourlink_state *state,
-                        const fourlink_load *loads, unsigned long n_loads);
+double flk_inertia_force(const fourlink_mechanism *mechanism, const fourlink_state *state,
+                         const fourlink_load *loads, unsigned long n_loads);
 
 /* A valid motor's torque on the crank, on the smooth piece of its curve in which the speed `within` lies; the two speeds of
 ** the crank between which that piece holds, infinite if there is none (motor.c). */

@@ -172,13 +172,13 @@ int flk_machine_at(const flk_machine *m, fourlink_branch branch, double theta2,
     if (status != FOURLINK_OK)
         return status;
     flk_inertia_of_motion(&m->mechanism, &place->state, &place->J, &place->half_slope);
-    place->whole = place->J + flk_machine_shaft(m);
-    return place->whole > 0 ? FOURLINK_OK : FOURLINK_NO_INERTIA;
+    place->total = place->J + flk_machine_shaft(m);
+    return place->total > 0 ? FOURLINK_OK : FOURLINK_NO_INERTIA;
 }
 
 /* The torque on the crank that an acceleration needs, less that which the shaft gives: Ts - (T_m - I_f alpha2). */
-static int miss(const flk_machine *m, fourlink_state *state, const flk_acting *acting,
-                double T_motor, double alpha2, double *value)
+static int missing_torque(const flk_machine *m, fourlink_state *state, const flk_acting *acting,
+                          double T_motor, double alpha2, double *value)
 {
     fourlink_forces forces;
     fourlink_losses losses;
@@ -196,35 +196,36 @@ static int miss(const flk_machine *m, fourlink_state *state, const flk_acting *a
 ** the bracket that is known, as it leaps about where what is missed has a kink.  That grows with alpha2, unless friction
 ** locks the mechanism. */
 static int find_alpha(const flk_machine *m, const flk_machine_place *place, fourlink_state *state,
-                      const flk_acting *acting, flk_machine_push *push)
+                      const flk_acting *acting, flk_machine_torque *torque)
 {
-    double last = push->alpha2, at, miss_last, miss_at, slope = place->whole, size;
+    double last = torque->alpha2, at, missing_last, missing_here, slope = place->total, size;
     flk_bracket b = flk_bracket_of(0, 0, GSL_POSINF, GSL_NEGINF);
-    int i, status = miss(m, state, acting, push->T_motor, last, &miss_last);
+    int i, status = missing_torque(m, state, acting, torque->T_motor, last, &missing_last);
 
-    at = last - (status == FOURLINK_OK ? miss_last : 0) / slope;
-    size = fabs(push->push) + place->whole * fabs(at);
+    at = last - (status == FOURLINK_OK ? missing_last : 0) / slope;
+    size = fabs(torque->net) + place->total * fabs(at);
     if (status == FOURLINK_OK)
-        flk_bracket_take(&b, last, miss_last, 1);
+        flk_bracket_take(&b, last, missing_last, 1);
     for (i = 0; status == FOURLINK_OK && i < STEPS && at != last; i++) {
-        status = miss(m, state, acting, push->T_motor, at, &miss_at);
+        status = missing_torque(m, state, acting, torque->T_motor, at, &missing_here);
         if (status != FOURLINK_OK)
             break;
-        slope = (miss_at - miss_last) / (at - last);
+        slope = (missing_here - missing_last) / (at - last);
         if (!(slope > 0))
-            return fabs(miss_at) <= 1e-11 * size ? FOURLINK_OK : FOURLINK_LOCKED;
-        push->alpha2 = at;
-        if (fabs(miss_at) <= 1e-15 * size)
+            return fabs(missing_here) <= 1e-11 * size ? FOURLINK_OK : FOURLINK_LOCKED;
+        torque->alpha2 = at;
+        if (fabs(missing_here) <= 1e-15 * size)
             break;
-        flk_bracket_take(&b, at, miss_at, 1);
+        flk_bracket_take(&b, at, missing_here, 1);
         last = at;
-        miss_last = miss_at;
-        at -= miss_at / slope;
+        missing_last = missing_here;
+        at -= missing_here / slope;
         if (b.f_low < 0 && b.f_high > 0 && !(b.low < at && at < b.high))
             at = flk_bracket_next(&b);
     }
-    return status == FOURLINK_OK && i == STEPS && fabs(miss_last) > 1e-11 * size ? FOURLINK_LOCKED
-                                                                                 : status;
+    return status == FOURLINK_OK && i == STEPS && fabs(missing_last) > 1e-11 * size
+               ? FOURLINK_LOCKED
+               : status;
 }
 
 /* All loads at the actual speeds. */
@@ -238,8 +239,8 @@ static int move_loads(const flk_machine *m, const flk_machine_place *place, doub
     return flk_machine_loads(m, moving, acting);
 }
 
-int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, double omega2,
-                        flk_acting *acting, flk_machine_push *push)
+int flk_machine_torque_at(const flk_machine *m, const flk_machine_place *place, double omega2,
+                          flk_acting *acting, flk_machine_torque *torque)
 {
     double turning = place->half_slope * omega2 * omega2;
     fourlink_state moving;
@@ -247,13 +248,14 @@ int flk_machine_push_at(const flk_machine *m, const flk_machine_place *place, do
 
     if (status != FOURLINK_OK)
         return status;
-    push->T_motor = flk_motor_torque(&m->motor, omega2, acting->held ? acting->held_speed : omega2);
-    push->push =
-        push->T_motor + flk_inertia_push(&m->mechanism, &place->state, acting->load, m->n_loads);
-    push->alpha2 = (push->push - turning) / place->whole;
+    torque->T_motor =
+        flk_motor_torque(&m->motor, omega2, acting->held ? acting->held_speed : omega2);
+    torque->net =
+        torque->T_motor + flk_inertia_force(&m->mechanism, &place->state, acting->load, m->n_loads);
+    torque->alpha2 = (torque->net - turning) / place->total;
     if (!m->has_friction)
         return FOURLINK_OK;
-    status = find_alpha(m, place, &moving, acting, push);
-    push->push = place->whole * push->alpha2 + turning;
+    status = find_alpha(m, place, &moving, acting, torque);
+    torque->net = place->total * torque->alpha2 + turning;
     return status;
 }

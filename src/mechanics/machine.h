@@ -55,15 +55,15 @@ typedef struct flk_machine_place {
     fourlink_state state; /* at unit speed */
     double J;             /* kg m2, of the links */
     double half_slope;    /* kg m2, J' / 2 */
-    double whole;         /* kg m2, with flywheel and rotor */
+    double total;         /* kg m2, with flywheel and rotor */
 } flk_machine_place;
 
 /* What turns it there at a speed. */
-typedef struct flk_machine_push {
+typedef struct flk_machine_torque {
     double T_motor; /* N m, at the crank */
-    double push;    /* N m, T_motor + Q: dE/dtheta2 */
+    double net;     /* N m, T_motor + Q: dE/dtheta2 */
     double alpha2;  /* rad/s2 */
-} flk_machine_push;
+} flk_machine_torque;
 
 /* kg m2, of flywheel and rotor, at the crank. */
 double flk_machine_shaft(const flk_machine *machine);
@@ -73,7 +73,7 @@ int flk_machine_at(const flk_machine *machine, fourlink_branch branch, double th
                    flk_machine_place *place);
 
 /* FOURLINK_OK, FOURLINK_LOCKED, FOURLINK_NO_DIRECTION. */
-int flk_machine_push_at(const flk_machine *machine, const flk_machine_place *place, double omega2,
-                        flk_acting *acting, flk_machine_push *push);
+int flk_machine_torque_at(const flk_machine *machine, const flk_machine_place *place, double omega2,
+                          flk_acting *acting, flk_machine_torque *torque);
 
 #endif

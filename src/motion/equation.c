@@ -24,13 +24,13 @@ double flk_equation_theta2(const flk_equation *e, double s)
     return e->from + e->sense * s;
 }
 
-int flk_equation_push(const flk_equation *e, const flk_machine_place *place, double speed,
-                      flk_machine_push *push)
+int flk_equation_torque(const flk_equation *e, const flk_machine_place *place, double speed,
+                        flk_machine_torque *torque)
 {
-    int status = flk_machine_push_at(&e->machine, place, e->sense * speed, e->acting, push);
+    int status = flk_machine_torque_at(&e->machine, place, e->sense * speed, e->acting, torque);
 
-    push->push *= e->sense;
-    push->alpha2 *= e->sense;
+    torque->net *= e->sense;
+    torque->alpha2 *= e->sense;
     return status;
 }
 
@@ -75,20 +75,20 @@ static int find_places(const flk_equation *e, double s, double *places, double *
     return PLACES;
 }
 
-static int derive_at(const flk_equation *e, double s, const double *y, double *dy, double *whole)
+static int derive_at(const flk_equation *e, double s, const double *y, double *dy, double *total)
 {
     flk_machine_place place;
-    flk_machine_push push;
+    flk_machine_torque torque;
     int status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, s), &place);
 
     if (status == FOURLINK_OK)
-        status = flk_equation_push(e, &place, y[FLK_SPEED], &push);
+        status = flk_equation_torque(e, &place, y[FLK_SPEED], &torque);
     if (status != FOURLINK_OK)
         return status;
     dy[FLK_PASSED] = y[FLK_SPEED];
-    dy[FLK_SPEED] = push.alpha2;
-    dy[FLK_ENERGY] = push.push * y[FLK_SPEED];
-    *whole = place.whole;
+    dy[FLK_SPEED] = torque.alpha2;
+    dy[FLK_ENERGY] = torque.net * y[FLK_SPEED];
+    *total = place.total;
     return FOURLINK_OK;
 }
 
@@ -96,18 +96,18 @@ int flk_equation_derive(void *equation, double t, const double *y, double *dy)
 {
     flk_equation *e = equation;
     double places[PLACES], weights[PLACES], values[FLK_UNKNOWNS], sum[FLK_UNKNOWNS] = {0, 0, 0};
-    double whole;
+    double total;
     int n = find_places(e, y[FLK_PASSED], places, weights), i, k, status;
 
     (void)t;
     if (n == 1)
-        return derive_at(e, y[FLK_PASSED], y, dy, &e->whole);
-    e->whole = 0;
+        return derive_at(e, y[FLK_PASSED], y, dy, &e->total);
+    e->total = 0;
     for (i = 0; i < n; i++) {
-        status = derive_at(e, places[i], y, values, &whole);
+        status = derive_at(e, places[i], y, values, &total);
         if (status != FOURLINK_OK)
             return status;
-        e->whole += weights[i] * whole;
+        e->total += weights[i] * total;
         for (k = 0; k < FLK_UNKNOWNS; k++)
             sum[k] += weights[i] * values[k];
     }
@@ -116,7 +116,7 @@ int flk_equation_derive(void *equation, double t, const double *y, double *dy)
     return FOURLINK_OK;
 }
 
-int flk_equation_whole(const flk_equation *e, double s, double *whole)
+int flk_equation_inertia(const flk_equation *e, double s, double *total)
 {
     double places[PLACES], weights[PLACES], sum = 0;
     int n = find_places(e, s, places, weights), i, status;
@@ -126,8 +126,8 @@ int flk_equation_whole(const flk_equation *e, double s, double *whole)
         status = flk_machine_at(&e->machine, e->branch, flk_equation_theta2(e, places[i]), &place);
         if (status != FOURLINK_OK)
             return status;
-        sum += weights[i] * place.whole;
+        sum += weights[i] * place.total;
     }
-    *whole = sum;
+    *total = sum;
     return FOURLINK_OK;
 }

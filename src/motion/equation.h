@@ -13,7 +13,7 @@ typedef struct flk_equation {
     fourlink_branch branch;
     flk_acting *acting; /* memory for its loads; with the cell that is held */
     double from;        /* rad, theta2 of the first row */
-    double whole;       /* kg m2, J + I_f where derivatives were found last */
+    double total;       /* kg m2, J + I_f where derivatives were found last */
     double sense;       /* 1 or -1: of the range, in which angles passed and speeds are counted */
 } flk_equation;
 
@@ -24,11 +24,11 @@ enum { FLK_PASSED, FLK_SPEED, FLK_ENERGY };
 double flk_equation_theta2(const flk_equation *e, double s);
 
 /* J + I_f there; of a change point beside it. */
-int flk_equation_whole(const flk_equation *e, double s, double *whole);
+int flk_equation_inertia(const flk_equation *e, double s, double *total);
 
-/* What turns the machine at a speed; push and alpha2 are in the sense of the motion. */
-int flk_equation_push(const flk_equation *e, const flk_machine_place *place, double speed,
-                      flk_machine_push *push);
+/* What turns the machine at a speed; net and alpha2 are in the sense of the motion. */
+int flk_equation_torque(const flk_equation *e, const flk_machine_place *place, double speed,
+                        flk_machine_torque *torque);
 
 /* The derivatives of the unknowns, as flk_derivative of an flk_equation. */
 int flk_equation_derive(void *equation, double t, const double *y, double *dy);

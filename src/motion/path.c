@@ -46,7 +46,7 @@ typedef struct cell {
     double slowest, fastest; /* rad/s, of the crank, of the piece of the motor's curve */
     double slow, little;     /* rad/s, J: of less, errors count as of this */
     int goes_on;             /* 1: the last step ended within it, where J + I_f is this: */
-    double whole;            /* kg m2 */
+    double total;            /* kg m2 */
 } cell;
 
 typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
@@ -66,14 +66,14 @@ static double time_for(const flk_step *step, double angle)
 }
 
 /* The speed is that of the energy, which is a mere quadrature and has the smaller error, but near rest. */
-static void correct(const flk_path *p, double whole, flk_node *node)
+static void correct(const flk_path *p, double total, flk_node *node)
 {
     double E = node->y[FLK_ENERGY], *speed = &node->y[FLK_SPEED];
 
     if (!(E > FAST * p->largest))
         return;
-    node->residual += 0.5 * whole * *speed * *speed - E;
-    *speed = *speed < 0 ? -sqrt(2 * E / whole) : sqrt(2 * E / whole);
+    node->residual += 0.5 * total * *speed * *speed - E;
+    *speed = *speed < 0 ? -sqrt(2 * E / total) : sqrt(2 * E / total);
 }
 
 /* Set the beginning of a step at a node.  Within a cell it has the derivatives of the end of the last step, which hardly
@@ -81,12 +81,12 @@ static void correct(const flk_path *p, double whole, flk_node *node)
 static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
 {
     double alpha;
-    int status =
-        c->goes_on ? FOURLINK_OK : flk_equation_whole(&p->equation, node->y[FLK_PASSED], &c->whole);
+    int status = c->goes_on ? FOURLINK_OK
+                            : flk_equation_inertia(&p->equation, node->y[FLK_PASSED], &c->total);
 
     if (status != FOURLINK_OK)
         return status;
-    correct(p, c->whole, node);
+    correct(p, c->total, node);
     step->f = flk_equation_derive;
     step->context = &p->equation;
     step->x = node->t;
@@ -98,8 +98,8 @@ static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
         status = flk_equation_derive(&p->equation, node->t, step->y, step->k[0]);
     }
     alpha = fabs(step->k[0][FLK_SPEED]);
-    c->slow = SLOW * sqrt(2 * (p->largest / c->whole + FIRST * alpha));
-    c->little = SLOW * FIRST * c->whole * alpha;
+    c->slow = SLOW * sqrt(2 * (p->largest / c->total + FIRST * alpha));
+    c->little = SLOW * FIRST * c->total * alpha;
     return status;
 }
 
@@ -146,7 +146,7 @@ static int take(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_
     if (*size > 1)
         return FOURLINK_OK;
     status = flk_step_end(step);
-    c->whole = p->equation.whole;
+    c->total = p->equation.total;
     if (status == FOURLINK_OK)
         status = flk_step_within(step, within);
     for (i = 0; i < FLK_UNKNOWNS && status == FOURLINK_OK; i++)
@@ -162,10 +162,10 @@ static int why_none(const flk_path *p, double s, int status)
     const flk_equation *e = &p->equation;
     double before, here, after;
 
-    if (flk_equation_whole(e, s - AT_LIMIT, &before) != FOURLINK_OK ||
-        flk_equation_whole(e, s + AT_LIMIT, &after) != FOURLINK_OK)
+    if (flk_equation_inertia(e, s - AT_LIMIT, &before) != FOURLINK_OK ||
+        flk_equation_inertia(e, s + AT_LIMIT, &after) != FOURLINK_OK)
         return FOURLINK_DEAD_POSITION;
-    if (flk_equation_whole(e, 0, &here) == FOURLINK_OK &&
+    if (flk_equation_inertia(e, 0, &here) == FOURLINK_OK &&
         GSL_MIN(before, after) < NO_INERTIA * here)
         return FOURLINK_NO_INERTIA;
     return status == NOT_FINITE ? FOURLINK_OVERFLOW : FOURLINK_TOO_LONG;
@@ -448,15 +448,15 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
 static int start(flk_path *p, double speed)
 {
     flk_node node;
-    double whole;
+    double total;
 
     p->n = 0;
     p->is_steady = 0;
     p->largest = 0;
-    p->status = flk_equation_whole(&p->equation, 0, &whole);
+    p->status = flk_equation_inertia(&p->equation, 0, &total);
     memset(&node, 0, sizeof node);
     node.y[FLK_SPEED] = speed;
-    node.y[FLK_ENERGY] = p->status == FOURLINK_OK ? 0.5 * whole * speed * speed : 0;
+    node.y[FLK_ENERGY] = p->status == FOURLINK_OK ? 0.5 * total * speed * speed : 0;
     return keep(p, &node) && p->status == FOURLINK_OK;
 }
 
@@ -557,20 +557,20 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
     const flk_equation *e = &p->equation;
     double theta2 = flk_equation_theta2(e, at->y[FLK_PASSED]), speed = at->y[FLK_SPEED];
     flk_machine_place place;
-    flk_machine_push push;
+    flk_machine_torque torque;
     int status = flk_machine_at(&e->machine, e->branch, theta2, &place);
 
     if (status == FOURLINK_OK)
-        status = flk_equation_push(e, &place, speed, &push);
+        status = flk_equation_torque(e, &place, speed, &torque);
     if (status != FOURLINK_OK)
         return status;
     row->crank.theta2 = theta2;
     row->crank.omega2 = e->sense * speed;
-    row->crank.alpha2 = e->sense * push.alpha2;
+    row->crank.alpha2 = e->sense * torque.alpha2;
     row->time = at->t;
-    row->T_motor = push.T_motor;
+    row->T_motor = torque.T_motor;
     row->J = place.J;
-    row->energy = 0.5 * place.whole * speed * speed;
+    row->energy = 0.5 * place.total * speed * speed;
     row->energy_residual =
         p->largest > 0 ? (row->energy - at->y[FLK_ENERGY] + at->residual) / p->largest : 0;
     return FOURLINK_OK;
@@ -622,7 +622,7 @@ static void growth_at(double t, void *data, double *growth)
 {
     const span *x = data;
     const flk_equation *e = &x->p->equation;
-    flk_machine_push slower, faster;
+    flk_machine_torque slower, faster;
     flk_machine_place place;
     fourlink_state held;
     double speed, theta2;
@@ -638,9 +638,9 @@ static void growth_at(double t, void *data, double *growth)
     fourlink_velocity(&e->machine.mechanism, e->sense, &held);
     e->acting->held = &held;
     e->acting->held_speed = e->sense * speed;
-    if (flk_equation_push(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
-        flk_equation_push(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
-        *growth = (faster.push - slower.push) / (2 * DIFFERENCE * speed) / place.whole;
+    if (flk_equation_torque(e, &place, speed * (1 - DIFFERENCE), &slower) == FOURLINK_OK &&
+        flk_equation_torque(e, &place, speed * (1 + DIFFERENCE), &faster) == FOURLINK_OK)
+        *growth = (faster.net - slower.net) / (2 * DIFFERENCE * speed) / place.total;
     e->acting->held = NULL;
 }
 

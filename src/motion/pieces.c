@@ -13,41 +13,43 @@
 
 #define SHORT 0.5 /* rad, of a piece of rows by time */
 
-static double direction(const flk_course *course)
+static double direction(const flk_crank_motion *crank_motion)
 {
-    return course->end < course->d->motion.from ? -1 : 1;
+    return crank_motion->end < crank_motion->d->motion.from ? -1 : 1;
 }
 
-static double whole_length(const flk_course *course)
+static double whole_length(const flk_crank_motion *crank_motion)
 {
-    return fabs(course->end - course->d->motion.from) * course->d->motion.angle_unit;
+    return fabs(crank_motion->end - crank_motion->d->motion.from) *
+           crank_motion->d->motion.angle_unit;
 }
 
 /* How the crank starts or ends: at rest it speeds up as the root of the angle. */
-static flk_piece_end end_of_motion(const flk_course *course, double angle)
+static flk_piece_end end_of_motion(const flk_crank_motion *crank_motion, double angle)
 {
     fourlink_row row;
 
-    fourlink_motion_at(&course->d->motion, angle, &row);
-    return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !course->d->motion.hold
+    fourlink_motion_at(&crank_motion->d->motion, angle, &row);
+    return row.crank.omega2 == 0 && row.crank.alpha2 != 0 && !crank_motion->d->motion.hold
                ? FLK_END_ROOT
                : FLK_END_PLAIN;
 }
 
-static flk_piece_end beginning(const flk_course *course)
+static flk_piece_end beginning(const flk_crank_motion *crank_motion)
 {
-    if (course->actual)
-        return flk_actual_from_rest(course->d) ? FLK_END_ROOT : FLK_END_PLAIN;
-    return end_of_motion(course, course->d->motion.from);
+    if (crank_motion->actual)
+        return flk_actual_from_rest(crank_motion->d) ? FLK_END_ROOT : FLK_END_PLAIN;
+    return end_of_motion(crank_motion, crank_motion->d->motion.from);
 }
 
 /* The end at a length; an actual motion that is shorter than its rows stalls. */
-static flk_piece_end ending(const flk_course *course, double length)
+static flk_piece_end ending(const flk_crank_motion *crank_motion, double length)
 {
-    if (course->actual)
-        return length < whole_length(course) && !flk_course_repeats(course) ? FLK_END_ROOT
-                                                                            : FLK_END_PLAIN;
-    return end_of_motion(course, course->end);
+    if (crank_motion->actual)
+        return length < whole_length(crank_motion) && !flk_crank_motion_repeats(crank_motion)
+                   ? FLK_END_ROOT
+                   : FLK_END_PLAIN;
+    return end_of_motion(crank_motion, crank_motion->end);
 }
 
 /* An end of the motion at a position that has an end of its own. */
@@ -62,27 +64,27 @@ static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 static double speed_at(void *host, double passed)
 {
     const flk_pieces *x = host;
-    double angle =
-        x->course->d->motion.from + direction(x->course) * passed / x->course->d->motion.angle_unit;
+    double angle = x->crank_motion->d->motion.from +
+                   direction(x->crank_motion) * passed / x->crank_motion->d->motion.angle_unit;
     flk_actual_row actual;
     fourlink_row row;
 
-    if (x->course->actual)
-        return flk_actual_at(x->course->actual, x->branch, angle, &actual) == FOURLINK_OK
+    if (x->crank_motion->actual)
+        return flk_actual_at(x->crank_motion->actual, x->branch, angle, &actual) == FOURLINK_OK
                    ? actual.crank.omega2
                    : GSL_NAN;
-    fourlink_motion_at(&x->course->d->motion, angle, &row);
+    fourlink_motion_at(&x->crank_motion->d->motion, angle, &row);
     return row.crank.omega2;
 }
 
 static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
 {
-    const fourlink_motion *motion = &x->course->d->motion;
+    const fourlink_motion *motion = &x->crank_motion->d->motion;
 
-    p->corners = x->course->corners;
+    p->corners = x->crank_motion->corners;
     p->branch = x->branch;
     p->from = motion->from * motion->angle_unit;
-    p->sense = direction(x->course);
+    p->sense = direction(x->crank_motion);
     p->has_loads = has_loads;
     p->speed = speed_at;
     p->host = (void *)x;
@@ -91,7 +93,7 @@ static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
 /* The next end behind `after`; without those of loads that of columns of the motion alone. */
 static double next_end(const flk_pieces *x, double after, int has_loads, flk_piece_end *end)
 {
-    const fourlink_motion *motion = &x->course->d->motion;
+    const fourlink_motion *motion = &x->crank_motion->d->motion;
     double more[2], at;
     flk_passage p;
 
@@ -103,7 +105,7 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
         return at;
     if (at > x->length + FLK_CORNERS_CLOSE(x->length))
         *end = FLK_END_PLAIN;
-    *end = join(ending(x->course, x->length), *end);
+    *end = join(ending(x->crank_motion, x->length), *end);
     return x->length;
 }
 
@@ -113,7 +115,7 @@ static flk_piece_end first_end(const flk_pieces *x)
     flk_passage p;
 
     find_passage(x, 0, &p);
-    return join(beginning(x->course), flk_corners_first(&p));
+    return join(beginning(x->crank_motion), flk_corners_first(&p));
 }
 
 /* Rows by time: corners are not known, so pieces are short. */
@@ -131,14 +133,14 @@ int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 
     if (!(piece->to < x->length))
         return 0;
-    if (x->course->d->drive.by_time)
+    if (x->crank_motion->d->drive.by_time)
         return next_by_time(x->length, piece);
     piece->begin = piece->to > 0 ? piece->end : first_end(x);
     piece->from = piece->to;
     piece->to = next_end(x, piece->from, x->has_loads, &piece->end);
     if (piece->from >= piece->motion_to - FLK_CORNERS_CLOSE(x->length)) {
         piece->motion_from = piece->from;
-        piece->motion_to = next_end(x, piece->from, x->course->actual && x->has_loads, &end);
+        piece->motion_to = next_end(x, piece->from, x->crank_motion->actual && x->has_loads, &end);
     }
     return 1;
 }

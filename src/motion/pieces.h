@@ -5,7 +5,7 @@
 #ifndef FOURLINK_PIECES_H
 #define FOURLINK_PIECES_H
 
-#include "course.h"
+#include "crank_motion.h"
 
 /* A piece, by the crank angle that the motion has passed since its first row, rad. */
 typedef struct flk_piece {
@@ -16,7 +16,7 @@ typedef struct flk_piece {
 
 /* The motion of a branch, to be gone through piece by piece. */
 typedef struct flk_pieces {
-    const flk_course *course;
+    const flk_crank_motion *crank_motion;
     fourlink_branch branch;
     int has_loads; /* 1: columns of loads are to be smooth too */
     double length; /* rad; another than that of the motion leaves whole periods out, */

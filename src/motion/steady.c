@@ -33,8 +33,8 @@
 #define FACTOR 1.4
 #define STEPS 60
 #define HALVINGS 30
-#define LEAP 0.3   /* of ln v, without a better step */
-#define SHORT 3e-2 /* of ln v: the growth is hardly another after it */
+#define LONGEST_STEP 0.3 /* of ln v, without a better step */
+#define SHORT 3e-2       /* of ln v: the growth is hardly another after it */
 #define DOUBLINGS 40
 #define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
 #define NEAR \
@@ -54,10 +54,10 @@ typedef struct problem {
 } problem;
 
 /* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
-static int mean_push(const flk_path *p, double cycle, double speed, double *mean)
+static int mean_torque(const flk_path *p, double cycle, double speed, double *mean)
 {
     flk_machine_place place;
-    flk_machine_push push;
+    flk_machine_torque torque;
     int i;
 
     *mean = 0;
@@ -66,15 +66,15 @@ static int mean_push(const flk_path *p, double cycle, double speed, double *mean
 
         if (flk_machine_at(&p->equation.machine, p->equation.branch, theta2, &place) !=
                 FOURLINK_OK ||
-            flk_equation_push(&p->equation, &place, speed, &push) != FOURLINK_OK)
+            flk_equation_torque(&p->equation, &place, speed, &torque) != FOURLINK_OK)
             return 0;
-        *mean += push.push / PLACES;
+        *mean += torque.net / PLACES;
     }
     return 1;
 }
 
 /* A speed of the size of those of the motor. */
-static double size_of_speed(const fourlink_motor *motor, double torque, double whole)
+static double size_of_speed(const fourlink_motor *motor, double torque, double total)
 {
     double w = 0;
 
@@ -89,7 +89,7 @@ static double size_of_speed(const fourlink_motor *motor, double torque, double w
         w = motor->power / motor->max_torque;
         break;
     default:
-        return sqrt(fabs(torque) / whole);
+        return sqrt(fabs(torque) / total);
     }
     return fabs(w / motor->ratio);
 }
@@ -103,11 +103,11 @@ static double guess_speed(const flk_path *p, double cycle)
 
     if (flk_machine_at(&p->equation.machine, p->equation.branch, p->equation.from, &place) !=
             FOURLINK_OK ||
-        !mean_push(p, cycle, 0, &mean))
+        !mean_torque(p, cycle, 0, &mean))
         return 0;
-    largest = size_of_speed(&p->equation.machine.motor, mean, place.whole);
+    largest = size_of_speed(&p->equation.machine.motor, mean, place.total);
     speed = largest / 1000;
-    for (i = 0; i < SPEEDS && mean_push(p, cycle, speed, &mean); i++, speed *= FACTOR) {
+    for (i = 0; i < SPEEDS && mean_torque(p, cycle, speed, &mean); i++, speed *= FACTOR) {
         if (last > 0 && mean <= 0)
             return speed / FACTOR * pow(FACTOR, last / (last - mean));
         last = mean;
@@ -116,7 +116,7 @@ static double guess_speed(const flk_path *p, double cycle)
 }
 
 /* The residuals of x = ln v, T; 0 if the crank stalls. */
-static int miss(const problem *q, const double *x, double *r)
+static int find_residuals(const problem *q, const double *x, double *r)
 {
     double speed = q->has_speed ? exp(x[0]) : q->speed;
     const flk_node *end;
@@ -180,7 +180,7 @@ static int step(const problem *q, int n, double *x, double *r, const double *dx,
             moved[k] = part * dx[k];
             at[k] = x[k] + moved[k];
         }
-        if (!miss(q, at, next) || size(n, next) > 2 * size(n, r))
+        if (!find_residuals(q, at, next) || size(n, next) > 2 * size(n, r))
             continue;
         for (k = 0; k < n; k++) {
             change[k] = next[k] - r[k];
@@ -199,7 +199,7 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
     int n = q->has_speed + q->has_torque, i, is_there = 0;
     double r[2], dx[2], last;
 
-    for (i = 0; i < HALVINGS && !(is_there = miss(q, x, r)) && q->has_speed; i++)
+    for (i = 0; i < HALVINGS && !(is_there = find_residuals(q, x, r)) && q->has_speed; i++)
         x[0] += 0.3;
     for (i = 0; is_there && i < STEPS && size(n, r) > close; i++) {
         last = size(n, r);
@@ -211,7 +211,7 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
     if (is_there && size(n, r) <= rounded)
         return 1;
     if (is_there)
-        miss(q, x, r);
+        find_residuals(q, x, r);
     return 0;
 }
 
@@ -226,14 +226,14 @@ static int is_lost(int status)
 **
 **    dE0 / E0 = (g(E0) / E0 - 1) / (1 - g')
 **
-** Where g' >= 1, a leap towards larger or smaller speeds. */
+** Where g' >= 1, a long step towards larger or smaller speeds. */
 static double newton(double r, double growth)
 {
     double relative = growth < 0 ? -gsl_expm1(r) / gsl_expm1(growth) : 0;
 
     if (growth < 0 && relative > -0.5)
-        return GSL_MIN_DBL(0.5 * log(1 + relative), LEAP);
-    return r > 0 ? LEAP : -LEAP;
+        return GSL_MIN_DBL(0.5 * log(1 + relative), LONGEST_STEP);
+    return r > 0 ? LONGEST_STEP : -LONGEST_STEP;
 }
 
 /* The stable motion that repeats itself, for ln v.  A cycle from `low` gains energy, or the crank stalls; one from `high`
@@ -245,7 +245,7 @@ static int solve_speed(const problem *q, double *x, double *growth, double close
     int i, is_near = *growth < 0;
 
     for (i = 0; i < STEPS && q->p->budget > 0; i++, *x += dx) {
-        if (!miss(q, x, r)) {
+        if (!find_residuals(q, x, r)) {
             if (!is_lost(q->p->status))
                 return 0;
             r[0] = GSL_POSINF;
@@ -295,7 +295,7 @@ static double gain(const problem *q, double *x)
 {
     double r[2];
 
-    return miss(q, x, r) ? r[0] : GSL_NEGINF;
+    return find_residuals(q, x, r) ? r[0] : GSL_NEGINF;
 }
 
 /* 1 if the gain jumps over 0 at a torque with which the crank stalls: a torque adds its work to the energy of a cycle, and
@@ -332,7 +332,7 @@ static int find_zero(const problem *q, double *x, int i, rising *of, double clos
 }
 
 /* The mean speed of the motion that repeats itself, by the speed at the first row. */
-static double pace(const problem *q, double *x)
+static double speed_excess(const problem *q, double *x)
 {
     return find_zero(q, x, 1, gain, NEAR) ? -log(q->mean_speed * flk_path_end(q->p)->t / q->cycle)
                                           : GSL_NEGINF;
@@ -345,7 +345,7 @@ static int solve_in_brackets(const problem *q, double *x)
     int i, j, is_there;
 
     q->p->tolerance = COARSE;
-    is_there = find_zero(q, x, 0, pace, COARSE);
+    is_there = find_zero(q, x, 0, speed_excess, COARSE);
     q->p->tolerance = tolerance;
     for (j = 0; j < 2 && is_there; j++) {
         double h = DIFFERENCE * (1 + fabs(x[j]));
@@ -353,7 +353,7 @@ static int solve_in_brackets(const problem *q, double *x)
         at[0] = x[0];
         at[1] = x[1];
         at[j] += h;
-        is_there = miss(q, x, r) && miss(q, at, next);
+        is_there = find_residuals(q, x, r) && find_residuals(q, at, next);
         for (i = 0; i < 2 && is_there; i++)
             B[i][j] = (next[i] - r[i]) / h;
     }
@@ -381,9 +381,9 @@ int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
         return 0;
     speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);
     p->status = FOURLINK_NO_STEADY;
-    if (!(speed > 0) || (balances && !mean_push(p, cycle, speed, &mean)))
+    if (!(speed > 0) || (balances && !mean_torque(p, cycle, speed, &mean)))
         return 0;
-    q.torque_unit = 0.5 * place.whole * speed * speed / cycle;
+    q.torque_unit = 0.5 * place.total * speed * speed / cycle;
     start[0] = x[0] = log(speed);
     start[1] = x[q.has_speed] = -mean / q.torque_unit;
     p->is_steady = solve_problem(&q, x);

@@ -34,12 +34,12 @@ int flk_analysis_open(flk_analysis *a, const deck *d)
     a->d = d;
     a->possible = possible(d);
     a->acting.load = calloc(d->machine.n_loads + 1, sizeof *a->acting.load);
-    return a->acting.load && flk_course_open(&a->course, d, &a->acting);
+    return a->acting.load && flk_crank_motion_open(&a->crank_motion, d, &a->acting);
 }
 
 void flk_analysis_close(flk_analysis *a)
 {
-    flk_course_close(&a->course);
+    flk_crank_motion_close(&a->crank_motion);
     free(a->acting.load);
     free(a->turning_memory);
     memset(a, 0, sizeof *a);
@@ -123,8 +123,8 @@ static void take_actual(flk_analysis *a, int needs, fourlink_branch branch, int 
 void flk_analysis_at_time(flk_analysis *a, int needs, fourlink_branch branch, double time,
                           flk_row *row)
 {
-    take_actual(a, needs, branch, flk_actual_at_time(a->course.actual, branch, time, &row->actual),
-                row);
+    take_actual(a, needs, branch,
+                flk_actual_at_time(a->crank_motion.actual, branch, time, &row->actual), row);
 }
 
 void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsigned long i,
@@ -134,8 +134,8 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
         flk_analysis_at_time(a, needs, branch, flk_deck_time(a->d, i), row);
         return;
     }
-    fourlink_motion_row(&a->d->motion, &a->course.range, i, &row->at.row);
-    if (a->course.actual) {
+    fourlink_motion_row(&a->d->motion, &a->crank_motion.range, i, &row->at.row);
+    if (a->crank_motion.actual) {
         flk_analysis_at_angle(a, needs, branch, row->at.row.angle, row);
         return;
     }
@@ -145,9 +145,9 @@ void flk_analysis_row(flk_analysis *a, int needs, fourlink_branch branch, unsign
 void flk_analysis_at_angle(flk_analysis *a, int needs, fourlink_branch branch, double angle,
                            flk_row *row)
 {
-    if (a->course.actual) {
-        take_actual(a, needs, branch, flk_actual_at(a->course.actual, branch, angle, &row->actual),
-                    row);
+    if (a->crank_motion.actual) {
+        take_actual(a, needs, branch,
+                    flk_actual_at(a->crank_motion.actual, branch, angle, &row->actual), row);
         return;
     }
     fourlink_motion_at(&a->d->motion, angle, &row->at.row);

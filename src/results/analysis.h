@@ -5,7 +5,7 @@
 #ifndef FOURLINK_ANALYSIS_H
 #define FOURLINK_ANALYSIS_H
 
-#include "motion/course.h"
+#include "motion/crank_motion.h"
 #include "deck/deck.h"
 #include "derived.h"
 
@@ -44,7 +44,7 @@ typedef struct flk_turning {
 typedef struct flk_analysis {
     const deck *d;
     int possible; /* what of the above can be computed */
-    flk_course course;
+    flk_crank_motion crank_motion;
     flk_acting acting;      /* the loads of the present row */
     int is_fast;            /* 1: compute rows in closed form, whatever the deck says */
     double *turning_memory; /* from flk_turning_open; null: the deck has no turning moment */

@@ -69,7 +69,7 @@ static void keep(crossings *k, double s)
 }
 
 /* 1 if an angle passes half a turn from the value between two samples. */
-static int leaps(const crossings *k, const sample *a, const sample *b)
+static int turns_over(const crossings *k, const sample *a, const sample *b)
 {
     return k->c->of.turn > 0 && fabs(a->off - b->off) > 0.5 * k->c->of.turn;
 }
@@ -78,7 +78,8 @@ static void search_step(crossings *k, const sample *a, const sample *b)
 {
     flk_bracket bracket;
 
-    if (gsl_isnan(a->off) || gsl_isnan(b->off) || leaps(k, a, b) || (a->off < 0) == (b->off < 0))
+    if (gsl_isnan(a->off) || gsl_isnan(b->off) || turns_over(k, a, b) ||
+        (a->off < 0) == (b->off < 0))
         return;
     bracket = flk_bracket_of(a->s, b->s, a->off, b->off);
     keep(k, flk_find_zero(off_at, k, &bracket, 0));
@@ -100,8 +101,8 @@ static void search_turn(crossings *k, const sample *a, const sample *b, const sa
     flk_sample p[3], top;
     sample near;
 
-    if (gsl_isnan(a->off) || gsl_isnan(b->off) || gsl_isnan(c->off) || leaps(k, a, b) ||
-        leaps(k, b, c) || sign * a->off < 0 || sign * c->off < 0 ||
+    if (gsl_isnan(a->off) || gsl_isnan(b->off) || gsl_isnan(c->off) || turns_over(k, a, b) ||
+        turns_over(k, b, c) || sign * a->off < 0 || sign * c->off < 0 ||
         !(fabs(b->off) < fabs(a->off)) || fabs(b->off) > fabs(c->off))
         return;
     k->side = sign;
@@ -183,7 +184,7 @@ static void search_motion(crossings *k)
         search_piece(k, &before);
     /* a revolution ends with its first row */
     if (k->n > 1 && k->first < SAME && k->last > k->x.f.motion.length - SAME &&
-        flk_course_is_periodic(&k->x.f.a->course))
+        flk_crank_motion_is_periodic(&k->x.f.a->crank_motion))
         k->n--;
 }
 
@@ -194,7 +195,7 @@ int flk_crossings_find(const flk_samples_room *room, flk_analysis *a, const flk_
     crossings k;
     int varies;
 
-    if (flk_course_stops(&a->course, branch))
+    if (flk_crank_motion_stops(&a->crank_motion, branch))
         return FOURLINK_TOO_LONG;
     memset(&k, 0, sizeof k);
     k.value = value;

@@ -438,7 +438,7 @@ static void end_piece(search *x)
             commit(&x->bests[i], 0);
             c->of.last = GSL_NAN;
             c->of.restarts = 1;
-        } else if (x->x.f.a->course.actual) {
+        } else if (x->x.f.a->crank_motion.actual) {
             commit(&x->bests[i], 0);
         }
     }
@@ -461,7 +461,7 @@ static void skip_turns(search *x)
 #define NOISE 1e-10 /* of a column's size: what a constant one varies by near a change point */
 
 /* A column that is constant but for rounding has its extremes at the first row. */
-static void settle_constant(const search *x, const flk_followed *t, bests *b)
+static void move_constant(const search *x, const flk_followed *t, bests *b)
 {
     flk_extreme *max = &b->best[0], *min = &b->best[1];
     double value;
@@ -497,11 +497,11 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
         double first = c->of.first, last = c->of.last, shift = 0;
         bests *b = &x->bests[i];
 
-        if (has_gap && c->of.turn > 0 && flk_course_is_periodic(&x->x.f.a->course) &&
+        if (has_gap && c->of.turn > 0 && flk_crank_motion_is_periodic(&x->x.f.a->crank_motion) &&
             !gsl_isnan(first + last))
             shift = flk_followed_turns(&c->of, last, first);
         commit(b, shift);
-        settle_constant(x, &c->of, b);
+        move_constant(x, &c->of, b);
         give(x, &b->best[0], c->size, &pairs[i].max);
         give(x, &b->best[1], c->size, &pairs[i].min);
     }
@@ -517,7 +517,7 @@ static void start(search *x, const flk_extremes *e, flk_analysis *a, fourlink_br
     for (i = 0; i < n; i++) {
         flk_samples_add(&x->x, &pairs[i].c);
         memset(&x->bests[i], 0, sizeof x->bests[i]);
-        x->bests[i].close = a->course.actual ? CLOSE_TURNS : CLOSE;
+        x->bests[i].close = a->crank_motion.actual ? CLOSE_TURNS : CLOSE;
     }
 }
 
@@ -544,7 +544,7 @@ static void search_motion(search *x, flk_extreme_pair *pairs)
 static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
                  flk_extreme_pair *pairs, size_t n)
 {
-    int status = flk_course_stops(&a->course, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
+    int status = flk_crank_motion_stops(&a->crank_motion, branch) ? FOURLINK_TOO_LONG : FOURLINK_OK;
     search x;
     size_t i;
 

@@ -139,19 +139,19 @@ void flk_fact_describe(const deck *d, int handle, fourlink_value *f)
 }
 
 /* The facts listed so far. */
-typedef struct teller {
+typedef struct listing {
     const deck *d;
     int branch;
     fourlink_value *list;
     unsigned long n;
-} teller;
+} listing;
 
-static double in_unit(const teller *t, double si, quantity q)
+static double in_unit(const listing *t, double si, quantity q)
 {
     return flk_unit_from_si(si, t->d->units[q].unit);
 }
 
-static fourlink_value *tell(teller *t, fact_code code, double si)
+static fourlink_value *add(listing *t, fact_code code, double si)
 {
     fourlink_value *f = &t->list[t->n++];
 
@@ -162,34 +162,34 @@ static fourlink_value *tell(teller *t, fact_code code, double si)
 }
 
 /* A fact with the crank angle at which it occurs. */
-static void tell_at(teller *t, fact_code code, double si, double theta2)
+static void add_at(listing *t, fact_code code, double si, double theta2)
 {
-    fourlink_value *f = tell(t, code, si);
+    fourlink_value *f = add(t, code, si);
 
     f->has_angle = 1;
     f->angle = in_unit(t, theta2, QUANTITY_ANGLE);
 }
 
-static void tell_type(teller *t)
+static void add_type(listing *t)
 {
     fourlink_type type = FOURLINK_TYPE_END_;
     fourlink_value *f;
 
     fourlink_type_of(&t->d->machine.mechanism, &type);
-    f = tell(t, FACT_TYPE, (double)type);
+    f = add(t, FACT_TYPE, (double)type);
     f->words = fourlink_type_text((int)type);
     f->unit = "";
 }
 
-static void tell_reach(teller *t)
+static void add_reach(listing *t)
 {
     fourlink_reach reach;
     int i;
 
     fourlink_reach_of(&t->d->machine.mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
-        tell(t, FACT_THETA2_FROM, reach.from[i]);
-        tell(t, FACT_THETA2_TO, reach.to[i]);
+        add(t, FACT_THETA2_FROM, reach.from[i]);
+        add(t, FACT_THETA2_TO, reach.to[i]);
     }
 }
 
@@ -219,7 +219,7 @@ static int branch_of_rocker(const fourlink_mechanism *mechanism, double from, do
 
 /* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
 ** linkage read from D to A. */
-static void tell_reach_of_rocker(teller *t, int branch)
+static void add_reach_of_rocker(listing *t, int branch)
 {
     fourlink_design mirrored = t->d->design;
     fourlink_mechanism mechanism;
@@ -237,81 +237,81 @@ static void tell_reach_of_rocker(teller *t, int branch)
                                          M_PI - reach.from[i]);
         if (!is_asked(t->d, t->branch, branch))
             continue;
-        tell(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
-        tell(t, FACT_THETA4_TO, M_PI - reach.from[i]);
-        tell(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
+        add(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
+        add(t, FACT_THETA4_TO, M_PI - reach.from[i]);
+        add(t, FACT_THETA4_SWING, reach.to[i] - reach.from[i]);
     }
     t->branch = 0;
 }
 
-static void tell_rod(teller *t)
+static void add_rod(listing *t)
 {
     fourlink_rod rod;
 
     if (fourlink_rod_masses(&t->d->machine.mechanism, &rod) != FOURLINK_OK)
         return;
-    tell(t, FACT_ROD_RATIO, rod.n);
+    add(t, FACT_ROD_RATIO, rod.n);
     if (t->d->design.link[FOURLINK_COUPLER].mass <= 0)
         return;
-    tell(t, FACT_ROD_GYRATION, rod.k);
+    add(t, FACT_ROD_GYRATION, rod.k);
     if (rod.k1 > 0)
-        tell(t, FACT_PAIR_GYRATION, rod.k1);
-    tell(t, FACT_M_A, rod.m_a);
-    tell(t, FACT_M_B, rod.m_b);
+        add(t, FACT_PAIR_GYRATION, rod.k1);
+    add(t, FACT_M_A, rod.m_a);
+    add(t, FACT_M_B, rod.m_b);
     if (rod.L == 0)
         return;
-    tell(t, FACT_ROD_PENDULUM, rod.L);
-    tell(t, FACT_ROD_DISTANCE, rod.d);
-    tell(t, FACT_M_D, rod.m_d);
-    tell(t, FACT_M_G, rod.m_g);
+    add(t, FACT_ROD_PENDULUM, rod.L);
+    add(t, FACT_ROD_DISTANCE, rod.d);
+    add(t, FACT_M_D, rod.m_d);
+    add(t, FACT_M_G, rod.m_g);
 }
 
 /* A counterweight: mass moment, direction, mass. */
-static void tell_counterweight(teller *t, fact_code first, const fourlink_vector *moment,
-                               double mass)
+static void add_counterweight(listing *t, fact_code first, const fourlink_vector *moment,
+                              double mass)
 {
-    tell(t, first, gsl_hypot(moment->x, moment->y));
+    add(t, first, gsl_hypot(moment->x, moment->y));
     if (moment->x != 0 || moment->y != 0)
-        tell(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
+        add(t, (fact_code)(first + 1), atan2(moment->y, moment->x));
     if (t->d->balance.radius > 0)
-        tell(t, (fact_code)(first + 2), mass);
+        add(t, (fact_code)(first + 2), mass);
 }
 
-static void tell_balance(teller *t)
+static void add_balance(listing *t)
 {
     const deck_balance *b = &t->d->balance;
 
     if (b->crank)
-        tell_counterweight(t, FACT_BALANCE_CRANK, &b->moment.crank, b->mass[0]);
+        add_counterweight(t, FACT_BALANCE_CRANK, &b->moment.crank, b->mass[0]);
     if (b->rocker)
-        tell_counterweight(t, FACT_BALANCE_ROCKER, &b->moment.rocker, b->mass[1]);
+        add_counterweight(t, FACT_BALANCE_ROCKER, &b->moment.rocker, b->mass[1]);
 }
 
-static void tell_limits(teller *t)
+static void add_limits(listing *t)
 {
     fourlink_limits limits;
 
     fourlink_limits_of(&t->d->machine.mechanism, (fourlink_branch)t->branch, &limits);
-    tell(t, FACT_MU_MIN, limits.mu_min);
-    tell(t, FACT_MU_MAX, limits.mu_max);
+    add(t, FACT_MU_MIN, limits.mu_min);
+    add(t, FACT_MU_MAX, limits.mu_max);
     if (limits.has_swing) {
-        tell_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
-        tell_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
-        tell(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
+        add_at(t, FACT_THETA4_MIN, limits.theta4_min, limits.theta2_min);
+        add_at(t, FACT_THETA4_MAX, limits.theta4_max, limits.theta2_max);
+        add(t, FACT_SWING, limits.theta4_max - limits.theta4_min);
     }
     if (limits.time_ratio > 0)
-        tell(t, FACT_TIME_RATIO, limits.time_ratio);
+        add(t, FACT_TIME_RATIO, limits.time_ratio);
     if (limits.has_stroke) {
-        tell(t, FACT_STROKE, limits.stroke);
-        tell(t, FACT_INNER_DEAD_CENTRE, limits.inner);
-        tell(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
+        add(t, FACT_STROKE, limits.stroke);
+        add(t, FACT_INNER_DEAD_CENTRE, limits.inner);
+        add(t, FACT_OUTER_DEAD_CENTRE, limits.outer);
     }
 }
 
 /* Why the actual motion ends early, or FOURLINK_OK. */
 static int end_of_motion(flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->crank_motion.actual, branch);
 
     return f ? f->status : FOURLINK_OK;
 }
@@ -335,7 +335,7 @@ static int is_of_motion(const deck *d, int i)
 
 int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, branch);
+    const flk_actual_facts *f = flk_actual_facts_of(a->crank_motion.actual, branch);
     int i = OTHER(handle), status;
 
     if (!f || !is_of_motion(a->d, i))
@@ -384,8 +384,8 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     return status;
 }
 
-static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk_column *c,
-                          char *names)
+static void add_extremes(listing *t, flk_analysis *a, flk_extremes *x, const flk_column *c,
+                         char *names)
 {
     flk_statistic statistic;
 
@@ -396,56 +396,57 @@ static void tell_extremes(teller *t, flk_analysis *a, flk_extremes *x, const flk
                                       &t->list[t->n]) == FOURLINK_OK;
 }
 
-static void tell_turning(teller *t, flk_analysis *a)
+static void add_turning(listing *t, flk_analysis *a)
 {
     const fourlink_turning *m = flk_turning_find(a, (fourlink_branch)t->branch);
     const flk_actual_facts *actual =
-        flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
+        flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
 
     if (!m)
         return;
     if (t->d->machine.has_friction)
-        tell(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
-    tell(t, FACT_MEAN_TORQUE, m->mean_torque);
-    tell(t, FACT_MEAN_POWER, m->mean_power);
-    tell(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
+        add(t, FACT_EFFICIENCY_CYCLE, a->turning[t->branch == FOURLINK_OPEN ? 0 : 1].efficiency);
+    add(t, FACT_MEAN_TORQUE, m->mean_torque);
+    add(t, FACT_MEAN_POWER, m->mean_power);
+    add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
     if (m->has_coefficient)
-        tell(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
+        add(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
     if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: it fluctuates less without one */
-        tell(t, FACT_FLYWHEEL_INERTIA, m->inertia);
+        add(t, FACT_FLYWHEEL_INERTIA, m->inertia);
     if ((actual ? actual->inertia : m->inertia) > 0)
-        tell(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
+        add(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
 }
 
 /* What is defined for this motion. */
-static void tell_if(teller *t, fact_code code, double si)
+static void add_if(listing *t, fact_code code, double si)
 {
     if (gsl_finite(si))
-        tell(t, code, si);
+        add(t, code, si);
 }
 
-static void tell_actual(teller *t, flk_analysis *a)
+static void add_actual(listing *t, flk_analysis *a)
 {
-    const flk_actual_facts *f = flk_actual_facts_of(a->course.actual, (fourlink_branch)t->branch);
+    const flk_actual_facts *f =
+        flk_actual_facts_of(a->crank_motion.actual, (fourlink_branch)t->branch);
 
     if (!f)
         return;
-    tell_if(t, FACT_MEAN_SPEED, f->mean_speed);
-    tell_if(t, FACT_MEAN_SPEED_TEXTBOOK, f->mean_speed_textbook);
-    tell_if(t, FACT_PERIOD, f->period);
-    tell_if(t, FACT_FLUCTUATION_EXACT, f->fluctuation_exact);
-    tell_if(t, FACT_STEADY_RATE, f->steady_rate);
-    tell_if(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
-    tell_if(t, FACT_RUN_UP_TIME, f->run_up_time);
+    add_if(t, FACT_MEAN_SPEED, f->mean_speed);
+    add_if(t, FACT_MEAN_SPEED_TEXTBOOK, f->mean_speed_textbook);
+    add_if(t, FACT_PERIOD, f->period);
+    add_if(t, FACT_FLUCTUATION_EXACT, f->fluctuation_exact);
+    add_if(t, FACT_STEADY_RATE, f->steady_rate);
+    add_if(t, FACT_STALL_ANGLE, f->stall_angle * t->d->motion.angle_unit);
+    add_if(t, FACT_RUN_UP_TIME, f->run_up_time);
     if (t->d->machine.motor.kind == FOURLINK_MOTOR_BALANCE)
-        tell_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
+        add_if(t, FACT_MOTOR_TORQUE, f->motor_torque);
 }
 
 unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int groups,
                             const flk_column *columns, size_t n_columns, fourlink_value *list,
                             char *names)
 {
-    teller t;
+    listing t;
     size_t j;
     int i;
 
@@ -456,27 +457,27 @@ unsigned long flk_fact_list(flk_analysis *a, flk_extremes *x, int branch, int gr
     if (groups & FOURLINK_FACTS_LIMITS) {
         int has_slide = flk_kind_has_slide(t.d->design.kind);
 
-        tell_type(&t);
+        add_type(&t);
         if (!has_slide)
-            tell(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
-        tell_reach(&t);
+            add(&t, FACT_FREUDENSTEIN, flk_derive_freudenstein(&t.d->design));
+        add_reach(&t);
         if (!has_slide)
-            tell_reach_of_rocker(&t, branch);
-        tell_rod(&t);
-        tell_balance(&t);
+            add_reach_of_rocker(&t, branch);
+        add_rod(&t);
+        add_balance(&t);
     }
     for (i = 0; i < 2; i++) {
         t.branch = i == 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
         if (!is_asked(t.d, t.branch, branch))
             continue;
         if (groups & FOURLINK_FACTS_LIMITS)
-            tell_limits(&t);
+            add_limits(&t);
         for (j = 0; j < n_columns && (groups & FOURLINK_FACTS_EXTREMES); j++)
-            tell_extremes(&t, a, x, &columns[j], names);
+            add_extremes(&t, a, x, &columns[j], names);
         if (groups & FOURLINK_FACTS_TURNING)
-            tell_turning(&t, a);
+            add_turning(&t, a);
         if (groups & FOURLINK_FACTS_MOTION)
-            tell_actual(&t, a);
+            add_actual(&t, a);
     }
     return t.n;
 }

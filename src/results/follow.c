@@ -20,7 +20,8 @@ void flk_follow_all(flk_follower *f)
 
 static void skip_periods(flk_follower *f)
 {
-    f->motion.period = flk_course_repeats(&f->a->course) ? f->a->course.period : GSL_POSINF;
+    f->motion.period =
+        flk_crank_motion_repeats(&f->a->crank_motion) ? f->a->crank_motion.period : GSL_POSINF;
     f->skipped = 0;
     if (f->motion.length < 3 * f->motion.period)
         return;
@@ -30,19 +31,19 @@ static void skip_periods(flk_follower *f)
 
 void flk_follow(flk_follower *f, flk_analysis *a, fourlink_branch branch)
 {
-    const flk_course *course = &a->course;
+    const flk_crank_motion *crank_motion = &a->crank_motion;
 
     memset(f, 0, sizeof *f);
     f->a = a;
     f->branch = branch;
     a->rows_left = MOST_ROWS;
-    f->motion.course = course;
+    f->motion.crank_motion = crank_motion;
     f->motion.branch = branch;
-    f->motion.has_loads = course->actual != NULL;
-    f->motion.length = flk_course_length(course, branch);
+    f->motion.has_loads = crank_motion->actual != NULL;
+    f->motion.length = flk_crank_motion_length(crank_motion, branch);
     skip_periods(f);
     f->from = a->d->motion.from;
-    f->end = flk_course_end(course, branch);
+    f->end = flk_crank_motion_end(crank_motion, branch);
     f->per_rad = (f->end < f->from ? -1 : 1) / a->d->motion.angle_unit;
     if (a->d->drive.by_time) {
         f->from = 0;

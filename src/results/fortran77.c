@@ -51,7 +51,7 @@ void flshut_(fourlink_results **handle)
 
 void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols)
 {
-    *nrows = *handle ? (int)(*handle)->a.course.range.n_rows : 0;
+    *nrows = *handle ? (int)(*handle)->a.crank_motion.range.n_rows : 0;
     *ncols = *handle ? (int)(*handle)->n_columns : 0;
 }
 

@@ -28,7 +28,7 @@
 #define LOST 1e-2      /* ... of a column without an exact limit */
 
 /* The largest scale is at most half of the piece; no two are the same, or rounding would look like a pole. */
-void flk_limit_approach(const flk_follower *f, int needs, int at_end, flk_approach *e)
+void flk_limit_rows_near(const flk_follower *f, int needs, int at_end, flk_limit_rows *e)
 {
     static const double scales[2][SCALES] = {{0.001, 0.002, 0.008, 0.02, 0.05, 0.1, 0.15, 0.2},
                                              {0.001, 0.004, 0.016, 0.04, 0.08, 0.12, 0.2, 0.3}};
@@ -55,8 +55,8 @@ void flk_limit_approach(const flk_follower *f, int needs, int at_end, flk_approa
 typedef double values[SCALES][NODES];
 
 /* The polynomial x^order y on a scale; its value at 0, and by how much that depends on the last node. */
-static double extrapolate(const flk_approach *e, values y, int order, int scale, flk_polynomial *p,
-                          double *error)
+static double extrapolate(const flk_limit_rows *e, values y, int order, int scale,
+                          flk_polynomial *p, double *error)
 {
     const double *x = e->x[scale];
     double before, value;
@@ -78,7 +78,7 @@ typedef struct best {
     double reach;
 } best;
 
-static best best_of(const flk_approach *e, values y, int order, flk_polynomial *p)
+static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial *p)
 {
     flk_polynomial here;
     double value, error;
@@ -104,7 +104,7 @@ static best best_of(const flk_approach *e, values y, int order, flk_polynomial *
 
 /* 1 if the rows closest to the end show a finite limit.  Those farther away may still look like a pole, which is beyond a
 ** narrow locked range. */
-static int is_finite(const flk_approach *e, values y)
+static int is_finite(const flk_limit_rows *e, values y)
 {
     flk_polynomial p;
     double error;
@@ -117,7 +117,7 @@ static int is_finite(const flk_approach *e, values y)
 ** rounding hides on the small ones. */
 #define POLE_SCALE 1 /* the smallest one that is used: closer to the end there may be rounding */
 
-static int is_pole(const flk_approach *e, values y, int scale, int order, double *strength)
+static int is_pole(const flk_limit_rows *e, values y, int scale, int order, double *strength)
 {
     double part = scale == POLE_SCALE ? 0.1 : 1e-3, error, other, error_of_other;
     double size = fabs(gsl_pow_int(e->x[scale][NODES - 1], order) * y[scale][NODES - 1]);
@@ -131,7 +131,7 @@ static int is_pole(const flk_approach *e, values y, int scale, int order, double
 }
 
 /* The order of a pole and p0; 0 if there is none. */
-static int find_pole(const flk_approach *e, values y, double *strength)
+static int find_pole(const flk_limit_rows *e, values y, double *strength)
 {
     int scale, order;
 
@@ -150,7 +150,7 @@ static int find_pole(const flk_approach *e, values y, double *strength)
 #define LEAST_ORDER 0.7      /* of a power */
 #define MOST_CHANGE 0.8      /* from row to row */
 
-static double find_growth(const flk_approach *e, values y)
+static double find_growth(const flk_limit_rows *e, values y)
 {
     int scale, k;
 
@@ -175,7 +175,7 @@ static double find_growth(const flk_approach *e, values y)
 ** same length, for one. */
 #define LEAST_POLE 1e-11 /* of the column's size elsewhere, at a radian: less is rounding */
 
-static void take_values(const flk_approach *e, const flk_followed *t, double near, int is_vector,
+static void take_values(const flk_limit_rows *e, const flk_followed *t, double near, int is_vector,
                         values y[2])
 {
     double scale_of = t->turn > 0 ? 1 : t->c->scale;
@@ -209,8 +209,8 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 #define BESIDE 1e-3   /* of the reach */
 
 /* The limit of a column whose poles, if it has any, are those of a vector. */
-static void find_finite(const flk_approach *e, const flk_followed *t, values y[2], const best b[2],
-                        double size, double near, flk_limit *l)
+static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
+                        const best b[2], double size, double near, flk_limit *l)
 {
     double error = b[0].error, here = b[0].size, least;
 
@@ -223,7 +223,7 @@ static void find_finite(const flk_approach *e, const flk_followed *t, values y[2
     if (error <= EXACT * size)
         l->reach = GSL_MIN_DBL(b[0].reach, b[l->n - 1].reach);
     else if (e->is_change || !is_finite(e, y[0]))
-        l->lost = e->is_change ? LOST : LOST_DEAD;
+        l->rounded = e->is_change ? LOST : LOST_DEAD;
     if (l->n == 2 && t->turn > 0) {
         if (error <= KNOWN * size)
             l->value = join(
@@ -246,15 +246,15 @@ void flk_limit_none(flk_limit *l)
     l->value = GSL_NAN;
 }
 
-void flk_limit_of_crank(const flk_approach *e, flk_limit *l)
+void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l)
 {
     flk_limit_none(l);
     l->edge = e->edge;
     l->is_root = e->is_root;
-    l->lost = e->is_change ? CLOSE : 0;
+    l->rounded = e->is_change ? CLOSE : 0;
 }
 
-void flk_limit_find(const flk_approach *e, const flk_followed *t, double size, double near,
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double near,
                     flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order;

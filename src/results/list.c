@@ -56,15 +56,15 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
 }
 
 /* The inputs listed so far. */
-typedef struct teller {
+typedef struct listing {
     const deck *d;
     flk_list *to;
     char *names;
     const char *section; /* that is told of */
-} teller;
+} listing;
 
 /* SECTION.KEY in SI units. */
-static fourlink_value *tell(teller *t, const char *key, quantity q, double si, const char *meaning)
+static fourlink_value *add(listing *t, const char *key, quantity q, double si, const char *meaning)
 {
     char *name = t->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
@@ -77,57 +77,57 @@ static fourlink_value *tell(teller *t, const char *key, quantity q, double si, c
 }
 
 /* The same, left out if 0. */
-static void tell_if(teller *t, const char *key, quantity q, double si, const char *meaning)
+static void add_if(listing *t, const char *key, quantity q, double si, const char *meaning)
 {
     if (si != 0)
-        tell(t, key, q, si, meaning);
+        add(t, key, q, si, meaning);
 }
 
 /* An input whose value is words. */
-static void tell_words(teller *t, const char *key, const char *words, const char *meaning)
+static void add_words(listing *t, const char *key, const char *words, const char *meaning)
 {
-    fourlink_value *v = tell(t, key, QUANTITY_NUMBER, 0, meaning);
+    fourlink_value *v = add(t, key, QUANTITY_NUMBER, 0, meaning);
 
     v->words = words;
     v->unit = "";
 }
 
-static void tell_link(teller *t, int i)
+static void add_link(listing *t, int i)
 {
     const fourlink_link *link = &t->d->design.link[i];
 
     t->section = fourlink_link_text((int)t->d->design.kind, i);
-    tell_if(t, "length", QUANTITY_LENGTH, link->length, "length");
-    tell_if(t, "mass", QUANTITY_MASS, link->mass, "mass");
-    tell_if(t, "inertia", QUANTITY_INERTIA, link->inertia,
-            "moment of inertia about the centre of mass");
-    tell_if(t, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
-    tell_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
+    add_if(t, "length", QUANTITY_LENGTH, link->length, "length");
+    add_if(t, "mass", QUANTITY_MASS, link->mass, "mass");
+    add_if(t, "inertia", QUANTITY_INERTIA, link->inertia,
+           "moment of inertia about the centre of mass");
+    add_if(t, "cg.x", QUANTITY_LENGTH, link->cg.x, "centre of mass, along the link");
+    add_if(t, "cg.y", QUANTITY_LENGTH, link->cg.y, "centre of mass, to the left of the link");
 }
 
 /* An angle of the motion, already in the deck's unit. */
-static void tell_angle(teller *t, const char *key, double angle, const char *meaning)
+static void add_angle(listing *t, const char *key, double angle, const char *meaning)
 {
-    tell(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
+    add(t, key, QUANTITY_ANGLE, 0, meaning)->value = angle;
 }
 
 /* A motion that is not given. */
-static void tell_drive(teller *t)
+static void add_drive(listing *t)
 {
     static const char *const modes[] = {"given", "free", "run-up", "steady"};
     const deck_drive *drive = &t->d->drive;
 
     if (drive->mode == DRIVE_GIVEN)
         return;
-    tell_words(t, "mode", modes[drive->mode], "the motion follows from torques and inertia");
+    add_words(t, "mode", modes[drive->mode], "the motion follows from torques and inertia");
     if (drive->mode == DRIVE_FREE)
-        tell(t, "speed", QUANTITY_ANGULAR_SPEED, t->d->motion.speed, "speed at the first row");
-    tell_if(t, "mean_speed", QUANTITY_ANGULAR_SPEED, drive->mean_speed, "mean over time");
-    tell_if(t, "time_step", QUANTITY_TIME, drive->time_step, "interval of rows by time");
-    tell_if(t, "duration", QUANTITY_TIME, drive->duration, "time of the last row");
+        add(t, "speed", QUANTITY_ANGULAR_SPEED, t->d->motion.speed, "speed at the first row");
+    add_if(t, "mean_speed", QUANTITY_ANGULAR_SPEED, drive->mean_speed, "mean over time");
+    add_if(t, "time_step", QUANTITY_TIME, drive->time_step, "interval of rows by time");
+    add_if(t, "duration", QUANTITY_TIME, drive->duration, "time of the last row");
 }
 
-static void tell_motor(teller *t)
+static void add_motor(listing *t)
 {
     const fourlink_motor *motor = &t->d->machine.motor;
 
@@ -135,66 +135,66 @@ static void tell_motor(teller *t)
     if (motor->kind == FOURLINK_NO_MOTOR)
         return;
     if (motor->kind == FOURLINK_MOTOR_BALANCE)
-        tell_words(t, "torque", "constant", "balances the loads over a cycle");
+        add_words(t, "torque", "constant", "balances the loads over a cycle");
     else if (motor->kind == FOURLINK_MOTOR_TORQUE)
-        tell(t, "torque", QUANTITY_TORQUE, motor->torque, "torque of the motor");
+        add(t, "torque", QUANTITY_TORQUE, motor->torque, "torque of the motor");
     if (motor->kind == FOURLINK_MOTOR_CURVE)
-        tell_words(t, "curve", "a curve", "torque over the motor's speed");
-    tell_if(t, "stall_torque", QUANTITY_TORQUE, motor->stall_torque, "torque at rest");
-    tell_if(t, "no_load_speed", QUANTITY_ANGULAR_SPEED, motor->no_load_speed,
-            "speed without torque");
-    tell_if(t, "power", QUANTITY_POWER, motor->power, "power of the motor");
-    tell_if(t, "max_torque", QUANTITY_TORQUE, motor->max_torque, "largest torque");
-    tell_if(t, "inertia", QUANTITY_INERTIA, motor->inertia, "moment of inertia of the rotor");
+        add_words(t, "curve", "a curve", "torque over the motor's speed");
+    add_if(t, "stall_torque", QUANTITY_TORQUE, motor->stall_torque, "torque at rest");
+    add_if(t, "no_load_speed", QUANTITY_ANGULAR_SPEED, motor->no_load_speed,
+           "speed without torque");
+    add_if(t, "power", QUANTITY_POWER, motor->power, "power of the motor");
+    add_if(t, "max_torque", QUANTITY_TORQUE, motor->max_torque, "largest torque");
+    add_if(t, "inertia", QUANTITY_INERTIA, motor->inertia, "moment of inertia of the rotor");
     if (motor->ratio != 1)
-        tell(t, "ratio", QUANTITY_NUMBER, motor->ratio, "speed of the motor / speed of the crank");
+        add(t, "ratio", QUANTITY_NUMBER, motor->ratio, "speed of the motor / speed of the crank");
 }
 
-static void tell_motion(teller *t)
+static void add_motion(listing *t)
 {
     const fourlink_motion *motion = &t->d->motion;
 
     t->section = "motion";
-    tell_drive(t);
+    add_drive(t);
     if (t->d->drive.mode == DRIVE_GIVEN)
-        tell(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
-    tell_if(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
-            "acceleration of the crank");
+        add(t, "speed", QUANTITY_ANGULAR_SPEED, motion->speed, "speed of the crank");
+    add_if(t, "acceleration", QUANTITY_ANGULAR_ACCELERATION, motion->acceleration,
+           "acceleration of the crank");
     if (t->d->one_instant) {
-        tell_angle(t, "at", motion->from, "crank angle");
+        add_angle(t, "at", motion->from, "crank angle");
         return;
     }
-    tell_angle(t, "from", motion->from, "first crank angle");
+    add_angle(t, "from", motion->from, "first crank angle");
     if (motion->run_up > 0)
-        tell_angle(t, "run_up", motion->run_up, "angle of the run-up from rest");
+        add_angle(t, "run_up", motion->run_up, "angle of the run-up from rest");
     else if (!t->d->drive.by_time)
-        tell_angle(t, "to", motion->to, "last crank angle");
+        add_angle(t, "to", motion->to, "last crank angle");
     if (!t->d->drive.by_time)
-        tell_angle(t, "interval", motion->interval, "interval of the crank angle");
-    tell(t, "cycle", QUANTITY_ANGLE, t->d->machine.cycle, "period of curves and loads");
+        add_angle(t, "interval", motion->interval, "interval of the crank angle");
+    add(t, "cycle", QUANTITY_ANGLE, t->d->machine.cycle, "period of curves and loads");
     if (motion->hold)
-        tell_words(t, "hold", "yes", "every row has this speed and acceleration");
+        add_words(t, "hold", "yes", "every row has this speed and acceleration");
 }
 
 /* What a load follows. */
-static void tell_law(teller *t, const flk_own_load *law)
+static void add_law(listing *t, const flk_own_load *law)
 {
     static const char *const names[] = {"theta2", "theta4", "x", "slide",
                                         "omega2", "omega4", "v", "slide_v"};
     int is_angular = law->over != FLK_V && law->over != FLK_SLIDE_V;
 
     if (law->over)
-        tell_words(t, "over", names[law->over], "what the load follows");
+        add_words(t, "over", names[law->over], "what the load follows");
     if (law->has_back)
-        tell_words(t, "back", "other values", "where that falls");
+        add_words(t, "back", "other values", "where that falls");
     if (law->at_speed <= 0)
         return;
-    tell(t, "at_speed", is_angular ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED, law->at_speed,
-         "the speed at which it has its value");
-    tell(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
+    add(t, "at_speed", is_angular ? QUANTITY_ANGULAR_SPEED : QUANTITY_SPEED, law->at_speed,
+        "the speed at which it has its value");
+    add(t, "exponent", QUANTITY_NUMBER, law->exponent, "of the speed");
 }
 
-static void tell_load(teller *t, const flk_element *element)
+static void add_load(listing *t, const flk_element *element)
 {
     const flk_own_load *own = element->data;
     const flk_load_values *values = &own->values;
@@ -202,42 +202,42 @@ static void tell_load(teller *t, const flk_element *element)
     char section[DECK_NAME_SIZE];
 
     t->section = flk_text_join(section, sizeof section - 10, "load ", element->name, (char *)NULL);
-    tell_words(t, "link", fourlink_link_text((int)t->d->design.kind, load->link),
-               "the link it acts on");
+    add_words(t, "link", fourlink_link_text((int)t->d->design.kind, load->link),
+              "the link it acts on");
     if (values->force_curve[0].n)
-        tell_words(t, "force", "a curve", "force");
-    tell_if(t, "force.x", QUANTITY_FORCE, values->force.x, "force, x");
-    tell_if(t, "force.y", QUANTITY_FORCE, values->force.y, "force, y");
-    tell_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
-    tell_if(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
+        add_words(t, "force", "a curve", "force");
+    add_if(t, "force.x", QUANTITY_FORCE, values->force.x, "force, x");
+    add_if(t, "force.y", QUANTITY_FORCE, values->force.y, "force, y");
+    add_if(t, "at.x", QUANTITY_LENGTH, load->at.x, "where it acts, along the link");
+    add_if(t, "at.y", QUANTITY_LENGTH, load->at.y, "where it acts, to the left of it");
     if (load->frame == FOURLINK_FRAME_LINK)
-        tell_words(t, "frame", "link", "the force turns with the link");
+        add_words(t, "frame", "link", "the force turns with the link");
     if (values->torque_curve.n)
-        tell_words(t, "torque", "a curve", "torque, counter-clockwise positive");
+        add_words(t, "torque", "a curve", "torque, counter-clockwise positive");
     else
-        tell_if(t, "torque", QUANTITY_TORQUE, values->torque, "torque, counter-clockwise positive");
-    tell_law(t, own);
+        add_if(t, "torque", QUANTITY_TORQUE, values->torque, "torque, counter-clockwise positive");
+    add_law(t, own);
     if (own->is_windowed) {
-        tell(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
-        tell(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
+        add(t, "from", QUANTITY_ANGLE, own->window[0], "first crank angle at which it acts");
+        add(t, "to", QUANTITY_ANGLE, own->window[1], "last crank angle at which it acts");
     }
 }
 
 /* An end of a spring: its link and, of a linear one, its point. */
-static void tell_end(teller *t, const fourlink_spring *s, int is_second)
+static void add_end(listing *t, const fourlink_spring *s, int is_second)
 {
     const fourlink_vector *at = is_second ? &s->to_at : &s->at;
 
-    tell_words(t, is_second ? "to" : "link",
-               fourlink_link_text((int)t->d->design.kind, is_second ? s->to : s->link),
-               is_second ? "the other link, or the ground" : "the link it acts on");
+    add_words(t, is_second ? "to" : "link",
+              fourlink_link_text((int)t->d->design.kind, is_second ? s->to : s->link),
+              is_second ? "the other link, or the ground" : "the link it acts on");
     if (s->is_torsional)
         return;
-    tell_if(t, is_second ? "to_at.x" : "at.x", QUANTITY_LENGTH, at->x, "its end there, x");
-    tell_if(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y, "its end there, y");
+    add_if(t, is_second ? "to_at.x" : "at.x", QUANTITY_LENGTH, at->x, "its end there, x");
+    add_if(t, is_second ? "to_at.y" : "at.y", QUANTITY_LENGTH, at->y, "its end there, y");
 }
 
-static void tell_spring(teller *t, const flk_element *element)
+static void add_spring(listing *t, const flk_element *element)
 {
     const fourlink_spring *s = element->data;
     int is_torsional = s->is_torsional;
@@ -245,24 +245,24 @@ static void tell_spring(teller *t, const flk_element *element)
 
     t->section =
         flk_text_join(section, sizeof section - 14, "spring ", element->name, (char *)NULL);
-    tell_end(t, s, 0);
-    tell_end(t, s, 1);
-    tell_if(t, "stiffness", is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
-            s->stiffness, "stiffness");
+    add_end(t, s, 0);
+    add_end(t, s, 1);
+    add_if(t, "stiffness", is_torsional ? QUANTITY_TORSIONAL_STIFFNESS : QUANTITY_STIFFNESS,
+           s->stiffness, "stiffness");
     if (is_torsional)
-        tell_if(t, "free_angle", QUANTITY_ANGLE, s->free_length, "angle without load");
+        add_if(t, "free_angle", QUANTITY_ANGLE, s->free_length, "angle without load");
     else
-        tell_if(t, "free_length", QUANTITY_LENGTH, s->free_length, "length without load");
-    tell_if(t, "preload", is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE, s->preload,
-            "at the free length or angle");
-    tell_if(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING, s->damping,
-            "damping");
+        add_if(t, "free_length", QUANTITY_LENGTH, s->free_length, "length without load");
+    add_if(t, "preload", is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE, s->preload,
+           "at the free length or angle");
+    add_if(t, "damping", is_torsional ? QUANTITY_TORSIONAL_DAMPING : QUANTITY_DAMPING, s->damping,
+           "damping");
     if (s->only)
-        tell_words(t, "only", s->only == FOURLINK_PUSHES ? "pushes" : "pulls",
-                   "when it acts: below its free length or angle, or above it");
+        add_words(t, "only", s->only == FOURLINK_PUSHES ? "pushes" : "pulls",
+                  "when it acts: below its free length or angle, or above it");
 }
 
-static void tell_friction(teller *t)
+static void add_friction(listing *t)
 {
     static const char *const circles[4] = {"circle_A", "circle_B", "circle_C", "circle_D"};
     const fourlink_friction *f = &t->d->machine.friction;
@@ -270,12 +270,12 @@ static void tell_friction(teller *t)
 
     t->section = "friction";
     for (i = 0; i < 4; i++)
-        tell_if(t, circles[i], QUANTITY_LENGTH, f->circle[i], "radius of the friction circle");
-    tell_if(t, "guide", QUANTITY_NUMBER, f->guide, "coefficient of friction of the guide");
-    tell_if(t, "guide_length", QUANTITY_LENGTH, f->guide_length, "length of the guided block");
+        add_if(t, circles[i], QUANTITY_LENGTH, f->circle[i], "radius of the friction circle");
+    add_if(t, "guide", QUANTITY_NUMBER, f->guide, "coefficient of friction of the guide");
+    add_if(t, "guide_length", QUANTITY_LENGTH, f->guide_length, "length of the guided block");
 }
 
-static void tell_gas(teller *t)
+static void add_gas(listing *t)
 {
     const flk_element *element = flk_machine_find(&t->d->machine, &flk_gas_sort, 0);
     const flk_gas *gas;
@@ -284,15 +284,14 @@ static void tell_gas(teller *t)
         return;
     gas = element->data;
     t->section = "gas";
-    tell(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
+    add(t, "area", QUANTITY_AREA, gas->area, "area of the piston on the cover side");
     if (gas->back_area != gas->area)
-        tell(t, "back_area", QUANTITY_AREA, gas->back_area, "area of the piston on the crank side");
+        add(t, "back_area", QUANTITY_AREA, gas->back_area, "area of the piston on the crank side");
     if (gas->indicator.n)
-        tell_words(t, "indicator", "a curve", "pressure on the cover side");
+        add_words(t, "indicator", "a curve", "pressure on the cover side");
     else
-        tell(t, "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
-    tell_if(t, "back_pressure", QUANTITY_PRESSURE, gas->back_pressure,
-            "pressure on the crank side");
+        add(t, "pressure", QUANTITY_PRESSURE, gas->pressure, "pressure on the cover side");
+    add_if(t, "back_pressure", QUANTITY_PRESSURE, gas->back_pressure, "pressure on the crank side");
 }
 
 #define MOST_OF_DECK 60 /* links 20, slide 2, gravity 2, motion 13, motor 8, gas 5, flywheel 3 */
@@ -308,7 +307,7 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
 {
     int kind = (int)d->design.kind, slides_on_lever = fourlink_slides(kind, FOURLINK_COUPLER) != 0;
     const flk_element *e;
-    teller t;
+    listing t;
     size_t i;
     int link;
 
@@ -318,28 +317,28 @@ void flk_list_inputs(const deck *d, flk_list *inputs, char *names)
     t.to = inputs;
     t.names = names;
     for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
-        tell_link(&t, link);
+        add_link(&t, link);
     t.section = fourlink_link_text(kind, slides_on_lever ? FOURLINK_FOLLOWER : FOURLINK_GROUND);
-    tell_if(&t, "offset", QUANTITY_LENGTH, d->design.offset,
-            slides_on_lever ? "distance at which the slide passes D"
-                            : "offset of the line of stroke");
-    tell_if(&t, "angle", QUANTITY_ANGLE, d->design.angle, "angle of the slide from the line D-C");
+    add_if(&t, "offset", QUANTITY_LENGTH, d->design.offset,
+           slides_on_lever ? "distance at which the slide passes D"
+                           : "offset of the line of stroke");
+    add_if(&t, "angle", QUANTITY_ANGLE, d->design.angle, "angle of the slide from the line D-C");
     t.section = "gravity";
-    tell(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
-    tell(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
-    tell_motion(&t);
-    tell_motor(&t);
+    add(&t, "x", QUANTITY_ACCELERATION, d->design.gravity.x, "gravity, x");
+    add(&t, "y", QUANTITY_ACCELERATION, d->design.gravity.y, "gravity, y");
+    add_motion(&t);
+    add_motor(&t);
     for (i = 0; (e = flk_machine_find(&d->machine, &flk_own_sort, i)) != NULL; i++)
-        tell_load(&t, e);
+        add_load(&t, e);
     for (i = 0; (e = flk_machine_find(&d->machine, &flk_spring_sort, i)) != NULL; i++)
-        tell_spring(&t, e);
-    tell_friction(&t);
-    tell_gas(&t);
+        add_spring(&t, e);
+    add_friction(&t);
+    add_gas(&t);
     t.section = "flywheel";
-    tell_if(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
-            "moment of inertia of the flywheel");
-    tell_if(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
-            "coefficient of fluctuation of speed");
+    add_if(&t, "inertia", QUANTITY_INERTIA, d->flywheel_inertia,
+           "moment of inertia of the flywheel");
+    add_if(&t, "fluctuation", QUANTITY_NUMBER, d->flywheel_fluctuation,
+           "coefficient of fluctuation of speed");
     if (d->drive.fluctuation > 0)
-        tell_words(&t, "exact", "yes", "the flywheel has this fluctuation in the actual motion");
+        add_words(&t, "exact", "yes", "the flywheel has this fluctuation in the actual motion");
 }

@@ -231,7 +231,7 @@ static void integrate_motion(means *m)
             count_skipped(m);
     }
     /* behind the last gap of a revolution angles go on to those of its first row, which is its last */
-    if (has_gap && m->t.turn > 0 && flk_course_is_periodic(&x->a->course) &&
+    if (has_gap && m->t.turn > 0 && flk_crank_motion_is_periodic(&x->a->crank_motion) &&
         !gsl_isnan(m->t.first + m->t.last))
         shift(&m->here, flk_followed_turns(&m->t, m->t.last, m->t.first));
     add(&m->total, &m->here);
@@ -269,7 +269,7 @@ int flk_mean_find(flk_analysis *a, const flk_column *c, fourlink_branch branch,
 {
     means m;
 
-    if (flk_course_stops(&a->course, branch))
+    if (flk_crank_motion_stops(&a->crank_motion, branch))
         return FOURLINK_TOO_LONG;
     start(&m, a, c, branch, statistic);
     if (m.x.motion.length <= 0)

@@ -83,7 +83,7 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
     double at;
     flk_row row;
 
-    if (!flk_course_find_angle(&r->a.course, angle, &at))
+    if (!flk_crank_motion_find_angle(&r->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
     flk_list_column(&r->d, c, &v);

@@ -439,7 +439,7 @@ int fourlink_results_row(fourlink_results *r, fourlink_branch branch, unsigned l
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    if (i >= r->a.course.range.n_rows)
+    if (i >= r->a.crank_motion.range.n_rows)
         return FOURLINK_NO_SUCH_ROW;
     flk_analysis_row(&r->a, needs_of(r, values, instant, loads), branch, i, &row);
     return give_row(r, &row, values, instant, loads);
@@ -455,7 +455,7 @@ int fourlink_results_at(fourlink_results *r, fourlink_branch branch, double angl
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    if (!flk_course_find_angle(&r->a.course, angle, &at))
+    if (!flk_crank_motion_find_angle(&r->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
     flk_analysis_at_angle(&r->a, needs_of(r, values, instant, loads), branch, at, &row);
     return give_row(r, &row, values, instant, loads);
@@ -528,8 +528,8 @@ int fourlink_results_end(fourlink_results *r, fourlink_branch branch, double *an
         return FOURLINK_NULL;
     if (!is_branch((int)branch))
         return FOURLINK_BAD_BRANCH;
-    actual = flk_actual_facts_of(r->a.course.actual, branch);
-    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : r->a.course.end;
+    actual = flk_actual_facts_of(r->a.crank_motion.actual, branch);
+    *angle = actual && actual->status != FOURLINK_OK ? actual->end_angle : r->a.crank_motion.end;
     return actual ? actual->status : FOURLINK_OK;
 }
 

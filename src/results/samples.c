@@ -80,10 +80,10 @@ double flk_samples_value(const flk_samples *x, const flk_sampled *c, double s, d
 }
 
 /* 1 where rows of a column are rounding. */
-static int is_lost(const flk_sampled *c, double passed)
+static int is_rounded(const flk_sampled *c, double passed)
 {
-    return fabs(passed - c->limit[0].edge) < c->limit[0].lost ||
-           fabs(passed - c->limit[1].edge) < c->limit[1].lost;
+    return fabs(passed - c->limit[0].edge) < c->limit[0].rounded ||
+           fabs(passed - c->limit[1].edge) < c->limit[1].rounded;
 }
 
 /* 1 at an end of the piece where there is no row. */
@@ -99,12 +99,12 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
     double value = flk_column_value(c->of.c, row), by_limit;
 
     if (c->is_of_crank)
-        return is_at_limit(x, s) || !is_lost(c, passed) ? value : GSL_NAN;
+        return is_at_limit(x, s) || !is_rounded(c, passed) ? value : GSL_NAN;
     by_limit = c->limit[0].reach < 0 && c->limit[1].reach < 0 ? GSL_NAN
                                                               : value_by_limit(c, passed, GSL_NAN);
     if (!gsl_isnan(by_limit) || is_at_limit(x, s))
         value = by_limit;
-    else if (is_lost(c, passed) || (c->of.is_noise && x->f.a->is_fast))
+    else if (is_rounded(c, passed) || (c->of.is_noise && x->f.a->is_fast))
         value = GSL_NAN;
     return gsl_isinf(value) ? GSL_NAN : value;
 }
@@ -315,7 +315,7 @@ static void find_limits(flk_samples *x, int at_end)
     size_t k;
 
     if (flk_follow_has_limit(end))
-        flk_limit_approach(&x->f, x->needs, at_end, x->near);
+        flk_limit_rows_near(&x->f, x->needs, at_end, x->near);
     for (k = 0; k < x->n_columns; k++) {
         flk_sampled *c = &x->columns[k];
         flk_limit *l = &c->limit[at_end];

@@ -29,7 +29,7 @@ typedef struct flk_sampled {
 /* Room for the samples of so many columns. */
 typedef struct flk_samples_room {
     flk_sampled *columns;
-    flk_approach *near; /* rows near an end */
+    flk_limit_rows *near; /* rows near an end */
     double *values;
 } flk_samples_room;
 
@@ -42,7 +42,7 @@ typedef struct flk_samples {
     int needs, has_noise;
     size_t n_columns;
     flk_sampled *columns;
-    flk_approach *near;
+    flk_limit_rows *near;
     size_t n;       /* samples of the present piece */
     double *s;      /* their parameters */
     int is_reached; /* 1: the linkage can be assembled in it */

@@ -85,7 +85,8 @@ static size_t steps_of(const deck *d)
 /* The most pieces that there can be. */
 static size_t most_cuts(const flk_analysis *a)
 {
-    return steps_of(a->d) + 1 + HALVINGS + flk_corners_most(a->course.corners, a->d->machine.cycle);
+    return steps_of(a->d) + 1 + HALVINGS +
+           flk_corners_most(a->crank_motion.corners, a->d->machine.cycle);
 }
 
 int flk_turning_open(flk_analysis *a)
@@ -113,7 +114,7 @@ static void cut(moment *m)
     flk_passage way;
     flk_piece_end what;
 
-    way.corners = m->a->course.corners;
+    way.corners = m->a->crank_motion.corners;
     way.branch = m->branch;
     way.from = 0;
     way.sense = way.has_loads = 1;
@@ -231,7 +232,7 @@ static double fluctuation_of_energy(moment *m, fourlink_turning *t)
 static void find(moment *m, double scale, fourlink_turning *t)
 {
     const deck *d = m->a->d;
-    const flk_actual_facts *actual = flk_actual_facts_of(m->a->course.actual, m->branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(m->a->crank_motion.actual, m->branch);
     double omega = m->crank.omega2, inertia = actual ? actual->inertia : d->flywheel_inertia;
 
     if (fabs(m->mean) <= 1e-12 * scale)
@@ -265,7 +266,7 @@ static double efficiency_of(const moment *m)
 /* The speed of the crank, or the mean of its steady motion; NaN if it has none. */
 static double speed_of(const flk_analysis *a, fourlink_branch branch)
 {
-    const flk_actual_facts *actual = flk_actual_facts_of(a->course.actual, branch);
+    const flk_actual_facts *actual = flk_actual_facts_of(a->crank_motion.actual, branch);
 
     return actual ? actual->mean_speed : a->d->motion.speed;
 }

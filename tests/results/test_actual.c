@@ -233,7 +233,7 @@ TEST(test_tolerance)
     assert_true(flk_analysis_open(&a, &d));
     memset(&p, 0, sizeof p);
     p.d = &d;
-    p.corners = a.course.corners;
+    p.corners = a.crank_motion.corners;
     p.equation.sense = 1;
     p.equation.machine = d.machine;
     p.equation.acting = &a.acting;

@@ -15,7 +15,7 @@
 /* The pieces of the open branch's motion, of loads or of the links alone: their number. */
 static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MOST])
 {
-    flk_course course;
+    flk_crank_motion crank_motion;
     flk_acting acting;
     flk_pieces pieces;
     flk_piece piece;
@@ -25,18 +25,18 @@ static size_t list_pieces(const char *contents, int has_loads, flk_piece list[MO
     read_deck(contents, &d);
     memset(&acting, 0, sizeof acting);
     acting.load = calloc(d.machine.n_loads + 1, sizeof *acting.load);
-    assert_true(flk_course_open(&course, &d, &acting));
-    pieces.course = &course;
+    assert_true(flk_crank_motion_open(&crank_motion, &d, &acting));
+    pieces.crank_motion = &crank_motion;
     pieces.branch = FOURLINK_OPEN;
     pieces.has_loads = has_loads;
-    pieces.length = flk_course_length(&course, FOURLINK_OPEN);
+    pieces.length = flk_crank_motion_length(&crank_motion, FOURLINK_OPEN);
     pieces.period = HUGE_VAL;
     memset(&piece, 0, sizeof piece);
     while (flk_pieces_next(&pieces, &piece)) {
         assert_true(piece.from < piece.to && n < MOST);
         list[n++] = piece;
     }
-    flk_course_close(&course);
+    flk_crank_motion_close(&crank_motion);
     free(acting.load);
     flk_deck_free(&d);
     return n;

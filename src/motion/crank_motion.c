@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** course.c - the motion of a deck's crank, given or integrated, as a whole.
+** crank_motion.c - the motion of a deck's crank, given or integrated, as a whole.
 */
 #include <math.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
 
-#include "course.h"
+#include "crank_motion.h"
 #include "mechanics/kind.h"
 
-static double last_angle(const flk_course *c)
+static double last_angle(const flk_crank_motion *c)
 {
     fourlink_row last;
 
@@ -28,7 +28,7 @@ static double period_of(const flk_machine *machine)
     return GSL_MAX(machine->cycle, turns * 2 * M_PI);
 }
 
-int flk_course_open(flk_course *c, const deck *d, flk_acting *acting)
+int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting)
 {
     const flk_machine *machine = &d->machine;
     const flk_element *spring;
@@ -47,20 +47,20 @@ int flk_course_open(flk_course *c, const deck *d, flk_acting *acting)
     return c->corners && (c->actual || d->drive.mode == DRIVE_GIVEN);
 }
 
-void flk_course_close(flk_course *c)
+void flk_crank_motion_close(flk_crank_motion *c)
 {
     flk_actual_free(c->actual);
     flk_corners_close(c->corners);
 }
 
-int flk_course_stops(const flk_course *c, fourlink_branch branch)
+int flk_crank_motion_stops(const flk_crank_motion *c, fourlink_branch branch)
 {
     const flk_actual_facts *f = flk_actual_facts_of(c->actual, branch);
 
     return f && f->status == FOURLINK_TOO_LONG;
 }
 
-int flk_course_repeats(const flk_course *c)
+int flk_crank_motion_repeats(const flk_crank_motion *c)
 {
     const fourlink_motion *motion = &c->d->motion;
 
@@ -70,15 +70,15 @@ int flk_course_repeats(const flk_course *c)
            (motion->acceleration == 0 || motion->hold);
 }
 
-int flk_course_is_periodic(const flk_course *c)
+int flk_crank_motion_is_periodic(const flk_crank_motion *c)
 {
     const fourlink_mechanism *mechanism = &c->d->machine.mechanism;
 
-    return c->d->one_revolution && flk_course_repeats(c) &&
+    return c->d->one_revolution && flk_crank_motion_repeats(c) &&
            mechanism->change_stretched == mechanism->change_folded;
 }
 
-int flk_course_find_angle(const flk_course *c, double angle, double *at)
+int flk_crank_motion_find_angle(const flk_crank_motion *c, double angle, double *at)
 {
     const fourlink_motion *motion = &c->d->motion;
     double turn = c->period / motion->angle_unit, tiny = 1e-9 * turn;
@@ -92,21 +92,21 @@ int flk_course_find_angle(const flk_course *c, double angle, double *at)
     return first - tiny <= *at && *at <= last + tiny;
 }
 
-static double whole_length(const flk_course *c)
+static double whole_length(const flk_crank_motion *c)
 {
     return fabs(c->end - c->d->motion.from) * c->d->motion.angle_unit;
 }
 
-double flk_course_length(const flk_course *c, fourlink_branch branch)
+double flk_crank_motion_length(const flk_crank_motion *c, fourlink_branch branch)
 {
     return c->actual ? flk_actual_length(c->actual, branch) : whole_length(c);
 }
 
-double flk_course_end(const flk_course *c, fourlink_branch branch)
+double flk_crank_motion_end(const flk_crank_motion *c, fourlink_branch branch)
 {
     if (c->d->drive.by_time)
         return flk_actual_time(c->actual, branch);
-    return flk_course_length(c, branch) < whole_length(c)
+    return flk_crank_motion_length(c, branch) < whole_length(c)
                ? flk_actual_facts_of(c->actual, branch)->end_angle
                : c->end;
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** course.h - the motion of a deck's crank, given or integrated, as a whole.
+** crank_motion.h - the motion of a deck's crank, given or integrated, as a whole.
 */
-#ifndef FOURLINK_COURSE_H
-#define FOURLINK_COURSE_H
+#ifndef FOURLINK_CRANK_MOTION_H
+#define FOURLINK_CRANK_MOTION_H
 
 #include "actual.h"
 
-typedef struct flk_course {
+typedef struct flk_crank_motion {
     const deck *d;
     fourlink_range range; /* of the rows */
     double end;           /* the crank angle of the last row, in the deck's unit; by time unused */
@@ -17,28 +17,28 @@ typedef struct flk_course {
     int winds; /* 1: a spring is wound up, so that no cycle is as the one before */
     flk_corners *corners;
     flk_actual *actual; /* null: the motion is given */
-} flk_course;
+} flk_crank_motion;
 
 /* Set up the motion of a deck, which has to last as long, and memory for the loads of a row; 0 if out of memory. */
-int flk_course_open(flk_course *course, const deck *d, flk_acting *acting);
-void flk_course_close(flk_course *course);
+int flk_crank_motion_open(flk_crank_motion *crank_motion, const deck *d, flk_acting *acting);
+void flk_crank_motion_close(flk_crank_motion *crank_motion);
 
 /* 1 if the actual motion of a branch took too many steps: what is known of it depends on where the budget ended. */
-int flk_course_stops(const flk_course *course, fourlink_branch branch);
+int flk_crank_motion_stops(const flk_crank_motion *crank_motion, fourlink_branch branch);
 
 /* 1 if speed and acceleration are the same in every period. */
-int flk_course_repeats(const flk_course *course);
+int flk_crank_motion_repeats(const flk_crank_motion *crank_motion);
 
 /* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
-int flk_course_is_periodic(const flk_course *course);
+int flk_crank_motion_is_periodic(const flk_crank_motion *crank_motion);
 
 /* Find the angle of the motion that differs from an angle by whole periods (a turn, or a cycle of several),
 ** in the deck's unit; 0 if the motion does not reach it. */
-int flk_course_find_angle(const flk_course *course, double angle, double *at);
+int flk_crank_motion_find_angle(const flk_crank_motion *crank_motion, double angle, double *at);
 
 /* The length of the motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
 ** the time, s. */
-double flk_course_length(const flk_course *course, fourlink_branch branch);
-double flk_course_end(const flk_course *course, fourlink_branch branch);
+double flk_crank_motion_length(const flk_crank_motion *crank_motion, fourlink_branch branch);
+double flk_crank_motion_end(const flk_crank_motion *crank_motion, fourlink_branch branch);
 
 #endif
