@@ -84,6 +84,18 @@ TEST(test_speed_that_grows)
     }
 }
 
+/* The same of an actual motion: a torque of 1 N m brakes a flywheel of 1 kg m2 from 6.5 to 6 rad/s. */
+TEST(test_speed_that_falls)
+{
+    check_end("mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 200 "
+              "mm\n[flywheel]\ninertia = 1 kg m2\n"
+              "[motion]\nmode = free\nspeed = 6.5 rad/s\nturns = 1\n[load brake]\nlink = "
+              "crank\ntorque = -1 N m\n"
+              "[load]\nlink = crank\nover = omega2\ntorque = 0 rad/s 0 N m, 6 rad/s 0 N m, 20 "
+              "rad/s 0 N m\n",
+              (6.5 * 6.5 - 6 * 6) / 2 * 180 / M_PI);
+}
+
 #define STEADY "[motion]\nspeed = %g rad/s\ninterval = 10 deg\n"
 
 static const double rest = 0.19525624189766637; /* m, sqrt(l^2 - r^2 sin^2 60 deg) */
