@@ -94,7 +94,8 @@ static double find_pass(sought *x, double from, double to, double last, double n
     flk_bracket b;
 
     x->level = flk_switch_level(x->s, number);
-    b = flk_bracket_of(from, to, last - x->level, now - x->level);
+    b = from < to ? flk_bracket_of(from, to, last - x->level, now - x->level)
+                  : flk_bracket_of(to, from, now - x->level, last - x->level);
     return flk_find_zero(value_at, x, &b, 0);
 }
 

@@ -29,16 +29,21 @@ typedef struct sample {
     double s, speed, alpha, time;
 } sample;
 
+/* Also at a change point, where there is no row. */
 static int take(const flk_path *p, double s, sample *at)
 {
-    flk_actual_row row;
-    int status = flk_path_at(p, s, &row);
+    flk_equation e = p->equation;
+    double dy[FLK_UNKNOWNS];
+    flk_node node;
 
+    if (flk_path_node_at(p, s, &node) != FOURLINK_OK ||
+        flk_equation_derive(&e, node.t, node.y, dy) != FOURLINK_OK)
+        return 0;
     at->s = s;
-    at->speed = p->equation.sense * row.crank.omega2;
-    at->alpha = p->equation.sense * row.crank.alpha2;
-    at->time = row.time;
-    return status == FOURLINK_OK;
+    at->speed = node.y[FLK_SPEED];
+    at->alpha = dy[FLK_SPEED];
+    at->time = node.t;
+    return 1;
 }
 
 /* What is sought: the acceleration, or the speed less a value, is 0. */

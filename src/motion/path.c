@@ -576,16 +576,23 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row)
     return FOURLINK_OK;
 }
 
-int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
+int flk_path_node_at(const flk_path *p, double s, flk_node *at)
 {
     const flk_node *node = p->swings ? step_to(p, s) : node_before(p, FLK_PASSED, s);
-    flk_node at;
 
     if (!node)
         return p->status != FOURLINK_OK ? p->status : FOURLINK_NO_SUCH_ANGLE;
-    at_angle(node, s, &at);
-    at.y[FLK_PASSED] = s;
-    return flk_path_row(p, &at, row);
+    at_angle(node, s, at);
+    at->y[FLK_PASSED] = s;
+    return FOURLINK_OK;
+}
+
+int flk_path_at(const flk_path *p, double s, flk_actual_row *row)
+{
+    flk_node at;
+    int status = flk_path_node_at(p, s, &at);
+
+    return status == FOURLINK_OK ? flk_path_row(p, &at, row) : status;
 }
 
 int flk_path_at_time(const flk_path *p, double t, flk_actual_row *row)

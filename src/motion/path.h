@@ -42,6 +42,9 @@ int flk_path_run_for(flk_path *p, double speed, double duration);
 /* Where it ends. */
 const flk_node *flk_path_end(const flk_path *p);
 
+/* The unknowns after the crank has passed s, the first time. */
+int flk_path_node_at(const flk_path *p, double s, flk_node *at);
+
 /* The crank after it has passed s, the first time, or as close as rounding; at a time within the path; in the state of a
 ** node: FOURLINK_OK, or why there is none. */
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
