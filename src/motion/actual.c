@@ -36,13 +36,10 @@ static int index_of(fourlink_branch branch)
 }
 
 /* A run-up, or a free motion. */
-static int run(flk_path *p, const deck *d, double cycle, double length)
+static int run(flk_path *p, const deck *d, double length)
 {
     double speed = d->drive.mode == DRIVE_FREE ? p->equation.sense * d->motion.speed : 0;
 
-    if (p->equation.machine.motor.kind == FOURLINK_MOTOR_BALANCE &&
-        !flk_steady_find(p, cycle, 0, speed))
-        return 0;
     if (speed < 0) {
         p->n = 0;
         p->status = FOURLINK_DOES_NOT_START;
@@ -67,13 +64,13 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     int found;
 
-    if (!m->winds && flk_steady_find(p, m->cycle, 0, 0))
+    if (!m->winds && flk_steady_find(p, m->cycle, 0))
         flk_facts_of_cycle(p, m->cycle, f);
     else
         f->no_cycle = p->status;
-    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run(p, p->d, m->cycle, m->cycle))
+    if (f->no_cycle == FOURLINK_OK && m->length < m->cycle && !run(p, p->d, m->cycle))
         lose_cycle(p, f);
-    found = run(p, p->d, m->cycle, m->length);
+    found = run(p, p->d, m->length);
     if (!found)
         lose_cycle(p, f);
     return found;
@@ -113,9 +110,8 @@ static int find(flk_actual *m, flk_path *p, flk_actual_facts *f)
         return flk_flywheel_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
                                  d->drive.fluctuation);
     if (d->drive.mode == DRIVE_STEADY)
-        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed,
-                               p->equation.sense * d->motion.speed);
-    return run(p, d, m->cycle, m->length);
+        return flk_steady_find(p, m->cycle, p->equation.sense * d->drive.mean_speed);
+    return run(p, d, m->length);
 }
 
 /* Angles in the deck's unit. */

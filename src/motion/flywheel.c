@@ -31,7 +31,7 @@ static double fluctuation_at(const search *s, double x)
 
     flk_facts_forget(&f);
     s->path->equation.machine.flywheel = x < NO_FLYWHEEL ? 1 / x : 0;
-    if (!flk_steady_find(s->path, s->cycle, s->mean_speed, 0))
+    if (!flk_steady_find(s->path, s->cycle, s->mean_speed))
         return GSL_POSINF;
     flk_facts_of_cycle(s->path, s->cycle, &f);
     return gsl_finite(f.fluctuation_exact) ? f.fluctuation_exact : GSL_POSINF;

@@ -129,8 +129,6 @@ static int next_by_time(double length, flk_piece *piece)
 
 int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
 {
-    flk_piece_end end;
-
     if (!(piece->to < x->length))
         return 0;
     if (x->crank_motion->d->drive.by_time)
@@ -138,9 +136,5 @@ int flk_pieces_next(const flk_pieces *x, flk_piece *piece)
     piece->begin = piece->to > 0 ? piece->end : first_end(x);
     piece->from = piece->to;
     piece->to = next_end(x, piece->from, x->has_loads, &piece->end);
-    if (piece->from >= piece->motion_to - FLK_CORNERS_CLOSE(x->length)) {
-        piece->motion_from = piece->from;
-        piece->motion_to = next_end(x, piece->from, x->crank_motion->actual && x->has_loads, &end);
-    }
     return 1;
 }

@@ -11,7 +11,6 @@
 typedef struct flk_piece {
     double from, to;
     flk_piece_end begin, end;
-    double motion_from, motion_to; /* in which columns of the motion alone are smooth */
 } flk_piece;
 
 /* The motion of a branch, to be gone through piece by piece. */

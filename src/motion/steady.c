@@ -7,14 +7,12 @@
 **
 **    g(E0) - E0 = 0                                of any motor, for v
 **    g(E0) - E0 = 0,   mean_speed t - cycle = 0    of a motor that balances, for v and T
-**    g(E0) - E0 = 0                                the same from a given speed, for T
 **
 ** The first is solved by Newton's method in E0, as g' = exp(growth) follows from the path, between speeds at which the
 ** machine gains and loses energy in a cycle.  It starts from the lowest speed above which the mean torque of a cycle at
 ** constant speed is negative: there a run-up ends, for below it the machine gains speed.  The motion is stable if g' < 1.
 **
-** The others are solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965), which with one
-** unknown is the secant.
+** The second is solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965).
 **
 ** Of a motor that balances the loads, Broyden's method may lose its way where the crank nearly comes to rest, with a
 ** small flywheel.  But two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and with the
@@ -48,9 +46,8 @@
 typedef struct problem {
     flk_path *p;
     double cycle, mean_speed;
-    int has_speed, has_torque; /* which are unknown */
-    double speed;              /* rad/s, if it is known */
-    double torque_unit;        /* N m */
+    int has_torque;     /* 1: T is unknown too */
+    double torque_unit; /* N m */
 } problem;
 
 /* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
@@ -118,76 +115,69 @@ static double guess_speed(const flk_path *p, double cycle)
 /* The residuals of x = ln v, T; 0 if the crank stalls. */
 static int find_residuals(const problem *q, const double *x, double *r)
 {
-    double speed = q->has_speed ? exp(x[0]) : q->speed;
     const flk_node *end;
-    int n = 0;
 
     if (q->has_torque)
-        q->p->equation.machine.motor.torque = q->p->equation.sense * x[q->has_speed] *
-                                              q->torque_unit / q->p->equation.machine.motor.ratio;
-    if (!flk_path_run(q->p, speed, q->cycle))
+        q->p->equation.machine.motor.torque =
+            q->p->equation.sense * x[1] * q->torque_unit / q->p->equation.machine.motor.ratio;
+    if (!flk_path_run(q->p, exp(x[0]), q->cycle))
         return 0;
     end = flk_path_end(q->p);
-    r[n++] = log(end->y[FLK_ENERGY] / q->p->node[0].y[FLK_ENERGY]);
-    if (q->mean_speed > 0)
-        r[n++] = q->mean_speed * end->t / q->cycle - 1;
+    r[0] = log(end->y[FLK_ENERGY] / q->p->node[0].y[FLK_ENERGY]);
+    r[1] = q->mean_speed * end->t / q->cycle - 1;
     return 1;
 }
 
-static double size(int n, const double *r)
+static double size(const double *r)
 {
-    return n == 2 ? gsl_hypot(r[0], r[1]) : fabs(r[0]);
+    return gsl_hypot(r[0], r[1]);
 }
 
 /* B dx = -r */
-static int solve(int n, double B[2][2], const double *r, double *dx)
+static int solve(double B[2][2], const double *r, double *dx)
 {
     double det = B[0][0] * B[1][1] - B[0][1] * B[1][0];
 
-    if (n == 1)
-        dx[0] = -r[0] / B[0][0];
-    else {
-        dx[0] = (-r[0] * B[1][1] + r[1] * B[0][1]) / det;
-        dx[1] = (-r[1] * B[0][0] + r[0] * B[1][0]) / det;
-    }
-    return fabs(dx[0]) <= 1e30 && (n == 1 || fabs(dx[1]) <= 1e30);
+    dx[0] = (-r[0] * B[1][1] + r[1] * B[0][1]) / det;
+    dx[1] = (-r[1] * B[0][0] + r[0] * B[1][0]) / det;
+    return fabs(dx[0]) <= 1e30 && fabs(dx[1]) <= 1e30;
 }
 
 /* B += (dr - B dx) dx / dx.dx */
-static void update(int n, double B[2][2], const double *dx, const double *dr)
+static void update(double B[2][2], const double *dx, const double *dr)
 {
-    double square = dx[0] * dx[0] + (n == 2 ? dx[1] * dx[1] : 0);
+    double square = dx[0] * dx[0] + dx[1] * dx[1];
     int i, j;
 
-    for (i = 0; i < n; i++) {
-        double left = dr[i] - B[i][0] * dx[0] - (n == 2 ? B[i][1] * dx[1] : 0);
+    for (i = 0; i < 2; i++) {
+        double left = dr[i] - B[i][0] * dx[0] - B[i][1] * dx[1];
 
-        for (j = 0; j < n; j++)
+        for (j = 0; j < 2; j++)
             B[i][j] += left * dx[j] / square;
     }
 }
 
 /* A step from x, shorter while the crank stalls or the residuals grow; 0 if no step is short enough. */
-static int step(const problem *q, int n, double *x, double *r, const double *dx, double B[2][2])
+static int step(const problem *q, double *x, double *r, const double *dx, double B[2][2])
 {
     double next[2], at[2], moved[2], change[2], part = 1;
     int i, k;
 
-    for (k = 0; k < n; k++)
+    for (k = 0; k < 2; k++)
         part = GSL_MIN(part, fabs(dx[k]) > 1 ? 1 / fabs(dx[k]) : 1);
     for (i = 0; i < HALVINGS; i++, part *= 0.5) {
-        for (k = 0; k < n; k++) {
+        for (k = 0; k < 2; k++) {
             moved[k] = part * dx[k];
             at[k] = x[k] + moved[k];
         }
-        if (!find_residuals(q, at, next) || size(n, next) > 2 * size(n, r))
+        if (!find_residuals(q, at, next) || size(next) > 2 * size(r))
             continue;
-        for (k = 0; k < n; k++) {
+        for (k = 0; k < 2; k++) {
             change[k] = next[k] - r[k];
             x[k] = at[k];
             r[k] = next[k];
         }
-        update(n, B, moved, change);
+        update(B, moved, change);
         return 1;
     }
     return 0;
@@ -196,19 +186,19 @@ static int step(const problem *q, int n, double *x, double *r, const double *dx,
 /* Go on from x until the residuals are close to 0, or as close as rounding lets them come. */
 static int broyden(const problem *q, double *x, double B[2][2], double close, double rounded)
 {
-    int n = q->has_speed + q->has_torque, i, is_there = 0;
     double r[2], dx[2], last;
+    int i, is_there = 0;
 
-    for (i = 0; i < HALVINGS && !(is_there = find_residuals(q, x, r)) && q->has_speed; i++)
+    for (i = 0; i < HALVINGS && !(is_there = find_residuals(q, x, r)); i++)
         x[0] += 0.3;
-    for (i = 0; is_there && i < STEPS && size(n, r) > close; i++) {
-        last = size(n, r);
-        if (!solve(n, B, r, dx) || !step(q, n, x, r, dx, B))
+    for (i = 0; is_there && i < STEPS && size(r) > close; i++) {
+        last = size(r);
+        if (!solve(B, r, dx) || !step(q, x, r, dx, B))
             break;
-        if (last <= rounded && size(n, r) > 0.9 * last)
+        if (last <= rounded && size(r) > 0.9 * last)
             break;
     }
-    if (is_there && size(n, r) <= rounded)
+    if (is_there && size(r) <= rounded)
         return 1;
     if (is_there)
         find_residuals(q, x, r);
@@ -275,7 +265,7 @@ static int solve_problem(const problem *q, double *x)
     double tolerance = q->p->tolerance, B[2][2], growth = 0;
     int is_there;
 
-    B[0][0] = q->has_speed ? 0 : 1;
+    B[0][0] = 0;
     B[0][1] = 1;
     B[1][0] = -1;
     B[1][1] = -0.25;
@@ -360,43 +350,37 @@ static int solve_in_brackets(const problem *q, double *x)
     return is_there && broyden(q, x, B, CLOSE, ROUNDED);
 }
 
-int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed)
+int flk_steady_find(flk_path *p, double cycle, double mean_speed)
 {
     int balances = p->equation.machine.motor.kind == FOURLINK_MOTOR_BALANCE;
-    double x[2], start[2], mean = 0;
+    double x[2], start[2], speed, mean = 0;
     flk_machine_place place;
     problem q;
 
     q.p = p;
     q.cycle = cycle;
     q.mean_speed = balances ? mean_speed : 0;
-    q.speed = speed;
     q.has_torque = balances;
-    q.has_speed = !balances || mean_speed > 0;
-    q.torque_unit = 1;
     p->n = 0;
     p->equation.machine.motor.torque = balances ? 0 : p->equation.machine.motor.torque;
     p->status = flk_machine_at(&p->equation.machine, p->equation.branch, p->equation.from, &place);
     if (p->status != FOURLINK_OK)
         return 0;
-    speed = balances ? (mean_speed > 0 ? mean_speed : speed) : guess_speed(p, cycle);
+    speed = balances ? mean_speed : guess_speed(p, cycle);
     p->status = FOURLINK_NO_STEADY;
     if (!(speed > 0) || (balances && !mean_torque(p, cycle, speed, &mean)))
         return 0;
     q.torque_unit = 0.5 * place.total * speed * speed / cycle;
     start[0] = x[0] = log(speed);
-    start[1] = x[q.has_speed] = -mean / q.torque_unit;
-    p->is_steady = solve_problem(&q, x);
-    if (!p->is_steady && q.mean_speed > 0 && is_lost(p->status)) {
-        p->is_steady = solve_in_brackets(&q, start);
-        if (!p->is_steady && is_lost(p->status))
-            p->status = FOURLINK_NO_STEADY;
-    }
+    start[1] = x[1] = -mean / q.torque_unit;
+    p->is_steady =
+        solve_problem(&q, x) || (balances && is_lost(p->status) && solve_in_brackets(&q, start));
     if (p->is_steady)
         return 1;
     if (p->budget == 0)
         p->status = FOURLINK_TOO_LONG;
-    else if (p->status == FOURLINK_OK || p->status == FOURLINK_STALLS)
+    else if (p->status == FOURLINK_OK || p->status == FOURLINK_STALLS ||
+             (balances && is_lost(p->status)))
         p->status = FOURLINK_NO_STEADY;
     return 0;
 }

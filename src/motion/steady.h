@@ -12,11 +12,10 @@
 **
 ** Given:
 **    cycle       rad
-**    mean_speed  rad/s, in the sense of the motion; 0: not wanted
-**    speed       rad/s, at the first row, of a motor that balances and has no wanted mean speed
+**    mean_speed  rad/s, in the sense of the motion, of a motor that balances
 ** Returned (function value):
 **    1 found, 0 not
 */
-int flk_steady_find(flk_path *p, double cycle, double mean_speed, double speed);
+int flk_steady_find(flk_path *p, double cycle, double mean_speed);
 
 #endif

@@ -191,37 +191,6 @@ TEST(test_kinds_of_ends)
     }
 }
 
-/* Columns of the motion alone are smooth beyond the corners of loads, up to where links come near to one line; those of an
-** actual motion, which follows from the loads, are not. */
-TEST(test_motion_beyond_loads)
-{
-    static const double ends[] = {0, 90, 270, 360};
-    static const char window[] = "[load]\nlink = piston\nforce = 3 N\nfrom = 33 deg\nto = 77 deg\n";
-    char contents[1000];
-    flk_piece list[MOST];
-    size_t n, i, k;
-
-    sprintf(contents, CRANK STEADY "%s", 10.0, window);
-    n = list_pieces(contents, 1, list);
-    assert_int_equal(n, 5);
-    for (i = 0; i < n; i++) {
-        for (k = 0; ends[k + 1] * DEG <= list[i].from + 1e-9; k++)
-            continue;
-        assert_near(list[i].motion_from, ends[k] * DEG, 1e-9);
-        assert_near(list[i].motion_to, ends[k + 1] * DEG, 1e-9);
-    }
-    sprintf(contents,
-            CRANK
-            "%s[motion]\nmode = free\nspeed = 9 rad/s\nturns = 1\n[flywheel]\ninertia = 9 kg m2\n",
-            window);
-    n = list_pieces(contents, 1, list);
-    assert_int_equal(n, 5);
-    for (i = 0; i < n; i++) {
-        assert_near(list[i].motion_from, list[i].from, 0);
-        assert_near(list[i].motion_to, list[i].to, 0);
-    }
-}
-
 int main(void)
 {
     return run_all_tests(NULL);
