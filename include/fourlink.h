@@ -1505,8 +1505,8 @@ FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i,
 ** 2) A vector of which a part is set is written with its two components.
 ** 3) A value that the text does not have is added after the first line of its section, or in a section at the
 **    end.
-** 4) A deck that is read from this text has the same values.  Forces of designs are solved by dyads unless the
-**    deck has `solver`, those of the written deck, which has no [sweep], by the matrix: they differ by rounding.
+** 4) A deck that is read from this text has the same results.  As forces of designs are solved by dyads unless
+**    the deck has `solver`, `solver = dyad` is written into the text of a design.
 */
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);

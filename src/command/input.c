@@ -122,6 +122,14 @@ static int serves_options(input *in)
         why = "--statistics=FILE needs a [sweep] with outputs; the deck has none";
     } else if (!is_sweep && o->parts) {
         why = "--part needs a [sweep]; the deck has none";
+    } else if (!is_sweep && !in->is_design && (o->design || o->all_designs)) {
+        why = "--design needs a [sweep]; the deck has none";
+    } else if (o->design && is_sweep) {
+        why = flk_message(message, sizeof message, "--design=%ld: the [sweep] has %ld designs",
+                          (long)o->design, (long)p->n_designs);
+    } else if (is_sweep && o->print_deck && !o->all_designs) {
+        why = "--print-deck prints one design of a [sweep], with --design=N, or all, with "
+              "--design=all";
     } else if (is_sweep && o->n_decks > 1) {
         why = "a deck with a [sweep] must be the only deck";
     } else if (is_sweep && o->content != SHEET_ROWS && o->content != SHEET_LIST) {
@@ -237,6 +245,38 @@ static int find_answers(input *in, const char *path, const grade_answers *answer
     return status;
 }
 
+char *input_deck_text(const fourlink_results *results, unsigned long *length)
+{
+    const fourlink_deck *deck = fourlink_results_deck(results);
+    unsigned long size = 0;
+    char *contents;
+
+    fourlink_deck_write(deck, NULL, 0, &size);
+    contents = malloc(size + 1);
+    if (contents)
+        fourlink_deck_write(deck, contents, size + 1, length);
+    return contents;
+}
+
+/* In place of a deck with a [sweep], the deck of the design that is asked for; returns the exit status. */
+static int take_design(input *in)
+{
+    unsigned long length = 0;
+    char *contents = input_deck_text(in->results, &length);
+
+    if (!contents)
+        return command_complain("cannot read", in->name, "not enough memory");
+    refuse(in);
+    free(in->text);
+    in->source.text = in->text = contents;
+    in->source.length = length;
+    in->is_design = 1;
+    in->source.changes = NULL;
+    in->source.n_changes = 0;
+    in->source.design = 0;
+    return open_results(in);
+}
+
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers)
 {
     int status;
@@ -251,10 +291,16 @@ int input_read(input *in, const char *path, const options *o, const grade_answer
     in->source.host = in;
     in->source.changes = o->changes;
     in->source.n_changes = (unsigned long)o->n_changes;
-    in->source.design = FOURLINK_ANY_DESIGN;
+    in->source.design = o->design ? o->design - 1 : FOURLINK_ANY_DESIGN;
     status = open_results(in);
     if (status || !in->results)
         return status;
+    fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
+    if (o->design && in->problem.n_designs >= o->design) {
+        status = take_design(in);
+        if (status || !in->results)
+            return status;
+    }
     fourlink_deck_problem(fourlink_results_deck(in->results), &in->problem);
     in->source.design = in->problem.design;
     if (serves_options(in))

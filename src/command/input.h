@@ -20,6 +20,7 @@ typedef struct input {
     const char *no_file;       /* why one of them is not read; null: the system says why */
     int out_of_memory;         /* 1: one could not be loaded */
     fourlink_results *results; /* null: the deck is not usable */
+    int is_design;             /* 1: it is a design of a [sweep], in place of the deck */
     int has_mistakes;          /* 1: because its text has mistakes */
     fourlink_problem problem;
     grade_answers answers; /* its own, of a folder */
@@ -33,5 +34,8 @@ typedef struct input {
 int input_read(input *in, const char *path, const options *o, const grade_answers *answers);
 
 void input_close(input *in);
+
+/* The text of a deck with the values that are computed: memory to free, null if there is not enough. */
+char *input_deck_text(const fourlink_results *results, unsigned long *length);
 
 #endif

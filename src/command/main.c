@@ -11,6 +11,7 @@
 #include "base/system.h"
 #include "best.h"
 #include "command.h"
+#include "deck_out.h"
 #include "designs.h"
 #include "drawing.h"
 #include "files.h"
@@ -112,7 +113,11 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
 static int write_sheet(const options *o, const input *inputs, int *signal_number)
 {
     output out;
-    int status = output_begin(&out, o->output), written;
+    int status, written;
+
+    if (o->print_deck)
+        return deck_out_print(&inputs[0]);
+    status = output_begin(&out, o->output);
 
     if (status)
         return status;

@@ -50,6 +50,10 @@ const char *const options_help[] = {
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
     "                                    as a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
+    "      --design=N|all                take design N of the deck's [sweep], from 1, as a deck",
+    "      --print-deck                  print the deck as it is computed: with other values, of "
+    "one",
+    "                                    design; of all: into --output=FOLDER/",
     "  -l, --list                        list columns and facts of the deck, with meanings",
     "  -h, --help                        print this text",
     "  -V, --version                     print the version",
@@ -70,7 +74,9 @@ enum {
     STATISTICS,
     BEST,
     ALLOW_FILES,
-    LAST_WITHOUT_LETTER = ALLOW_FILES
+    DESIGN,
+    PRINT_DECK,
+    LAST_WITHOUT_LETTER = PRINT_DECK
 };
 
 /* How an option is kept: as a flag or text of its own, or as a change to the deck. */
@@ -103,11 +109,14 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {STATISTICS, "--statistics", 2, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
+                                    {DESIGN, "--design", 1, NULL},
+                                    {PRINT_DECK, "--print-deck", 0, NULL},
                                     {'l', "--list", 0, NULL},
                                     {'h', "--help", 0, NULL},
                                     {'V', "--version", 0, NULL}};
 
 #define TABLE_COUNT (sizeof table / sizeof table[0])
+#define MOST_DESIGNS 4294967295.0
 #define LONGEST_KEY 20 /* bytes, with the "=" */
 
 /* Returns 0, for the caller to return. */
@@ -245,6 +254,23 @@ static int set_statistics(options *o, const char *value, char message[400])
     return *value || say(message, "--statistics= needs a file name", "", "");
 }
 
+/* N or all */
+static int set_design(options *o, const char *value, char message[400])
+{
+    text rest = flk_text_of(value);
+    double n = 0;
+
+    o->all_designs = strcmp(value, "all") == 0;
+    o->design = 0;
+    if (o->all_designs)
+        return 1;
+    if (flk_number_read(&rest, &n) != NUMBER_OK || rest.length || n != floor(n) || n < 1 ||
+        n > MOST_DESIGNS)
+        return say(message, "--design must be a number from 1, or all, not '", value, "'");
+    o->design = (unsigned long)n;
+    return 1;
+}
+
 /* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
@@ -260,6 +286,10 @@ static int set(options *o, const option_info *info, const char *value, char mess
         return set_part(o, value, message);
     case 'p':
         return set_plot(o, value, message);
+    case DESIGN:
+        return set_design(o, value, message);
+    case PRINT_DECK:
+        return o->print_deck = 1;
     case PLOT_KIND:
         return set_plot_kind(o, value, message);
     case PLOT_AT:
@@ -426,6 +456,25 @@ static int check_statistics(const options *o, char message[400])
     return 0;
 }
 
+/* Check what does not go with decks that are printed, or with one design. */
+static int check_designs(const options *o, char message[400])
+{
+    size_t length = o->output ? strlen(o->output) : 0;
+
+    if (o->print_deck && (o->content != SHEET_ROWS || o->parts || o->best || o->statistics_file ||
+                          o->n_statistics || o->plot || o->plot_script || o->report || o->at ||
+                          o->n_decks > 1 || o->format != &table_format))
+        return say(message, "--print-deck prints a deck: it takes one deck and no other output", "",
+                   "");
+    if (o->all_designs && (!o->print_deck || !length || o->output[length - 1] != '/'))
+        return say(message,
+                   "--design=all needs --print-deck and --output=FOLDER/: it writes one deck each",
+                   "", "");
+    if (o->design && (o->parts || o->best || o->statistics_file || o->n_statistics))
+        return say(message, "--design takes one design, not the whole [sweep]", "", "");
+    return 1;
+}
+
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -473,7 +522,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     sheet_formats_of(o->content, names));
         return 0;
     }
-    if (!check_statistics(o, message))
+    if (!check_statistics(o, message) || !check_designs(o, message))
         return 0;
     if (!o->n_decks && !o->statistics_file)
         o->decks[o->n_decks++] = "-";

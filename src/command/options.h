@@ -25,6 +25,9 @@ typedef struct options {
     const char *statistics_file; /* designs computed before; null: none */
     int n_statistics;            /* how often --statistics was given without a file */
     unsigned long part, parts;   /* --part=K/N; parts 0: not given */
+    unsigned long design;        /* --design=N, from 1; 0: not given */
+    int all_designs;             /* 1: --design=all */
+    int print_deck;              /* 1: print the deck instead of rows */
     const char *plot;            /* the picture's file; null: none */
     const char *plot_script;     /* the script's file; null: none */
     const char *report;          /* the report's file; null: none */

@@ -153,6 +153,11 @@ static int find_changed(const parser *p, const section_use *use, size_t i, chang
         c->name = flk_text_of(flk_key_table[c->key].name);
         c->own = c->s->own;
         c->value = c->s->value;
+        if (c->key == KEY_TOP_SOLVER && !IS_SET(c->s) && p->d->sweep.n_variables) {
+            c->value = flk_text_of("dyad"); /* the default of a [sweep] */
+            c->s = NULL;
+            return 1;
+        }
         return IS_SET(c->s) && (c->s->parts || c->s->giver != GIVEN_BY_TEXT);
     }
     named = &p->named[i - n];
@@ -252,12 +257,32 @@ static int find_next(const writer *w, const section_use *use, changed *next)
     return next->own.start != NULL;
 }
 
+/* The first line from a place that is not empty, nor a comment alone. */
+static const char *first_content(const parser *p, const char *from)
+{
+    const char *next;
+    text line;
+
+    for (; from < in_text(p, NULL); from = next) {
+        next = next_line(p, from);
+        line.start = from;
+        line.length = (size_t)(next - from);
+        while (line.length && strchr("\r\n", line.start[line.length - 1]))
+            line.length--;
+        if (flk_text_trim(flk_line_without_comment(line)).length)
+            break;
+    }
+    return from;
+}
+
 static void write_section(writer *w, const section_use *use)
 {
     const char *start = in_text(w->p, use->start);
     changed c;
 
-    copy_to(w, use->section == SECTION_TOP || !use->start ? start : next_line(w->p, start));
+    copy_to(w, !use->start                   ? start
+               : use->section == SECTION_TOP ? first_content(w->p, start)
+                                             : next_line(w->p, start));
     w->is_within_line &= use->section != SECTION_TOP; /* it may follow a byte order mark */
     add(w, use);
     while (find_next(w, use, &c))

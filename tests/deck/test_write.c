@@ -65,8 +65,9 @@ static void check_written(const char *contents, const char *assignment, const ch
     fourlink_results_free(r);
 }
 
-#define HEAD                                                                                \
-    "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n" \
+#define HEAD "# before\n" BEHIND_COMMENT
+#define BEHIND_COMMENT                                                            \
+    "mechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n" \
     "length =   20 mm\t; short\n  [coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm # end\n"
 #define CURVE                                                                               \
     "[load L]\nlink = rocker\n  torque = 0 deg 0 N m, # first\n# within\n 90 deg 1 N m, \n" \
@@ -95,7 +96,7 @@ TEST(test_places_of_values)
          "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n"
          "length =   20 mm\t; short\n  [coupler]\nlength = 66 mm\n[rocker]\nmass = 2 kg\nlength = "
          "56 mm # end\n"},
-        {HEAD, "solver=dyad", "solver = dyad\n" HEAD},
+        {HEAD, "solver=dyad", "# before\nsolver = dyad\n" BEHIND_COMMENT},
         {HEAD, "motion.interval = 5 deg", HEAD "\n[motion]\ninterval = 5 deg\n"},
         {HEAD "[table]\ndigits = 4", "motion.from=3 deg",
          HEAD "[table]\ndigits = 4\n\n[motion]\nfrom = 3 deg\n"},
@@ -170,18 +171,21 @@ TEST(test_designs)
         const char *before, *sweep, *after, *expected;
     } cases[] = {
         {HEAD, "[sweep]\ncrank.length = 1 in, 2.1 cm\n# of the sweep\n", "[table]\ndigits = 4\n",
-         "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n"
+         "# before\nsolver = dyad\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it "
+         "is\n[crank]\n"
          "length =   21 mm\t; short\n  [coupler]\nlength = 66 mm\n[rocker]\nlength = 56 mm # end\n"
          "[table]\ndigits = 4\n"},
         {HEAD, "[sweep]\nload W.torque & load W.at.x = 1 N m & 2 mm, -2 N m & 1 cm",
          "\n[load W]\nlink = rocker\nforce = 0.1 N at 0 deg\nat = (3, 4) mm\ntorque = 1 N cm # T\n",
-         HEAD "[load W]\nlink = rocker\nforce = 0.1 N at 0 deg\nat = (10, 4) mm\ntorque = -200 N "
-              "cm # T\n"},
+         "# before\nsolver = dyad\n" BEHIND_COMMENT
+         "[load W]\nlink = rocker\nforce = 0.1 N at 0 deg\nat = (10, 4) mm\ntorque = -200 N "
+         "cm # T\n"},
         {HEAD "[motion]\nspeed = 3 rad/s\n",
          "[sweep]\nmotion.speed = 30 rpm, 60 rpm\nmotion.interval = 1 deg, 10 deg\ncoupler.cg.x = "
          "1 mm, 2 mm\n",
          "",
-         "# before\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it is\n[crank]\n"
+         "# before\nsolver = dyad\nmechanism = four-bar ; kind\n[ Ground ]\nlength=80 mm # as it "
+         "is\n[crank]\n"
          "length =   20 mm\t; short\n  [coupler]\ncg = (2, 0) mm\nlength = 66 mm\n[rocker]\n"
          "length = 56 mm # end\n[motion]\ninterval = 10 deg\nspeed = 6.283185307179585 rad/s\n"}};
     size_t i;
@@ -216,8 +220,8 @@ TEST(test_values_without_a_unit)
                                            "[sweep]\ncrank.length = 2.5 cm, 3 cm\n",
                                            values[i]));
 
-        assert_string_equal(written(r),
-                            "mechanism = four-bar\n[crank]\nlength = 2.5 cm # C\n" REST);
+        assert_string_equal(
+            written(r), "solver = dyad\nmechanism = four-bar\n[crank]\nlength = 2.5 cm # C\n" REST);
         fourlink_results_free(r);
     }
 }
