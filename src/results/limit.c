@@ -175,21 +175,22 @@ static double find_growth(const flk_limit_rows *e, values y)
 ** same length, for one. */
 #define LEAST_POLE 1e-11 /* of the column's size elsewhere, at a radian: less is rounding */
 
-static void take_values(const flk_limit_rows *e, const flk_followed *t, double near, int is_vector,
-                        values y[2])
+/* The values in the rows, in the column's unit; the components of a direction in SI. */
+static void take_values(const flk_limit_rows *e, const flk_followed *t, int is_vector, values y[2])
 {
-    double scale_of = t->turn > 0 ? 1 : t->c->scale;
+    double factor = t->turn > 0 ? 1 : t->c->scale, last = GSL_NAN;
     int scale, k;
 
     for (scale = 0; scale < SCALES; scale++)
         for (k = 0; k < NODES; k++)
             if (is_vector) {
                 flk_column_vector(t->c, &e->row[scale][k], &y[0][scale][k], &y[1][scale][k]);
-                y[0][scale][k] *= scale_of;
-                y[1][scale][k] *= scale_of;
+                y[0][scale][k] *= factor;
+                y[1][scale][k] *= factor;
             } else {
                 y[0][scale][k] =
-                    flk_followed_nearest(t, flk_column_value(t->c, &e->row[scale][k]), near);
+                    flk_followed_nearest(t, flk_column_value(t->c, &e->row[scale][k]), last);
+                last = y[0][scale][k];
             }
 }
 
@@ -210,9 +211,9 @@ static double join(const flk_limit *l, const flk_followed *t, double x, double n
 
 /* The limit of a column whose poles, if it has any, are those of a vector. */
 static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y[2],
-                        const best b[2], double size, double near, flk_limit *l)
+                        const best b[2], double size, flk_limit *l)
 {
-    double error = b[0].error, here = b[0].size, least;
+    double error = b[0].error, here = b[0].size, length = gsl_hypot(b[0].value, b[1].value), least;
 
     if (l->n == 2) {
         error = gsl_hypot(error, b[1].error);
@@ -226,13 +227,11 @@ static void find_finite(const flk_limit_rows *e, const flk_followed *t, values y
         l->rounded = e->is_change ? LOST : LOST_DEAD;
     if (l->n == 2 && t->turn > 0) {
         if (error <= KNOWN * size)
-            l->value = join(
-                l, t, gsl_hypot(b[0].value, b[1].value) > VANISHES * here ? 0 : BESIDE * b[0].reach,
-                near);
+            l->value = join(l, t, length > VANISHES * here ? 0 : BESIDE * b[0].reach, GSL_NAN);
         return;
     }
     if (error <= KNOWN * size)
-        l->value = l->n == 2 ? gsl_hypot(b[0].value, b[1].value) : b[0].value;
+        l->value = l->n == 2 ? length : b[0].value;
     else if (l->n == 1 && is_finite(e, y[0]))
         l->value = y[0][0][0];
     if (fabs(l->value) <= least)
@@ -254,15 +253,14 @@ void flk_limit_of_crank(const flk_limit_rows *e, flk_limit *l)
     l->rounded = e->is_change ? CLOSE : 0;
 }
 
-void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double near,
-                    flk_limit *l)
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l)
 {
     int is_vector = flk_column_has_vector(t->c), has_pole = 0, k, order;
     double strength, growth;
     best b[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     values y[2];
 
-    take_values(e, t, near, is_vector, y);
+    take_values(e, t, is_vector, y);
     flk_limit_of_crank(e, l);
     l->n = is_vector ? 2 : 1;
     l->reach = 0;
@@ -280,7 +278,7 @@ void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size,
     for (k = 0; k < l->n; k++)
         b[k] = best_of(e, y[k], l->order, &l->of[k]);
     if (!has_pole || (is_vector && t->turn > 0))
-        find_finite(e, t, y, b, size, near, l);
+        find_finite(e, t, y, b, size, l);
     else if (is_vector && l->order > 0 && b[0].error <= EXACT * b[0].size &&
              b[1].error <= EXACT * b[1].size)
         l->reach = GSL_MIN_DBL(b[0].reach, b[1].reach);

@@ -33,9 +33,8 @@ typedef struct flk_limit {
     flk_polynomial of[2];
 } flk_limit;
 
-/* Find it for a column of this size elsewhere; an angle is that nearest to `near`. */
-void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, double near,
-                    flk_limit *l);
+/* Find it for a column of this size elsewhere. */
+void flk_limit_find(const flk_limit_rows *e, const flk_followed *t, double size, flk_limit *l);
 
 /* None, where there are rows; that of a column that is defined there too. */
 void flk_limit_none(flk_limit *l);

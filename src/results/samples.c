@@ -326,7 +326,7 @@ static void find_limits(flk_samples *x, int at_end)
         if (c->is_of_crank || c->of.is_noise)
             flk_limit_of_crank(x->near, l);
         else
-            flk_limit_find(x->near, &c->of, c->size_long, GSL_NAN, l);
+            flk_limit_find(x->near, &c->of, c->size_long, l);
     }
 }
 
