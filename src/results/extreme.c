@@ -399,10 +399,16 @@ static void find_poles(sought *k)
         before = at;
         last = i;
     }
-    for (end = 0; end < 2 && x->n > 2 && gsl_finite(bound); end++)
-        if (!(fabs(k->c->v[end ? x->n - 1 : 0]) < bound) &&
-            grows_towards(k, end, (end ? -1 : 1) * sqrt(BESIDE_POLE), &nearer))
+    for (end = 0; end < 2 && x->n > 2 && gsl_finite(bound); end++) {
+        if (fabs(k->c->v[end ? x->n - 1 : 0]) < bound)
+            continue;
+        if (grows_towards(k, end, (end ? -1 : 1) * sqrt(BESIDE_POLE), &nearer)) {
             offer_at(k, nearer > 0 ? 0 : 1, nearer > 0 ? GSL_POSINF : GSL_NEGINF, end);
+        } else {
+            offer_at(k, 0, k->c->corner[end], end);
+            offer_at(k, 1, k->c->corner[end], end);
+        }
+    }
 }
 
 /* ------------------------------------------------------------------------------------------ piece by piece */

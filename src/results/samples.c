@@ -109,12 +109,18 @@ static double value_of(const flk_samples *x, const flk_sampled *c, double s, dou
     return gsl_isinf(value) ? GSL_NAN : value;
 }
 
+/* Closer to an end where there is no row there is none either: the end is meant. */
+#define AT_LIMIT 2e-6 /* rad */
+
 double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 {
-    int is_inside = (s <= 0 && c->is_inside[0]) || (s >= 1 && c->is_inside[1]);
+    int is_inside = (s <= 0 && c->is_inside[0]) || (s >= 1 && c->is_inside[1]), end;
+    double passed = is_inside ? flk_follow_passed(&x->f, s) : flk_follow_corner(&x->f, s);
 
-    return flk_follow_angle(&x->f,
-                            is_inside ? flk_follow_passed(&x->f, s) : flk_follow_corner(&x->f, s));
+    for (end = 0; end < 2; end++)
+        if (c->limit[end].reach >= 0 && fabs(passed - c->limit[end].edge) < AT_LIMIT)
+            passed = c->limit[end].edge;
+    return flk_follow_angle(&x->f, passed);
 }
 
 /* -------------------------------------------------------------------------------------------- samples */
@@ -122,7 +128,6 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 /* At an end of the piece the row there counts; where a load jumps, that just inside. */
 #define INSIDE 5e-11 /* rad */
 #define AGREES 1e-6  /* of the column's size */
-#define BESIDE 1e-3  /* of the magnitude beyond which a column is infinite: beside a pole */
 
 static void take_end(const flk_samples *x, double s, size_t i)
 {
@@ -141,9 +146,9 @@ static void take_end(const flk_samples *x, double s, size_t i)
         int jumps = !flk_follow_is_root(end) &&
                     fabs(flk_followed_nearest(&c->of, here, there) - there) > AGREES * size;
 
-        c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !(fabs(there) > BESIDE * c->of.bound);
+        c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !gsl_finite(c->of.bound);
         c->v[i] = c->is_inside[s >= 1] ? there : here;
-        c->corner[s >= 1] = here;
+        c->corner[s >= 1] = c->is_inside[s >= 1] ? here : there;
     }
 }
 
