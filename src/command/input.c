@@ -118,8 +118,6 @@ static int serves_options(input *in)
         why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
         why = "--format=paper works for a four-bar only";
-    } else if (o->statistics_file && !p->has_outputs) {
-        why = "--statistics=FILE needs a [sweep] with outputs; the deck has none";
     } else if (!is_sweep && o->parts) {
         why = "--part needs a [sweep]; the deck has none";
     } else if (is_sweep && o->n_decks > 1) {

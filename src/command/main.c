@@ -15,7 +15,6 @@
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
-#include "joined.h"
 #include "output.h"
 #include "reporting.h"
 #include "terminal.h"
@@ -116,9 +115,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (o->statistics_file)
-        written = joined_write(out.file, o, o->n_decks ? &inputs[0] : NULL);
-    else if (o->best)
+    if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
@@ -139,8 +136,7 @@ static int write_all(const options *o, const input *inputs, int usable, int *sig
         status = drawing_begin(&d, &inputs[0]);
     if (status == EXIT_USAGE)
         return status;
-    if (options_want_table(o) && (usable || (o->statistics_file && !o->n_decks) ||
-                                  (o->content == SHEET_CHECK && o->n_decks > 1)))
+    if (options_want_table(o) && (usable || (o->content == SHEET_CHECK && o->n_decks > 1)))
         status = command_worse(status, write_sheet(o, inputs, signal_number));
     if (d.script)
         status = command_worse(status, drawing_end(&d, !*signal_number));

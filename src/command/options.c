@@ -45,8 +45,7 @@ const char *const options_help[] = {
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
     "                                    sample calculation, pictures and tables",
-    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
-    "                                    or of a csv FILE that has them",
+    "      --statistics                  print statistics of the designs of the deck's [sweep]",
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
     "                                    as a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
@@ -100,7 +99,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
                                     {REPORT, "--report", 1, NULL},
-                                    {STATISTICS, "--statistics", 2, NULL},
+                                    {STATISTICS, "--statistics", 0, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {'l', "--list", 0, NULL},
@@ -235,16 +234,6 @@ static int set_best(options *o, const char *value, char message[400])
     return set_change(o, "--best", "sweep.output=", name.start);
 }
 
-static int set_statistics(options *o, const char *value, char message[400])
-{
-    if (value == no_value) {
-        o->n_statistics++;
-        return set_change(o, "--statistics", "sweep.statistics=", "yes");
-    }
-    o->statistics_file = value;
-    return *value || say(message, "--statistics= needs a file name", "", "");
-}
-
 /* 1; 0 and the reason in `message`. */
 static int set(options *o, const option_info *info, const char *value, char message[400])
 {
@@ -281,7 +270,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case BEST:
         return set_best(o, value, message);
     case STATISTICS:
-        return set_statistics(o, value, message);
+        o->n_statistics++;
+        return set_change(o, "--statistics", "sweep.statistics=", "yes");
     case EXPECT:
         return set_content(o, SHEET_EXPECT);
     case ALLOW_FILES:
@@ -398,34 +388,6 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
-/* Check what does not go with statistics, or with the best design. */
-static int check_statistics(const options *o, char message[400])
-{
-    char names[SHEET_FORMAT_NAMES];
-
-    if (o->best &&
-        (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics || o->plot ||
-         o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
-        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
-    if (o->n_statistics && o->parts)
-        return say(message,
-                   "--statistics needs all designs: join the parts, then use "
-                   "--statistics=FILE",
-                   "", "");
-    if (!o->statistics_file)
-        return 1;
-    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script ||
-        o->report)
-        return say(message, "--statistics=FILE works alone, or with a deck", "", "");
-    if (o->n_decks > 1)
-        return say(message, "--statistics=FILE takes one deck, not several", "", "");
-    if (o->format->writes & 1 << SHEET_STATISTICS)
-        return 1;
-    flk_message(message, 400, "--statistics can be printed as %s only",
-                sheet_formats_of(SHEET_STATISTICS, names));
-    return 0;
-}
-
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -473,9 +435,12 @@ int options_read(int argc, char **argv, options *o, char message[400])
                     sheet_formats_of(o->content, names));
         return 0;
     }
-    if (!check_statistics(o, message))
-        return 0;
-    if (!o->n_decks && !o->statistics_file)
+    if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||
+                    o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
+        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
+    if (o->n_statistics && o->parts)
+        return say(message, "--statistics needs all designs, not a --part", "", "");
+    if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
 }
