@@ -4,6 +4,7 @@
 */
 #include <string.h>
 
+#include "base/xml.h"
 #include "report.h"
 
 /* The first mistake, or note, at a line of the deck; null if there is none. */
@@ -59,9 +60,8 @@ static void put_text(report *r)
         const char *element = find_note(r, n) ? "mark" : "span";
 
         page_print(&r->page, "<%m class=\"text-line\" id=\"line-%lu\">", element, (unsigned long)n);
-        page_text(&r->page, line.start,
-                  line.length && line.start[line.length - 1] == '\r' ? line.length - 1
-                                                                     : line.length);
+        xml_put(r->page.out, line.start,
+                line.length && line.start[line.length - 1] == '\r' ? line.length - 1 : line.length);
         page_print(&r->page, "</%m>\n", element);
     }
     page_print(&r->page, "</pre>\n");

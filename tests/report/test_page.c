@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/xml.h"
 #include "check.h"
 #include "report/compact.h"
 #include "report/mathml.h"
@@ -39,10 +40,11 @@ static page new_page(void)
 
 static const char *shown(const char *words, size_t length)
 {
-    page p = new_page();
+    FILE *out = tmpfile();
 
-    page_text(&p, words, length);
-    return take(p.out);
+    assert_non_null(out);
+    xml_put(out, words, length);
+    return take(out);
 }
 
 #define REPLACED "\xef\xbf\xbd"
