@@ -176,10 +176,12 @@ static int run(const options *o)
 }
 
 /* Write the help, or the version. */
-static int write_text(const char *const *lines)
+static int write_text(int is_help)
 {
-    for (; *lines; lines++)
-        puts(*lines);
+    if (is_help)
+        options_put_help(stdout);
+    else
+        puts("fourlink " FOURLINK_VERSION "\nLicence GPL-3.0-or-later; there is no warranty.");
     return fflush(stdout) == 0 && !ferror(stdout)
                ? 0
                : command_complain("cannot write", "standard output", strerror(errno));
@@ -187,8 +189,6 @@ static int write_text(const char *const *lines)
 
 int main(int argc, char **argv)
 {
-    static const char *const version[] = {"fourlink " FOURLINK_VERSION,
-                                          "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
     options o;
     int status;
@@ -204,7 +204,7 @@ int main(int argc, char **argv)
         fputs("\nTry 'fourlink --help'.\n", stderr);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
-        status = write_text(o.help ? options_help : version);
+        status = write_text(o.help);
     } else {
         status = files_tell_clash(&o);
         if (!status)

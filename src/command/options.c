@@ -11,13 +11,14 @@
 #include "base/number.h"
 #include "options.h"
 
-const char *const options_help[] = {
+/* @f stands for the formats, @k for the kinds of pictures, a line each. */
+static const char *const help[] = {
     "Usage: fourlink [OPTION]... [DECK]...",
     "",
     "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
     "Reads standard input if no DECK is given, or for -.",
     "",
-    "  -f, --format=table|csv|json|paper format of the output (default: table)",
+    "  -f, --format=@f format of the output (default: table)",
     "  -o, --output=FILE                 write to FILE, replaced only when complete",
     "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
@@ -35,11 +36,8 @@ const char *const options_help[] = {
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
     "                                    is printed too with --format or --output",
-    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
-    "                                    polar, vectors, klein, animation (default for .gif),",
-    "                                    speed: of a motion that is not given,",
-    "                                    columns: those of the table, or outputs of a [sweep];",
-    "                                    of a [sweep]: histogram",
+    "      --plot-kind=KIND              what to draw (default: mechanism, for .gif animation):",
+    "@k",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-x=NAME                 draw columns over this one (default: theta2 or time)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
@@ -129,8 +127,8 @@ static int set_format(options *o, const char *value, char message[400])
     o->asks_for_table = 1;
     if (o->format)
         return 1;
-    flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
-                flk_text_of(value));
+    flk_message(message, 400, "--format must be %s, not '%t'",
+                sheet_formats_of(SHEET_ROWS, ", ", " or ", names), flk_text_of(value));
     return 0;
 }
 
@@ -165,7 +163,7 @@ static int set_part(options *o, const char *value, char message[400])
 
 static int set_plot_kind(options *o, const char *value, char message[400])
 {
-    const char *nearest;
+    char names[200];
     int i;
 
     for (i = 0; plot_names[i]; i++)
@@ -173,11 +171,9 @@ static int set_plot_kind(options *o, const char *value, char message[400])
             o->drawing.kind = (plot_kind)i;
             return 1;
         }
-    nearest = flk_text_nearest(flk_text_of(value), plot_names);
-    flk_message(message, 400,
-                "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
-                "klein, animation, speed, histogram or columns, not '%t'%h",
-                flk_text_of(value), nearest);
+    flk_message(message, 400, "--plot-kind must be %s, not '%t'%h",
+                flk_text_list(plot_names, ", ", " or ", names, sizeof names), flk_text_of(value),
+                flk_text_nearest(flk_text_of(value), plot_names));
     return 0;
 }
 
@@ -388,6 +384,25 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
+void options_put_help(FILE *out)
+{
+    char names[SHEET_FORMAT_NAMES];
+    const char *const *next, *at;
+    int i;
+
+    for (next = help; *next; next++) {
+        at = strchr(*next, '@');
+        if (!at)
+            fprintf(out, "%s\n", *next);
+        else if (at[1] == 'f')
+            fprintf(out, "%.*s%s%s\n", (int)(at - *next), *next,
+                    sheet_formats_of(SHEET_ROWS, "|", "|", names), at + 2);
+        else
+            for (i = 0; i < PLOT_COUNT; i++)
+                fprintf(out, "          %-16s%s\n", plot_names[i], plot_shows[i]);
+    }
+}
+
 int options_read(int argc, char **argv, options *o, char message[400])
 {
     int i, done = 0;
@@ -432,7 +447,7 @@ int options_read(int argc, char **argv, options *o, char message[400])
         char names[SHEET_FORMAT_NAMES];
 
         flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
-                    sheet_formats_of(o->content, names));
+                    sheet_formats_of(o->content, ", ", " or ", names));
         return 0;
     }
     if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||

@@ -43,7 +43,7 @@ void options_free(options *o);
 ** too. */
 int options_want_table(const options *o);
 
-/* The lines of --help, ended by a null pointer. */
-extern const char *const options_help[];
+/* Write what --help prints. */
+void options_put_help(FILE *out);
 
 #endif
