@@ -88,7 +88,6 @@ with_c() {
         version; do
         escaped=$(echo "$option" | sed 's/-/\\-/g')
         check "--$option in the manual page" grep -qF -e "\\-\\-$escaped" usr/share/man/man1/fourlink.1
-        check "--$option completes" grep -qF -e "--$option" usr/share/bash-completion/completions/fourlink
     done
 
     caller 'C90' $CC $CFLAGS -std=c90 $strict "$callers/c90.c"
@@ -191,13 +190,14 @@ completion() {
     completes() {
         bash -c '. usr/share/bash-completion/completions/fourlink
             compopt() { :; }
-            COMP_WORDS=(fourlink "${@:2}") COMP_CWORD=$(($# - 1))
+            COMP_WORDS=(usr/bin/fourlink "${@:2}") COMP_CWORD=$(($# - 1))
             _fourlink
             [ "${COMPREPLY[*]}" = "$1" ]' completes "$@"
     }
     check 'an option completes' completes --format= --form
     check 'its value completes' completes paper --format = p
     check 'another' completes json --format = j
+    check 'a kind of picture completes' completes polar --plot-kind = pol
     : >x.deck
     check 'a deck completes' completes x.deck x
 }

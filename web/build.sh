@@ -63,7 +63,6 @@ build_program() {
     libraries=$(for part in $parts; do ls web/gsl/"$part"/.libs/*.a; done)
     # shellcheck disable=SC2086
     emcc -O2 --no-entry -s STANDALONE_WASM -s ALLOW_MEMORY_GROWTH=1 -s MAXIMUM_MEMORY=1GB -s TOTAL_STACK=1MB \
-        -Wl,--wrap=sin,--wrap=cos \
         -o web/fourlink.wasm web/objects/*.o $libraries
     if grep -qF -e "$work" -e "$source" web/fourlink.wasm; then
         echo "build.sh: the page has a path of this machine: remove $work/web and begin again" >&2

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** format.c - numbers to text, the same in every locale and as printf in the C locale: printf does what
-** digits.c leaves.
+** format.c - numbers to text, the same in every locale and as printf in the C locale, but that 0 has no sign:
+** printf does what digits.c leaves.
 */
 #define __USE_MINGW_ANSI_STDIO 1 /* on Windows: all digits, and exponents of two */
 
@@ -12,6 +12,21 @@
 #include "digits.h"
 #include "format.h"
 
+/* Take the sign off a number that prints as 0; returns its end. */
+static char *take_sign_off(char *out, char *end)
+{
+    const char *digit = out + 1;
+
+    if (out[0] != '-')
+        return end;
+    while (*digit == '0' || *digit == '.')
+        digit++;
+    if (*digit && *digit != 'e')
+        return end;
+    memmove(out, out + 1, (size_t)(end - out));
+    return end - 1;
+}
+
 /* The end of the number that digits.c has written.  If `end` is null it has not, and printf does, with a
 ** point for the locale's decimal mark. */
 static char *finish(char *end, char *out, const char *format, double value, int digits)
@@ -20,7 +35,7 @@ static char *finish(char *end, char *out, const char *format, double value, int 
     char *mark;
 
     if (end)
-        return end;
+        return take_sign_off(out, end);
     if (value != value) /* whatever its sign */
         return strcpy(out, "nan") + 3;
     if (value - value != 0)
@@ -31,7 +46,7 @@ static char *finish(char *end, char *out, const char *format, double value, int 
         *mark = '.';
         memmove(mark + 1, mark + strlen(decimal), strlen(mark + strlen(decimal)) + 1);
     }
-    return out + strlen(out);
+    return take_sign_off(out, out + strlen(out));
 }
 
 char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE])

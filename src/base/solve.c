@@ -18,7 +18,7 @@
 
 #define ITERATIONS 200
 #define GOLDEN 0.38196601125010515 /* (3 - sqrt(5)) / 2 */
-#define NARROWEST 1e-8 /* part of the interval: closer values of a smooth peak hardly differ */
+#define NARROWEST 1e-12 /* part of the interval: of a corner; a smooth peak is found before */
 
 flk_bracket flk_bracket_of(double low, double high, double f_low, double f_high)
 {

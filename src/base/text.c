@@ -296,6 +296,22 @@ char *flk_text_join(char *out, size_t size, ...)
     return out;
 }
 
+char *flk_text_list(const char *const *words, const char *between, const char *last, char *out,
+                    size_t size)
+{
+    size_t length;
+
+    for (out[0] = '\0'; *words; words++) {
+        length = strlen(out);
+        flk_text_join(out + length, size - length,
+                      !length    ? ""
+                      : words[1] ? between
+                                 : last,
+                      *words, (char *)NULL);
+    }
+    return out;
+}
+
 const char *flk_text_article(const char *words)
 {
     return strchr("aeiou", words[0]) ? "an" : "a";

@@ -167,8 +167,7 @@ static int is_input(const char *output, const options *o)
     for (i = 0; i < o->n_decks; i++)
         if (replaces(output, o->decks[i]))
             return 1;
-    return (o->check_file && replaces(output, o->check_file)) ||
-           (o->statistics_file && replaces(output, o->statistics_file));
+    return o->check_file && replaces(output, o->check_file);
 }
 
 /* 1 if two paths, without links at their ends, name the same file of one folder. */

@@ -118,8 +118,6 @@ static int serves_options(input *in)
         why = "--matrix needs masses or loads; the deck has none";
     } else if (o->format == &paper_format && p->mechanism.design.kind != FOURLINK_FOUR_BAR) {
         why = "--format=paper works for a four-bar only";
-    } else if (o->statistics_file && !p->has_outputs) {
-        why = "--statistics=FILE needs a [sweep] with outputs; the deck has none";
     } else if (!is_sweep && o->parts) {
         why = "--part needs a [sweep]; the deck has none";
     } else if (!is_sweep && !in->is_design && (o->design || o->all_designs)) {
@@ -136,7 +134,8 @@ static int serves_options(input *in)
         why = "--check, --expect, --matrix and --summary work for one design, not for a [sweep]";
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
-                            sheet_formats_of(SHEET_DESIGNS, names), " only", (char *)NULL);
+                            sheet_formats_of(SHEET_DESIGNS, ", ", " or ", names), " only",
+                            (char *)NULL);
     } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,

@@ -16,7 +16,6 @@
 #include "drawing.h"
 #include "files.h"
 #include "input.h"
-#include "joined.h"
 #include "output.h"
 #include "reporting.h"
 #include "terminal.h"
@@ -121,9 +120,7 @@ static int write_sheet(const options *o, const input *inputs, int *signal_number
 
     if (status)
         return status;
-    if (o->statistics_file)
-        written = joined_write(out.file, o, o->n_decks ? &inputs[0] : NULL);
-    else if (o->best)
+    if (o->best)
         written = best_write(out.file, &inputs[0], signal_number);
     else if (inputs[0].results && inputs[0].problem.n_designs && o->content != SHEET_LIST)
         written = designs_write(out.file, &inputs[0], signal_number);
@@ -144,8 +141,7 @@ static int write_all(const options *o, const input *inputs, int usable, int *sig
         status = drawing_begin(&d, &inputs[0]);
     if (status == EXIT_USAGE)
         return status;
-    if (options_want_table(o) && (usable || (o->statistics_file && !o->n_decks) ||
-                                  (o->content == SHEET_CHECK && o->n_decks > 1)))
+    if (options_want_table(o) && (usable || (o->content == SHEET_CHECK && o->n_decks > 1)))
         status = command_worse(status, write_sheet(o, inputs, signal_number));
     if (d.script)
         status = command_worse(status, drawing_end(&d, !*signal_number));
@@ -185,10 +181,12 @@ static int run(const options *o)
 }
 
 /* Write the help, or the version. */
-static int write_text(const char *const *lines)
+static int write_text(int is_help)
 {
-    for (; *lines; lines++)
-        puts(*lines);
+    if (is_help)
+        options_put_help(stdout);
+    else
+        puts("fourlink " FOURLINK_VERSION "\nLicence GPL-3.0-or-later; there is no warranty.");
     return fflush(stdout) == 0 && !ferror(stdout)
                ? 0
                : command_complain("cannot write", "standard output", strerror(errno));
@@ -196,8 +194,6 @@ static int write_text(const char *const *lines)
 
 int main(int argc, char **argv)
 {
-    static const char *const version[] = {"fourlink " FOURLINK_VERSION,
-                                          "Licence GPL-3.0-or-later; there is no warranty.", NULL};
     char message[400];
     options o;
     int status;
@@ -213,7 +209,7 @@ int main(int argc, char **argv)
         fputs("\nTry 'fourlink --help'.\n", stderr);
         status = EXIT_USAGE;
     } else if (o.help || o.version) {
-        status = write_text(o.help ? options_help : version);
+        status = write_text(o.help);
     } else {
         status = files_tell_clash(&o);
         if (!status)

@@ -11,13 +11,14 @@
 #include "base/number.h"
 #include "options.h"
 
-const char *const options_help[] = {
+/* @f stands for the formats, @k for the kinds of pictures, a line each. */
+static const char *const help[] = {
     "Usage: fourlink [OPTION]... [DECK]...",
     "",
     "Kinematics and forces of four-bar linkages and slider-cranks, as tables over the crank angle.",
     "Reads standard input if no DECK is given, or for -.",
     "",
-    "  -f, --format=table|csv|json|paper format of the output (default: table)",
+    "  -f, --format=@f format of the output (default: table)",
     "  -o, --output=FILE                 write to FILE, replaced only when complete",
     "  -b, --branch=open|crossed|both    assembly mode (default: both; with gas: open)",
     "  -i, --interval=QUANTITY           interval of the crank angle, such as '10 deg'",
@@ -35,18 +36,14 @@ const char *const options_help[] = {
     "  -S, --summary                     print facts, extremes, turning moment instead of rows",
     "  -p, --plot=FILE                   draw a picture: .svg .png .pdf .txt .gif, or -; the table",
     "                                    is printed too with --format or --output",
-    "      --plot-kind=KIND              mechanism (default), motion, forces, turning-moment,",
-    "                                    polar, vectors, klein, animation (default for .gif),",
-    "                                    speed: of a motion that is not given,",
-    "                                    columns: those of the table, or outputs of a [sweep];",
-    "                                    of a [sweep]: histogram",
+    "      --plot-kind=KIND              what to draw (default: mechanism, for .gif animation):",
+    "@k",
     "      --plot-at=ANGLE,ANGLE,...     crank angles to draw, such as '40 deg'",
     "      --plot-x=NAME                 draw columns over this one (default: theta2 or time)",
     "      --plot-script=FILE            write the gnuplot script, to change and run",
     "      --report=FILE                 write a report to hand in: a page .html with deck, facts,",
     "                                    sample calculation, pictures and tables",
-    "      --statistics[=FILE]           print statistics of the designs of the deck's [sweep],",
-    "                                    or of a csv FILE that has them",
+    "      --statistics                  print statistics of the designs of the deck's [sweep]",
     "      --best='max|min NAME'         print the best design of the deck's [sweep], refined,",
     "                                    as a deck",
     "  -P, --part=K/N                    compute the K-th of N parts of the deck's [sweep]",
@@ -106,7 +103,7 @@ static const option_info table[] = {{'f', "--format", 1, NULL},
                                     {PLOT_X, "--plot-x", 1, NULL},
                                     {PLOT_SCRIPT, "--plot-script", 1, NULL},
                                     {REPORT, "--report", 1, NULL},
-                                    {STATISTICS, "--statistics", 2, NULL},
+                                    {STATISTICS, "--statistics", 0, NULL},
                                     {BEST, "--best", 1, NULL},
                                     {'P', "--part", 1, NULL},
                                     {DESIGN, "--design", 1, NULL},
@@ -139,8 +136,8 @@ static int set_format(options *o, const char *value, char message[400])
     o->asks_for_table = 1;
     if (o->format)
         return 1;
-    flk_message(message, 400, "--format must be %s, not '%t'", sheet_formats_of(SHEET_ROWS, names),
-                flk_text_of(value));
+    flk_message(message, 400, "--format must be %s, not '%t'",
+                sheet_formats_of(SHEET_ROWS, ", ", " or ", names), flk_text_of(value));
     return 0;
 }
 
@@ -175,7 +172,7 @@ static int set_part(options *o, const char *value, char message[400])
 
 static int set_plot_kind(options *o, const char *value, char message[400])
 {
-    const char *nearest;
+    char names[200];
     int i;
 
     for (i = 0; plot_names[i]; i++)
@@ -183,11 +180,9 @@ static int set_plot_kind(options *o, const char *value, char message[400])
             o->drawing.kind = (plot_kind)i;
             return 1;
         }
-    nearest = flk_text_nearest(flk_text_of(value), plot_names);
-    flk_message(message, 400,
-                "--plot-kind must be mechanism, motion, forces, turning-moment, polar, vectors, "
-                "klein, animation, speed, histogram or columns, not '%t'%h",
-                flk_text_of(value), nearest);
+    flk_message(message, 400, "--plot-kind must be %s, not '%t'%h",
+                flk_text_list(plot_names, ", ", " or ", names, sizeof names), flk_text_of(value),
+                flk_text_nearest(flk_text_of(value), plot_names));
     return 0;
 }
 
@@ -242,16 +237,6 @@ static int set_best(options *o, const char *value, char message[400])
     o->best = name.start;
     o->best_is_largest = flk_text_equal(which, "max");
     return set_change(o, "--best", "sweep.output=", name.start);
-}
-
-static int set_statistics(options *o, const char *value, char message[400])
-{
-    if (value == no_value) {
-        o->n_statistics++;
-        return set_change(o, "--statistics", "sweep.statistics=", "yes");
-    }
-    o->statistics_file = value;
-    return *value || say(message, "--statistics= needs a file name", "", "");
 }
 
 /* N or all */
@@ -311,7 +296,8 @@ static int set(options *o, const option_info *info, const char *value, char mess
     case BEST:
         return set_best(o, value, message);
     case STATISTICS:
-        return set_statistics(o, value, message);
+        o->n_statistics++;
+        return set_change(o, "--statistics", "sweep.statistics=", "yes");
     case EXPECT:
         return set_content(o, SHEET_EXPECT);
     case ALLOW_FILES:
@@ -428,32 +414,23 @@ static int check_plot(options *o, char message[400])
     return 1;
 }
 
-/* Check what does not go with statistics, or with the best design. */
-static int check_statistics(const options *o, char message[400])
+void options_put_help(FILE *out)
 {
     char names[SHEET_FORMAT_NAMES];
+    const char *const *next, *at;
+    int i;
 
-    if (o->best &&
-        (o->content != SHEET_ROWS || o->parts || o->statistics_file || o->n_statistics || o->plot ||
-         o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
-        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
-    if (o->n_statistics && o->parts)
-        return say(message,
-                   "--statistics needs all designs: join the parts, then use "
-                   "--statistics=FILE",
-                   "", "");
-    if (!o->statistics_file)
-        return 1;
-    if (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot || o->plot_script ||
-        o->report)
-        return say(message, "--statistics=FILE works alone, or with a deck", "", "");
-    if (o->n_decks > 1)
-        return say(message, "--statistics=FILE takes one deck, not several", "", "");
-    if (o->format->writes & 1 << SHEET_STATISTICS)
-        return 1;
-    flk_message(message, 400, "--statistics can be printed as %s only",
-                sheet_formats_of(SHEET_STATISTICS, names));
-    return 0;
+    for (next = help; *next; next++) {
+        at = strchr(*next, '@');
+        if (!at)
+            fprintf(out, "%s\n", *next);
+        else if (at[1] == 'f')
+            fprintf(out, "%.*s%s%s\n", (int)(at - *next), *next,
+                    sheet_formats_of(SHEET_ROWS, "|", "|", names), at + 2);
+        else
+            for (i = 0; i < PLOT_COUNT; i++)
+                fprintf(out, "          %-16s%s\n", plot_names[i], plot_shows[i]);
+    }
 }
 
 /* Check what does not go with decks that are printed, or with one design. */
@@ -461,16 +438,16 @@ static int check_designs(const options *o, char message[400])
 {
     size_t length = o->output ? strlen(o->output) : 0;
 
-    if (o->print_deck && (o->content != SHEET_ROWS || o->parts || o->best || o->statistics_file ||
-                          o->n_statistics || o->plot || o->plot_script || o->report || o->at ||
-                          o->n_decks > 1 || o->format != &table_format))
+    if (o->print_deck &&
+        (o->content != SHEET_ROWS || o->parts || o->best || o->n_statistics || o->plot ||
+         o->plot_script || o->report || o->at || o->n_decks > 1 || o->format != &table_format))
         return say(message, "--print-deck prints a deck: it takes one deck and no other output", "",
                    "");
     if (o->all_designs && (!o->print_deck || !length || o->output[length - 1] != '/'))
         return say(message,
                    "--design=all needs --print-deck and --output=FOLDER/: it writes one deck each",
                    "", "");
-    if (o->design && (o->parts || o->best || o->statistics_file || o->n_statistics))
+    if (o->design && (o->parts || o->best || o->n_statistics))
         return say(message, "--design takes one design, not the whole [sweep]", "", "");
     return 1;
 }
@@ -519,12 +496,17 @@ int options_read(int argc, char **argv, options *o, char message[400])
         char names[SHEET_FORMAT_NAMES];
 
         flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
-                    sheet_formats_of(o->content, names));
+                    sheet_formats_of(o->content, ", ", " or ", names));
         return 0;
     }
-    if (!check_statistics(o, message) || !check_designs(o, message))
+    if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||
+                    o->plot_script || o->report || o->n_decks > 1 || o->format != &table_format))
+        return say(message, "--best prints a deck: it takes one deck and no other output", "", "");
+    if (o->n_statistics && o->parts)
+        return say(message, "--statistics needs all designs, not a --part", "", "");
+    if (!check_designs(o, message))
         return 0;
-    if (!o->n_decks && !o->statistics_file)
+    if (!o->n_decks)
         o->decks[o->n_decks++] = "-";
     return check_plot(o, message);
 }

@@ -22,17 +22,16 @@ typedef struct options {
     const char *output;     /* null: standard output */
     const char *best;       /* the name that --best asks for; null: it was not given */
     int best_is_largest;
-    const char *statistics_file; /* designs computed before; null: none */
-    int n_statistics;            /* how often --statistics was given without a file */
-    unsigned long part, parts;   /* --part=K/N; parts 0: not given */
-    unsigned long design;        /* --design=N, from 1; 0: not given */
-    int all_designs;             /* 1: --design=all */
-    int print_deck;              /* 1: print the deck instead of rows */
-    const char *plot;            /* the picture's file; null: none */
-    const char *plot_script;     /* the script's file; null: none */
-    const char *report;          /* the report's file; null: none */
-    plot_request drawing;        /* PLOT_COUNT: no kind is given */
-    fourlink_change *changes;    /* --set, and options that set a key of the deck */
+    int n_statistics;          /* how often --statistics was given */
+    unsigned long part, parts; /* --part=K/N; parts 0: not given */
+    unsigned long design;      /* --design=N, from 1; 0: not given */
+    int all_designs;           /* 1: --design=all */
+    int print_deck;            /* 1: print the deck instead of rows */
+    const char *plot;          /* the picture's file; null: none */
+    const char *plot_script;   /* the script's file; null: none */
+    const char *report;        /* the report's file; null: none */
+    plot_request drawing;      /* PLOT_COUNT: no kind is given */
+    fourlink_change *changes;  /* --set, and options that set a key of the deck */
     unsigned long n_changes;
     const char **decks; /* "-": standard input */
     size_t n_decks;
@@ -47,7 +46,7 @@ void options_free(options *o);
 ** too. */
 int options_want_table(const options *o);
 
-/* The lines of --help, ended by a null pointer. */
-extern const char *const options_help[];
+/* Write what --help prints. */
+void options_put_help(FILE *out);
 
 #endif

@@ -30,7 +30,7 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
                double y)
 {
     if (x != 0 || y != 0)
-        arrow_put(arrows, kind, name, at, sketch_at(x, y));
+        arrow_put(arrows, kind, name, at, place_at(x, y));
 }
 
 void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on)
@@ -109,7 +109,7 @@ void arrow_draw(const arrow_list *arrows, sketch *s, const picture *p, double sc
     for (i = 0; i < arrows->n; i++) {
         const arrow *x = &arrows->list[i];
         double size = gsl_hypot(x->F.x, x->F.y);
-        fourlink_vector end = sketch_beside(x->at, scale * x->F.x, scale * x->F.y);
+        fourlink_vector end = place_beside(x->at, scale * x->F.x, scale * x->F.y);
 
         figure_note(s, p, x->name, size, QUANTITY_FORCE);
         if (size < SMALLEST * largest)
@@ -123,7 +123,7 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
                        double torque)
 {
     double side = kind == PEN_FORCE ? -1 : 1, radius = 0.07 * s->size; /* of the letters */
-    fourlink_vector below = sketch_beside(at, 0.86 * radius * side, -0.5 * radius * side);
+    fourlink_vector below = place_beside(at, 0.86 * radius * side, -0.5 * radius * side);
 
     if (torque == 0)
         return;
@@ -146,9 +146,9 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
-    double bar = picture_si(p, q, sketch_round(picture_value(p, q, largest) / 2.5));
-    fourlink_vector from = sketch_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
-    fourlink_vector to = sketch_beside(from, scale * bar, 0);
+    double bar = picture_si(p, q, place_round(picture_value(p, q, largest) / 2.5));
+    fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
+    fourlink_vector to = place_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];
 
     sketch_turn(s, 0);

@@ -177,7 +177,7 @@ static void cut(panel *q, graph_extent *e, int of_x)
 static void put_curve(const picture *p, const panel *q, int i, fourlink_branch branch, int column)
 {
     const graph_line *line = &q->line[i];
-    fourlink_vector size = sketch_at(graph_span(&q->x), graph_span(&q->e)), from, to;
+    fourlink_vector size = place_at(graph_span(&q->x), graph_span(&q->e)), from, to;
     int k;
 
     canvas_print(&p->on, "$c%d_%s << EOD\n", column, fourlink_branch_text((int)branch));
@@ -186,9 +186,9 @@ static void put_curve(const picture *p, const panel *q, int i, fourlink_branch b
             canvas_print(&p->on, "\n");
             continue;
         }
-        to = sketch_at(line->x[k], line->y[k]);
+        to = place_at(line->x[k], line->y[k]);
         if (k > 0 && !gsl_isnan(line->y[k - 1])) {
-            from = sketch_at(line->x[k - 1], line->y[k - 1]);
+            from = place_at(line->x[k - 1], line->y[k - 1]);
             if (graph_find_jump(p, branch, 0, column, size, picture_angle(p, k - 1, PICTURE_STEPS),
                                 picture_angle(p, k, PICTURE_STEPS), &from, &to))
                 canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);

@@ -23,7 +23,7 @@ double figure_length(const picture *p, double si)
 
 fourlink_vector figure_point(const picture *p, fourlink_vector si)
 {
-    return sketch_at(figure_length(p, si.x), figure_length(p, si.y));
+    return place_at(figure_length(p, si.x), figure_length(p, si.y));
 }
 
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
@@ -51,7 +51,7 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
 /* A link's second pin. */
 static fourlink_vector end_of(const picture *p, const fourlink_state *state, int link)
 {
-    fourlink_vector at = sketch_at(p->design->link[link].length, 0);
+    fourlink_vector at = place_at(p->design->link[link].length, 0);
 
     return figure_of_link(p, state, link, &at);
 }
@@ -77,7 +77,7 @@ static fourlink_vector on_slide(const picture *p, const fourlink_state *state, d
     fourlink_vector B = figure_point(p, state->link[FOURLINK_COUPLER].origin);
 
     along -= figure_length(p, state->s);
-    return sketch_beside(B, along * u->x - across * u->y, along * u->y + across * u->x);
+    return place_beside(B, along * u->x - across * u->y, along * u->y + across * u->x);
 }
 
 /* C, or the foot itself: where the lever meets its slide. */
@@ -143,8 +143,8 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
 
     sketch_include(s, pins.A);
     sketch_include(s, pins.B);
-    sketch_include(s, sketch_beside(pins.C, -margin, 0));
-    sketch_include(s, sketch_beside(pins.C, margin, 0));
+    sketch_include(s, place_beside(pins.C, -margin, 0));
+    sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     if (p->kind.has_slot) {
         double from, to;
@@ -184,7 +184,7 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
-        s->drawn = sketch_nothing;
+        s->drawn = place_nothing;
     }
 }
 
@@ -217,8 +217,8 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
     for (i = 0; i < 5; i++) {
         double along = i == 1 || i == 2 ? x : -x, across = i == 2 || i == 3 ? y : -y;
 
-        corner[i] = sketch_beside(at, along * axis->x - across * axis->y,
-                                  along * axis->y + across * axis->x);
+        corner[i] = place_beside(at, along * axis->x - across * axis->y,
+                                 along * axis->y + across * axis->x);
     }
     for (i = 0; i < 4; i++)
         sketch_line(s, kind, corner[i], corner[i + 1]);
@@ -310,7 +310,7 @@ static fourlink_vector direction(fourlink_vector from, fourlink_vector to)
 {
     double x = to.x - from.x, y = to.y - from.y, length = gsl_hypot(x, y);
 
-    return length > 0 ? sketch_at(x / length, y / length) : sketch_at(0, 0);
+    return length > 0 ? place_at(x / length, y / length) : place_at(0, 0);
 }
 
 void figure_letter(sketch *s, fourlink_vector pin, fourlink_vector x, fourlink_vector y,
@@ -350,13 +350,13 @@ static void put_angle(sketch *s, const picture *p, fourlink_vector at, double an
     double half = angle / 2;
 
     radius *= s->size;
-    sketch_line(s, PEN_CONSTRUCTION, at, sketch_beside(at, 1.5 * radius, 0));
+    sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
     flk_text_join(words, sizeof words, name, " = ",
                   picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), 4, number),
                   (char *)NULL);
     sketch_note(s, words);
-    sketch_text(s, sketch_beside(at, radius * cos(half), radius * sin(half)), 0.5,
+    sketch_text(s, place_beside(at, radius * cos(half), radius * sin(half)), 0.5,
                 sin(half) >= 0 ? 0.4 : -0.4, name);
 }
 
@@ -393,19 +393,19 @@ void figure_gravity(sketch *s, const picture *p)
 {
     const fourlink_design *d = p->design;
     double left = s->drawn.x_min - 0.05 * s->size, top = s->drawn.y_max;
-    fourlink_vector to = sketch_at(left, top - 0.12 * s->size), axis;
+    fourlink_vector to = place_at(left, top - 0.12 * s->size), axis;
 
     sketch_turn(s, 0);
     if ((d->gravity.x != 0 || d->gravity.y != 0) &&
         (d->link[2].mass > 0 || d->link[3].mass > 0 || d->link[4].mass > 0)) {
-        sketch_arrow(s, PEN_LOAD, sketch_at(left, top), to);
+        sketch_arrow(s, PEN_LOAD, place_at(left, top), to);
         sketch_text(s, to, -1, 0.5, "g");
     }
     sketch_turn(s, 1);
     if (p->on.turn == 0)
         return;
-    axis = sketch_at(0.2 * s->size, 0);
-    sketch_arrow(s, PEN_CONSTRUCTION, sketch_at(0, 0), axis);
+    axis = place_at(0.2 * s->size, 0);
+    sketch_arrow(s, PEN_CONSTRUCTION, place_at(0, 0), axis);
     sketch_text(s, axis, 1, 0, "x");
 }
 

@@ -46,7 +46,7 @@ double friction_circle_scale(double size, const friction_circle *x, const fricti
 {
     double radius = GSL_MAX_DBL(x->radius, y->radius);
 
-    return radius > 0 ? GSL_MAX_DBL(sketch_round(SMALLEST * size / radius), 1) : 1;
+    return radius > 0 ? GSL_MAX_DBL(place_round(SMALLEST * size / radius), 1) : 1;
 }
 
 /* r x F = arm |F|, r at right angles to F */
@@ -55,7 +55,7 @@ fourlink_vector friction_circle_touch(const friction_circle *x, double scale, fo
 {
     double size = gsl_hypot(F.x, F.y), part = size > 0 ? scale * x->arm / size : 0;
 
-    return sketch_beside(pin, part * F.y, -part * F.x);
+    return place_beside(pin, part * F.y, -part * F.x);
 }
 
 void friction_circle_draw(sketch *s, const friction_circle *x, double scale, fourlink_vector pin)

@@ -294,8 +294,8 @@ double graph_angle_step(const picture *p, double span)
     if (strcmp(p->units[QUANTITY_ANGLE].name, "deg") == 0)
         for (i = 0; i < sizeof parts / sizeof parts[0]; i++)
             if (parts[i] >= least)
-                return least < 2 ? sketch_round(least) : parts[i];
-    return sketch_round(least);
+                return least < 2 ? place_round(least) : parts[i];
+    return place_round(least);
 }
 
 void graph_plot(picture *p, fourlink_branch branch, const char *name, int line)

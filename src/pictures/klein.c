@@ -46,13 +46,13 @@ static void construct(const picture *p, const fourlink_state *state, const fourl
     k->O = pins.A;
     k->B = pins.B;
     k->C = pins.C;
-    k->M = sketch_beside(pins.B, BM * u.x, BM * u.y);
-    k->Q = sketch_beside(pins.B, BQ * u.x, BQ * u.y);
-    k->N = sketch_beside(k->Q, QN * u.y, -QN * u.x);
+    k->M = place_beside(pins.B, BM * u.x, BM * u.y);
+    k->Q = place_beside(pins.B, BQ * u.x, BQ * u.y);
+    k->N = place_beside(k->Q, QN * u.y, -QN * u.x);
     k->meet = fabs(BM) >= BQ;
     half = k->meet ? sqrt(BM * BM - BQ * BQ) : 0;
-    k->K = sketch_beside(k->Q, -half * u.y, half * u.x);
-    k->L = sketch_beside(k->Q, half * u.y, -half * u.x);
+    k->K = place_beside(k->Q, -half * u.y, half * u.x);
+    k->L = place_beside(k->Q, half * u.y, -half * u.x);
 }
 
 /* The foot of the perpendicular from a point on the line through another in this direction. */
@@ -61,7 +61,7 @@ static fourlink_vector foot(fourlink_vector from, fourlink_vector on, fourlink_v
     double square = direction.x * direction.x + direction.y * direction.y;
     double t = ((from.x - on.x) * direction.x + (from.y - on.y) * direction.y) / square;
 
-    return sketch_beside(on, t * direction.x, t * direction.y);
+    return place_beside(on, t * direction.x, t * direction.y);
 }
 
 /* I, on the line of the crank and above C; IX and IY are not numbers where it is at infinity. */
@@ -70,21 +70,21 @@ static void construct_moments(const picture *p, const fourlink_state *state,
 {
     const fourlink_link *rod = &p->design->link[FOURLINK_COUPLER];
     double along = rod->cg.x / rod->length, across = rod->cg.y / rod->length, size, IY;
-    fourlink_vector BN = sketch_at(k->N.x - k->B.x, k->N.y - k->B.y), gO;
+    fourlink_vector BN = place_at(k->N.x - k->B.x, k->N.y - k->B.y), gO;
 
     k->has_mass = rod->mass > 0;
     k->is_near = 0;
     if (!gsl_finite(lengths->IX) || !gsl_finite(lengths->IY))
         return;
-    k->I = sketch_at(k->C.x, k->C.x * k->B.y / k->B.x);
+    k->I = place_at(k->C.x, k->C.x * k->B.y / k->B.x);
     k->is_near = gsl_hypot(k->I.x, k->I.y) < 3 * gsl_hypot(k->C.x, k->C.y);
     k->G = figure_of_link(p, state, FOURLINK_COUPLER, &rod->cg);
     k->X = foot(k->I, k->G, p->design->gravity);
-    k->g = sketch_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
-    gO = sketch_at(k->O.x - k->g.x, k->O.y - k->g.y);
+    k->g = place_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
+    gO = place_at(k->O.x - k->g.x, k->O.y - k->g.y);
     size = gsl_hypot(gO.x, gO.y);
     IY = figure_length(p, lengths->IY) * (lengths->BM < 0 ? -1 : 1);
-    k->Y = sketch_beside(k->I, IY * gO.y / size, -IY * gO.x / size);
+    k->Y = place_beside(k->I, IY * gO.y / size, -IY * gO.x / size);
     k->Z = foot(k->G, k->Y, gO);
 }
 
@@ -105,7 +105,7 @@ static double remainder_of_turn(double angle)
 /* Draw the lines at the crank, and put each letter on the side away from the middle of the rod. */
 static void draw_crank(sketch *s, const construction *k, double rod)
 {
-    fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
+    fourlink_vector middle = place_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
     double BM = gsl_hypot(k->M.x - k->B.x, k->M.y - k->B.y);
     double of_K = atan2(k->K.y - middle.y, k->K.x - middle.x);
     double of_B = atan2(k->B.y - middle.y, k->B.x - middle.x), side = 0;
@@ -140,12 +140,12 @@ static void draw_crank(sketch *s, const construction *k, double rod)
 static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
                        const construction *k, double rod)
 {
-    fourlink_vector middle = sketch_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
+    fourlink_vector middle = place_at((k->B.x + k->C.x) / 2, (k->B.y + k->C.y) / 2);
     double overhang = 0.12 * s->size * (k->C.x < 0 ? -1 : 1);
 
     figure_frame(s, p, state);
-    sketch_line(s, PEN_CONSTRUCTION, sketch_at(-overhang, k->C.y),
-                sketch_at(k->C.x + overhang, k->C.y));
+    sketch_line(s, PEN_CONSTRUCTION, place_at(-overhang, k->C.y),
+                place_at(k->C.x + overhang, k->C.y));
     sketch_arc(s, PEN_CONSTRUCTION, middle, rod / 2, 0, 2 * M_PI);
     sketch_line(s, PEN_COUPLER, k->B, k->C);
     draw_crank(s, k, rod);
@@ -162,7 +162,7 @@ static void put_inset(picture *p, const construction *k, double rod)
     sketch s;
 
     sketch_open(&s, &p->on, 2 * crank);
-    sketch_line(&s, PEN_COUPLER, k->B, sketch_beside(k->B, 0.8 * crank * x, 0.8 * crank * y));
+    sketch_line(&s, PEN_COUPLER, k->B, place_beside(k->B, 0.8 * crank * x, 0.8 * crank * y));
     draw_crank(&s, k, rod);
     if (k->is_near) {
         sketch_line(&s, PEN_CONSTRUCTION, k->B, k->N);

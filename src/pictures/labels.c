@@ -10,7 +10,7 @@
 
 #include <gsl/gsl_math.h>
 
-#include "sketch.h"
+#include "labels.h"
 
 #define DIRECTIONS 16
 #define RINGS 3
@@ -21,64 +21,37 @@
 #define HALF_LINE (0.45 * CANVAS_LINE)
 
 /* The box of a text in pixels, with half a letter at either end. */
-static sketch_box box_of(const sketch *s, const sketch_label *label)
+static place_box box_of(const sketch *s, const sketch_label *label)
 {
     double w = label->half + CANVAS_LETTER / 2;
     double x = label->at.x / s->scale + label->middle.x,
            y = label->at.y / s->scale + label->middle.y;
-    sketch_box b = sketch_nothing;
+    place_box b = place_nothing;
 
-    sketch_grow(&b, x - w, y - HALF_LINE);
-    sketch_grow(&b, x + w, y + HALF_LINE);
+    place_grow(&b, x - w, y - HALF_LINE);
+    place_grow(&b, x + w, y + HALF_LINE);
     return b;
 }
 
 /* The box of the drawing in pixels, without texts. */
-static sketch_box drawn(const sketch *s)
+static place_box drawn(const sketch *s)
 {
-    sketch_box b = sketch_nothing;
+    place_box b = place_nothing;
 
-    sketch_grow(&b, s->drawn.x_min / s->scale, s->drawn.y_min / s->scale);
-    sketch_grow(&b, s->drawn.x_max / s->scale, s->drawn.y_max / s->scale);
+    place_grow(&b, s->drawn.x_min / s->scale, s->drawn.y_min / s->scale);
+    place_grow(&b, s->drawn.x_max / s->scale, s->drawn.y_max / s->scale);
     return b;
 }
 
-int sketch_overlap(const sketch_box *x, const sketch_box *y)
+static int covers(const sketch *s, const place_box *b, const sketch_obstacle *o)
 {
-    return x->x_min < y->x_max && y->x_min < x->x_max && x->y_min < y->y_max && y->y_min < x->y_max;
+    return place_crosses(b, place_at(o->from.x / s->scale, o->from.y / s->scale),
+                         place_at(o->to.x / s->scale, o->to.y / s->scale));
 }
 
-/* Cut off the part of a line p + s d, s from *from to *to, that is outside one pair of sides. */
-static int clip(double p, double d, double low, double high, double *from, double *to)
+static int leaves(const sketch *s, const place_box *b)
 {
-    double first, last;
-
-    if (d == 0)
-        return p > low && p < high;
-    first = ((d > 0 ? low : high) - p) / d;
-    last = ((d > 0 ? high : low) - p) / d;
-    *from = GSL_MAX_DBL(*from, first);
-    *to = GSL_MIN_DBL(*to, last);
-    return *from < *to;
-}
-
-int sketch_crosses(const sketch_box *b, fourlink_vector p, fourlink_vector q)
-{
-    double from = 0, to = 1;
-
-    return clip(p.x, q.x - p.x, b->x_min, b->x_max, &from, &to) &&
-           clip(p.y, q.y - p.y, b->y_min, b->y_max, &from, &to);
-}
-
-static int covers(const sketch *s, const sketch_box *b, const sketch_obstacle *o)
-{
-    return sketch_crosses(b, sketch_at(o->from.x / s->scale, o->from.y / s->scale),
-                          sketch_at(o->to.x / s->scale, o->to.y / s->scale));
-}
-
-static int leaves(const sketch *s, const sketch_box *b)
-{
-    sketch_box all = drawn(s);
+    place_box all = drawn(s);
 
     return b->x_min < all.x_min - BORDER || b->x_max > all.x_max + BORDER ||
            b->y_min < all.y_min - BORDER || b->y_max > all.y_max + BORDER;
@@ -87,14 +60,14 @@ static int leaves(const sketch *s, const sketch_box *b)
 /* The cost of label k at its present place. */
 static double cost_of(const sketch *s, int k)
 {
-    sketch_box b = box_of(s, &s->labels[k]);
+    place_box b = box_of(s, &s->labels[k]);
     double cost = 0;
     int i;
 
     for (i = 0; i < k; i++) {
-        sketch_box other = box_of(s, &s->labels[i]);
+        place_box other = box_of(s, &s->labels[i]);
 
-        cost += sketch_overlap(&b, &other) ? 100 : 0;
+        cost += place_overlap(&b, &other) ? 100 : 0;
     }
     for (i = 0; i < s->n_obstacles; i++)
         cost += covers(s, &b, &s->obstacles[i]) ? s->obstacles[i].weight : 0;
@@ -127,17 +100,17 @@ static void place(sketch *s, int k)
     label->middle = best;
 }
 
-static double scale_for(const sketch *s, const sketch_box *b, double width, double height,
+static double scale_for(const sketch *s, const place_box *b, double width, double height,
                         double border)
 {
     return s->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
                                   (b->y_max - b->y_min) / (height - 2 * border));
 }
 
-void sketch_place(sketch *s, double width, double height)
+void labels_place(sketch *s, double width, double height)
 {
     double first, scale;
-    sketch_box b, own;
+    place_box b, own;
     int round, i;
 
     s->scale = 1;
@@ -152,16 +125,16 @@ void sketch_place(sketch *s, double width, double height)
         b = drawn(s);
         for (i = 0; i < s->n_labels; i++) {
             own = box_of(s, &s->labels[i]);
-            sketch_grow(&b, own.x_min, own.y_min);
-            sketch_grow(&b, own.x_max, own.y_max);
+            place_grow(&b, own.x_min, own.y_min);
+            place_grow(&b, own.x_max, own.y_max);
         }
         scale = scale_for(s, &b, width, height, BORDER);
         if (round < ROUNDS - 1)
             s->scale = GSL_MIN_DBL(scale, 3 * first);
     }
-    s->drawn = sketch_nothing;
-    sketch_grow(&s->drawn, b.x_min * s->scale, b.y_min * s->scale);
-    sketch_grow(&s->drawn, b.x_max * s->scale, b.y_max * s->scale);
+    s->drawn = place_nothing;
+    place_grow(&s->drawn, b.x_min * s->scale, b.y_min * s->scale);
+    place_grow(&s->drawn, b.x_max * s->scale, b.y_max * s->scale);
     /* if the texts still move */
     s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
 }

@@ -19,7 +19,7 @@ static double x_step(const picture *p, const panel *q, double span)
 {
     return strcmp(p->columns[q->x_column].quantity, "angle") == 0
                ? graph_angle_step(p, span)
-               : sketch_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
+               : place_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
 }
 
 /* Mark the deck's one instant in a picture of its cycle, over the crank angle. */
@@ -40,7 +40,7 @@ static void put_instant(const picture *p, panel *q)
                  "set arrow from %.8g,graph 0 to %.8g,graph 1 nohead ls %d\n"
                  "set label %q at %.8g,graph 0 center front boxed offset 0,0.7\n",
                  angle, angle, PEN_CONSTRUCTION, words, x);
-    room_take(&q->r, sketch_at(x, q->r.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
+    room_take(&q->r, place_at(x, q->r.y_min + 0.7 * CANVAS_LINE / q->r.y_scale), words);
 }
 
 /* The same on curves over another column. */
@@ -187,7 +187,7 @@ static void put_extreme(const picture *p, panel *q, double value, double angle, 
     canvas_print(&p->on, "set label \"\" at %.8g,%.8g point pt 7 ps 0.6 lc rgb 'black' front\n",
                  angle, value);
     format_general(value, 4, number);
-    if (room_find(&q->r, sketch_at(angle, value), 0, is_minimum ? -1 : 1, 1, number, &middle))
+    if (room_find(&q->r, place_at(angle, value), 0, is_minimum ? -1 : 1, 1, number, &middle))
         canvas_print(&p->on, "set label %q at %.8g,%.8g center front tc lt %d\n", number, middle.x,
                      middle.y, line);
 }

@@ -15,12 +15,15 @@
 #define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values, shows) name,
 const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 
+#define PLOT_SHOWS(code, name, columns, rows, width, height, needs, draw, values, shows) shows,
+const char *const plot_shows[] = {PLOT_LIST(PLOT_SHOWS) NULL};
+
 #define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values, shows) \
-    {columns, rows, width, height, needs, draw, values, shows},
+    {columns, rows, width, height, needs, draw, values},
 static const struct plot_info {
     int columns, rows, width, height, needs;
     const char *(*draw)(picture *p, fourlink_branch branch);
-    const char *values, *shows;
+    const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define LONGEST_NAME 24 /* letters, next to a value */
@@ -604,13 +607,13 @@ static void name_columns(const picture *p, char *out, size_t size)
 static void write_caption(const picture *p, const char *deck_name, plot_caption *caption)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
-    const char *shows = info->shows, *over = "";
+    const char *shows = plot_shows[p->request->kind], *over = "";
     int all = p->n_branches > 1 && shows_all_branches(p);
     char names[PICTURE_NAMES];
 
-    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
+    if (p->request->kind == PLOT_COLUMNS) {
         name_columns(p, names, sizeof names);
-        shows = names;
+        shows = picture_has_outputs(p) ? "outputs of the sweep" : names;
     } else if (info->needs & PLOT_OVER) {
         over = p->problem.by_time ? " over time" : " over the crank angle";
     }

@@ -40,7 +40,7 @@
     X(HISTOGRAM, "histogram", 2, 1, 500, 340, PLOT_SWEEP | PLOT_ANGLE_AXIS, picture_histogram,     \
       NULL, "histograms of the outputs of the sweep")                                              \
     X(COLUMNS, "columns", 2, 1, 500, 340, PLOT_RANGE | PLOT_ANGLE_AXIS, picture_columns, NULL,     \
-      "outputs of the sweep")
+      "columns of the table, or outputs of the sweep")
 
 enum {
     PLOT_FORCES_OF_DECK = 1,
@@ -58,8 +58,8 @@ enum {
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
-/* By plot_kind, with a null pointer at the end. */
-extern const char *const plot_names[];
+/* By plot_kind, with a null pointer at the end: its name, and what it shows. */
+extern const char *const plot_names[], *const plot_shows[];
 
 /* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
 typedef enum plot_file {

@@ -33,8 +33,8 @@ typedef struct bearing {
     int x, y;
     source of[2];
     int n;
-    sketch_box box; /* of the curves */
-    double scale;   /* of a pixel */
+    place_box box; /* of the curves */
+    double scale;  /* of a pixel */
     room r;
 } bearing;
 
@@ -62,7 +62,7 @@ static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
             FOURLINK_OK ||
         now.state.mu < 1e-3)
         return 0;
-    *F = sketch_at(values[b->x], values[b->y]);
+    *F = place_at(values[b->x], values[b->y]);
     return 1;
 }
 
@@ -81,17 +81,17 @@ static void find_box(bearing *b)
                 graph_extend(&ey, values[b->y], now.state.mu);
             }
     cut = graph_is_cut(&ex) || graph_is_cut(&ey);
-    b->box = sketch_nothing;
-    sketch_grow(&b->box, 0, 0);
-    sketch_grow(&b->box, cut ? ex.sound_low : ex.low, cut ? ey.sound_low : ey.low);
-    sketch_grow(&b->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
+    b->box = place_nothing;
+    place_grow(&b->box, 0, 0);
+    place_grow(&b->box, cut ? ex.sound_low : ex.low, cut ? ey.sound_low : ey.low);
+    place_grow(&b->box, cut ? ex.sound_high : ex.high, cut ? ey.sound_high : ey.high);
 }
 
 /* Set ranges with equal scales, and mark the origin. */
 static void put_axes(bearing *b)
 {
     const canvas *on = &b->p->on;
-    const sketch_box *box = &b->box;
+    const place_box *box = &b->box;
     double x = (box->x_min + box->x_max) / 2, y = (box->y_min + box->y_max) / 2, width, height;
 
     b->scale = GSL_MAX_DBL((box->x_max - box->x_min) / (on->box_width - 2 * BORDER),
@@ -104,7 +104,7 @@ static void put_axes(bearing *b)
                  "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset tics %.6g\n"
                  "set label \"\" at 0,0 point pt 6 ps 1.2 lc rgb 'black' front\n",
                  x - width / 2, x + width / 2, y - height / 2, y + height / 2,
-                 sketch_round(8 * CANVAS_LETTER * b->scale));
+                 place_round(8 * CANVAS_LETTER * b->scale));
     room_open(&b->r, on, x - width / 2, x + width / 2, y - height / 2, y + height / 2);
     b->r.rings = RINGS;
     room_point(&b->r, x - width / 2, 0);
@@ -125,8 +125,8 @@ static int find_jump(const bearing *b, int i, double low, double high, jump *fou
 {
     double size = GSL_MAX_DBL(b->box.x_max - b->box.x_min, b->box.y_max - b->box.y_min);
 
-    return graph_find_jump(b->of[i].p, b->of[i].branch, b->x, b->y, sketch_at(size, size), low,
-                           high, &found->from, &found->to);
+    return graph_find_jump(b->of[i].p, b->of[i].branch, b->x, b->y, place_at(size, size), low, high,
+                           &found->from, &found->to);
 }
 
 static void put_point(bearing *b, fourlink_vector F)

@@ -35,7 +35,7 @@ void room_open(room *r, const canvas *on, double x_min, double x_max, double y_m
 
 static fourlink_vector pixels(const room *r, double x, double y)
 {
-    return sketch_at((x - r->x_min) * r->x_scale, (y - r->y_min) * r->y_scale);
+    return place_at((x - r->x_min) * r->x_scale, (y - r->y_min) * r->y_scale);
 }
 
 void room_point(room *r, double x, double y)
@@ -52,10 +52,10 @@ void room_break(room *r)
     r->starts = 1;
 }
 
-static sketch_box box_of(fourlink_vector middle, const char *words)
+static place_box box_of(fourlink_vector middle, const char *words)
 {
     double half = canvas_width_of(words) / 2;
-    sketch_box b;
+    place_box b;
 
     b.x_min = middle.x - half;
     b.x_max = middle.x + half;
@@ -70,24 +70,24 @@ void room_take(room *r, fourlink_vector middle, const char *words)
         r->text[r->n_texts++] = box_of(pixels(r, middle.x, middle.y), words);
 }
 
-static int covers_curve(const room *r, const sketch_box *b)
+static int covers_curve(const room *r, const place_box *b)
 {
     int i;
 
     for (i = 0; i < r->n_points; i++)
-        if (sketch_crosses(b, r->point[r->is_start[i] ? i : i - 1], r->point[i]))
+        if (place_crosses(b, r->point[r->is_start[i] ? i : i - 1], r->point[i]))
             return 1;
     return 0;
 }
 
-static double cost_of(const room *r, const sketch_box *b)
+static double cost_of(const room *r, const place_box *b)
 {
     int i;
 
     if (b->x_min < 0 || b->y_min < 0 || b->x_max > r->width || b->y_max > r->height)
         return FORBIDDEN;
     for (i = 0; i < r->n_texts; i++)
-        if (sketch_overlap(b, &r->text[i]))
+        if (place_overlap(b, &r->text[i]))
             return FORBIDDEN;
     return covers_curve(r, b) ? COST_OF_CURVE : 0;
 }
@@ -96,7 +96,7 @@ static double cost_of(const room *r, const sketch_box *b)
 static int try_place(const room *r, fourlink_vector middle, const char *words, double cost,
                      double *least)
 {
-    sketch_box b = box_of(middle, words);
+    place_box b = box_of(middle, words);
 
     if (cost < *least)
         cost += cost_of(r, &b);
@@ -120,7 +120,7 @@ int room_find(room *r, fourlink_vector at, double dx, double dy, int keeps_clear
             double gap = GAP + RING * ring,
                    cost = 2 * ring + 1.5 * (1 - cos(off)) + (dx == 0 && dy == 0);
 
-            next = sketch_beside(from, (gap + half) * cos(angle), (gap + HALF_LINE) * sin(angle));
+            next = place_beside(from, (gap + half) * cos(angle), (gap + HALF_LINE) * sin(angle));
             if (try_place(r, next, words, cost, &least)) {
                 best = next;
                 found = 1;

@@ -18,7 +18,7 @@ typedef struct room {
     int rings;                     /* how far from its place a text may go */
     fourlink_vector point[ROOM_POINTS];
     unsigned char is_start[ROOM_POINTS];
-    sketch_box text[ROOM_TEXTS];
+    place_box text[ROOM_TEXTS];
 } room;
 
 /* Begin the present panel of a canvas with these ranges of its axes. */

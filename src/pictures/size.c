@@ -7,7 +7,7 @@
 #include <gsl/gsl_math.h>
 
 #include "picture.h"
-#include "sketch.h"
+#include "place.h"
 
 /* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
 ** its limits; and the steps in which the motion is measured. */
@@ -51,22 +51,22 @@ double size_turn(const picture *p)
     return fabs(slope) < 1e-9 ? 0 : slope;
 }
 
-static void grow(sketch_box *b, double turn, int link, const fourlink_vector *at,
+static void grow(place_box *b, double turn, int link, const fourlink_vector *at,
                  const fourlink_state *state)
 {
     fourlink_vector place = *at;
 
     if (link != FOURLINK_GROUND)
         fourlink_point(state, link, at, &place, NULL, NULL);
-    sketch_grow(b, cos(turn) * place.x - sin(turn) * place.y,
-                sin(turn) * place.x + cos(turn) * place.y);
+    place_grow(b, cos(turn) * place.x - sin(turn) * place.y,
+               sin(turn) * place.x + cos(turn) * place.y);
 }
 
 /* The room that the mechanism needs on a branch. */
-static sketch_box box_of_motion(const picture *p, fourlink_branch branch)
+static place_box box_of_motion(const picture *p, fourlink_branch branch)
 {
-    fourlink_vector origin = {0, 0}, C = sketch_at(p->design->link[3].length, 0), at;
-    sketch_box b = sketch_nothing;
+    fourlink_vector origin = {0, 0}, C = place_at(p->design->link[3].length, 0), at;
+    place_box b = place_nothing;
     fourlink_instant now;
     fourlink_spring spring;
     double turn = size_turn(p);
@@ -99,7 +99,7 @@ double size_height(const picture *p, double width)
     int i;
 
     for (i = 0; i < p->n_branches; i++) {
-        sketch_box b = box_of_motion(p, p->branches[i]);
+        place_box b = box_of_motion(p, p->branches[i]);
 
         x = b.x_max - b.x_min;
         y = b.y_max - b.y_min;

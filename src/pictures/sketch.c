@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/format.h"
-#include "sketch.h"
+#include "labels.h"
 #include "base/text.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
@@ -27,25 +27,15 @@
 /* Texts avoid every so many points of a curve. */
 #define OBSTACLE 4
 
-const sketch_box sketch_nothing = {GSL_POSINF, GSL_NEGINF, GSL_POSINF, GSL_NEGINF};
-
-void sketch_grow(sketch_box *b, double x, double y)
-{
-    b->x_min = x < b->x_min ? x : b->x_min;
-    b->x_max = x > b->x_max ? x : b->x_max;
-    b->y_min = y < b->y_min ? y : b->y_min;
-    b->y_max = y > b->y_max ? y : b->y_max;
-}
-
 static fourlink_vector turned(const sketch *s, fourlink_vector p)
 {
-    return sketch_at(s->cosine * p.x - s->sine * p.y, s->sine * p.x + s->cosine * p.y);
+    return place_at(s->cosine * p.x - s->sine * p.y, s->sine * p.x + s->cosine * p.y);
 }
 
 static void include(sketch *s, fourlink_vector p)
 {
     if (!s->is_fixed)
-        sketch_grow(&s->drawn, p.x, p.y);
+        place_grow(&s->drawn, p.x, p.y);
 }
 
 void sketch_include(sketch *s, fourlink_vector p)
@@ -59,36 +49,13 @@ void sketch_turn(sketch *s, int is_turned)
     s->sine = is_turned ? sin(s->c->turn) : 0;
 }
 
-fourlink_vector sketch_at(double x, double y)
-{
-    fourlink_vector at;
-
-    at.x = x;
-    at.y = y;
-    return at;
-}
-
-fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy)
-{
-    p.x += dx;
-    p.y += dy;
-    return p;
-}
-
-double sketch_round(double x)
-{
-    double power = x > 0 ? pow(10, floor(log10(x))) : 1;
-
-    return (x <= power ? 1 : x <= 2 * power ? 2 : x <= 5 * power ? 5 : 10) * power;
-}
-
 void sketch_open(sketch *s, canvas *c, double size)
 {
     memset(s, 0, sizeof *s);
     s->c = c;
     s->size = size;
     s->letter = LETTER;
-    s->drawn = sketch_nothing;
+    s->drawn = place_nothing;
     sketch_turn(s, 1);
     fputs("unset arrow; unset label; unset object\n", s->c->out);
 }
@@ -132,7 +99,7 @@ void sketch_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to)
 
 static fourlink_vector on_circle(fourlink_vector centre, double radius, double angle)
 {
-    return sketch_beside(centre, radius * cos(angle), radius * sin(angle));
+    return place_beside(centre, radius * cos(angle), radius * sin(angle));
 }
 
 /* Drawn as a polygon: gnuplot's circles cannot be dashed. */
@@ -156,7 +123,7 @@ static void add_disc(sketch *s, fourlink_vector at, double radius)
     for (i = 0; i < 4; i++) {
         double x = 1.2 * radius * cos(i * M_PI / 4), y = 1.2 * radius * sin(i * M_PI / 4);
 
-        add_obstacle(s, sketch_beside(at, -x, -y), sketch_beside(at, x, y), 5);
+        add_obstacle(s, place_beside(at, -x, -y), place_beside(at, x, y), 5);
     }
 }
 
@@ -193,7 +160,7 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
     sketch_label *new = &s->labels[s->n_labels];
-    fourlink_vector side = turned(s, sketch_at(dx, dy));
+    fourlink_vector side = turned(s, place_at(dx, dy));
 
     at = turned(s, at);
     include(s, at);
@@ -233,15 +200,15 @@ void sketch_ground(sketch *s, double x1, double x2, double y, double side)
 {
     double step = HATCH * s->letter * s->size, x;
 
-    sketch_line(s, PEN_GROUND, sketch_at(x1, y), sketch_at(x2, y));
+    sketch_line(s, PEN_GROUND, place_at(x1, y), place_at(x2, y));
     for (x = x1 + step; x <= x2 + 1e-9 * step; x += step)
-        sketch_line(s, PEN_CONSTRUCTION, sketch_at(x, y), sketch_at(x - step, y + side * step));
+        sketch_line(s, PEN_CONSTRUCTION, place_at(x, y), place_at(x - step, y + side * step));
 }
 
 void sketch_support(sketch *s, fourlink_vector at)
 {
     double r = SUPPORT * s->letter * s->size;
-    fourlink_vector left = sketch_beside(at, -0.6 * r, -r), right = sketch_beside(at, 0.6 * r, -r);
+    fourlink_vector left = place_beside(at, -0.6 * r, -r), right = place_beside(at, 0.6 * r, -r);
 
     sketch_line(s, PEN_GROUND, at, left);
     sketch_line(s, PEN_GROUND, at, right);
@@ -348,7 +315,7 @@ static double step_of(double step, double middle, double size)
 
         if (floor(high / step) - ceil(low / step) >= 1)
             break;
-        step = sketch_round(0.4 * step);
+        step = place_round(0.4 * step);
     }
     return step;
 }
@@ -358,7 +325,7 @@ static void put_axes(const sketch *s)
     double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
     double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
 
-    double step = sketch_round(TICS * CANVAS_LETTER * s->scale);
+    double step = place_round(TICS * CANVAS_LETTER * s->scale);
 
     canvas_print(s->c,
                  "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
@@ -386,11 +353,11 @@ static void put_curves(const sketch *s)
 void sketch_close(sketch *s, const char *title, const char *unit_name)
 {
     if (!(s->drawn.x_min <= s->drawn.x_max)) { /* nothing was drawn */
-        sketch_grow(&s->drawn, -s->size, -s->size);
-        sketch_grow(&s->drawn, s->size, s->size);
+        place_grow(&s->drawn, -s->size, -s->size);
+        place_grow(&s->drawn, s->size, s->size);
     }
     canvas_panel(s->c, 2, width_of_margin(s));
-    sketch_place(s, s->c->box_width, s->c->box_height);
+    labels_place(s, s->c->box_width, s->c->box_height);
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);

@@ -6,7 +6,7 @@
 #define FOURLINK_SKETCH_H
 
 #include "canvas.h"
-#include "fourlink.h"
+#include "place.h"
 
 /* Line styles, defined in picture.c at the head of every script. */
 typedef enum pen {
@@ -34,10 +34,6 @@ typedef enum pen {
 #define SKETCH_WORDS 100
 #define SKETCH_MEANINGS 4
 
-typedef struct sketch_box {
-    double x_min, x_max, y_min, y_max;
-} sketch_box;
-
 /* A text that is put beside a place after everything else: on the requested side, or where there is room. */
 typedef struct sketch_label {
     fourlink_vector at;
@@ -55,7 +51,7 @@ typedef struct sketch_obstacle {
 
 typedef struct sketch {
     canvas *c;
-    sketch_box drawn;    /* the drawing so far */
+    place_box drawn;     /* the drawing so far */
     int is_fixed;        /* 1: it does not grow */
     double size;         /* of the whole */
     double letter;       /* height of a letter, a fraction of the size */
@@ -79,14 +75,6 @@ void sketch_open(sketch *s, canvas *c, double size);
 
 /* Turn what follows as the canvas asks (1, as at the beginning), or not (0). */
 void sketch_turn(sketch *s, int is_turned);
-
-/* An empty box; enlarge a box so that it contains a place. */
-extern const sketch_box sketch_nothing;
-void sketch_grow(sketch_box *b, double x, double y);
-
-/* 1 if two boxes overlap; if the line from p to q crosses a box. */
-int sketch_overlap(const sketch_box *x, const sketch_box *y);
-int sketch_crosses(const sketch_box *b, fourlink_vector p, fourlink_vector q);
 
 /* Keep room for a place; keep no more room than is included. */
 void sketch_include(sketch *s, fourlink_vector p);
@@ -135,15 +123,5 @@ void sketch_key(sketch *s, pen p, const char *meaning);
 
 /* Finish the drawing, with axes of equal scale around it. */
 void sketch_close(sketch *s, const char *title, const char *unit_name);
-
-/* Put the texts where they cover least, and choose scale and range for a box of so many pixels. */
-void sketch_place(sketch *s, double width, double height);
-
-/* A place; a place at a distance from another. */
-fourlink_vector sketch_at(double x, double y);
-fourlink_vector sketch_beside(fourlink_vector p, double dx, double dy);
-
-/* 1, 2 or 5 times a power of ten, at least x. */
-double sketch_round(double x);
 
 #endif

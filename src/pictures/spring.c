@@ -38,8 +38,8 @@ typedef struct strand {
 static fourlink_vector place(const strand *x, double along, double across)
 {
     across += x->side;
-    return sketch_beside(x->from, along * x->along.x + across * x->across.x,
-                         along * x->along.y + across * x->across.y);
+    return place_beside(x->from, along * x->along.x + across * x->across.x,
+                        along * x->along.y + across * x->across.y);
 }
 
 static void put_line(const strand *x, double along, double across, double to_along,
@@ -92,8 +92,8 @@ static void put_wall(const strand *x, double at, double outward)
         double length = gsl_hypot(x->along.x, x->along.y);
 
         sketch_line(x->s, PEN_CONSTRUCTION, p,
-                    sketch_beside(p, outward * h * x->along.x / length - 0.8 * x->across.x,
-                                  outward * h * x->along.y / length - 0.8 * x->across.y));
+                    place_beside(p, outward * h * x->along.x / length - 0.8 * x->across.x,
+                                 outward * h * x->along.y / length - 0.8 * x->across.y));
     }
 }
 
@@ -126,11 +126,11 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     x.s = s;
     x.side = 0;
     x.from = figure_of_link(p, state, spring->link, &spring->at);
-    x.along = sketch_at(to.x - x.from.x, to.y - x.from.y);
+    x.along = place_at(to.x - x.from.x, to.y - x.from.y);
     length = gsl_hypot(x.along.x, x.along.y);
     if (length == 0)
         return;
-    x.across = sketch_at(-half * x.along.y / length, half * x.along.x / length);
+    x.across = place_at(-half * x.along.y / length, half * x.along.x / length);
     put_end(&x, p, state, spring->link, 0);
     put_end(&x, p, state, spring->to, 1);
     put_line(&x, 0, 0, LEAD, 0);
@@ -191,13 +191,13 @@ static void draw_torsional(sketch *s, const picture *p, const fourlink_state *st
         fourlink_vector next;
 
         angle = from + span * part;
-        next = sketch_beside(pin, radius * cos(angle), radius * sin(angle));
+        next = place_beside(pin, radius * cos(angle), radius * sin(angle));
         if (i > 1)
             sketch_line(s, PEN_GROUND, last, next);
         last = next;
     }
     sketch_text(
-        s, sketch_beside(pin, RADIUS * s->size * cos(angle + 2), RADIUS * s->size * sin(angle + 2)),
+        s, place_beside(pin, RADIUS * s->size * cos(angle + 2), RADIUS * s->size * sin(angle + 2)),
         cos(angle + 2), sin(angle + 2), name);
 }
 

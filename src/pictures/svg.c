@@ -5,30 +5,8 @@
 */
 #include <string.h>
 
+#include "base/xml.h"
 #include "svg.h"
-
-void svg_put_text(FILE *out, const char *words)
-{
-    text rest = flk_text_of(words);
-
-    while (rest.length) {
-        size_t n = flk_text_printable(rest);
-
-        if (n == 0)
-            putc('?', out);
-        else if (*rest.start == '&')
-            fputs("&amp;", out);
-        else if (*rest.start == '<')
-            fputs("&lt;", out);
-        else if (*rest.start == '>')
-            fputs("&gt;", out);
-        else if (*rest.start == '"')
-            fputs("&quot;", out);
-        else
-            fwrite(rest.start, 1, n, out);
-        rest = flk_text_from(rest, n ? n : 1);
-    }
-}
 
 /* Where a string begins in a text; its end if it does not. */
 static size_t find(const char *words, size_t length, const char *string)
@@ -49,9 +27,9 @@ void svg_put_head(FILE *out, const char *head, size_t length, const plot_caption
     if (from < to && to < length) {
         fwrite(head, 1, from, out);
         fputs("<title>", out);
-        svg_put_text(out, caption->title);
+        xml_put(out, caption->title, strlen(caption->title));
         fputs("</title>\n<desc>", out);
-        svg_put_text(out, caption->words);
+        xml_put(out, caption->words, strlen(caption->words));
         from = to;
     } else {
         from = 0;

@@ -7,10 +7,6 @@
 
 #include "picture.h"
 
-/* Write a text for XML and HTML: what they give a meaning to is escaped, control characters become blanks, and
-** bytes that are not UTF-8 become the replacement character. */
-void svg_put_text(FILE *out, const char *words);
-
 /* Write the beginning of gnuplot's SVG with this title and description instead of gnuplot's own. */
 void svg_put_head(FILE *out, const char *head, size_t length, const plot_caption *caption);
 

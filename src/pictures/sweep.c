@@ -173,7 +173,7 @@ static void put_range(const canvas *on, char axis, double low, double high, doub
                  high);
     if (axis == 'x')
         canvas_print(on, "set xtics %.6g\n",
-                     sketch_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
+                     place_round(10 * CANVAS_LETTER * (high - low) / on->box_width));
 }
 
 static void begin_panel(picture *p)

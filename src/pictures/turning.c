@@ -121,7 +121,7 @@ static fourlink_vector centroid(const diagram *d, double from, double to)
         x += angle * excess;
         y += excess * excess / 2;
     }
-    return sum != 0 ? sketch_at(x / sum, d->mean + y / sum) : sketch_at((from + to) / 2, d->mean);
+    return sum != 0 ? place_at(x / sum, d->mean + y / sum) : place_at((from + to) / 2, d->mean);
 }
 
 static double clamp(double x, double low, double high)
@@ -175,7 +175,7 @@ static void put_mark(diagram *d, double angle, const char *name, int line)
                  "set label \"\" at %.8g,%.8g point pt 7 ps 0.8 lc rgb 'black' front\n"
                  "set label %q at %.8g,%.8g center front boxed\n",
                  angle, angle, PEN_CONSTRUCTION, angle, d->mean, name, x, y);
-    room_take(&d->r, sketch_at(x, y), name);
+    room_take(&d->r, place_at(x, y), name);
     flk_text_join(words, sizeof words, name, " at ", picture_mark(d->p, angle, 4, number),
                   (char *)NULL);
     canvas_note(&d->p->on, line, words);

@@ -46,7 +46,7 @@ static void open_polygon(polygon *g, picture *p, quantity q)
 
 static fourlink_vector end_of(const arrow *x)
 {
-    return sketch_beside(x->at, x->F.x, x->F.y);
+    return place_beside(x->at, x->F.x, x->F.y);
 }
 
 /* Add a vector in SI units at the tip of another; returns its end. */
@@ -56,7 +56,7 @@ static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink
     v.x = picture_value(g->p, g->q, v.x);
     v.y = picture_value(g->p, g->q, v.y);
     arrow_put(&g->sides, kind, name, from, v);
-    return sketch_beside(from, v.x, v.y);
+    return place_beside(from, v.x, v.y);
 }
 
 static const char *all_zero(quantity q)
@@ -107,8 +107,8 @@ static void draw_sides(polygon *g)
         nx = -dy / length;
         ny = dx / length;
         out = nx * (x->at.x - g->middle.x) + ny * (x->at.y - g->middle.y) < 0 ? -1 : 1;
-        sketch_text(&g->s, sketch_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx,
-                    out * ny, x->name);
+        sketch_text(&g->s, place_at((x->at.x + to.x) / 2, (x->at.y + to.y) / 2), out * nx, out * ny,
+                    x->name);
     }
 }
 
@@ -127,7 +127,7 @@ static void put_image(polygon *g, const fourlink_state *state, int link, const f
 
     fourlink_point(state, link, at, NULL, &v, &a);
     end = g->q == QUANTITY_SPEED ? v : a;
-    end = sketch_at(picture_value(g->p, g->q, end.x), picture_value(g->p, g->q, end.y));
+    end = place_at(picture_value(g->p, g->q, end.x), picture_value(g->p, g->q, end.y));
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
     put_letter(g, end, letter);
@@ -161,7 +161,7 @@ static void put_images(polygon *g, const fourlink_state *state)
 static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
                         fourlink_vector *a)
 {
-    fourlink_vector at = sketch_at(p->design->link[FOURLINK_COUPLER].length, 0);
+    fourlink_vector at = place_at(p->design->link[FOURLINK_COUPLER].length, 0);
 
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
@@ -172,7 +172,7 @@ static fourlink_vector arm_of_lever(const fourlink_state *state)
     const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
                           *D = &state->link[FOURLINK_FOLLOWER].origin;
 
-    return sketch_at(B->x - D->x, B->y - D->y);
+    return place_at(B->x - D->x, B->y - D->y);
 }
 
 /* Of a slider: the velocity of the lever's point at B, and along the slide. */
@@ -185,8 +185,8 @@ static void put_sliding(picture *p, const fourlink_state *state)
 
     open_polygon(&g, p, QUANTITY_SPEED);
     b = put_side(&g, PEN_CRANK, "vB", zero, slider->velocity);
-    b4 = put_side(&g, PEN_FOLLOWER, "vB4", zero, sketch_at(-w * r.y, w * r.x));
-    put_side(&g, PEN_COUPLER, "slide_v", b4, sketch_at(state->slide_v * u.x, state->slide_v * u.y));
+    b4 = put_side(&g, PEN_FOLLOWER, "vB4", zero, place_at(-w * r.y, w * r.x));
+    put_side(&g, PEN_COUPLER, "slide_v", b4, place_at(state->slide_v * u.x, state->slide_v * u.y));
     draw_sides(&g);
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
@@ -204,7 +204,7 @@ static void put_velocities(picture *p, const fourlink_state *state)
     open_polygon(&g, p, QUANTITY_SPEED);
     b = put_side(&g, PEN_CRANK, "vB", zero, v_B);
     put_side(&g, PEN_FOLLOWER, "vC", zero, v_C);
-    c = put_side(&g, PEN_COUPLER, "vCB", b, sketch_beside(v_C, -v_B.x, -v_B.y));
+    c = put_side(&g, PEN_COUPLER, "vCB", b, place_beside(v_C, -v_B.x, -v_B.y));
     draw_sides(&g);
     put_letter(&g, zero, "o");
     put_letter(&g, b, "b");
@@ -221,8 +221,8 @@ static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int li
     double length = g->p->design->link[link].length, n = -l->omega * l->omega * length,
            t = l->alpha * length;
 
-    from = put_side(g, (pen)link, normal, from, sketch_at(n * l->axis.x, n * l->axis.y));
-    return put_side(g, (pen)link, tangential, from, sketch_at(-t * l->axis.y, t * l->axis.x));
+    from = put_side(g, (pen)link, normal, from, place_at(n * l->axis.x, n * l->axis.y));
+    return put_side(g, (pen)link, tangential, from, place_at(-t * l->axis.y, t * l->axis.x));
 }
 
 /* Of a slider: the accelerations of the lever's point at B, that of Coriolis, and along the slide. */
@@ -235,11 +235,11 @@ static void put_coriolis(picture *p, const fourlink_state *state)
 
     open_polygon(&g, p, QUANTITY_ACCELERATION);
     b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
-    b4 = put_side(&g, PEN_FOLLOWER, "aB4n", zero, sketch_at(n * r.x, n * r.y));
-    b4 = put_side(&g, PEN_FOLLOWER, "aB4t", b4, sketch_at(-lever->alpha * r.y, lever->alpha * r.x));
+    b4 = put_side(&g, PEN_FOLLOWER, "aB4n", zero, place_at(n * r.x, n * r.y));
+    b4 = put_side(&g, PEN_FOLLOWER, "aB4t", b4, place_at(-lever->alpha * r.y, lever->alpha * r.x));
     put_side(&g, PEN_COUPLER, "slide_a",
-             put_side(&g, PEN_RESULT, "coriolis", b4, sketch_at(-c * u.y, c * u.x)),
-             sketch_at(a * u.x, a * u.y));
+             put_side(&g, PEN_RESULT, "coriolis", b4, place_at(-c * u.y, c * u.x)),
+             place_at(a * u.x, a * u.y));
     draw_sides(&g);
     sketch_line(&g.s, PEN_CONSTRUCTION, zero, b);
     sketch_line(&g.s, PEN_CONSTRUCTION, zero, b4);

@@ -12,11 +12,6 @@
 #include "base/number.h"
 #include "compact.h"
 
-/* What groups inherit from the group of all. */
-static const char *const shared[] = {
-    " fill=\"none\"",           " color=\"black\"",           " font-family=\"sans\"",
-    " stroke-linecap=\"butt\"", " stroke-linejoin=\"miter\"", NULL};
-
 static int begins(const char *s, const char *with)
 {
     return strncmp(s, with, strlen(with)) == 0;
@@ -29,45 +24,13 @@ static const char *skip_blanks(const char *s)
     return s;
 }
 
-/* Write a group's tag without what it inherits; one that is empty not at all.  Returns what comes after. */
-static const char *put_group(const char *s, FILE *out)
+/* Returns what comes after an empty group; null if there is none here. */
+static const char *skip_empty_group(const char *s)
 {
-    const char *end = strchr(s, '>'), *after = end ? skip_blanks(end + 1) : NULL;
-    int i;
+    const char *end = begins(s, "<g ") ? strchr(s, '>') : NULL;
 
-    if (!end)
-        return s + strlen(s);
-    if (begins(after, "</g>"))
-        return after + 4;
-    while (s < end) {
-        for (i = 0; shared[i] && !begins(s, shared[i]); i++)
-            ;
-        if (shared[i])
-            s += strlen(shared[i]);
-        else
-            putc(*s++, out);
-    }
-    return s;
-}
-
-/* A colour such as rgb(  0, 114, 178); returns what comes after it. */
-static const char *put_colour(const char *s, FILE *out)
-{
-    const char *at = s + 3;
-    long part[3] = {0, 0, 0};
-    char *end;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        if (*at != (i ? ',' : '(')) {
-            putc(*s, out);
-            return s + 1;
-        }
-        part[i] = strtol(at + 1, &end, 10);
-        at = end;
-    }
-    fprintf(out, "#%02lx%02lx%02lx", part[0], part[1], part[2]);
-    return *at == ')' ? at + 1 : at;
+    end = end ? skip_blanks(end + 1) : NULL;
+    return end && begins(end, "</g>") ? end + 4 : NULL;
 }
 
 #define FARTHEST 1e6
@@ -225,19 +188,11 @@ static const char *put_words(const char *s, FILE *out)
 
 static void shorten(const char *s, FILE *out)
 {
-    const char *body = strstr(s, "</defs>");
-    int i;
+    const char *body = strstr(s, "</defs>"), *after;
 
     while (*s) {
-        if (begins(s, "<g id=\"gnuplot_canvas\"")) {
-            fputs("<g", out);
-            for (i = 0; shared[i]; i++)
-                fputs(shared[i], out);
-            s += 2;
-        } else if (begins(s, "<g ")) {
-            s = put_group(s, out);
-        } else if (begins(s, "rgb(")) {
-            s = put_colour(s, out);
+        if ((after = skip_empty_group(s)) != NULL) {
+            s = after;
         } else if (s > body && begins(s, " d='")) {
             s = put_path(s + 4, 0, out);
         } else if (begins(s, "<polygon ")) {

@@ -7,8 +7,8 @@
 
 #include <stdio.h>
 
-/* Write the same drawing in about half as many bytes: attributes that all groups share stand once, empty groups
-** are left out, and curves go on from point to point in tenths of a pixel.  Returns 0 if out of memory. */
+/* Write the same drawing in about half as many bytes: empty groups are left out, and curves go on
+** from point to point in tenths of a pixel.  Returns 0 if out of memory. */
 int compact_svg(FILE *drawing, FILE *out);
 
 #endif

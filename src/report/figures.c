@@ -118,8 +118,6 @@ void report_put_curves(report *r)
     char caption[200];
 
     page_section(&r->page, "curves", "Polygons and curves");
-    put_figure(r, PLOT_VECTORS, at, "Velocity and acceleration polygons, and the links cut free",
-               at_angle(r, "Velocities and accelerations, and free bodies,", caption));
     put_figure(r, PLOT_KLEIN, at,
                "Klein's construction: lengths that stand for velocity and acceleration",
                at_angle(r, "Klein's construction", caption));

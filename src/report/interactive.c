@@ -94,7 +94,7 @@ static void put_cell(line *l, double x, const fourlink_value *c, const style *ho
     else if (how->exponent)
         line_put(l, "%s", format_exponent(x, how->decimals, number));
     else
-        line_put(l, "%s", format_fixed(x + 0.0, how->decimals, number));
+        line_put(l, "%s", format_fixed(x, how->decimals, number));
 }
 
 static void put_table(line *l, const rows *t, const style *styles)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** listing.c - the deck of a report: its text as it is, what is wrong with it, and the digests of its files.
+** listing.c - the deck of a report: its text as it is, and what is wrong with it.
 */
 #include <string.h>
 
+#include "base/xml.h"
 #include "report.h"
-#include "sha256.h"
 
 /* The first mistake, or note, at a line of the deck; null if there is none. */
 static const fourlink_mistake *find_note(const report *r, long line)
@@ -60,37 +60,11 @@ static void put_text(report *r)
         const char *element = find_note(r, n) ? "mark" : "span";
 
         page_print(&r->page, "<%m class=\"text-line\" id=\"line-%lu\">", element, (unsigned long)n);
-        page_text(&r->page, line.start,
-                  line.length && line.start[line.length - 1] == '\r' ? line.length - 1
-                                                                     : line.length);
+        xml_put(r->page.out, line.start,
+                line.length && line.start[line.length - 1] == '\r' ? line.length - 1 : line.length);
         page_print(&r->page, "</%m>\n", element);
     }
     page_print(&r->page, "</pre>\n");
-}
-
-static void put_digest(report *r, const char *name, const char *bytes, unsigned long length)
-{
-    char digest[SHA256_SIZE];
-
-    page_print(&r->page, "<tr><th scope=\"row\">%s</th><td><code>%s</code></td></tr>\n", name,
-               sha256_of(bytes, (size_t)length, digest));
-}
-
-static void put_digests(report *r)
-{
-    unsigned long length;
-    const char *bytes;
-    int i;
-
-    page_print(&r->page, "<table class=\"digests\">\n<thead><tr><th scope=\"col\">File</th>"
-                         "<th scope=\"col\">SHA-256</th></tr></thead>\n<tbody>\n");
-    put_digest(r, r->source->name, r->source->text, r->source->length);
-    for (i = 0; i < r->n_files; i++)
-        if ((bytes = r->source->load(r->source->host, r->files[i], &length)) != NULL)
-            put_digest(r, r->files[i], bytes, length);
-    if (r->source->answers)
-        put_digest(r, r->source->answers_name, r->source->answers, r->source->answers_length);
-    page_print(&r->page, "</tbody>\n</table>\n");
 }
 
 static void put_changes(report *r)
@@ -116,6 +90,5 @@ void report_put_deck(report *r)
     put_notes(r);
     put_text(r);
     put_changes(r);
-    put_digests(r);
     page_print(&r->page, "</section>\n");
 }

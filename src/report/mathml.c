@@ -7,6 +7,7 @@
 
 #include "base/format.h"
 #include "base/text.h"
+#include "base/xml.h"
 #include "mathml.h"
 
 #define FUNCTION(name)                                                 \
@@ -178,11 +179,11 @@ static void put_atom(writer *w, text token)
     }
     if (token.length > 3 && strncmp(token.start + token.length - 3, "deg", 3) == 0) {
         page_print(p, "<mn>");
-        page_text(p, token.start, token.length - 3);
+        xml_put(p->out, token.start, token.length - 3);
         page_print(p, DEGREE "</mn>");
     } else if (strchr("0123456789", token.start[0])) {
         page_print(p, "<mn>");
-        page_text(p, token.start, token.length);
+        xml_put(p->out, token.start, token.length);
         page_print(p, "</mn>");
     } else {
         put_named(w, token);

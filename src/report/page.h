@@ -22,10 +22,6 @@ typedef struct page {
 **    %%     a per cent sign */
 void page_print(page *p, const char *format, ...);
 
-/* Write a text as %s does.  What XML does not allow, control characters and bytes that are no UTF-8, becomes
-** the replacement character; CR LF becomes LF. */
-void page_text(page *p, const char *words, size_t length);
-
 /* Write bytes in base64. */
 void page_base64(page *p, FILE *bytes);
 

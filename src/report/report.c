@@ -162,30 +162,14 @@ static int open_deck(report *r, fourlink_mistake *mistake)
     return r->loads && r->row_loads ? find_sample(r, mistake) : -1;
 }
 
-/* Load a file that the deck names, and keep its name. */
-static const char *load_file(void *host, const char *name, unsigned long *length)
-{
-    report *r = host;
-    int i;
-
-    for (i = 0; i < r->n_files && strcmp(r->files[i], name) != 0; i++)
-        ;
-    if (i == r->n_files && i < REPORT_FILES && strlen(name) < sizeof r->files[i])
-        strcpy(r->files[r->n_files++], name);
-    return r->source->load(r->source->host, name, length);
-}
-
 static int open_results(report *r, fourlink_mistake *mistake)
 {
-    fourlink_source recorded = *r->source;
     int status = FOURLINK_NO_MEMORY;
 
-    recorded.host = r;
-    recorded.load = recorded.load ? load_file : NULL;
     r->notes = malloc(REPORT_MISTAKES * sizeof *r->notes);
     if (r->notes)
         status =
-            fourlink_results_open(&recorded, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
+            fourlink_results_open(r->source, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
     if (status == FOURLINK_BAD_DECK)
         return 1;
     return status == FOURLINK_OK ? open_deck(r, mistake) : -1;

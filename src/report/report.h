@@ -18,7 +18,7 @@ typedef struct report_request {
         *at; /* the crank angle of the sample calculation, as in --plot-at; null: not given */
 } report_request;
 
-enum { REPORT_MISTAKES = 100, REPORT_FILES = 16 };
+enum { REPORT_MISTAKES = 100 };
 
 /* A report in the making. */
 typedef struct report {
@@ -27,8 +27,6 @@ typedef struct report {
     const report_request *request;
     fourlink_mistake *notes; /* on the deck, or its mistakes */
     unsigned long n_notes;
-    char files[REPORT_FILES][256]; /* that the deck names */
-    int n_files;
     fourlink_results *results; /* null: the deck has mistakes */
     const fourlink_deck *deck;
     fourlink_problem problem;

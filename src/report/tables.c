@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/system.h"
+#include "base/xml.h"
 #include "cell.h"
 #include "report.h"
 #include "tables/style.h"
@@ -57,22 +58,17 @@ static void open_block(sheet *s, fourlink_branch branch)
     page_print(p, "</tr></thead>\n<tbody>\n");
 }
 
-/* A number with the decimals of its column; one that prints as 0 has no sign. */
+/* A number with the decimals of its column. */
 static void put_styled(page *p, double value, const style *x)
 {
-    char number[FORMAT_SIZE], *digit;
+    char number[FORMAT_SIZE];
 
     if (!gsl_finite(value)) {
         cell_put(p, value, 0);
         return;
     }
-    if (x->exponent)
-        format_exponent(value + 0.0, x->decimals, number);
-    else
-        format_fixed(value, x->decimals, number);
-    for (digit = number + 1; *digit == '0' || *digit == '.'; digit++)
-        ;
-    page_print(p, "<td>%m</td>", number + (number[0] == '-' && !*digit));
+    style_text(value, x, number);
+    page_print(p, "<td>%m</td>", number);
 }
 
 static void put_row(sheet *s, const sheet_row *row)
@@ -220,11 +216,11 @@ static void put_csv(report *r)
     write_sheet(r, SHEET_ROWS, &csv_format, csv);
     rewind(csv);
     page_print(&r->page, "<button type=\"button\" data-save=\"");
-    page_text(&r->page, name.start, name.length);
+    xml_put(r->page.out, name.start, name.length);
     page_print(&r->page, ".csv\" data-from=\"csv-rows\" hidden=\"hidden\">Save the tables as CSV"
                          "</button>\n<pre id=\"csv-rows\" hidden=\"hidden\">");
     while ((n = fread(part, 1, sizeof part, csv)) > 0)
-        page_text(&r->page, part, n);
+        xml_put(r->page.out, part, n);
     page_print(&r->page, "</pre>\n");
     fclose(csv);
 }

@@ -85,17 +85,15 @@ static void find_style(style *x)
 
 static void put_value(sheet *s, const fourlink_value *column, const style *x, double value)
 {
-    char number[FORMAT_SIZE], *digit;
+    char number[FORMAT_SIZE];
 
     if (!gsl_finite(value)) {
         line_put(&s->l, "# %s is %s here\n", column->name,
                  gsl_isnan(value) ? "not defined" : "unbounded");
         return;
     }
-    format_fixed(value / pow(10, x->exponent), x->decimals, number);
-    for (digit = number + 1; *digit == '0' || *digit == '.'; digit++)
-        ;
-    line_put(&s->l, "%s = %s", column->name, number + (number[0] == '-' && !*digit));
+    line_put(&s->l, "%s = %s", column->name,
+             format_fixed(value / pow(10, x->exponent), x->decimals, number));
     if (x->exponent)
         line_put(&s->l, "e%s", format_fixed(x->exponent, 0, number));
     line_put(&s->l, strcmp(column->unit, "1") == 0 ? "\n" : " %s\n", column->unit);

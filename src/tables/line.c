@@ -102,7 +102,7 @@ void line_number(line *l, double value, int digits)
 {
     char number[FORMAT_SIZE];
 
-    line_text(l, number, (size_t)(format_general_end(value + 0.0, digits, number) - number));
+    line_text(l, number, (size_t)(format_general_end(value, digits, number) - number));
 }
 
 /* Write a string padded with blanks. */

@@ -33,7 +33,7 @@ static void put_system(sheet *s, const fourlink_instant *at)
     line_put(&s->l, "%17s%17s\n", "x", "b");
     for (i = 0; i < 9; i++) {
         for (j = 0; j < 9; j++)
-            put_number(&s->l, A[i][j] + 0.0, 6, 13);
+            put_number(&s->l, A[i][j], 6, 13);
         put_number(&s->l, x[i], 9, 17);
         put_number(&s->l, b[i], 9, 17);
         line_put(&s->l, "\n");

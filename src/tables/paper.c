@@ -14,12 +14,12 @@ static void open_deck(sheet *s)
     line_put(&s->l, "thet\tVela\tacca\tphi\tbeta\tvelc\tvelb\tAccc\tAccb\n");
 }
 
-/* A tab and a number with two decimals, -0.00 as 0.00. */
+/* A tab and a number with two decimals. */
 static void put_number(line *l, double x)
 {
     char number[FORMAT_SIZE];
 
-    line_put(l, "\t%s", format_fixed(fabs(x) < 0.005 ? 0 : x, 2, number));
+    line_put(l, "\t%s", format_fixed(x, 2, number));
 }
 
 /* The crank's angle and speed have only the decimals they need; the angle has at least two digits. */

@@ -27,19 +27,18 @@ const sheet_format *sheet_find_format(const char *name)
     return *f;
 }
 
-char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES])
+char *sheet_formats_of(sheet_content content, const char *between, const char *last,
+                       char names[SHEET_FORMAT_NAMES])
 {
-    const sheet_format *const *f, *last = NULL;
+    const char *list[sizeof sheet_formats / sizeof sheet_formats[0]];
+    const sheet_format *const *f;
+    int n = 0;
 
-    names[0] = '\0';
-    for (f = sheet_formats; *f; f++) {
-        if (!((*f)->writes & 1 << content))
-            continue;
-        if (last)
-            strcat(strcat(names, names[0] ? ", " : ""), last->name);
-        last = *f;
-    }
-    return strcat(strcat(names, names[0] ? " or " : ""), last->name);
+    for (f = sheet_formats; *f; f++)
+        if ((*f)->writes & 1 << content)
+            list[n++] = (*f)->name;
+    list[n] = NULL;
+    return flk_text_list(list, between, last, names, SHEET_FORMAT_NAMES);
 }
 
 int sheet_branches(const sheet *s, fourlink_branch branches[2])

@@ -136,9 +136,10 @@ SHEET_FORMATS(SHEET_FORMAT)
 extern const sheet_format *const sheet_formats[];
 const sheet_format *sheet_find_format(const char *name);
 
-/* The names of the formats that can show this: "table, csv or json". */
+/* The names of the formats that can show this, as flk_text_list joins them. */
 #define SHEET_FORMAT_NAMES 100
-char *sheet_formats_of(sheet_content content, char names[SHEET_FORMAT_NAMES]);
+char *sheet_formats_of(sheet_content content, const char *between, const char *last,
+                       char names[SHEET_FORMAT_NAMES]);
 
 /* Begin a sheet.  The caller has set format, content, n_decks and header, and for a sweep its problem and
 ** variables.  `has_head` is 0 for a part that continues another. */

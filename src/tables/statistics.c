@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** statistics.c - statistics of the outputs of a sweep, and its yield.
-**
-** Moments need no memory; quantiles need the values, 8 bytes for each design, branch and output.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -10,6 +8,7 @@
 
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include "base/text.h"
 #include "statistics.h"
@@ -42,16 +41,6 @@ void statistics_close(statistics *x)
     free(x->passed);
 }
 
-/* The mean and the sum of squares one value further (B. P. Welford, Technometrics 4, 1962). */
-static void add_moments(statistics_sample *sample, double value)
-{
-    double before = value - sample->mean;
-
-    sample->finite++;
-    sample->mean += before / (double)sample->finite;
-    sample->squares += before * (value - sample->mean);
-}
-
 static int add_value(statistics_sample *sample, double value)
 {
     if (sample->n == sample->capacity) {
@@ -64,12 +53,6 @@ static int add_value(statistics_sample *sample, double value)
         sample->capacity = capacity;
     }
     sample->values[sample->n++] = value;
-    if (gsl_finite(value))
-        add_moments(sample, value);
-    else if (value > 0)
-        sample->above++;
-    else
-        sample->below++;
     return 1;
 }
 
@@ -93,7 +76,8 @@ int statistics_meets(const fourlink_value *condition, double value)
            ((condition->flags & FOURLINK_OR_EQUAL) && value == limit);
 }
 
-void statistics_add(statistics *x, fourlink_branch branch, const double *values)
+/* Add a design on a branch: its values by output, NaN for none; null: it has no values at all. */
+static void add_values(statistics *x, fourlink_branch branch, const double *values)
 {
     int of = index_of(branch), all = 1;
     unsigned long *passed = x->passed + (unsigned long)of * (x->n_conditions + 1), i;
@@ -112,11 +96,6 @@ void statistics_add(statistics *x, fourlink_branch branch, const double *values)
     passed[x->n_conditions] += all ? 1 : 0;
 }
 
-void statistics_add_words(statistics *x, fourlink_branch branch, unsigned long output)
-{
-    x->samples[(unsigned long)index_of(branch) * x->n_outputs + output].has_words = 1;
-}
-
 /* --------------------------------------------------------------------------- designs of a sheet */
 
 static void add_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
@@ -128,10 +107,10 @@ static void add_design(sheet *s, fourlink_branch branch, const sheet_output *out
     (void)why;
     for (i = 0; i < s->n_header; i++) {
         if (outputs[i].has_value && outputs[i].v.words)
-            statistics_add_words(s->statistics, branch, i);
+            s->statistics->samples[(unsigned long)index_of(branch) * s->n_header + i].has_words = 1;
         values[i] = outputs[i].has_value && !outputs[i].v.words ? outputs[i].v.value : GSL_NAN;
     }
-    statistics_add(s->statistics, branch, values);
+    add_values(s->statistics, branch, values);
     s->out_of_memory |= s->statistics->out_of_memory;
 }
 
@@ -142,7 +121,7 @@ static void add_refused(sheet *s, const char *why)
 
     (void)why;
     for (i = 0; i < n; i++)
-        statistics_add(s->statistics, branches[i], NULL);
+        add_values(s->statistics, branches[i], NULL);
 }
 
 const sheet_format statistics_collector = {
@@ -168,46 +147,45 @@ const sheet_format statistics_collector = {
 
 /* ------------------------------------------------------------------------------------- results */
 
-/* A quantile of sorted values by linear interpolation between them, the first being that of 0, the last that
-** of 1. */
+/* By linear interpolation between sorted values, the first being the quantile of 0, the last that of 1.  GSL's
+** has 0 * inf where the value after it is unbounded. */
 static double quantile(const double *sorted, size_t n, double share)
 {
-    double place = share * (double)(n - 1), below = floor(place);
-    size_t i = (size_t)below;
+    double place = share * (double)(n - 1);
 
-    return place == below || sorted[i] == sorted[i + 1]
-               ? sorted[i]
-               : sorted[i] + (place - below) * (sorted[i + 1] - sorted[i]);
+    return place == floor(place) ? sorted[(size_t)place]
+                                 : gsl_stats_quantile_from_sorted_data(sorted, 1, n, share);
 }
 
 /* With unbounded values the mean is unbounded too. */
 static void summarise(statistics_sample *sample, sheet_statistic *to)
 {
     static const double shares[SHEET_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
-    size_t i;
+    size_t n = sample->n, i;
 
-    to->count = (unsigned long)sample->n;
+    to->count = (unsigned long)n;
     to->mean = to->deviation = to->least = to->most = GSL_NAN;
     for (i = 0; i < SHEET_QUANTILES; i++)
         to->quantiles[i] = GSL_NAN;
-    if (!sample->n)
+    if (!n)
         return;
-    gsl_sort(sample->values, 1, sample->n);
+    gsl_sort(sample->values, 1, n);
     to->least = sample->values[0];
-    to->most = sample->values[sample->n - 1];
+    to->most = sample->values[n - 1];
     for (i = 0; i < SHEET_QUANTILES; i++)
-        to->quantiles[i] = quantile(sample->values, sample->n, shares[i]);
-    if (!sample->above && !sample->below) {
-        to->mean = sample->mean;
-        if (sample->n > 1)
-            to->deviation = sqrt(sample->squares / (double)(sample->n - 1));
-    } else if (!sample->above || !sample->below) {
-        to->mean = sample->above ? GSL_POSINF : GSL_NEGINF;
+        to->quantiles[i] = quantile(sample->values, n, shares[i]);
+    if (!gsl_finite(to->least) || !gsl_finite(to->most)) {
+        to->mean = to->least + to->most;
+        return;
     }
+    to->mean = gsl_stats_mean(sample->values, 1, n);
+    if (n > 1)
+        to->deviation = gsl_stats_sd_m(sample->values, 1, n, to->mean);
 }
 
-/* (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927). */
-void statistics_interval(unsigned long passed, unsigned long n, double *low, double *high)
+/* The interval that holds the true share of successes with 95 per cent probability:
+** (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927). */
+static void find_interval(unsigned long passed, unsigned long n, double *low, double *high)
 {
     static const double z = 1.959963984540054; /* 97.5 per cent of the normal distribution */
     double size = (double)n, p = (double)passed / size, scale = 1 + z * z / size;
@@ -228,7 +206,7 @@ static void write_yield(sheet *s, const statistics *x, fourlink_branch branch,
     y.designs = x->designs[index_of(branch)];
     y.passed = passed;
     y.percent = 100 * (double)passed / (double)y.designs;
-    statistics_interval(passed, y.designs, &y.low, &y.high);
+    find_interval(passed, y.designs, &y.low, &y.high);
     y.low *= 100;
     y.high *= 100;
     s->format->yield(s, &y);

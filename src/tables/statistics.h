@@ -7,11 +7,9 @@
 
 #include "sheet.h"
 
-/* The values of one output on one branch. */
+/* The values of one output on one branch, but for NaN. */
 typedef struct statistics_sample {
-    unsigned long finite, above, below; /* how many are finite, inf, -inf */
-    double mean, squares; /* of the finite ones; sum of squares of their differences from it */
-    double *values;       /* all */
+    double *values;
     size_t n, capacity;
     int has_words; /* 1: some are words, which have no statistics */
 } statistics_sample;
@@ -31,22 +29,13 @@ int statistics_open(statistics *x, const fourlink_value *outputs, unsigned long 
                     const fourlink_value *conditions, unsigned long n_conditions);
 void statistics_close(statistics *x);
 
-/* Add a design on a branch: its values by output, NaN for none; null: it has no values at all. */
-void statistics_add(statistics *x, fourlink_branch branch, const double *values);
-
-/* Note that an output on a branch is words. */
-void statistics_add_words(statistics *x, fourlink_branch branch, unsigned long output);
-
 /* 1 if a value meets a condition of the yield; NaN meets none. */
 int statistics_meets(const fourlink_value *condition, double value);
 
 /* A format that writes nothing and adds the designs of a sheet to s->statistics. */
 extern const sheet_format statistics_collector;
 
-/* Write them as a sheet of their own, which the caller has begun.  `results` may be null. */
+/* Write them as a sheet of their own, which the caller has begun. */
 void statistics_write(sheet *s, fourlink_results *results, statistics *x);
-
-/* The interval that holds the true share of successes with 95 per cent probability, by E. B. Wilson. */
-void statistics_interval(unsigned long passed, unsigned long n, double *low, double *high);
 
 #endif

@@ -95,28 +95,16 @@ static void find_style(const sheet *s, const fourlink_value *c, style *x)
     x->limit = x->exponent ? 0 : pow(10, (double)x->width - x->decimals - 3) - 1;
 }
 
-/* The text of a cell and its end.  A number that prints as 0 has no sign. */
-static const char *cell_text(double value, const style *x, char out[FORMAT_SIZE], const char **end)
+char *style_text(double value, const style *x, char out[FORMAT_SIZE])
 {
-    const char *c = out + 1;
-
-    if (x->exponent)
-        *end = format_exponent_end(value + 0.0, x->decimals, out); /* -0 + 0 is 0 */
-    else
-        *end = format_fixed_end(value, x->decimals, out);
-    if (out[0] != '-')
-        return out;
-    while (*c == '0' || *c == '.')
-        c++;
-    return c == *end ? out + 1 : out;
+    return (x->exponent ? format_exponent_end : format_fixed_end)(value, x->decimals, out);
 }
 
 void style_put(line *l, double value, const style *x, size_t width)
 {
     char number[FORMAT_SIZE];
-    const char *end, *cell = cell_text(value, x, number, &end);
 
-    line_right(l, cell, (size_t)(end - cell), width);
+    line_right(l, number, (size_t)(style_text(value, x, number) - number), width);
 }
 
 void style_find(sheet *s, style *styles)

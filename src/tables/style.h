@@ -22,7 +22,8 @@ typedef struct style {
 /* Find the styles of a deck's columns. */
 void style_find(sheet *s, style *styles);
 
-/* Write a number right-aligned in a field; one that prints as 0 has no sign. */
+/* Write a number with the decimals of its column; returns its end.  The same right-aligned in a field. */
+char *style_text(double value, const style *x, char out[FORMAT_SIZE]);
 void style_put(line *l, double value, const style *x, size_t width);
 
 #endif

@@ -37,7 +37,7 @@ static size_t put_value(sheet *s, const fourlink_value *f)
     size_t name = strlen(f->name), width = width_of_value(s), unit = strlen(f->unit);
     size_t excess = name > NAME ? name - NAME : 0;
 
-    format_general(f->value + 0.0, s->problem.digits, number);
+    format_general(f->value, s->problem.digits, number);
     put_left(s, f->name, NAME);
     width = GSL_MAX(width > excess ? width - excess : 0, strlen(number) + 1);
     line_field(&s->l, number, width);
@@ -103,7 +103,7 @@ void summary_put_fact(sheet *s, const fourlink_value *f)
     }
     used = put_value(s, f) + ANGLE + BRANCH;
     if (f->has_angle)
-        format_general(f->angle + 0.0, s->problem.digits, angle);
+        format_general(f->angle, s->problem.digits, angle);
     line_field(&s->l, angle, ANGLE);
     line_put(&s->l, " ");
     put_left(s, f->branch ? fourlink_branch_text(f->branch) : "", BRANCH - 1);

@@ -171,7 +171,7 @@ static void put_number(sheet *s, double value)
 {
     char number[FORMAT_SIZE];
 
-    line_field(&s->l, format_general(value + 0.0, s->problem.digits, number), WIDTH);
+    line_field(&s->l, format_general(value, s->problem.digits, number), WIDTH);
 }
 
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,

@@ -26,11 +26,11 @@ static void put_number(sheet *s, double value)
     int all = s->problem.digits ? s->problem.digits : USUAL_DIGITS, digits = all;
     char number[FORMAT_SIZE];
 
-    format_general(value + 0.0, digits, number);
+    format_general(value, digits, number);
     while (strlen(number) >= width_of(s) && --digits >= LEAST_DIGITS)
-        format_general(value + 0.0, digits, number);
+        format_general(value, digits, number);
     if (digits < LEAST_DIGITS)
-        format_general(value + 0.0, all, number);
+        format_general(value, all, number);
     line_field(&s->l, gsl_isnan(value) ? "nan" : number, width_of(s));
 }
 

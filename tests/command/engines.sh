@@ -7,7 +7,6 @@
 # a time limit, ends with the script, and would end without it.
 . "$(dirname "$0")/sweeps.sh"
 
-document=$(cd "$(dirname "$decks")/../doc" && pwd)/sweeps.md
 limit=300
 daemons=
 PATH=$(dirname "$fourlink"):$PATH:/usr/sbin:/sbin
@@ -57,13 +56,6 @@ free_port() {
     while grep -q "$(printf ':%04X ' $last_port)" /proc/net/tcp; do
         last_port=$((last_port + 1))
     done
-}
-
-# recipe HEADING FILE: the first block of code below that heading
-recipe() {
-    awk -v heading="### $1" '$0 == heading {on = 1; next} on && /^```/ {if (inside++) exit; next}
-        on && inside' "$document" >"$2"
-    check "doc/sweeps.md has a recipe '$1'" test -s "$2"
 }
 
 # a_sweep: sweep.deck in this folder, some of whose designs cannot be assembled, and whole.csv

@@ -166,9 +166,6 @@ all 1 -f json -o files/result t.deck
 all 1 -o files/result t.deck
 all 1 -f csv --part=2/3 -o files/result t.deck
 all 1 --statistics -o files/result t.deck
-"$fourlink" -f csv t.deck >t.csv 2>err
-all 0 --statistics=t.csv -o files/result t.deck
-all 0 --statistics=t.csv -f csv -o files/result
 for kind in histogram columns; do
     all 1 --plot=files/plot.svg --plot-kind=$kind -o files/result t.deck
 done

@@ -41,3 +41,12 @@ base >single.deck
 sweep() {
     { base && echo '[sweep]' && printf '%s\n' "$@"; } >t.deck
 }
+
+document=$(cd "$(dirname "$decks")/../doc" && pwd)/sweeps.md
+
+# recipe HEADING FILE: the first block of code below that heading
+recipe() {
+    awk -v heading="### $1" '$0 == heading {on = 1; next} on && /^```/ {if (inside++) exit; next}
+        on && inside' "$document" >"$2"
+    check "doc/sweeps.md has a recipe '$1'" test -s "$2"
+}

@@ -148,7 +148,7 @@ run 2 --best='max Ts' t.deck
 says "'Ts' has a value in each row"
 run 2 --best='max swing' single.deck
 says '--best: error: [sweep] varies nothing'
-for other in --summary --check --part=1/2 --format=csv --plot=p.svg --statistics --statistics=t.csv single.deck; do
+for other in --summary --check --part=1/2 --format=csv --plot=p.svg --statistics single.deck; do
     usage '--best prints a deck' --best='max swing' $other t.deck
 done
 run 1 --best='max type' t.deck

@@ -213,13 +213,12 @@ for pair in 'twice/a.svg twice/a.svg' 'twice/a.svg twice/b.svg' 'twice/b.svg twi
     done
 done
 
-# nor is anything else that is read: answers, a card, a file of csv, whatever the option and the way to it
+# nor is anything else that is read: answers, a card, whatever the option and the way to it
 sed 's/^indicator.*/indicator = file card.csv deg bar/' "$decks/gas-engine.deck" >card.deck
 printf '0 1\n20 30\n90 6\n540 1\n' >card.csv
 mkdir answers
 printf '[expect]\nat = 0 deg\nmu = 59.4 deg\n' >answers/mine.expect
-"$fourlink" -f csv "$alvi" >rows.svg
-for file in card.csv answers/mine.expect rows.svg; do
+for file in card.csv answers/mine.expect; do
     rm -rf alias.svg hard.svg keep
     ln -s $file alias.svg
     ln $file hard.svg
@@ -228,7 +227,6 @@ for file in card.csv answers/mine.expect rows.svg; do
         for option in -o --plot-script=; do
             case $file in
             card.csv) run 3 $option$output card.deck ;;
-            rows.svg) run 3 -o $output --statistics=rows.svg ;;
             *)
                 run 3 $option$output --check=$file mine.deck
                 says 'it is also read'

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_statistics.sh FOURLINK DATA - statistics and yield of a sweep, against an awk program that computes them
-# from the designs; --statistics=FILE; quantities in step.
+# from the designs; the recipe of doc/sweeps.md for joined parts; quantities in step.
 . "$(dirname "$0")/sweeps.sh"
 
 # ------------------------------------------------------------------ statistics, computed twice
@@ -129,82 +129,46 @@ run 0 -f csv -b open t.deck
 check 'the signs' test "$(tr -d '\r' <out | awk -F, 'NR > 1 && $14 != "" {printf "%s ", $14}')" = '25 50 50 75 0 '
 
 # Wilson's interval: 8 of 10, 0 of 10 and 10 of 10, from R. G. Newcombe's method 3 (Statistics in Medicine 17,
-# 1998), with the numbers computed by hand; and a design without a value, which fails
+# 1998), with the numbers computed by hand; and designs without a value, which fail
+# interval PASSED CONDITION YIELD LOW HIGH: of ten designs, the others have n = 0.5 and no stroke
 interval() {
-    { echo 'design,rod.length (m),branch,n (1),status' && for i in 1 2 3 4 5 6 7 8 9 10; do
-        printf '%d,1,open,%s,ok\r\n' $i "$([ $i -gt "$1" ] && echo "$2" || echo 5)"
-    done; } >hand.csv
-    run 0 -f csv --statistics=hand.csv -s 'sweep.yield=n > 4' t.deck
-    check "interval of $1: $(tail -n 1 out)" awk -F, -v y="$3" -v l="$4" -v h="$5" '
+    rods=$(for i in 1 2 3 4 5 6 7 8 9 10; do
+        printf '%s%s mm' "$([ $i -eq 1 ] || echo ', ')" $([ $i -gt "$1" ] && echo $((40 + i)) || echo $((500 + i)))
+    done)
+    run 0 -f csv -b open -s "sweep.rod.length=$rods" -s "sweep.yield=$2" t.deck
+    check "interval of $1, $2: $(tail -n 1 out)" awk -F, -v y="$3" -v l="$4" -v h="$5" '
         function near(a, b) {return (a - b) ^ 2 < 1e-8}
         $14 != "" && NR > 1 {ok = near($14, y) && near($15, l) && near($16, h)} END {exit !ok}' out
 }
-interval 8 3 80 49.01625 94.33178
-interval 8 '' 80 49.01625 94.33178
-interval 0 3 0 0 27.75328
-interval 10 3 100 72.24672 100
+interval 8 'n > 4' 80 49.01625 94.33178
+interval 8 'stroke > 1 mm' 80 49.01625 94.33178
+interval 8 'stroke < 1 m' 80 49.01625 94.33178
+interval 0 'n > 4' 0 0 27.75328
+interval 10 'n > 4' 100 72.24672 100
 
-# ----------------------------------------------------------------------------- --statistics=FILE
+# ---------------------------------------------------------------- the recipe for joined parts
 
 sweep 'coupler.length = 66 mm +- 1 mm' 'samples = 101' 'output = mu_min, max(Ts), type' 'yield = mu_min > 58 deg'
 for k in 1 2 3; do
     run 0 -f csv --part=$k/3 t.deck
     mv out part$k
 done
-cat part1 part2 part3 >all.csv
-for format in table csv json; do
-    run 0 -f $format t.deck
-    mv out of_deck
-    run 0 -f $format --statistics=all.csv t.deck
-    quiet
-    same out of_deck
-done
-independent all.csv >expected
-run 0 -f csv --statistics=all.csv
-quiet
-agree expected 'a file without a deck'
-mv out from_file
-"$fourlink" -f csv --statistics=- <all.csv >out
-same out from_file
-run 0 --statistics=all.csv -o kept
-nothing
-check 'written' test -s kept
-# unbounded, undefined and quoted fields
-printf 'branch,"a, ""b"" (mm)",c (1),status\r\nopen,1,inf,ok\r\nopen,"3",-inf,"no, none"\r\nopen,,nan,ok' >odd.csv
-run 0 -f csv --statistics=odd.csv
-check 'a quoted name' grep -q '^"a, ""b""",mm,open,2,2,1.4142135' out
-check 'both infinities' grep -q '^c,1,open,2,,,-inf,' out
+cat part1 part2 part3 >sweep.csv
+recipe 'Statistics of the parts' recipe.sh
+sh recipe.sh >of_parts
+run 0 -f csv -b open t.deck
+check "the recipe prints $(cat of_parts)" awk '
+    function differs(x, y) {return (x - y) ^ 2 > (1e-5 * x) ^ 2}
+    NR == FNR {n = split($0, mine, " "); next}
+    {gsub(/\r/, ""); split($0, f, ",")}
+    f[1] == "mu_min" {seen++; bad += mine[1] != f[4]; split("5 6 7 8 10 12 13", of, " ")
+        for (i = 1; i <= 7; i++) bad += differs(f[of[i]], mine[i + 1])}
+    f[1] == "mu_min > 58 deg" {seen++; bad += differs(f[14], 100 * mine[9])}
+    END {exit n != 9 || seen != 2 || bad}' of_parts out
 
 # what is refused
-usage 'join the parts' --statistics --part=1/2 t.deck
-usage '--statistics= needs a file name' --statistics= t.deck
-usage 'works alone' --statistics=all.csv --summary t.deck
-usage 'takes one deck' --statistics=all.csv t.deck t.deck
-usage 'can be printed as table, csv or json only' --statistics=all.csv -f paper
-run 2 --statistics=all.csv single.deck
-says 'needs a [sweep] with outputs'
-run 3 --statistics=missing.csv
-says 'fourlink: cannot read missing.csv: No such file or directory'
-run 3 --statistics=all.csv -o all.csv
-says 'it is also read'
-run 2 --statistics=single.deck
-nothing
-says "single.deck:1: error: expected the header of a sweep in csv"
-head -n 1 all.csv >head.csv
-run 2 --statistics=head.csv
-says 'head.csv:1: error: no designs after the header'
-{ cat head.csv && echo '1,0.066,open,58'; } >short.csv
-run 2 --statistics=short.csv
-nothing
-says 'short.csv:2: error: the number of fields is not that of the header'
-{ cat head.csv && printf '1,0.066,both,58,0,crank-rocker,ok\r\n'; } >branch.csv
-run 2 --statistics=branch.csv
-says 'branch.csv:2: error: expected open or crossed'
-run 2 --statistics=all.csv -s 'sweep.output=swing' t.deck
-nothing
-says "all.csv:1: error: there is no column 'swing (deg)', an output of the deck"
-run 2 --statistics=all.csv -s 'units.angle=rad' t.deck
-says "there is no column 'mu_min (rad)'"
+usage '--statistics needs all designs, not a --part' --statistics --part=1/2 t.deck
+usage '--statistics takes no value' --statistics=all.csv t.deck
 run 2 --statistics single.deck
 says 'varies nothing'
 sweep 'crank.length = 18 mm, 20 mm' 'statistics = yes'

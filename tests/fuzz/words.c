@@ -70,16 +70,22 @@ static void put_names(const char *deck)
 /* What begins with "-" in the help, and the words after "=" there. */
 static void put_options(void)
 {
-    const char *const *line;
+    FILE *help = tmpfile();
+    char line[200];
     const char *at;
     int n;
 
-    for (line = options_help; *line; line++)
-        for (at = strstr(*line, "--"); at; at = strstr(at + n, "--")) {
+    if (!help)
+        return;
+    options_put_help(help);
+    rewind(help);
+    while (fgets(line, sizeof line, help))
+        for (at = strstr(line, "--"); at; at = strstr(at + n, "--")) {
             for (n = 2; islower((unsigned char)at[n]) || at[n] == '-'; n++)
                 ;
             put("\\x09", at, n, at[n] == '=' ? "=" : "\\x09");
         }
+    fclose(help);
 }
 
 int main(void)

@@ -32,7 +32,6 @@ done
 refused '--report takes one deck, not several' --report=r.html "$fourbar" "$engine"
 refused '--report needs a value' "$fourbar" --report
 refused '--best prints a deck: it takes one deck and no other output' --best='max mu_min' --report=r.html "$fourbar"
-refused '--statistics=FILE works alone, or with a deck' --statistics=s.csv --report=r.html "$fourbar"
 for name in a.htm A.HTML; do
     run 0 --report=$name "$fourbar"
     quiet

@@ -121,7 +121,7 @@ async function compare(name, words) {
     total.values += count;
     if (worst > total.worst && !isIntegrated)
         [total.worst, total.where] = [worst, name + ", " + where];
-    check(name + ": " + where + ": " + worst, worst >= 0 && worst <= (isIntegrated ? 1e-11 : 1e-15));
+    check(name + ": " + where + ": " + worst, worst >= 0 && worst <= (isIntegrated ? 1e-11 : 1e-12));
 }
 
 /* All decks of a folder whose text a textarea can hold. */

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** place.h - places of a drawing, and boxes around them.
+*/
+#ifndef FOURLINK_PLACE_H
+#define FOURLINK_PLACE_H
+
+#include "fourlink.h"
+
+typedef struct place_box {
+    double x_min, x_max, y_min, y_max;
+} place_box;
+
+/* A place; a place at a distance from another. */
+fourlink_vector place_at(double x, double y);
+fourlink_vector place_beside(fourlink_vector p, double dx, double dy);
+
+/* An empty box; enlarge a box so that it contains a place. */
+extern const place_box place_nothing;
+void place_grow(place_box *b, double x, double y);
+
+/* 1 if two boxes overlap; if the line from p to q crosses a box. */
+int place_overlap(const place_box *x, const place_box *y);
+int place_crosses(const place_box *b, fourlink_vector p, fourlink_vector q);
+
+/* 1, 2 or 5 times a power of ten, at least x. */
+double place_round(double x);
+
+#endif
