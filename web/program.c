@@ -18,6 +18,8 @@
 #include "report/report.h"
 #include "tables/json_text.h"
 #include "tables/sheet.h"
+#include "tables/content.h"
+#include "tables/formats.h"
 
 #define CALLED(name) __attribute__((export_name(#name)))
 #define MOST_MISTAKES 100
@@ -321,7 +323,7 @@ CALLED(web_status_text) const char *web_status_text(int status)
     return fourlink_status_text(status);
 }
 
-/* Answer with a sheet in a format, by its number in sheet_formats.  Returns 0 without memory. */
+/* Answer with a sheet in a format, by its number in formats_all.  Returns 0 without memory. */
 CALLED(web_sheet) int web_sheet(int format, int content)
 {
     int done;
@@ -331,12 +333,12 @@ CALLED(web_sheet) int web_sheet(int format, int content)
         free(s);
         return 0;
     }
-    s->format = sheet_formats[format];
+    s->format = formats_all[format];
     s->content = (sheet_content)content;
     s->n_decks = 1;
     fourlink_results_list(results, FOURLINK_COLUMNS, &s->header, &s->n_header);
-    sheet_begin(s, out, 1);
-    sheet_write(s, results, source.name, NULL);
+    content_begin(s, out, 1);
+    content_write(s, results, source.name, NULL);
     done = !s->out_of_memory;
     free(s);
     return end_answer() && done;

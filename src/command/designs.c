@@ -14,6 +14,7 @@
 #include "progress.h"
 #include "tables/statistics.h"
 #include "terminal.h"
+#include "tables/content.h"
 
 /* The end of part k of n: k D / n, rounded down.  n is at most 10^6, so the product is exact. */
 static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigned long n)
@@ -41,7 +42,7 @@ static int write_design(sheet *s, const input *in, unsigned long i, double *vari
                fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK) {
         return 0;
     }
-    sheet_write_design(s, results, in->results, i, varied, mistake.message);
+    content_write_design(s, results, in->results, i, varied, mistake.message);
     fourlink_results_free(results);
     return !s->out_of_memory;
 }
@@ -87,7 +88,7 @@ static int run(sheet *s, FILE *out, const input *in, int *signal_number)
 
     system_catch(1);
     if (enough) {
-        sheet_begin(s, out, !in->o->parts || in->o->part == 1);
+        content_begin(s, out, !in->o->parts || in->o->part == 1);
         enough = write_all(s, in, varied);
     }
     system_catch(0);
@@ -120,7 +121,7 @@ static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_nu
         s->format = in->o->format;
         s->content = SHEET_STATISTICS;
         s->n_variables = 0;
-        sheet_begin(s, out, 1);
+        content_begin(s, out, 1);
         statistics_write(s, in->results, &x);
     }
     statistics_close(&x);

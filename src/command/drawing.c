@@ -45,7 +45,7 @@ static int copy(const char *path, FILE *script)
 static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
     fourlink_mistake mistake;
-    int written = picture_write(script, &in->source, &in->o->drawing, caption, &mistake);
+    int written = plot_write(script, &in->source, &in->o->drawing, caption, &mistake);
 
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");

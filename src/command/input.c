@@ -12,6 +12,7 @@
 #include "command.h"
 #include "files.h"
 #include "input.h"
+#include "tables/formats.h"
 
 #define MOST_ROWS_SHOWN 20000 /* in a report or a picture */
 
@@ -108,7 +109,7 @@ static int serves_options(input *in)
     const options *o = in->o;
     const fourlink_problem *p = &in->problem;
     const char *why = NULL, *name = in->name;
-    char message[400], names[SHEET_FORMAT_NAMES], words[SHEET_FORMAT_NAMES + 40];
+    char message[400], names[FORMATS_NAMES], words[FORMATS_NAMES + 40];
     int is_sweep = p->n_designs > 0;
 
     if (o->content == SHEET_CHECK && !p->n_expected) {
@@ -134,8 +135,7 @@ static int serves_options(input *in)
         why = "--check, --expect, --matrix and --summary work for one design, not for a [sweep]";
     } else if (is_sweep && !(o->format->writes & 1 << SHEET_DESIGNS)) {
         why = flk_text_join(words, sizeof words, "a [sweep] can be printed as ",
-                            sheet_formats_of(SHEET_DESIGNS, ", ", " or ", names), " only",
-                            (char *)NULL);
+                            formats_of(SHEET_DESIGNS, ", ", " or ", names), " only", (char *)NULL);
     } else if (p->n_rows > MOST_ROWS_SHOWN && shows_rows(in)) {
         why = flk_message(message, sizeof message,
                           "%ld rows; a %s shows at most 20,000: give a coarser %s", (long)p->n_rows,

@@ -19,6 +19,7 @@
 #include "output.h"
 #include "reporting.h"
 #include "terminal.h"
+#include "tables/content.h"
 
 static void tell_no_value(const fourlink_check *check, const char *deck_name)
 {
@@ -94,14 +95,14 @@ static int write_decks(FILE *out, const options *o, const input *inputs)
     s.header = header = union_of_columns(inputs, o->n_decks, &s.n_header);
     if (!header)
         return command_complain("cannot start", "", "not enough memory");
-    sheet_begin(&s, out, 1);
+    content_begin(&s, out, 1);
     for (i = 0; i < o->n_decks; i++) {
         if (has_no_score(o, &inputs[i])) { /* already reported */
             status = EXIT_FILES;
             continue;
         }
         s.out_of_memory = 0;
-        sheet_write(&s, inputs[i].results, inputs[i].name, inputs[i].refusal);
+        content_write(&s, inputs[i].results, inputs[i].name, inputs[i].refusal);
         status = command_worse(status, status_of(&s, &inputs[i]));
     }
     free(header);

@@ -10,6 +10,7 @@
 #include "base/message.h"
 #include "base/number.h"
 #include "options.h"
+#include "tables/formats.h"
 
 /* @f stands for the formats, @k for the kinds of pictures, a line each. */
 static const char *const help[] = {
@@ -130,14 +131,14 @@ static const char no_value[] = "";
 
 static int set_format(options *o, const char *value, char message[400])
 {
-    char names[SHEET_FORMAT_NAMES];
+    char names[FORMATS_NAMES];
 
-    o->format = sheet_find_format(value);
+    o->format = formats_find(value);
     o->asks_for_table = 1;
     if (o->format)
         return 1;
     flk_message(message, 400, "--format must be %s, not '%t'",
-                sheet_formats_of(SHEET_ROWS, ", ", " or ", names), flk_text_of(value));
+                formats_of(SHEET_ROWS, ", ", " or ", names), flk_text_of(value));
     return 0;
 }
 
@@ -416,7 +417,7 @@ static int check_plot(options *o, char message[400])
 
 void options_put_help(FILE *out)
 {
-    char names[SHEET_FORMAT_NAMES];
+    char names[FORMATS_NAMES];
     const char *const *next, *at;
     int i;
 
@@ -426,7 +427,7 @@ void options_put_help(FILE *out)
             fprintf(out, "%s\n", *next);
         else if (at[1] == 'f')
             fprintf(out, "%.*s%s%s\n", (int)(at - *next), *next,
-                    sheet_formats_of(SHEET_ROWS, "|", "|", names), at + 2);
+                    formats_of(SHEET_ROWS, "|", "|", names), at + 2);
         else
             for (i = 0; i < PLOT_COUNT; i++)
                 fprintf(out, "          %-16s%s\n", plot_names[i], plot_shows[i]);
@@ -493,10 +494,10 @@ int options_read(int argc, char **argv, options *o, char message[400])
     if (o->content == SHEET_LIST && !(o->format->writes & 1 << SHEET_LIST))
         o->format = &table_format;
     if (!(o->format->writes & 1 << o->content)) {
-        char names[SHEET_FORMAT_NAMES];
+        char names[FORMATS_NAMES];
 
         flk_message(message, 400, "%s can be printed as %s only", content_options[o->content],
-                    sheet_formats_of(o->content, ", ", " or ", names));
+                    formats_of(o->content, ", ", " or ", names));
         return 0;
     }
     if (o->best && (o->content != SHEET_ROWS || o->parts || o->n_statistics || o->plot ||

@@ -5,7 +5,7 @@
 #ifndef FOURLINK_OPTIONS_H
 #define FOURLINK_OPTIONS_H
 
-#include "pictures/picture.h"
+#include "pictures/plot.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
 

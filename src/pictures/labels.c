@@ -21,11 +21,10 @@
 #define HALF_LINE (0.45 * CANVAS_LINE)
 
 /* The box of a text in pixels, with half a letter at either end. */
-static place_box box_of(const sketch *s, const sketch_label *label)
+static place_box box_of(const labels *l, const label *text)
 {
-    double w = label->half + CANVAS_LETTER / 2;
-    double x = label->at.x / s->scale + label->middle.x,
-           y = label->at.y / s->scale + label->middle.y;
+    double w = text->half + CANVAS_LETTER / 2;
+    double x = text->at.x / l->scale + text->middle.x, y = text->at.y / l->scale + text->middle.y;
     place_box b = place_nothing;
 
     place_grow(&b, x - w, y - HALF_LINE);
@@ -34,52 +33,52 @@ static place_box box_of(const sketch *s, const sketch_label *label)
 }
 
 /* The box of the drawing in pixels, without texts. */
-static place_box drawn(const sketch *s)
+static place_box box_of_drawing(const labels *l)
 {
     place_box b = place_nothing;
 
-    place_grow(&b, s->drawn.x_min / s->scale, s->drawn.y_min / s->scale);
-    place_grow(&b, s->drawn.x_max / s->scale, s->drawn.y_max / s->scale);
+    place_grow(&b, l->drawn.x_min / l->scale, l->drawn.y_min / l->scale);
+    place_grow(&b, l->drawn.x_max / l->scale, l->drawn.y_max / l->scale);
     return b;
 }
 
-static int covers(const sketch *s, const place_box *b, const sketch_obstacle *o)
+static int covers(const labels *l, const place_box *b, const obstacle *o)
 {
-    return place_crosses(b, place_at(o->from.x / s->scale, o->from.y / s->scale),
-                         place_at(o->to.x / s->scale, o->to.y / s->scale));
+    return place_crosses(b, place_at(o->from.x / l->scale, o->from.y / l->scale),
+                         place_at(o->to.x / l->scale, o->to.y / l->scale));
 }
 
-static int leaves(const sketch *s, const place_box *b)
+static int leaves(const labels *l, const place_box *b)
 {
-    place_box all = drawn(s);
+    place_box all = box_of_drawing(l);
 
     return b->x_min < all.x_min - BORDER || b->x_max > all.x_max + BORDER ||
            b->y_min < all.y_min - BORDER || b->y_max > all.y_max + BORDER;
 }
 
 /* The cost of label k at its present place. */
-static double cost_of(const sketch *s, int k)
+static double cost_of(const labels *l, int k)
 {
-    place_box b = box_of(s, &s->labels[k]);
+    place_box b = box_of(l, &l->list[k]);
     double cost = 0;
     int i;
 
     for (i = 0; i < k; i++) {
-        place_box other = box_of(s, &s->labels[i]);
+        place_box other = box_of(l, &l->list[i]);
 
         cost += place_overlap(&b, &other) ? 100 : 0;
     }
-    for (i = 0; i < s->n_obstacles; i++)
-        cost += covers(s, &b, &s->obstacles[i]) ? s->obstacles[i].weight : 0;
-    return cost + (s->is_fixed && leaves(s, &b) ? 20 : 0);
+    for (i = 0; i < l->n_obstacles; i++)
+        cost += covers(l, &b, &l->obstacles[i]) ? l->obstacles[i].weight : 0;
+    return cost + (l->is_fixed && leaves(l, &b) ? 20 : 0);
 }
 
-static void place(sketch *s, int k)
+static void place(labels *l, int k)
 {
-    sketch_label *label = &s->labels[k];
-    double wanted = atan2(label->dy, label->dx), least = GSL_POSINF;
-    double w = label->half;
-    fourlink_vector best = label->middle;
+    label *text = &l->list[k];
+    double wanted = atan2(text->dy, text->dx), least = GSL_POSINF;
+    double w = text->half;
+    fourlink_vector best = text->middle;
     int ring, i;
 
     for (ring = 0; ring < RINGS; ring++)
@@ -89,52 +88,55 @@ static void place(sketch *s, int k)
 
             if (cost >= least)
                 continue;
-            label->middle.x = (gap + w) * cos(wanted + off);
-            label->middle.y = (gap + HALF_LINE) * sin(wanted + off);
-            cost += cost_of(s, k);
+            text->middle.x = (gap + w) * cos(wanted + off);
+            text->middle.y = (gap + HALF_LINE) * sin(wanted + off);
+            cost += cost_of(l, k);
             if (cost < least) {
                 least = cost;
-                best = label->middle;
+                best = text->middle;
             }
         }
-    label->middle = best;
+    text->middle = best;
 }
 
-static double scale_for(const sketch *s, const place_box *b, double width, double height,
+static double scale_for(const labels *l, const place_box *b, double width, double height,
                         double border)
 {
-    return s->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
+    return l->scale * GSL_MAX_DBL((b->x_max - b->x_min) / (width - 2 * border),
                                   (b->y_max - b->y_min) / (height - 2 * border));
 }
 
-void labels_place(sketch *s, double width, double height)
+void labels_place(labels *l, place_box drawn, int is_fixed, double size, double width,
+                  double height)
 {
     double first, scale;
     place_box b, own;
     int round, i;
 
-    s->scale = 1;
-    b = drawn(s);
-    first = scale_for(s, &b, width, height, 3 * CANVAS_LETTER);
-    s->scale = first = first > 0 ? first : s->size / width;
+    l->drawn = drawn;
+    l->is_fixed = is_fixed;
+    l->scale = 1;
+    b = box_of_drawing(l);
+    first = scale_for(l, &b, width, height, 3 * CANVAS_LETTER);
+    l->scale = first = first > 0 ? first : size / width;
     for (round = 0; round < ROUNDS; round++) {
-        for (i = 0; i < s->n_labels; i++)
-            place(s, i);
-        if (s->is_fixed)
+        for (i = 0; i < l->n; i++)
+            place(l, i);
+        if (l->is_fixed)
             return;
-        b = drawn(s);
-        for (i = 0; i < s->n_labels; i++) {
-            own = box_of(s, &s->labels[i]);
+        b = box_of_drawing(l);
+        for (i = 0; i < l->n; i++) {
+            own = box_of(l, &l->list[i]);
             place_grow(&b, own.x_min, own.y_min);
             place_grow(&b, own.x_max, own.y_max);
         }
-        scale = scale_for(s, &b, width, height, BORDER);
+        scale = scale_for(l, &b, width, height, BORDER);
         if (round < ROUNDS - 1)
-            s->scale = GSL_MIN_DBL(scale, 3 * first);
+            l->scale = GSL_MIN_DBL(scale, 3 * first);
     }
-    s->drawn = place_nothing;
-    place_grow(&s->drawn, b.x_min * s->scale, b.y_min * s->scale);
-    place_grow(&s->drawn, b.x_max * s->scale, b.y_max * s->scale);
+    l->drawn = place_nothing;
+    place_grow(&l->drawn, b.x_min * l->scale, b.y_min * l->scale);
+    place_grow(&l->drawn, b.x_max * l->scale, b.y_max * l->scale);
     /* if the texts still move */
-    s->scale = GSL_MAX_DBL(s->scale, GSL_MIN_DBL(scale, 3 * first));
+    l->scale = GSL_MAX_DBL(l->scale, GSL_MIN_DBL(scale, 3 * first));
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** picture.c - pictures of a deck, as gnuplot scripts: what all kinds share.
+** picture.c - a picture in the making: its deck, and what all kinds of pictures share.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -10,51 +10,8 @@
 
 #include "base/quantity.h"
 #include "picture.h"
-#include "sketch.h"
-
-#define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values, shows) name,
-const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
-
-#define PLOT_SHOWS(code, name, columns, rows, width, height, needs, draw, values, shows) shows,
-const char *const plot_shows[] = {PLOT_LIST(PLOT_SHOWS) NULL};
-
-#define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values, shows) \
-    {columns, rows, width, height, needs, draw, values},
-static const struct plot_info {
-    int columns, rows, width, height, needs;
-    const char *(*draw)(picture *p, fourlink_branch branch);
-    const char *values;
-} plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define LONGEST_NAME 24 /* letters, next to a value */
-#define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
-#define TEXT_HEIGHT 26  /* lines of a panel in a text terminal */
-
-/* Free bodies with friction circles or springs are so many times larger. */
-#define CROWDED 1.3
-
-/* By plot_file, with width and height. */
-static const struct {
-    const char *ending, *terminal;
-} file_table[] = {
-    {".svg", "svg size %d,%d font 'sans,14' noenhanced background 'white'"},
-    {".png", "pngcairo size %d,%d font 'sans,11' noenhanced"},
-    {".pdf", "pdfcairo size %d.%02din,%d.%02din font 'sans,9' fontscale 1 noenhanced"},
-    {".txt", "dumb nofeed size %d,%d noenhanced"},
-    {".gif", "gif %s size %d,%d font 'sans,11' noenhanced"}};
-
-plot_file plot_file_of(const char *name)
-{
-    size_t n = strlen(name);
-    int i;
-
-    if (strcmp(name, "-") == 0)
-        return PLOT_TXT;
-    for (i = 0; i < PLOT_FILE_COUNT; i++)
-        if (n >= 4 && flk_text_equal(flk_text_of(name + n - 4), file_table[i].ending))
-            break;
-    return (plot_file)i;
-}
 
 double picture_value(const picture *p, quantity q, double si)
 {
@@ -195,131 +152,6 @@ int picture_has_outputs(const picture *p)
            (p->request->kind == PLOT_HISTOGRAM || p->request->kind == PLOT_COLUMNS);
 }
 
-static void lay_out(picture *p, FILE *out)
-{
-    const struct plot_info *info = &plot_table[p->request->kind];
-    int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
-    int rows = info->rows ? info->rows : p->n_branches, columns = info->columns;
-    const fourlink_value *outputs;
-    unsigned long n = 0;
-    double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
-    double width = info->width;
-
-    if (is_vectors && !p->problem.has_forces)
-        rows = 1;
-    if (is_vectors && !is_text && (p->problem.has_friction || p->problem.n_springs)) {
-        width *= CROWDED;
-        height *= CROWDED;
-    }
-    if (p->request->kind == PLOT_COLUMNS)
-        n = (unsigned long)picture_column_panels(p);
-    if (picture_has_outputs(p))
-        fourlink_results_list(p->results, FOURLINK_OUTPUTS, &outputs, &n);
-    if (n) {
-        columns = n > 1 ? info->columns : 1;
-        rows = ((int)n + columns - 1) / columns;
-    }
-    p->has_inset = p->kind.has_stroke && p->design->link[FOURLINK_CRANK].length <
-                                             SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
-    if (p->request->kind == PLOT_KLEIN && p->has_inset)
-        rows = 2;
-    if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->kind.has_slot     ? 4
-                 : p->kind.has_stroke ? 5
-                                      : 6) +
-                (p->problem.asks_for_both ? p->n_branches : 1) + 2) /
-               3;
-    lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
-    if (info->needs & PLOT_FILLED && !is_text)
-        height = floor(GSL_MAX_DBL(size_height(p, info->width), (lines + 4) * 1.2 * CANVAS_LINE));
-    else if (info->needs & PLOT_DRAWING)
-        beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
-    canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0);
-    p->on.turn = size_turn(p);
-}
-
-static void put_terminal(const canvas *c, const plot_request *request)
-{
-    const char *terminal = file_table[request->file].terminal;
-    int width = (int)c->width, height = (int)c->height;
-
-    fputs("set terminal ", c->out);
-    if (request->file == PLOT_PDF)
-        fprintf(c->out, terminal, width / 100, width % 100, height / 100, height % 100);
-    else if (request->file == PLOT_TXT)
-        fprintf(c->out, terminal, CANVAS_TEXT_WIDTH, (int)(height / CANVAS_LINE));
-    else if (request->file == PLOT_GIF)
-        fprintf(c->out, terminal,
-                request->kind == PLOT_ANIMATION ? "animate optimize delay 6 loop 0" : "", width,
-                height);
-    else
-        fprintf(c->out, terminal, width, height);
-    putc('\n', c->out);
-    if (request->picture) /* neither a pipe nor a home folder, whatever its first letter */
-        canvas_print(c, request->picture[0] == '/' ? "set output %f\n" : "set output './' . %f\n",
-                     request->picture);
-}
-
-/* Colours of M. Okabe and K. Ito ("Color universal design", 2008), which colour-blind people can tell apart;
-** widths and dashes distinguish the lines in grey too. */
-static const char *const style_of_pen[PEN_COUNT] = {
-    "",
-    "lw 1.5 lc rgb '#000000'",        /* ground */
-    "lw 5 lc rgb '#0072B2'",          /* crank */
-    "lw 4 lc rgb '#D55E00'",          /* coupler */
-    "lw 3 lc rgb '#009E73'",          /* rocker, piston */
-    "lw 1.5 lc rgb '#CC79A7'",        /* paths */
-    "lw 1 lc rgb '#DDDDDD'",          /* positions on the way */
-    "lw 2 lc rgb '#000000'",          /* pin forces */
-    "lw 2 lc rgb '#E69F00'",          /* loads */
-    "lw 1 dt (4,4) lc rgb '#777777'", /* construction */
-    "lw 3 lc rgb '#CC79A7'",          /* results */
-    "lw 1.5 lc rgb '#777777'"         /* other positions */
-};
-
-/* Each path has its own colour and dashes. */
-static void put_styles(const canvas *c)
-{
-    static const char *const colours[] = {"CC79A7", "56B4E9", "009E73",
-                                          "E69F00", "0072B2", "000000"};
-    static const char *const dashes[] = {"1",          "(10,5)",        "(3,3)",
-                                         "(10,4,2,4)", "(6,2,2,2,2,2)", "(2,6)"};
-    int i;
-
-    for (i = 1; i < PEN_COUNT; i++)
-        fprintf(c->out, "set style line %d %s\n", i, style_of_pen[i]);
-    for (i = 1; i <= PEN_PATHS - PEN_COUNT; i++)
-        fprintf(c->out, "set style line %d lw 1.5 dt %s lc rgb '#%s'\n", PEN_COUNT - 1 + i,
-                dashes[(i + i / 6) % 6], colours[i % 6]);
-}
-
-static void put_head(const picture *p, const char *deck_name, const char *held)
-{
-    const canvas *c = &p->on;
-    char rest[200];
-
-    fprintf(c->out, "# %s, made by fourlink %s for gnuplot 5 or later\n",
-            plot_names[p->request->kind], fourlink_version());
-    fputs("set encoding utf8\n", c->out);
-    put_terminal(c, p->request);
-    put_styles(c);
-    fputs("set linetype 1 lw 2 dt 1 lc rgb '#0072B2'\n"
-          "set linetype 2 lw 2 dt (10,5) lc rgb '#D55E00'\n"
-          "set linetype 3 lw 2 dt (3,3) lc rgb '#009E73'\n"
-          "set linetype 4 lw 2 dt (12,4,2,4) lc rgb '#000000'\n"
-          "set linetype 5 lw 2 dt (6,3,2,3,2,3) lc rgb '#CC79A7'\n"
-          "set linetype 6 lw 2 dt (2,6) lc rgb '#E69F00'\n"
-          "set key noautotitle\n"
-          "set style textbox opaque margins 0.3,0.3 noborder\n",
-          c->out);
-    canvas_name(c, p->problem.title[0] ? p->problem.title : deck_name, deck_name,
-                flk_text_join(rest, sizeof rest,
-                              picture_has_outputs(p) ? ", all designs of its sweep"
-                              : p->problem.n_designs ? ", first design of its sweep"
-                                                     : "",
-                              held, "  |  fourlink ", fourlink_version(), (char *)NULL));
-}
-
 /* Returns 0, for the caller to return. */
 static int run_out_of_memory(picture *p)
 {
@@ -376,6 +208,17 @@ static int take_results(picture *p)
     return p->loads || run_out_of_memory(p);
 }
 
+int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
+                 const char *values, fourlink_mistake *mistake)
+{
+    memset(p, 0, sizeof *p);
+    p->request = request;
+    p->source = source;
+    p->values = values;
+    p->results = request->opened;
+    return (p->results || open_results(p, source, mistake)) && take_results(p);
+}
+
 static int has_column(const picture *p, text name)
 {
     char copy[40];
@@ -386,10 +229,9 @@ static int has_column(const picture *p, text name)
            found.has_angle;
 }
 
-/* The column to draw over, and those columns of a kind's list that the deck has. */
-static void choose_columns(const picture *p, const char *columns, char out[PICTURE_NAMES])
+void picture_choose(const picture *p, char out[PICTURE_NAMES])
 {
-    text rest = flk_text_of(columns), either, name;
+    text rest = flk_text_of(p->values), either, name;
 
     flk_text_join(out, PICTURE_NAMES, picture_over(p), " ", (char *)NULL);
     while (flk_text_split(&rest, ',', &either)) {
@@ -400,11 +242,9 @@ static void choose_columns(const picture *p, const char *columns, char out[PICTU
     }
 }
 
-/* Open the deck again with the columns of the picture, and with a further assignment, unless these are null; one
-** instant becomes a whole cycle. */
-static int reopen(picture *p, const fourlink_source *source, const char *columns,
-                  const char *further, fourlink_mistake *mistake)
+int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
 {
+    const fourlink_source *source = p->source;
     fourlink_change *changes = malloc((source->n_changes + 2) * sizeof *changes);
     fourlink_source other = *source;
     char assignment[PICTURE_NAMES + 20];
@@ -452,235 +292,8 @@ int picture_open_balance(picture *p, const char *apply, picture *other)
     *other = *p;
     other->results = NULL;
     other->loads = NULL;
-    choose_columns(p, plot_table[p->request->kind].values, names);
-    opened = reopen(other, p->source, names, apply, &mistake);
+    picture_choose(p, names);
+    opened = picture_reopen(other, names, apply, &mistake);
     p->out_of_memory |= other->out_of_memory;
     return opened;
-}
-
-/* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */
-static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
-{
-    const char *unit_name = p->units[QUANTITY_ANGLE].name;
-    fourlink_reach reach;
-    double from[2], to[2];
-    int i, status = FOURLINK_OK;
-
-    for (i = 0; i < p->n_branches; i++) {
-        status = fourlink_results_at(p->results, p->branches[i], angle, NULL, NULL, NULL);
-        if (status == FOURLINK_OK)
-            return 1;
-    }
-    if (status == FOURLINK_NO_SUCH_ANGLE && p->problem.by_time) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the crank does not pass it", angle,
-                    unit_name);
-        return 0;
-    }
-    if (status == FOURLINK_NO_SUCH_ANGLE) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the motion goes from %.6g to %.6g %s",
-                    angle, unit_name, p->problem.motion.from, p->end, unit_name);
-        return 0;
-    }
-    fourlink_reach_of(p->mechanism, &reach);
-    for (i = 0; i < reach.n_ranges; i++) {
-        from[i] = picture_value(p, QUANTITY_ANGLE, reach.from[i]);
-        to[i] = picture_value(p, QUANTITY_ANGLE, reach.to[i]);
-    }
-    if (reach.n_ranges == 1)
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the links reach from %.6g to %.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name);
-    else if (reach.n_ranges == 2)
-        flk_message(message, MESSAGE_SIZE,
-                    "theta2 = %.6g %s: the links reach from %.6g to %.6g %s, and from %.6g to "
-                    "%.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name, from[1], to[1], unit_name);
-    else
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle, unit_name,
-                    fourlink_status_text(status));
-    return 0;
-}
-
-/* The crank angles of --plot-at, separated by commas. */
-static int read_angles(picture *p, fourlink_mistake *mistake)
-{
-    const fourlink_unit *own = &p->units[QUANTITY_ANGLE];
-    text rest = flk_text_of(p->request->at), item;
-    unit bare;
-    char words[MESSAGE_SIZE];
-    quantity_value value;
-    double *angle;
-
-    bare.up = own->up;
-    bare.down = own->down;
-    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
-    while (flk_text_split(&rest, ',', &item)) {
-        item = flk_text_trim(item);
-        if (p->n_angles == PICTURE_POSITIONS)
-            return picture_refuse(mistake, "--plot-at", "more than 24 positions", "");
-        if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
-            return picture_refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                                  " draws one position, not several");
-        if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
-        angle = &p->angles[p->n_angles++];
-        *angle = picture_value(p, QUANTITY_ANGLE, value.si);
-        if (!is_in_range(p, *angle, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
-    }
-    return 1;
-}
-
-/* The gas, the last of the loads, is not counted. */
-static int has_too_many_loads(const picture *p)
-{
-    fourlink_load_info next;
-
-    return fourlink_deck_load(p->deck, PICTURE_LOADS, &next) == FOURLINK_OK &&
-           next.sort != FOURLINK_LOAD_GAS;
-}
-
-static const char *missing(const picture *p)
-{
-    int needs = plot_table[p->request->kind].needs;
-
-    if ((needs & PLOT_BY_ANGLE) && p->problem.by_time)
-        return "this picture needs [motion] rows = angle; the deck has rows by time";
-    if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
-        return "no forces to draw: the deck has no masses and no loads";
-    if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)
-        return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
-    if ((needs & PLOT_SLIDER_CRANK) && !p->kind.has_stroke)
-        return "Klein's construction needs a slider-crank";
-    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
-        p->n_columns > PICTURE_COLUMNS - 1)
-        return "a picture shows at most 24 columns; name those to draw with --columns";
-    if ((needs & PLOT_SWEEP) && (!p->problem.n_designs || !p->problem.has_outputs))
-        return "this picture needs a [sweep] with outputs; the deck has none";
-    if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->problem.n_points > PICTURE_POINTS))
-        return "a drawing shows at most 40 loads and 24 points";
-    return NULL;
-}
-
-/* Draw the panels; returns null, or the reason why there are none. */
-static const char *draw(picture *p)
-{
-    const struct plot_info *info = &plot_table[p->request->kind];
-    const char *why = NULL, *here;
-    int i, drawn = 0;
-
-    if (p->request->kind != PLOT_ANIMATION)
-        fputs("set multiplot title title . \"\\n\" . source\n", p->on.out);
-    if (info->needs & PLOT_ANGLE_AXIS)
-        fputs("set format '%g'\n", p->on.out);
-    for (i = 0; i < (info->rows ? 1 : p->n_branches); i++)
-        if ((here = info->draw(p, p->branches[i])) != NULL)
-            why = here;
-        else
-            drawn++;
-    if (p->request->kind != PLOT_ANIMATION)
-        fputs("unset multiplot\n", p->on.out);
-    return drawn ? NULL : why;
-}
-
-/* 1 if all branches of the deck are drawn. */
-static int shows_all_branches(const picture *p)
-{
-    plot_kind kind = p->request->kind;
-
-    return kind == PLOT_POLAR ? p->problem.asks_for_both
-                              : kind != PLOT_VECTORS && kind != PLOT_KLEIN;
-}
-
-/* "theta4, omega4 over theta2" */
-static void name_columns(const picture *p, char *out, size_t size)
-{
-    unsigned long i;
-
-    out[0] = '\0';
-    for (i = 1; i < p->n_columns; i++)
-        flk_text_join(out + strlen(out), size - strlen(out), i > 1 ? ", " : "", p->columns[i].name,
-                      (char *)NULL);
-    flk_text_join(out + strlen(out), size - strlen(out), " over ", p->columns[0].name,
-                  (char *)NULL);
-}
-
-static void write_caption(const picture *p, const char *deck_name, plot_caption *caption)
-{
-    const struct plot_info *info = &plot_table[p->request->kind];
-    const char *shows = plot_shows[p->request->kind], *over = "";
-    int all = p->n_branches > 1 && shows_all_branches(p);
-    char names[PICTURE_NAMES];
-
-    if (p->request->kind == PLOT_COLUMNS) {
-        name_columns(p, names, sizeof names);
-        shows = picture_has_outputs(p) ? "outputs of the sweep" : names;
-    } else if (info->needs & PLOT_OVER) {
-        over = p->problem.by_time ? " over time" : " over the crank angle";
-    }
-    caption->n_lines = p->n_lines;
-    caption->n_missing = p->n_missing;
-    flk_text_join(caption->title, sizeof caption->title,
-                  p->problem.title[0] ? p->problem.title : deck_name, (char *)NULL);
-    flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
-                  all ? "open and crossed branches" : fourlink_branch_text((int)p->branches[0]),
-                  all ? ": " : " branch: ", shows, over, (char *)NULL);
-}
-
-/* Write the script of an open deck. */
-static int write_script(picture *p, FILE *out, const fourlink_source *source,
-                        fourlink_mistake *mistake)
-{
-    const struct plot_info *info = &plot_table[p->request->kind];
-    const char *why = missing(p), *held = "", *chosen = NULL, *steps = NULL;
-    char names[PICTURE_NAMES], time_step[100], number[FORMAT_SIZE];
-
-    if (why)
-        return picture_refuse(mistake, "--plot-kind", why, "");
-    if (picture_has_outputs(p) && p->request->x)
-        return picture_refuse(mistake, "--plot-x",
-                              "the outputs of a [sweep] are drawn over what it varies", "");
-    if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
-        if (!picture_choose_columns(p, names, mistake))
-            return 0;
-        chosen = names;
-    } else if (info->values) {
-        choose_columns(p, info->values, names);
-        chosen = names;
-    }
-    p->instant = p->problem.motion.from;
-    p->has_instant =
-        p->problem.one_instant && (info->needs & PLOT_RANGE) && !picture_has_outputs(p);
-    if (p->has_instant)
-        held =
-            p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-    if (p->problem.by_time && !picture_has_outputs(p))
-        steps = flk_text_join(time_step, sizeof time_step, "motion.time_step=",
-                              format_general(p->problem.duration / PICTURE_STEPS, 17, number), " s",
-                              (char *)NULL);
-    if ((chosen || held[0] || steps) && !reopen(p, source, chosen, steps, mistake))
-        return 0;
-    lay_out(p, out);
-    put_head(p, source->name, held);
-    if (p->request->at && !read_angles(p, mistake))
-        return 0;
-    why = draw(p);
-    return why ? picture_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
-}
-
-int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
-                  plot_caption *caption, fourlink_mistake *mistake)
-{
-    int written;
-    picture p;
-
-    memset(&p, 0, sizeof p);
-    p.request = request;
-    p.source = source;
-    p.results = request->opened;
-    written = (p.results || open_results(&p, source, mistake)) && take_results(&p) &&
-              write_script(&p, out, source, mistake);
-    if (written)
-        write_caption(&p, source->name, caption);
-    picture_close(&p);
-    return p.out_of_memory ? -1 : written;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** picture.h - pictures of a deck, as gnuplot scripts.
+** picture.h - a picture in the making: its deck, and what all kinds of pictures share.
 */
 #ifndef FOURLINK_PICTURE_H
 #define FOURLINK_PICTURE_H
@@ -58,9 +58,6 @@ enum {
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
-/* By plot_kind, with a null pointer at the end: its name, and what it shows. */
-extern const char *const plot_names[], *const plot_shows[];
-
 /* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
 typedef enum plot_file {
     PLOT_SVG,
@@ -70,9 +67,6 @@ typedef enum plot_file {
     PLOT_GIF,
     PLOT_FILE_COUNT
 } plot_file;
-
-/* PLOT_FILE_COUNT for another name. */
-plot_file plot_file_of(const char *name);
 
 typedef struct plot_request {
     plot_kind kind;
@@ -93,11 +87,6 @@ typedef struct plot_caption {
                                          that could not be computed */
 } plot_caption;
 
-/* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
-** to draw; -1 if out of memory. */
-int picture_write(FILE *out, const fourlink_source *source, const plot_request *request,
-                  plot_caption *caption, fourlink_mistake *mistake);
-
 /* What a drawing has room for; the gas is one more load. */
 #define PICTURE_LOADS 40
 #define PICTURE_POINTS 24
@@ -112,6 +101,8 @@ int picture_write(FILE *out, const fourlink_source *source, const plot_request *
 typedef struct picture {
     const plot_request *request;
     const fourlink_source *source;
+    const char
+        *values; /* the columns of its kind, of A|B the first that the deck has; null: none */
     canvas on;
     fourlink_results *results;
     const fourlink_deck *deck;
@@ -148,6 +139,19 @@ typedef struct picture_row {
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
+/* Open a deck for a picture that draws some of these columns; null: none.  1; 0 and its first mistake, or out of
+** memory.  Close it whatever came of it. */
+int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
+                 const char *values, fourlink_mistake *mistake);
+void picture_close(picture *p);
+
+/* Open it again with these columns, and with a further assignment, unless these are null; one instant becomes a whole
+** cycle.  The same results. */
+int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
+
+/* The column to draw over, and those columns of the kind's list that the deck has. */
+void picture_choose(const picture *p, char out[PICTURE_NAMES]);
+
 /* Returns 0, for the caller to return, and the reason. */
 int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
 
@@ -177,7 +181,6 @@ double size_height(const picture *p, double width);
 ** it cannot be opened, as without memory. */
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);
-void picture_close(picture *p);
 
 /* A value in the deck's unit of its quantity, and in SI units. */
 double picture_value(const picture *p, quantity q, double si);

@@ -8,7 +8,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/format.h"
-#include "labels.h"
+#include "sketch.h"
 #include "base/text.h"
 
 /* As fractions of the drawing's size: the height of a letter, and */
@@ -62,14 +62,14 @@ void sketch_open(sketch *s, canvas *c, double size)
 
 static void add_obstacle(sketch *s, fourlink_vector from, fourlink_vector to, double weight)
 {
-    sketch_obstacle *new = &s->obstacles[s->n_obstacles];
+    obstacle *new = &s->texts.obstacles[s->texts.n_obstacles];
 
-    if (s->n_obstacles == SKETCH_OBSTACLES)
+    if (s->texts.n_obstacles == LABELS_OBSTACLES)
         return;
     new->from = from;
     new->to = to;
     new->weight = weight;
-    s->n_obstacles++;
+    s->texts.n_obstacles++;
 }
 
 static void put_arrow(sketch *s, pen p, fourlink_vector from, fourlink_vector to, const char *kind)
@@ -159,25 +159,25 @@ void sketch_torque(sketch *s, pen p, fourlink_vector centre, double radius, doub
 
 void sketch_text(sketch *s, fourlink_vector at, double dx, double dy, const char *words)
 {
-    sketch_label *new = &s->labels[s->n_labels];
+    label *new = &s->texts.list[s->texts.n];
     fourlink_vector side = turned(s, place_at(dx, dy));
 
     at = turned(s, at);
     include(s, at);
-    if (s->n_labels == SKETCH_LABELS)
+    if (s->texts.n == LABELS_MOST)
         return;
     new->at = at;
     new->dx = side.x;
     new->dy = side.y;
     flk_text_join(new->words, sizeof new->words, words, (char *)NULL);
     new->half = canvas_width_of(words) * (s->c->is_text ? 1 : NARROW) / 2;
-    s->n_labels++;
+    s->texts.n++;
 }
 
 void sketch_note(sketch *s, const char *words)
 {
     if (s->n_notes < SKETCH_NOTES)
-        flk_text_join(s->notes[s->n_notes++], SKETCH_WORDS, words, (char *)NULL);
+        flk_text_join(s->notes[s->n_notes++], LABELS_WORDS, words, (char *)NULL);
 }
 
 void sketch_centre(sketch *s, fourlink_vector at)
@@ -294,14 +294,14 @@ static void put_labels(const sketch *s)
 {
     int i;
 
-    for (i = 0; i < s->n_labels; i++) {
-        const sketch_label *label = &s->labels[i];
-        double half = label->half;
-        int side = label->middle.x > half ? 1 : label->middle.x < -half ? -1 : 0;
+    for (i = 0; i < s->texts.n; i++) {
+        const label *one = &s->texts.list[i];
+        double half = one->half;
+        int side = one->middle.x > half ? 1 : one->middle.x < -half ? -1 : 0;
 
-        canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", label->words,
-                     label->at.x + s->scale * (label->middle.x - side * half),
-                     label->at.y + s->scale * label->middle.y, canvas_side(side));
+        canvas_print(s->c, "set label %q at %.7g,%.7g %s front\n", one->words,
+                     one->at.x + s->texts.scale * (one->middle.x - side * half),
+                     one->at.y + s->texts.scale * one->middle.y, canvas_side(side));
     }
 }
 
@@ -323,9 +323,9 @@ static double step_of(double step, double middle, double size)
 static void put_axes(const sketch *s)
 {
     double x = (s->drawn.x_min + s->drawn.x_max) / 2, y = (s->drawn.y_min + s->drawn.y_max) / 2;
-    double width = s->scale * s->c->box_width, height = s->scale * s->c->box_height;
+    double width = s->texts.scale * s->c->box_width, height = s->texts.scale * s->c->box_height;
 
-    double step = place_round(TICS * CANVAS_LETTER * s->scale);
+    double step = place_round(TICS * CANVAS_LETTER * s->texts.scale);
 
     canvas_print(s->c,
                  "set format '%%g'; set xtics %.7g; set ytics %.7g\n"
@@ -357,7 +357,8 @@ void sketch_close(sketch *s, const char *title, const char *unit_name)
         place_grow(&s->drawn, s->size, s->size);
     }
     canvas_panel(s->c, 2, width_of_margin(s));
-    labels_place(s, s->c->box_width, s->c->box_height);
+    labels_place(&s->texts, s->drawn, s->is_fixed, s->size, s->c->box_width, s->c->box_height);
+    s->drawn = s->texts.drawn;
     put_labels(s);
     put_margin(s);
     fputs("set size ratio -1\n", s->c->out);

@@ -6,7 +6,7 @@
 #define FOURLINK_SKETCH_H
 
 #include "canvas.h"
-#include "place.h"
+#include "labels.h"
 
 /* Line styles, defined in picture.c at the head of every script. */
 typedef enum pen {
@@ -29,25 +29,7 @@ typedef enum pen {
 #define SKETCH_CURVES 32
 #define SKETCH_CORNERS 40
 #define SKETCH_NOTES 120
-#define SKETCH_LABELS 120
-#define SKETCH_OBSTACLES 2000
-#define SKETCH_WORDS 100
 #define SKETCH_MEANINGS 4
-
-/* A text that is put beside a place after everything else: on the requested side, or where there is room. */
-typedef struct sketch_label {
-    fourlink_vector at;
-    double dx, dy;          /* the direction, of any length */
-    double half;            /* half its width, in pixels */
-    fourlink_vector middle; /* of the text, in pixels from the place */
-    char words[SKETCH_WORDS];
-} sketch_label;
-
-/* What a text should not cover, and the cost of doing so. */
-typedef struct sketch_obstacle {
-    fourlink_vector from, to;
-    double weight;
-} sketch_obstacle;
 
 typedef struct sketch {
     canvas *c;
@@ -55,12 +37,10 @@ typedef struct sketch {
     int is_fixed;        /* 1: it does not grow */
     double size;         /* of the whole */
     double letter;       /* height of a letter, a fraction of the size */
-    double scale;        /* unit of length for a pixel, when closed */
     double cosine, sine; /* of the angle by which it is turned */
-    int n_notes, n_labels, n_obstacles, n_curves;
-    char notes[SKETCH_NOTES][SKETCH_WORDS];
-    sketch_label labels[SKETCH_LABELS];
-    sketch_obstacle obstacles[SKETCH_OBSTACLES];
+    int n_notes, n_curves;
+    char notes[SKETCH_NOTES][LABELS_WORDS];
+    labels texts;
     fourlink_vector last;   /* of a curve */
     int n_points, is_empty; /* of the present curve */
     pen curve_pen[SKETCH_CURVES];

@@ -7,7 +7,7 @@
 
 #include "base/system.h"
 #include "pictures/gnuplot.h"
-#include "pictures/picture.h"
+#include "pictures/plot.h"
 #include "compact.h"
 #include "report.h"
 
@@ -35,7 +35,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.opened = r->results;
     if (!script) {
         miss(r, strerror(errno));
-    } else if ((is_written = picture_write(script, r->source, &request, &caption, &mistake)) > 0) {
+    } else if ((is_written = plot_write(script, r->source, &request, &caption, &mistake)) > 0) {
         errno = 0;
         why = gnuplot_run(script, drawing, &caption);
         is_drawn = !why;

@@ -13,6 +13,7 @@
 #include "cell.h"
 #include "report.h"
 #include "tables/style.h"
+#include "tables/content.h"
 
 #define MOST_ON_PAPER 1000 /* rows of a table that is printed although it is folded */
 
@@ -184,8 +185,8 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
     h.s.content = content;
     h.s.n_decks = 1;
     fourlink_results_list(r->results, FOURLINK_COLUMNS, &h.s.header, &h.s.n_header);
-    sheet_begin(&h.s, out, 1);
-    sheet_write(&h.s, r->results, r->source->name, NULL);
+    content_begin(&h.s, out, 1);
+    content_write(&h.s, r->results, r->source->name, NULL);
     if (format == &html_format)
         r->failed += h.s.failed + h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
                      h.s.checks[FOURLINK_NO_VALUE];

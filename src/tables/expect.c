@@ -12,7 +12,7 @@
 #include <gsl/gsl_math.h>
 
 #include "base/quantity.h"
-#include "sheet.h"
+#include "expect.h"
 
 /* How the values of a column are written. */
 typedef struct style {

@@ -2,7 +2,7 @@
 **
 ** matrix.c - the nine equations of each row, as text.
 */
-#include "sheet.h"
+#include "matrix.h"
 
 static void put_number(line *l, double x, int digits, size_t width)
 {

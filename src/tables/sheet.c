@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** sheet.c - the contents of a sheet of results, for all formats.
+** sheet.c - what the contents and the formats of a sheet of results share.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -12,34 +12,8 @@
 #include "base/message.h"
 #include "sheet.h"
 
-#define SHEET_ENTRY(name) &name##_format,
-const sheet_format *const sheet_formats[] = {SHEET_FORMATS(SHEET_ENTRY) NULL};
-
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                       "no value"};
-
-const sheet_format *sheet_find_format(const char *name)
-{
-    const sheet_format *const *f = sheet_formats;
-
-    while (*f && strcmp((*f)->name, name) != 0)
-        f++;
-    return *f;
-}
-
-char *sheet_formats_of(sheet_content content, const char *between, const char *last,
-                       char names[SHEET_FORMAT_NAMES])
-{
-    const char *list[sizeof sheet_formats / sizeof sheet_formats[0]];
-    const sheet_format *const *f;
-    int n = 0;
-
-    for (f = sheet_formats; *f; f++)
-        if ((*f)->writes & 1 << content)
-            list[n++] = (*f)->name;
-    list[n] = NULL;
-    return flk_text_list(list, between, last, names, SHEET_FORMAT_NAMES);
-}
 
 int sheet_branches(const sheet *s, fourlink_branch branches[2])
 {
@@ -82,98 +56,12 @@ void sheet_write_gap(sheet *s)
                  flk_text_copy(flk_text_of(s->deck_name), name, sizeof name));
 }
 
-/* ------------------------------------------------------------------------------------------ content */
-
-/* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
-** times. */
-static void find_status(sheet_row *row)
-{
-    int is_near = row->at->status == FOURLINK_OK && row->at->state.mu < M_PI / 180;
-
-    row->status = is_near ? "near a dead position: the transmission angle is less than 1 deg"
-                          : fourlink_status_text(row->at->status);
-    row->is_ordinary = row->at->status == FOURLINK_OK && !is_near;
-}
-
-/* A row that has been computed. */
-static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *at, sheet_row *row)
-{
-    s->failed += at->status != FOURLINK_OK;
-    row->values = s->values;
-    row->branch = branch;
-    row->at = at;
-    row->last = at->row.angle;
-    find_status(row);
-}
-
-/* Compute row k of a branch. */
-static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
-                     sheet_row *row)
-{
-    fourlink_results_row(s->results, branch, k, s->values, at, NULL);
-    take_row(s, branch, at, row);
-}
-
 int sheet_is_over(const sheet *s, const fourlink_instant *at)
 {
     double angle;
 
     return s->problem.mode != FOURLINK_MODE_GIVEN && at->status != FOURLINK_OK &&
            at->status == fourlink_results_end(s->results, at->branch, &angle);
-}
-
-/* Returns 0 if the machine does not come to this row. */
-static int write_row(sheet *s, fourlink_branch branch, unsigned long k)
-{
-    fourlink_instant at;
-    sheet_row row;
-
-    find_row(s, branch, k, &at, &row);
-    if (sheet_is_over(s, &at))
-        return 0;
-    s->format->row(s, &row);
-    return 1;
-}
-
-/* Write all rows of a branch; rows without numbers, for the same reason, as one. */
-static void write_rows_briefly(sheet *s, fourlink_branch branch)
-{
-    fourlink_instant at, first;
-    sheet_row row, stretch;
-    int is_open = 0; /* a stretch, not written yet */
-    unsigned long k;
-
-    for (k = 0; k < s->problem.n_rows; k++) {
-        find_row(s, branch, k, &at, &row);
-        if (sheet_is_over(s, &at))
-            break;
-        if (is_open && at.status == first.status) {
-            stretch.last = row.last;
-            continue;
-        }
-        if (is_open)
-            s->format->row(s, &stretch);
-        is_open = at.status != FOURLINK_OK;
-        if (is_open) {
-            first = at;
-            stretch = row;
-            stretch.at = &first;
-        } else {
-            s->format->row(s, &row);
-        }
-    }
-    if (is_open)
-        s->format->row(s, &stretch);
-}
-
-static void write_row_at(sheet *s, fourlink_branch branch, double angle)
-{
-    fourlink_instant at;
-    sheet_row row;
-
-    fourlink_results_at(s->results, branch, angle, s->values, &at, NULL);
-    take_row(s, branch, &at, &row);
-    s->format->row(s, &row);
 }
 
 /* Say in a line why an item of --at has no row. */
@@ -213,10 +101,7 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
     }
 }
 
-#define STOP_SIZE (FORMAT_SIZE + 100)
-
-/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all rows. */
-static const char *find_stop(const sheet *s, fourlink_branch branch, char words[STOP_SIZE])
+const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_STOP_SIZE])
 {
     int is_given = s->problem.mode == FOURLINK_MODE_GIVEN, status = FOURLINK_OK;
     double angle = s->range.stop_angle;
@@ -228,55 +113,23 @@ static const char *find_stop(const sheet *s, fourlink_branch branch, char words[
         return NULL;
     if (!is_given && status != FOURLINK_STALLS)
         return fourlink_status_text(status);
-    return flk_text_join(words, STOP_SIZE, is_given ? "the crank comes to rest at " : "stalls at ",
-                         format_general(angle, is_given ? 12 : 6, number), " ", s->angle_unit,
-                         (char *)NULL);
+    return flk_text_join(
+        words, SHEET_STOP_SIZE, is_given ? "the crank comes to rest at " : "stalls at ",
+        format_general(angle, is_given ? 12 : 6, number), " ", s->angle_unit, (char *)NULL);
 }
 
 void sheet_write_stop(sheet *s, fourlink_branch branch)
 {
-    char words[STOP_SIZE];
+    char words[SHEET_STOP_SIZE];
     sheet_row row;
 
     memset(&row, 0, sizeof row);
     row.branch = branch;
-    row.status = find_stop(s, branch, words);
+    row.status = sheet_stop(s, branch, words);
     if (!row.status)
         return;
     s->failed++;
     s->format->row(s, &row);
-}
-
-static void write_words(sheet *s, const char *name, const char *meaning, fourlink_branch branch,
-                        const char *words)
-{
-    fourlink_value f;
-
-    memset(&f, 0, sizeof f);
-    f.name = name;
-    f.unit = f.source = "";
-    f.quantity = "number";
-    f.meaning = meaning;
-    f.branch = (int)branch;
-    f.words = words;
-    s->format->fact(s, &f);
-}
-
-/* The same in a summary, of a motion that is not given. */
-static void write_ends(sheet *s)
-{
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
-    char words[STOP_SIZE];
-    const char *stop;
-    double angle;
-
-    for (i = 0; i < n && s->problem.mode != FOURLINK_MODE_GIVEN; i++) {
-        stop = find_stop(s, branches[i], words);
-        if (stop)
-            write_words(s, "end", "why the machine goes no further", branches[i], stop);
-        s->failed += fourlink_results_end(s->results, branches[i], &angle) == FOURLINK_TOO_LONG;
-    }
 }
 
 int sheet_find_extremes(fourlink_results *results, fourlink_branch branch)
@@ -290,20 +143,6 @@ int sheet_find_extremes(fourlink_results *results, fourlink_branch branch)
         ;
     return i == n ? FOURLINK_OK
                   : fourlink_results_get(results, columns[i].handle + FOURLINK_MAX, branch, 0, &v);
-}
-
-/* In a summary, why it has no extremes. */
-static void write_missing_extremes(sheet *s)
-{
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
-
-    for (i = 0; i < n; i++)
-        if (sheet_find_extremes(s->results, branches[i]) == FOURLINK_LONG_SEARCH) {
-            write_words(s, "extremes", "why there are none", branches[i],
-                        fourlink_status_text(FOURLINK_LONG_SEARCH));
-            s->failed++;
-        }
 }
 
 void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *input))
@@ -332,98 +171,6 @@ int sheet_is_on_both(const fourlink_value *f, const fourlink_value *facts, unsig
     return 0;
 }
 
-static void write_facts(sheet *s, int branch, int groups)
-{
-    const fourlink_value *facts;
-    unsigned long n, i;
-
-    if (!s->format->fact)
-        return;
-    fourlink_results_facts(s->results, branch, groups, &facts, &n);
-    for (i = 0; i < n; i++) {
-        fourlink_value f = facts[i];
-
-        if (s->format->is_brief && sheet_is_on_both(&f, facts, n)) {
-            if (f.branch == FOURLINK_CROSSED)
-                continue;
-            f.branch = 0;
-        }
-        s->format->fact(s, &f);
-    }
-}
-
-/* Write all rows of the motion on a branch, and why it ends before. */
-static void write_all_rows(sheet *s, fourlink_branch branch)
-{
-    unsigned long k;
-
-    if (s->format->is_brief)
-        write_rows_briefly(s, branch);
-    for (k = 0; k < s->problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
-        ;
-    sheet_write_stop(s, branch);
-}
-
-/* Write the rows of a branch, once for each page. */
-static void write_block(sheet *s, fourlink_branch branch)
-{
-    unsigned long failed = s->failed;
-
-    for (s->page = 0; s->page < s->n_pages; s->page++) {
-        s->failed = failed;
-        if (s->format->block)
-            s->format->block(s, branch);
-        if (s->at)
-            sheet_for_each_at(s, branch, write_row_at);
-        else
-            write_all_rows(s, branch);
-        if (s->format->end_block)
-            s->format->end_block(s, branch);
-    }
-}
-
-static void write_by_angle(sheet *s, const fourlink_branch *branches, int n)
-{
-    unsigned long n_rows = s->problem.n_rows, k;
-    int i;
-
-    if (s->problem.one_revolution && s->problem.mode == FOURLINK_MODE_GIVEN && !s->range.stops &&
-        n_rows > 1)
-        n_rows--;
-    for (k = 0; k < n_rows; k++)
-        for (i = n - 1; i >= 0; i--)
-            write_row(s, branches[i], k);
-    for (i = 0; i < n && (i == 0 || s->problem.mode != FOURLINK_MODE_GIVEN); i++)
-        sheet_write_stop(s, branches[i]);
-}
-
-static void write_rows(sheet *s)
-{
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
-
-    write_facts(s, 0, FOURLINK_FACTS_LIMITS);
-    if (s->format->is_by_angle)
-        write_by_angle(s, branches, n);
-    for (i = 0; i < n && !s->format->is_by_angle; i++)
-        write_block(s, branches[i]);
-}
-
-static void write_checks(sheet *s)
-{
-    fourlink_check check;
-    unsigned long i;
-
-    for (i = 0; i < s->problem.n_expected; i++) {
-        fourlink_results_check(s->results, i, &check);
-        s->checks[check.verdict]++;
-        s->format->check(s, &check);
-        if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
-            s->checks[FOURLINK_NO_VALUE] <= MOST_MISTAKES)
-            s->no_value(&check, s->deck_name);
-    }
-}
-
 unsigned long sheet_score(const sheet *s, unsigned long *of)
 {
     int i;
@@ -432,177 +179,4 @@ unsigned long sheet_score(const sheet *s, unsigned long *of)
     for (i = 0; i < 5; i++)
         *of += s->checks[i];
     return s->checks[FOURLINK_AGREES] + s->checks[FOURLINK_MISPRINT];
-}
-
-/* List all names, each once. */
-static void write_list(sheet *s)
-{
-    static const char *const statistics[][2] = {
-        {"max(COLUMN)", "largest value of any column"},
-        {"min(COLUMN)", "smallest value of any column"},
-        {"mean(COLUMN)", "mean over the crank angle"},
-        {"rms(COLUMN)", "root mean square over the crank angle"}};
-    const fourlink_value *list;
-    fourlink_value statistic;
-    unsigned long n, i, k;
-
-    fourlink_results_list(s->results, FOURLINK_ALL_COLUMNS, &list, &n);
-    for (i = 0; i < n; i++)
-        s->format->column(s, &list[i]);
-    fourlink_results_facts(s->results, FOURLINK_OPEN,
-                           FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-                           &list, &n);
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < i && strcmp(list[k].name, list[i].name) != 0; k++)
-            ;
-        if (k == i)
-            s->format->fact(s, &list[i]);
-    }
-    memset(&statistic, 0, sizeof statistic);
-    statistic.unit = "";
-    for (i = 0; i < 4; i++) {
-        statistic.name = statistics[i][0];
-        statistic.meaning = statistics[i][1];
-        s->format->fact(s, &statistic);
-    }
-}
-
-/* ------------------------------------------------------------------------------------ decks, designs */
-
-void sheet_begin(sheet *s, FILE *out, int has_head)
-{
-    line_start(&s->l, out);
-    if (has_head && s->format->begin)
-        s->format->begin(s);
-    line_end(&s->l);
-}
-
-/* Take the results of a deck or design; 0 if out of memory. */
-static int open_results(sheet *s, fourlink_results *results)
-{
-    const fourlink_value *list;
-    unsigned long n;
-
-    s->results = results;
-    fourlink_deck_problem(fourlink_results_deck(results), &s->problem);
-    fourlink_motion_range(&s->problem.motion, &s->range);
-    s->angle_unit = sheet_unit(s, "angle").name;
-    fourlink_results_list(results, FOURLINK_COLUMNS, &s->columns, &s->n_columns);
-    if (!s->design && fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n) == FOURLINK_OK)
-        s->variables = list;
-    s->values = malloc((s->n_columns + 1) * sizeof *s->values);
-    s->loads = malloc((s->problem.n_loads + 1) * sizeof *s->loads);
-    s->layout = malloc((s->n_columns + s->n_header + 1) * (s->format->layout_size + 1));
-    s->list = NULL;
-    s->n_pages = 1;
-    memset(s->checks, 0, sizeof s->checks);
-    return s->values && s->loads && s->layout;
-}
-
-static void close_results(sheet *s)
-{
-    free(s->values);
-    free(s->loads);
-    free(s->layout);
-    s->n_written++;
-    line_end(&s->l);
-}
-
-static void write_content(sheet *s)
-{
-    if (s->format->open)
-        s->format->open(s);
-    switch (s->content) {
-    case SHEET_SUMMARY:
-        write_facts(s, 0,
-                    FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_EXTREMES | FOURLINK_FACTS_TURNING |
-                        FOURLINK_FACTS_MOTION);
-        write_missing_extremes(s);
-        write_ends(s);
-        break;
-    case SHEET_CHECK:
-        write_checks(s);
-        break;
-    case SHEET_LIST:
-        write_list(s);
-        break;
-    case SHEET_MATRIX:
-        matrix_write(s);
-        break;
-    case SHEET_EXPECT:
-        expect_write(s);
-        break;
-    case SHEET_ROWS:
-    default:
-        write_rows(s);
-    }
-    if (s->format->close)
-        s->format->close(s);
-}
-
-void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why)
-{
-    s->deck_name = s->n_decks > 1 ? deck_name : NULL;
-    if (!results) {
-        if (s->content == SHEET_CHECK && s->deck_name)
-            s->format->refuse(s, why);
-        line_end(&s->l);
-        return;
-    }
-    if (open_results(s, results))
-        write_content(s);
-    else
-        s->out_of_memory = 1;
-    close_results(s);
-}
-
-/* Find the value of an output; returns the reason why it has none, or null.  A fact that this design does not
-** have needs no reason. */
-static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
-{
-    int status =
-        fourlink_results_get(s->results, handle, branch, s->problem.motion.from, &output->v);
-
-    output->has_value = status == FOURLINK_OK;
-    return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
-           : status == FOURLINK_NO_SUCH_NAME ? "this design lacks a column of the first"
-                                             : fourlink_status_text(status);
-}
-
-/* Write the lines of a design, one for each branch. */
-static void write_lines(sheet *s)
-{
-    sheet_output outputs[SHEET_OUTPUTS];
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
-    unsigned long k;
-
-    for (i = 0; i < n; i++) {
-        const char *why = NULL;
-
-        for (k = 0; k < s->n_header; k++) {
-            const char *reason = find_output(s, branches[i], s->header[k].handle, &outputs[k]);
-
-            why = why ? why : reason;
-        }
-        s->failed += why != NULL;
-        s->format->design(s, branches[i], outputs, why);
-    }
-}
-
-void sheet_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
-                        unsigned long i, const double *varied, const char *why)
-{
-    s->design = i + 1;
-    s->varied = varied;
-    if (!open_results(s, results ? results : first))
-        s->out_of_memory = 1;
-    else if (!results)
-        s->format->refuse(s, why);
-    else if (s->content == SHEET_DESIGNS)
-        write_lines(s);
-    else
-        write_content(s);
-    s->failed += !results;
-    close_results(s);
 }

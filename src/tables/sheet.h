@@ -2,8 +2,8 @@
 **
 ** sheet.h - a sheet of results, and the formats it can be written in.
 **
-** sheet.c decides what a sheet shows, once for all formats.  A format is a record of functions that write it
-** (table.c, csv.c, json.c, paper.c), and one entry in the table of formats.
+** content.c decides what a sheet shows, once for all formats.  A format is a record of functions that write it
+** (table.c, csv.c, json.c, paper.c), and one entry in the table of formats, SHEET_FORMATS.
 */
 #ifndef FOURLINK_SHEET_H
 #define FOURLINK_SHEET_H
@@ -28,7 +28,7 @@ typedef enum sheet_content {
 
 struct sheet_format;
 
-/* Set it to zero, set the members that sheet_begin needs, and call that. */
+/* Set it to zero, set the members that content_begin needs, and call that. */
 typedef struct sheet {
     line l;
     const struct sheet_format *format;
@@ -132,29 +132,6 @@ typedef struct sheet_format {
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* All formats, with null at the end; the format of this name, or null. */
-extern const sheet_format *const sheet_formats[];
-const sheet_format *sheet_find_format(const char *name);
-
-/* The names of the formats that can show this, as flk_text_list joins them. */
-#define SHEET_FORMAT_NAMES 100
-char *sheet_formats_of(sheet_content content, const char *between, const char *last,
-                       char names[SHEET_FORMAT_NAMES]);
-
-/* Begin a sheet.  The caller has set format, content, n_decks and header, and for a sweep its problem and
-** variables.  `has_head` is 0 for a part that continues another. */
-void sheet_begin(sheet *s, FILE *out, int has_head);
-
-/* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
-void sheet_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
-
-/* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
-** the values of its variables.  If results are null, write the reason on the branches of `first`. */
-void sheet_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
-                        unsigned long i, const double *varied, const char *why);
-
-/* ---------------------------------------------------------------- what the formats share */
-
 /* The branches that the deck asks for; returns their number. */
 int sheet_branches(const sheet *s, fourlink_branch branches[2]);
 
@@ -179,18 +156,16 @@ int sheet_is_over(const sheet *s, const fourlink_instant *at);
 /* Find the extremes of a branch: FOURLINK_OK, or why there are none. */
 int sheet_find_extremes(fourlink_results *results, fourlink_branch branch);
 
+/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all rows. */
+#define SHEET_STOP_SIZE (FORMAT_SIZE + 100)
+const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_STOP_SIZE]);
+
 /* Write where the crank comes to rest, or why the machine goes no further, if so. */
 void sheet_write_stop(sheet *s, fourlink_branch branch);
-
-/* Write the nine equations for each row. */
-void matrix_write(sheet *s);
 
 /* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
                        void (*put)(sheet *s, fourlink_branch branch, double angle));
-
-/* Write the deck's values as [expect] sections: for each row, or for the crank angles of s->at. */
-void expect_write(sheet *s);
 
 /* The deck's unit of a quantity. */
 fourlink_unit sheet_unit(const sheet *s, const char *quantity);

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** plot.h - pictures of a deck, as gnuplot scripts: the kinds of pictures and of files.
+*/
+#ifndef FOURLINK_PLOT_H
+#define FOURLINK_PLOT_H
+
+#include "picture.h"
+
+/* By plot_kind, with a null pointer at the end: its name, and what it shows. */
+extern const char *const plot_names[], *const plot_shows[];
+
+/* PLOT_FILE_COUNT for another name. */
+plot_file plot_file_of(const char *name);
+
+/* Write the script of a picture of a deck without mistakes.  Returns 1; 0 and the reason why there is nothing
+** to draw; -1 if out of memory. */
+int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,
+               plot_caption *caption, fourlink_mistake *mistake);
+
+#endif

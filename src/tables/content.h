@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** content.h - what a sheet of results shows, once for all formats.
+*/
+#ifndef FOURLINK_CONTENT_H
+#define FOURLINK_CONTENT_H
+
+#include "sheet.h"
+
+/* Begin a sheet.  The caller has set format, content, n_decks and header, and for a sweep its problem and
+** variables.  `has_head` is 0 for a part that continues another. */
+void content_begin(sheet *s, FILE *out, int has_head);
+
+/* Write a deck; null results mean a deck with mistakes, of which `why` is the first. */
+void content_write(sheet *s, fourlink_results *results, const char *deck_name, const char *why);
+
+/* Write design i of a sweep, from 0: its rows or, with SHEET_DESIGNS, a line for each branch.  `varied` are
+** the values of its variables.  If results are null, write the reason on the branches of `first`. */
+void content_write_design(sheet *s, fourlink_results *results, fourlink_results *first,
+                          unsigned long i, const double *varied, const char *why);
+
+#endif
