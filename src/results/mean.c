@@ -38,7 +38,7 @@ typedef struct means {
     flk_follower x;
     flk_followed t;  /* t.last: value from which an angle goes on; NaN: it starts anew */
     int first, most; /* powers that are sought */
-    int is_rough;    /* 1: in the part at hand an angle leaps, or a row has no value */
+    int is_rough;    /* 1: in the part at hand an angle leaps, or the rule is not exact */
     int poles;       /* UP, DOWN */
     int halvings;
     moments total, here; /* before, and since an angle started anew */
@@ -60,7 +60,6 @@ static void powers(double s, void *data, double *power)
     double value = value_at(m, s);
 
     if (gsl_isnan(value)) {
-        m->is_rough = 1;
         value = 0;
     } else if (fabs(value) >= m->t.bound) {
         m->poles |= value > 0 ? UP : DOWN;

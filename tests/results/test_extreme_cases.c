@@ -238,6 +238,28 @@ TEST(test_behind_lock)
     check_rows(deck, FOURLINK_CROSSED);
 }
 
+/* Columns that are found together have the extremes that each has alone: others' samples do not disturb them. */
+TEST(test_together)
+{
+    static const char *const names[] = {"max(a)", "max(klein_ON)", "min(omega3)", "max(Ts)"};
+    static const char deck[] =
+        "mechanism = slider-crank\n[ground]\noffset = -7 mm\n[crank]\nlength = 50 mm\n[rod]\n"
+        "length = 123 mm\nmass = 3 kg\ngyration = 53 mm\n[gravity]\nacceleration = 0\n"
+        "[motion]\nspeed = 135 rad/s\nfrom = 43 deg\nto = 403 deg\n[table]\ncolumns = ";
+    fourlink_results *together = opened(print("%sall\n", deck));
+    size_t i;
+    int k;
+
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < COUNT(names); i++) {
+            const char *alone = print("%s%.*s\n", deck, (int)strlen(names[i]) - 5, names[i] + 4);
+            fourlink_value found = named(together, names[i], branches[k], 0);
+
+            check(alone, branches[k], names[i], found.value, 1e-11 * fabs(found.value));
+        }
+    fourlink_results_free(together);
+}
+
 int main(void)
 {
     return run_all_tests(NULL);
