@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** format.c - numbers to text, the same in every locale and as printf in the C locale: printf does what
-** digits.c leaves.
+** format.c - numbers to text, in every locale as printf in the C locale.  printf handles what digits.c
+** cannot.
 */
 #define __USE_MINGW_ANSI_STDIO 1 /* on Windows: all digits, and exponents of two */
 
@@ -12,8 +12,8 @@
 #include "digits.h"
 #include "format.h"
 
-/* The end of the number that digits.c has written.  If `end` is null it has not, and printf does, with a
-** point for the locale's decimal mark. */
+/* The end of the number that digits.c has written.  If it has not (`end` is null), printf writes it, and a
+** point replaces the locale's decimal mark. */
 static char *finish(char *end, char *out, const char *format, double value, int digits)
 {
     const char *decimal;
