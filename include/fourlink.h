@@ -2,10 +2,10 @@
 **
 ** fourlink.h - kinematics and kinetostatics of four-link mechanisms.
 **
-** The whole public interface of the library: this header alone is enough to write a program.
-** It is strict C90 and C++98-clean.  The library keeps no state, prints nothing and never ends the
-** process; every function may be called from several threads at once.  Only fourlink_deck_read and
-** fourlink_results_open allocate memory; fourlink_deck_free and fourlink_results_free return it.
+** The whole public interface of the library, in one header.  It is strict C90 and compiles as C++98.  The
+** library keeps no state, prints nothing and never ends the process; every function may be called from
+** several threads at once.  Only fourlink_deck_read and fourlink_results_open allocate memory;
+** fourlink_deck_free and fourlink_results_free release it.
 **
 ** Conventions
 **
@@ -21,7 +21,7 @@
 **   Forces   F_ij is the force that link i exerts ON link j.  Ts is the torque that the ground (the
 **            motor) exerts on the crank; a machine that delivers torque has Ts < 0.
 **   Status   Every function that can fail returns a status: FOURLINK_OK (0), or one of the codes of
-**            FOURLINK_STATUS_LIST.  When it is not 0, the outputs are untouched.
+**            FOURLINK_STATUS_LIST.  If it is not 0, the outputs are unchanged.
 **
 ** Sources, by the short names used in the code
 **
@@ -52,7 +52,7 @@ extern "C" {
 ** Status codes
 ** ------------------------------------------------------------------------------------------- */
 
-/* One list makes the codes and their texts.  1 to 19 concern one crank position; others may still
+/* The codes and their texts come from one list.  1 to 19 concern one crank position; others may still
 ** succeed.  20 and above mean that the call or its data are wrong. */
 #define FOURLINK_STATUS_LIST(X)                                                                   \
     X(FOURLINK_OK, 0, "ok")                                                                       \
@@ -128,15 +128,15 @@ typedef enum fourlink_kind {
     FOURLINK_INVERTED_SLIDER_CRANK = 4
 } fourlink_kind;
 
-/* A joint of links `from` and `on`: two of the nine unknowns, what `from` exerts on `on`.
+/* A joint of links `from` and `on`.  It has two of the nine unknowns: what `from` exerts on `on`.
 **
 ** pin      the force F_ij, along x and y
 ** slider   a couple, and a normal force that acts at the joint, along the left normal of the slide
 **
-** The joint is at the origin of link `at`, or at its tip, the other end of its length.  A slider is at
-** the origin of the link that slides, along its own x axis. */
+** The joint is at the origin of link `at`, or at its tip, the other end of its length.  A slider is at the
+** origin of the sliding link, along its own x axis. */
 typedef struct fourlink_joint {
-    const char *letter; /* A, B, C, D: the point at which it is */
+    const char *letter; /* A, B, C, D: the point where it is */
     int from, on, at;   /* links */
     int is_tip;         /* 1: at the tip of link `at` */
     int slider;         /* 0: a pin; otherwise the link that slides */
@@ -154,16 +154,16 @@ typedef struct fourlink_kind_facts {
     fourlink_joint joint[4]; /* in the order of the unknowns: the last is at the origin of link 4 */
 } fourlink_kind_facts;
 
-/* The range of numbers that the library accepts.  It is far wider than any machine needs, and no
-** result overflows within it.  Numbers outside it, NaN included, give FOURLINK_BAD_NUMBER.
+/* The range of numbers that the library accepts.  It is far wider than any machine needs, and within it no
+** result overflows.  Numbers outside it, and NaN, give FOURLINK_BAD_NUMBER.
 **
-** If two links are far longer than the other two, positions lose as many digits as the square of
-** the ratio has.  If eight or fewer are left, the status is FOURLINK_LOST_IN_ROUNDING.
+** If two links are much longer than the other two, positions lose as many digits as the square of the ratio
+** has.  If eight or fewer digits are left, the status is FOURLINK_LOST_IN_ROUNDING.
 **
-** Without the casts, a compiler for x87 takes 1e30 with more digits than a double has. */
+** Without the casts, a compiler for x87 keeps 1e30 with more digits than a double has. */
 #define FOURLINK_LENGTH_MIN ((double)1e-15) /* m */
 #define FOURLINK_LENGTH_MAX ((double)1e15)  /* m; also of distances: `cg`, `at`, `offset` */
-#define FOURLINK_NUMBER_MAX ((double)1e30)  /* all else, in SI units */
+#define FOURLINK_NUMBER_MAX ((double)1e30)  /* all other numbers, in SI units */
 
 /* The two assembly modes.
 **
@@ -172,11 +172,11 @@ typedef struct fourlink_kind_facts {
 ** Inverted:     open, B lies on the positive side of the foot of the perpendicular from D, looking along
 **               the slide; crossed, on the negative side.
 **
-** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for
-** a slider-crank at +90 or -90 deg, for an inverted one at 0) passes smoothly from one side to the
-** other.  There the label stays with the smooth motion that has the named side just after crank
-** angle 0 (four-bar, inverted), or at crank angle 0 (slider-crank): it depends only on the lengths and
-** on the angle, which is not reduced by 360 deg here.
+** A mechanism whose links can all lie in one line (a change point, at crank angle 0 or 180 deg; for a
+** slider-crank at +90 or -90 deg, for an inverted one at 0) passes smoothly from one side to the other.  The
+** label follows the smooth motion that is on the named side just after crank angle 0 (four-bar, inverted), or
+** at crank angle 0 (slider-crank).  It depends only on the lengths and on the angle, which is not reduced by
+** 360 deg here.
 */
 typedef enum fourlink_branch { FOURLINK_OPEN = 1, FOURLINK_CROSSED = -1 } fourlink_branch;
 
@@ -192,24 +192,24 @@ typedef struct fourlink_vector {
 */
 typedef struct fourlink_link {
     double length;      /* m; unused for piston and slider; lever: DC, or 0 */
-    double mass;        /* kg; 0 for a link without weight */
+    double mass;        /* kg; 0 for a massless link */
     double inertia;     /* kg m2, moment of inertia about the centre of mass */
     fourlink_vector cg; /* m, centre of mass in the link's own axes */
 } fourlink_link;
 
-/* What the caller knows about a mechanism.  Set it to zero first: what stays 0 is absent. */
+/* The data of a mechanism.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_design {
     fourlink_kind kind;
     fourlink_link
         link[5];   /* by link number; [0] is unused, [1] has only a length (not slider-crank) */
-    double offset; /* m, either sign; slider-crank: the line of stroke is y = offset;
-                                inverted: the slide passes D, or C, at this distance on the left */
+    double offset; /* m, of either sign; slider-crank: the line of stroke is y = offset; inverted:
+                      the slide passes D, or C, at this distance on its left */
     fourlink_vector gravity; /* m/s2, in the frame of link 1: (0, -9.81) when x is horizontal */
-    double angle; /* rad, inverted, lever with a length: of the slide, from the line DC */
+    double angle; /* rad, inverted, lever with a length: angle of the slide from the line DC */
 } fourlink_design;
 
-/* A design, checked, with the constants that every crank position needs.  Fill it with
-** fourlink_prepare; the members may be read, not written. */
+/* A checked design, with the constants that every crank position needs.  fourlink_prepare fills it; the
+** members may be read but not changed. */
 typedef struct fourlink_mechanism {
     fourlink_design design;
     double stretched;      /* four-bar: (b + c)^2 - (a + d)^2, m2; slider-crank: l + e - r, m */
@@ -226,20 +226,20 @@ typedef struct fourlink_mechanism {
 ** One crank position
 ** ------------------------------------------------------------------------------------------- */
 
-/* The crank at one row, the input of every analysis. */
+/* The crank at one row: the input of every analysis. */
 typedef struct fourlink_crank {
-    double theta2; /* rad, from +x; counts on past 2 pi */
+    double theta2; /* rad, from +x; not reduced by 2 pi */
     double omega2; /* rad/s */
     double alpha2; /* rad/s2 */
 } fourlink_crank;
 
 /* The motion of one link, a rigid body. */
 typedef struct fourlink_link_state {
-    double theta;                 /* rad, angle of the link's line from +x, in (-pi, pi], except
-                                     the crank's, which is as given */
+    double theta;                 /* rad, angle of the link's line from +x, in (-pi, pi]; for the
+                                     crank as given */
     double omega;                 /* rad/s */
     double alpha;                 /* rad/s2 */
-    double k;                     /* 1, d(theta)/d(theta2): omega for a unit crank speed */
+    double k;                     /* 1, d(theta)/d(theta2): omega for unit crank speed */
     fourlink_vector axis;         /* 1, unit vector along the link's line */
     fourlink_vector origin;       /* m, position of the link's origin */
     fourlink_vector k_origin;     /* m, d(origin)/d(theta2) */
@@ -247,25 +247,24 @@ typedef struct fourlink_link_state {
     fourlink_vector acceleration; /* m/s2, of the origin */
 } fourlink_link_state;
 
-/* A crank position: filled in three steps by fourlink_position, fourlink_velocity and
-** fourlink_acceleration, or at once by fourlink_analyse. */
+/* A crank position, filled in three steps by fourlink_position, fourlink_velocity and fourlink_acceleration,
+** or in one by fourlink_analyse. */
 typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
-    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3);
-                       inverted: s / BD.
-                       Positive on the open branch, negative on the crossed one; past a
-                       change point the signs are exchanged (see fourlink_branch).  0 in a dead
-                       position; 1/|sine| is the condition of the position: the factor by
-                       which relative errors of the data can grow */
+    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted: s /
+                       BD. Positive on the open branch, negative on the crossed one; beyond a change
+                       point the signs are swapped (see fourlink_branch). 0 in a dead position;
+                       1/|sine| is the condition number of the position: the factor by which
+                       relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
     double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
                        inner dead centre, positive away from it, and its derivatives */
     double slide, slide_v,
         slide_a;     /* m, m/s, m/s2, inverted: coordinate of B along the slide, from C or,
-                                       if the lever has no length, from the foot of the perpendicular
-                                       from D; its derivatives, the motion of B relative to the lever */
+                        if the lever has no length, from the foot of the perpendicular
+                        from D; its derivatives, the motion of B relative to the lever */
     double coriolis; /* m/s2, inverted: 2 omega4 slide_v, to the left of the slide */
     double s;        /* m, inverted: coordinate of B from the foot of that perpendicular */
 } fourlink_state;
@@ -293,66 +292,67 @@ typedef struct fourlink_load {
 typedef struct fourlink_forces {
     double F12x, F12y; /* N, ground on crank, at A */
     double F23x, F23y; /* N, crank on coupler, at B */
-    double F34x, F34y; /* N, coupler on link 4, at C; slider on lever, at B: with its friction */
+    double F34x, F34y; /* N, coupler on link 4, at C; slider on lever, at B, including friction */
     double F14x, F14y; /* N, ground on link 4: at D, or the guide on the piston (then F14x = 0) */
     double M14;        /* N m, slider-crank: couple of the guide on the piston; four-bar: 0 */
     double Ts;         /* N m, ground on crank: the driving torque */
     double Ts_work;    /* N m, the same from virtual work, without the nine equations */
-    double residual;   /* 1, power balance for a unit crank speed: Ts - Ts_work relative to the
-                          largest term of the balance, F23.v_B and F34.v_B among them, the products
-                          of components; 0 if every term is 0 */
+    double residual;   /* 1, power balance for unit crank speed: Ts - Ts_work relative to the
+                          largest term of the balance, including the products of components in
+                          F23.v_B and F34.v_B; 0 if every term is 0 */
     double N34; /* N, inverted: normal force of the slider on the lever, at B, to the left of the
-                          slide; without friction F34 is this force */
+                   slide; without friction F34 is this force */
     double M34; /* N m, inverted: couple of the slider on the lever */
 } fourlink_forces;
 
-/* Coulomb friction.  Set it to zero first: what stays 0 is absent. */
+/* Coulomb friction.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_friction {
-    double circle[4]; /* m, of the pins A, B, C, D: radius of the friction circle, coefficient times
+    double circle[4]; /* m, radius of the friction circles of pins A, B, C, D: coefficient times
                          radius of the pin; unused if the joint is a guide */
     double guide;     /* 1, coefficient of friction of piston or slider; unused if there is none */
-    double guide_length; /* m, length of the block; 0: the couple of the guide has no friction */
-    int direction; /* of a crank at rest: -1, about to turn clockwise; otherwise counter-clockwise */
+    double guide_length; /* m, length of the block; 0: the couple of the guide causes no friction */
+    int direction; /* for a crank at rest: -1, it starts clockwise; otherwise counter-clockwise */
 } fourlink_friction;
 
 #define FOURLINK_FRICTION_LOADS 6
 
-/* What friction does at one crank position. */
+/* The effects of friction at one crank position. */
 typedef struct fourlink_losses {
     double Ts0;        /* N m, the driving torque without friction */
-    double pin[4];     /* N m, >= 0, moments of friction in A, B, C, D */
-    double guide;      /* N, >= 0, force of friction in the guide */
+    double pin[4];     /* N m, >= 0, friction moments at A, B, C, D */
+    double guide;      /* N, >= 0, friction force in the guide */
     double power;      /* W, >= 0, lost */
     double efficiency; /* 1, Ts0 / Ts where the crank drives, Ts / Ts0 where it is driven; 0 where
-                          friction keeps the load from driving */
+                          friction prevents the load from driving */
     unsigned long n_loads; /* FOURLINK_FRICTION_LOADS */
     fourlink_load
-        load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the two links of B and of C, on
-                                          the follower at D, on the crank at A; 0 without friction */
+        load[FOURLINK_FRICTION_LOADS]; /* friction as loads on the two links at B and at C, on the
+                                          follower at D, on the crank at A; 0 without friction */
 } fourlink_losses;
 
-/* A spring, a damper or both, between two links or a link and the ground.  Set it to zero first. */
+/* A spring, a damper or both, between two links or between a link and the ground.  Set it to zero first. */
 typedef struct fourlink_spring {
     int link, to; /* 1 to 4, not the same */
     int is_torsional;
     fourlink_vector at, to_at; /* m, its ends in the links' own axes, on the ground in the frame of
                                   link 1; torsional: unused */
     double stiffness;          /* N/m; torsional: N m/rad */
-    double free_length;        /* m; torsional: rad, theta of `link` less that of `to` */
+    double free_length;        /* m; torsional: rad, theta of `link` minus theta of `to` */
     double preload;            /* N, N m: at the free length */
     double damping;            /* N s/m, N m s/rad; >= 0 */
-    double
-        turns[2]; /* rad, open and crossed: torsional, whole turns, from fourlink_spring_prepare */
-    int only;     /* FOURLINK_PUSHES: a buffer, which acts only below its free length or angle;
-                     FOURLINK_PULLS: a rope, only above it; 0: it acts always */
+    double turns[2];           /* rad, for open and crossed; torsional: whole turns, from
+                                  fourlink_spring_prepare */
+    int only; /* FOURLINK_PUSHES: a buffer, acts only below its free length or angle;
+                 FOURLINK_PULLS: a rope, acts only above it; 0: always acts */
 } fourlink_spring;
 
 enum { FOURLINK_PUSHES = 1, FOURLINK_PULLS = 2 };
 
 /* A spring at one crank position. */
 typedef struct fourlink_spring_state {
-    double length; /* m; torsional: rad, theta of `link` less that of `to`, beyond 180 deg too */
-    double rate;   /* m/s, rad/s: its derivative */
+    double length; /* m; torsional: rad, theta of `link` minus theta of `to`, not limited to 180
+                      deg */
+    double rate;   /* m/s, rad/s: derivative of the length */
     double force;  /* N, tension; torsional: N m, -force on `link`, +force on `to` */
     double energy; /* J, k s^2 / 2 + preload s, s beyond the free length */
     double power;  /* W, put into the links: -force rate */
@@ -362,32 +362,33 @@ typedef struct fourlink_spring_state {
     double ground_moment;   /* N m, moment on the ground about A */
 } fourlink_spring_state;
 
-/* The mass moments that balance the shaking force: a mass m at z, in the link's own axes, has m z. */
+/* The mass moments that balance the shaking force.  The mass moment of a mass m at z, in the link's own axes,
+** is m z. */
 typedef struct fourlink_balance {
     fourlink_vector crank;  /* kg m, to be added to the crank */
     fourlink_vector rocker; /* kg m, to be added to rocker or lever; 0 for a slider-crank */
 } fourlink_balance;
 
-/* How the torque of a motor follows its speed. */
+/* How the torque of a motor depends on its speed. */
 typedef enum fourlink_motor_kind {
     FOURLINK_NO_MOTOR = 0,
     FOURLINK_MOTOR_TORQUE = 1, /* a constant torque */
     FOURLINK_MOTOR_LINEAR = 2, /* T = stall_torque (1 - w / no_load_speed), a motor with brushes */
-    FOURLINK_MOTOR_CURVE = 3,  /* Steffen's interpolation; beyond an end its value holds */
+    FOURLINK_MOTOR_CURVE = 3,  /* Steffen's interpolation; constant beyond the ends */
     FOURLINK_MOTOR_POWER = 4,  /* T = power / w, at most max_torque */
     FOURLINK_MOTOR_BALANCE = 5 /* a constant torque that balances the loads over a cycle: only in
                                   decks, where the motion sets `torque` */
 } fourlink_motor_kind;
 
-/* A motor.  Set it to zero first.  Torques and speeds are those of its own shaft, counter-clockwise
-** positive: a motor that drives clockwise has negative ones. */
+/* A motor.  Set it to zero first.  Torques and speeds are those of its own shaft, counter-clockwise positive;
+** they are negative for a motor that drives clockwise. */
 typedef struct fourlink_motor {
     fourlink_motor_kind kind;
     double torque;              /* N m, constant */
     double stall_torque;        /* N m */
-    double no_load_speed;       /* rad/s, of the same sign */
-    double power, max_torque;   /* W, > 0; N m, of the sign of the rotation */
-    const double *curve_speed;  /* rad/s, rising */
+    double no_load_speed;       /* rad/s, same sign as stall_torque */
+    double power, max_torque;   /* W, > 0; N m, with the sign of the rotation */
+    const double *curve_speed;  /* rad/s, increasing */
     const double *curve_torque; /* N m */
     unsigned long n_curve;      /* points of the curve, at least 2 */
     double inertia;             /* kg m2, of the rotor */
@@ -398,7 +399,7 @@ typedef struct fourlink_motor {
 ** The mechanism as a whole
 ** ------------------------------------------------------------------------------------------- */
 
-/* The types of linkages, by the Grashof condition and the place of the shortest link. */
+/* The types of linkages, by the Grashof condition and the position of the shortest link. */
 #define FOURLINK_TYPE_LIST(X)                                                               \
     X(FOURLINK_CRANK_ROCKER, 1, "crank-rocker")                                             \
     X(FOURLINK_ROCKER_CRANK, 2, "rocker-crank")                                             \
@@ -426,31 +427,31 @@ typedef enum fourlink_type {
 /* The crank angles at which the linkage can be assembled. */
 typedef struct fourlink_reach {
     int n_ranges;          /* 0 (never), 1 or 2 */
-    double from[2], to[2]; /* rad, from < to; a crank that turns fully has 0 to 2 pi.  Other
-                              ranges end in dead positions */
+    double from[2], to[2]; /* rad, from < to; 0 to 2 pi if the crank turns fully. Other ranges end
+                              at dead positions */
 } fourlink_reach;
 
 /* The limits of a mechanism on one branch. */
 typedef struct fourlink_limits {
     double mu_min, mu_max;         /* rad, transmission angle over all possible crank angles */
     int has_swing;                 /* 1: link 4 swings between two limits, with the crank turning */
-    double theta4_min, theta4_max; /* rad, the limits of rocker or lever, max - min its swing */
-    double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at which they are reached */
+    double theta4_min, theta4_max; /* rad, the limits of rocker or lever; the swing is max - min */
+    double theta2_min, theta2_max; /* rad, 0 to 2 pi, the crank angles at these limits */
     double time_ratio;   /* 1, >= 1, of the two swings at constant crank speed; of the two strokes
-                                      of a piston whose line of stroke has an offset; for a lever
-                                      that turns fully, of the strokes of a tool whose line of stroke
-                                      passes D at right angles to AD; 0: there is none */
+                            of a piston whose line of stroke has an offset; for a lever that turns
+                            fully, of the strokes of a tool whose line of stroke passes through D at
+                            right angles to AD; 0: none */
     int has_stroke;      /* 1: the piston moves between two dead centres */
     double stroke;       /* m */
-    double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston
-                                      farthest from the crankshaft, and nearest to it */
+    double inner, outer; /* rad, 0 to 2 pi, crank angles of the dead centres: the piston is farthest
+                            from, and nearest to, the crankshaft */
 } fourlink_limits;
 
 /* ---------------------------------------------------------------------------------------------
-** Engines: what textbooks compute for a slider-crank
+** Engines: textbook methods for a slider-crank
 ** ------------------------------------------------------------------------------------------- */
 
-/* The textbook's approximations for a rod much longer than the crank. */
+/* The textbook approximations for a rod much longer than the crank. */
 typedef struct fourlink_series {
     double x, v, a;                            /* m, m/s, m/s2: two terms, as for state->x, v, a */
     double omega3, alpha3;                     /* rad/s, rad/s2, of the rod */
@@ -466,21 +467,21 @@ typedef enum fourlink_approximation {
 
 /* The rod as two masses. */
 typedef struct fourlink_rod {
-    double n; /* 1, length of the rod / that of the crank */
-    double k; /* m, radius of gyration about the centre of mass */
-    double b; /* m, from the gudgeon pin to the centre of mass */
-    double m_a,
-        m_b;    /* kg, at the crank pin and at the gudgeon pin: with the rod's centre of mass */
+    double n;        /* 1, length of the rod / length of the crank */
+    double k;        /* m, radius of gyration about the centre of mass */
+    double b;        /* m, from the gudgeon pin to the centre of mass */
+    double m_a, m_b; /* kg, at the crank pin and at the gudgeon pin: they have the rod's centre of
+                        mass */
     double d;   /* m, k^2/b, from the centre of mass to m_d of the dynamically equivalent pair */
     double L;   /* m, b + d, length of the equivalent simple pendulum */
     double m_d; /* kg, at distance d; the other mass of the pair is m_g */
     double m_g; /* kg, at the gudgeon pin */
     double k1; /* m, radius of gyration of m_a and m_b, k1^2 = b (l - b); 0 if the centre of mass is
-                   not between the pins */
+                  not between the pins */
 } fourlink_rod;
 
-/* The engine method, at one crank position.  Forces along the stroke are positive towards the crank,
-** as the gas pushes; torques are delivered to the crankshaft, counter-clockwise positive. */
+/* The engine method, at one crank position.  Forces along the stroke are positive towards the crank, like
+** that of the gas; torques are those delivered to the crankshaft, counter-clockwise positive. */
 typedef struct fourlink_engine {
     double gas_force;         /* N, as given */
     double inertia_force;     /* N, -(m_p + m_b) a */
@@ -489,50 +490,51 @@ typedef struct fourlink_engine {
     double rod_force;         /* N, thrust in the rod */
     double side_thrust;       /* N, force of the guide on the piston, along +y */
     double crank_effort;      /* N, normal to the crank, counter-clockwise positive */
-    double radial_force;      /* N, along the crank, towards the main bearing positive */
+    double radial_force;      /* N, along the crank, positive towards the main bearing */
     double correction_couple; /* N m, m b (l - L) phi'', phi'' = -alpha3 */
     double T_piston;          /* N m, of the piston effort */
     double T_correction;      /* N m, of the correction couple */
     double T_weight_a;        /* N m, of the weight of m_a */
     double T_inertia_a;       /* N m, of the inertia of m_a; 0 at constant speed */
-    double T_engine;          /* N m, sum of the four; with a massless crank, -Ts */
-    double correction_force;  /* N, of the pair of forces that make the correction couple the one at
-                                 the crank pin, along +y */
+    double T_engine;          /* N m, sum of these four; with a massless crank, -Ts */
+    double correction_force;  /* N, along +y: the force at the crank pin of the pair that makes the
+                                 correction couple */
     double T_weight_b;        /* N m, of the weight of m_b; part of T_piston */
 } fourlink_engine;
 
-/* Klein's construction: lengths of the drawing.  O is the crankshaft, B the crank pin.  M is where
-** the line of the rod cuts the perpendicular to the line of stroke through O; N, on the parallel to
-** the line of stroke through O, and Q, on the rod, are on the common chord of the circle about B with
-** radius BM and the circle on the rod as diameter.
+/* Klein's construction: lengths in the drawing.  O is the crankshaft, B the crank pin.  M is where the line
+** of the rod cuts the perpendicular to the line of stroke through O; N, on the parallel to the line of stroke
+** through O, and Q, on the rod, are on the common chord of the circle about B with radius BM and the circle
+** on the rod as diameter.
 **
-** I is the instantaneous centre of the rod, X and Y are the feet of the perpendiculars from it on the
-** lines of the rod's weight and of its inertia force. */
+** I is the instantaneous centre of the rod.  X and Y are the feet of the perpendiculars from I to the lines
+** of action of the rod's weight and of its inertia force. */
 typedef struct fourlink_klein {
-    double OM; /* m, v = omega2 OM; positive as v is for omega2 > 0 */
-    double BM; /* m, omega3 = omega2 BM / l; positive as omega3 is for omega2 > 0 */
+    double OM; /* m, v = omega2 OM; same sign as v for omega2 > 0 */
+    double BM; /* m, omega3 = omega2 BM / l; same sign as omega3 for omega2 > 0 */
     double BQ; /* m, centripetal acceleration of the piston about B: omega2^2 BQ, towards B */
-    double QN; /* m, alpha3 = omega2^2 QN / l; positive as alpha3 is */
-    double ON; /* m, a = omega2^2 ON, alpha2 being 0; positive as a is */
+    double QN; /* m, alpha3 = omega2^2 QN / l; same sign as alpha3 */
+    double ON; /* m, a = omega2^2 ON for alpha2 = 0; same sign as a */
     double IX; /* m, arm of the rod's weight, positive where it turns the crank counter-clockwise */
     double IY; /* m, arm of the rod's inertia force, positive where it turns the crank clockwise; IX
-                  and IY are NaN without that force, and with I at infinity */
-    double FT; /* N, what drives the rod alone, at the crank pin and at right angles to the crank,
-                  counter-clockwise positive: IB FT = IY m omega2^2 gO - IX m g, alpha2 being 0 */
+                  and IY are NaN without that force, and if I is at infinity */
+    double FT; /* N, the force that drives the rod alone, at the crank pin and at right angles to
+                  the crank, counter-clockwise positive: IB FT = IY m omega2^2 gO - IX m g for
+                  alpha2 = 0 */
 } fourlink_klein;
 
 /* ---------------------------------------------------------------------------------------------
 ** The motion of the crank
 ** ------------------------------------------------------------------------------------------- */
 
-/* The crank positions to compute.  Angles are in the caller's own unit, so that 40 deg stays
-** exactly 40 from the input to the table. */
+/* The crank positions to compute.  Angles are in the caller's unit, so that 40 deg is exactly 40 from input
+** to table. */
 typedef struct fourlink_motion {
     double angle_unit; /* rad, the unit of the four angles below: 1 for radians, pi/180 for deg */
     double from, to;   /* first and last crank angle; if to < from, the range runs clockwise */
-    double interval;   /* > 0; the last row is at `to` even if no multiple of this */
-    double run_up;     /* > 0: start from rest at `from` with `acceleration`, which ends after this
-                          angle; `speed` is not used.  0 or less: no run-up */
+    double interval;   /* > 0; the last row is at `to` even if that is not a multiple of it */
+    double run_up;     /* > 0: start from rest at `from` with `acceleration` over this angle;
+                          `speed` is not used. 0 or less: no run-up */
     double speed;      /* rad/s, at the first row */
     double
         acceleration; /* rad/s2, constant over the range: omega2^2 = speed^2 + 2 acceleration s */
@@ -543,13 +545,13 @@ typedef struct fourlink_motion {
 typedef struct fourlink_range {
     unsigned long n_rows; /* at least 1 */
     int stops;            /* 1: the crank comes to rest before `to`, and the rows end there */
-    double stop_angle;    /* the crank angle there, in the motion's own unit; else 0 */
+    double stop_angle;    /* the crank angle there, in the motion's unit; else 0 */
 } fourlink_range;
 
 /* One row of a motion. */
 typedef struct fourlink_row {
     fourlink_crank crank;
-    double angle; /* crank angle in the motion's own unit */
+    double angle; /* crank angle in the motion's unit */
     double time;  /* s, since the first row; 0 if it is not defined (see fourlink_motion_row) */
 } fourlink_row;
 
@@ -557,14 +559,15 @@ typedef struct fourlink_row {
 ** Decks
 ** ------------------------------------------------------------------------------------------- */
 
-/* A deck that has been read, from fourlink_deck_read to fourlink_deck_free. */
+/* A deck that has been read; valid from fourlink_deck_read to fourlink_deck_free. */
 typedef struct fourlink_deck fourlink_deck;
 
-/* A mistake in a deck, as the command prints it: "FILE:LINE: error: MESSAGE", or a note on what is
-** allowed but probably not meant: "FILE:LINE: note: MESSAGE".  The line is 0 for an assignment from
+/* A mistake in a deck, which the command prints as "FILE:LINE: error: MESSAGE", or a note on something that
+** is allowed but probably not meant: "FILE:LINE: note: MESSAGE".  The line is 0 for an assignment from
 ** outside the deck. */
 typedef struct fourlink_mistake {
-    char file[1024];   /* a file that the deck names, the answers, or a change; "": the deck */
+    char file[1024];   /* a file that the deck names, the answers, or the origin of a change; "":
+                          the deck */
     long line;         /* from 1; 0: in a change, not in a file */
     char message[400]; /* null-terminated */
 } fourlink_mistake;
@@ -582,18 +585,18 @@ typedef struct fourlink_mistake {
 */
 typedef const char *fourlink_loader(void *host, const char *file_name, unsigned long *length);
 
-/* An assignment from outside a deck.  It replaces the deck's own, or is added. */
+/* An assignment from outside a deck.  It replaces that of the deck, or is added. */
 typedef struct fourlink_change {
-    const char *origin;     /* where messages say it is, such as "--set" */
+    const char *origin;     /* named in messages as its place, such as "--set" */
     const char *assignment; /* [SECTION[ NAME].]KEY=VALUE */
 } fourlink_change;
 
-/* For fourlink_results_open: the first design without mistakes, among the first thousand and a
-** thousand spread over all; if these all have mistakes, the first design.  Of a deck of more than
+/* For fourlink_results_open: the first design without mistakes.  The first thousand designs are tried, and a
+** thousand spread over all; if all of these have mistakes, the first design is used.  For a deck of more than
 ** 100,000 bytes only the first design is tried. */
 #define FOURLINK_ANY_DESIGN 0xffffffffUL
 
-/* What a deck is read from.  Set it to zero first: what stays 0 is absent. */
+/* The source of a deck.  Set it to zero first: members that stay 0 are absent. */
 typedef struct fourlink_source {
     const char *name;      /* the deck's name in messages; null: "" */
     const char *text;      /* the deck's text, as in a file */
@@ -606,20 +609,20 @@ typedef struct fourlink_source {
     const char *answers; /* [expect] and [misprint] sections instead of the deck's; may be null */
     unsigned long answers_length;
     unsigned long design; /* which design of a [sweep], from 0, or FOURLINK_ANY_DESIGN */
-    int whole_cycle;      /* for fourlink_results_open; 1: a deck of one crank angle gets a cycle
-                             from 0, with the same speed and acceleration at every row */
+    int whole_cycle;      /* for fourlink_results_open; 1: a deck with one crank angle is run over a
+                             cycle from 0, with the same speed and acceleration at every row */
 } fourlink_source;
 
-/* A unit of a deck: value * up / down is in SI units and radians. */
+/* A unit of a deck: value * up / down is the value in SI units and radians. */
 typedef struct fourlink_unit {
-    const char *name; /* lasts as long as the deck */
+    const char *name; /* valid as long as the deck */
     double up, down;
 } fourlink_unit;
 
-/* What makes a load. */
+/* The source of a load. */
 enum {
     FOURLINK_LOAD_OWN = 1,      /* a [load] */
-    FOURLINK_LOAD_SPRING = 2,   /* a spring or damper: a load for each end on a moving link */
+    FOURLINK_LOAD_SPRING = 2,   /* a spring or damper: one load for each end on a moving link */
     FOURLINK_LOAD_FRICTION = 3, /* FOURLINK_FRICTION_LOADS of them, as in fourlink_losses */
     FOURLINK_LOAD_GAS = 4       /* one on the piston; or one on the rod, one on the cylinder */
 };
@@ -627,17 +630,17 @@ enum {
 typedef struct fourlink_load_info {
     const char *name;      /* of its section; "load" if that has no name; "friction", "gas" */
     int sort;              /* FOURLINK_LOAD_OWN ... */
-    unsigned long element; /* its number among those of its sort, from 0; of friction the joint: 0
+    unsigned long element; /* its number among those of its sort, from 0; for friction the joint: 0
                               to 3 for A, B, C, D */
     int link;              /* on which it acts */
     int has_torque;        /* 1: it has a torque at some crank angle */
 } fourlink_load_info;
 
-/* The problem that a deck poses. */
+/* How the motion of the crank is determined. */
 enum {
-    FOURLINK_MODE_GIVEN = 0,  /* the motion of the crank is given */
-    FOURLINK_MODE_FREE = 1,   /* it follows from torques and inertia: from a given speed, */
-    FOURLINK_MODE_RUN_UP = 2, /* from rest, */
+    FOURLINK_MODE_GIVEN = 0,  /* the motion is given */
+    FOURLINK_MODE_FREE = 1,   /* it follows from torques and inertia, from a given speed */
+    FOURLINK_MODE_RUN_UP = 2, /* the same, from rest */
     FOURLINK_MODE_STEADY = 3  /* the motion that repeats after a cycle */
 };
 
@@ -646,7 +649,7 @@ typedef struct fourlink_problem {
     fourlink_mechanism mechanism;
     fourlink_motion motion;               /* the rows of the deck; one row for one instant */
     double cycle;                         /* rad, the period of curves and of the turning moment */
-    int open, crossed;                    /* 1: this branch is asked for */
+    int open, crossed;                    /* 1: this branch is requested */
     int asks_for_both;                    /* 1: branch = both is given; 0: one, or none */
     int has_forces;                       /* 1: there are masses, loads or gas */
     int has_friction, has_gas;            /* 1: there is friction, gas */
@@ -659,35 +662,35 @@ typedef struct fourlink_problem {
     unsigned long n_rows;                 /* of the motion */
     int one_instant;                      /* 1: the deck asks for one crank angle */
     int one_revolution;       /* 1: the crank turns once from the first row to the last */
-    int digits;               /* significant digits of the deck's tables */
+    int digits;               /* significant digits in the deck's tables */
     unsigned long n_expected; /* values of [expect] and [misprint] */
     unsigned long n_designs;  /* of its [sweep]; 0: the deck has none */
-    unsigned long design;     /* number of this one, from 0 */
-    int has_outputs;          /* 1: the [sweep] names outputs, which give a line for each design */
-    int has_statistics;       /* 1: it asks for statistics of them */
-    int mode;         /* FOURLINK_MODE_GIVEN ...; if not given, only the angles of `motion` hold:
-                         speed, acceleration and time are those of fourlink_results_row */
-    int by_time;      /* 1: rows by time, whose angles are those of fourlink_results_row */
-    double time_step; /* s, of rows by time; else 0 */
-    double duration;  /* s, of rows by time: the last one is then; else 0 */
+    unsigned long design;     /* number of this design, from 0 */
+    int has_outputs;          /* 1: the [sweep] names outputs: one line for each design */
+    int has_statistics;       /* 1: statistics of the outputs are requested */
+    int mode;         /* FOURLINK_MODE_GIVEN ...; for the other modes only the angles of `motion`
+                         are valid: speed, acceleration and time come from fourlink_results_row */
+    int by_time;      /* 1: rows by time; their angles come from fourlink_results_row */
+    double time_step; /* s, for rows by time; else 0 */
+    double duration;  /* s, for rows by time: the time of the last row; else 0 */
 } fourlink_problem;
 
 /* ---------------------------------------------------------------------------------------------
 ** Results by name
 ** ------------------------------------------------------------------------------------------- */
 
-/* A deck opened for results, from fourlink_results_open to fourlink_results_free.  It holds all
-** memory that columns, searches and lists need; each thread needs its own. */
+/* A deck opened for results; valid from fourlink_results_open to fourlink_results_free.  It owns all memory
+** that columns, searches and lists need.  Each thread needs its own. */
 typedef struct fourlink_results fourlink_results;
 
-/* A number or words with a name: a column, an extreme, a fact, an input.  Texts are valid until
+/* A named number or text: a column, an extreme, a fact, an input.  Texts are valid until
 ** fourlink_results_free. */
 typedef struct fourlink_value {
     const char *name;     /* Ts, max(Ts), mu_min, crank.length */
     const char *unit;     /* as the deck names it; "1": a plain number; "": words */
     const char *quantity; /* length, torque ..., as in [units]; "number" */
     const char *meaning;
-    const char *source; /* its name in the sources; "": it has none */
+    const char *source; /* its name in the sources; "": none */
     const char *words;  /* a value in words; null: a number */
     double value;       /* in its unit; infinite: unbounded */
     double to_si;       /* value * to_si is the value in SI units and radians */
@@ -699,32 +702,34 @@ typedef struct fourlink_value {
 } fourlink_value;
 
 enum {
-    FOURLINK_OF_CRANK = 1,    /* of the crank alone: has a value at every crank angle */
+    FOURLINK_OF_CRANK = 1,    /* depends on the crank alone: has a value at every crank angle */
     FOURLINK_CRANK_ANGLE = 2, /* the crank angle itself, which has no extremes */
     FOURLINK_OF_ROUNDING = 4, /* a measure of rounding */
     FOURLINK_OF_FORCES = 8    /* needs the forces, or the engine method */
 };
 
-/* Added to the handle of a column: the handle of its statistic. */
+/* Add one of these to the handle of a column to get the handle of its statistic. */
 enum { FOURLINK_MAX = 1, FOURLINK_MIN = 2, FOURLINK_MEAN = 3, FOURLINK_RMS = 4 };
 
-/* A condition: above or below its value, or equal to it. */
+/* Conditions: above or below the value, or equal to it. */
 enum { FOURLINK_ABOVE = 1, FOURLINK_BELOW = 2, FOURLINK_OR_EQUAL = 4 };
 
 /* The lists of fourlink_results_list. */
 enum {
-    FOURLINK_COLUMNS = 1,     /* the columns that the deck asks for, or the usual ones */
-    FOURLINK_ALL_COLUMNS = 2, /* all that it can have */
+    FOURLINK_COLUMNS = 1,     /* the columns that the deck requests, or the usual ones */
+    FOURLINK_ALL_COLUMNS = 2, /* all columns that it can have */
     FOURLINK_INPUTS = 3,      /* the inputs as the reader understood them */
-    FOURLINK_VARIABLES = 4,   /* what its [sweep] varies, with this design's values */
+    FOURLINK_VARIABLES = 4,   /* the quantities that its [sweep] varies, with this design's
+                                 values */
     FOURLINK_OUTPUTS = 5,     /* the outputs that its [sweep] names */
     FOURLINK_CONDITIONS =
-        6 /* of the yield of its [sweep]: outputs with limits; `meaning` is the text */
+        6 /* the conditions of the yield of its [sweep]: outputs with limits; `meaning` is the
+             text */
 };
 
-/* Groups of facts, to be added up. */
+/* Groups of facts; add them to combine them. */
 enum {
-    FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always there */
+    FOURLINK_FACTS_LIMITS = 1,   /* type, reach, limits, masses: always present */
     FOURLINK_FACTS_EXTREMES = 2, /* max() and min() of the columns */
     FOURLINK_FACTS_TURNING = 4,  /* turning moment and flywheel */
     FOURLINK_FACTS_MOTION = 8    /* actual motion: mean speed, fluctuation, run-up */
@@ -738,13 +743,13 @@ typedef struct fourlink_instant {
     fourlink_state state;
     fourlink_forces forces; /* 0 if the deck has no forces */
     double gas_force;       /* N, of the gas, as from fourlink_deck_loads */
-    fourlink_losses losses; /* friction; without it Ts0 is Ts, the efficiency 1 and the rest 0 */
+    fourlink_losses losses; /* without friction Ts0 is Ts, the efficiency 1, the rest 0 */
 } fourlink_instant;
 
 /* An area between the turning moment and its mean. */
 typedef struct fourlink_area {
     double from, to; /* rad, from < to for either direction of rotation */
-    double energy;   /* J, which the flywheel takes up as the crank passes */
+    double energy;   /* J, energy that the flywheel takes up over this area */
 } fourlink_area;
 
 #define FOURLINK_AREAS 40
@@ -753,12 +758,12 @@ typedef struct fourlink_area {
 typedef struct fourlink_turning {
     double mean_torque;        /* N m */
     double mean_power;         /* W */
-    double energy_fluctuation; /* J, largest minus smallest energy of the flywheel in a cycle */
+    double energy_fluctuation; /* J, largest minus smallest energy of the flywheel over a cycle */
     int has_coefficient;       /* 0: the mean is 0 */
     double energy_coefficient; /* 1, energy_fluctuation / work of a cycle */
-    double inertia; /* kg m2, of the flywheel without the motor's rotor; 0: none is needed, or the
-                       deck gives neither this nor the fluctuation */
-    double fluctuation; /* 1, coefficient of fluctuation of speed, with the rotor */
+    double inertia; /* kg m2, of the flywheel, without the motor's rotor; 0: none is needed, or the
+                       deck gives neither the inertia nor the fluctuation */
+    double fluctuation; /* 1, coefficient of fluctuation of speed, including the rotor */
     int n_areas;        /* in one cycle from 0; at most FOURLINK_AREAS are kept */
     fourlink_area area[FOURLINK_AREAS];
 } fourlink_turning;
@@ -768,7 +773,7 @@ typedef enum fourlink_verdict {
     FOURLINK_AGREES = 0,
     FOURLINK_DIFFERS = 1,
     FOURLINK_MISPRINT = 2,    /* [misprint]: it differs, as expected */
-    FOURLINK_NO_MISPRINT = 3, /* [misprint]: it agrees */
+    FOURLINK_NO_MISPRINT = 3, /* [misprint]: it agrees, unexpectedly */
     FOURLINK_NO_VALUE = 4     /* nothing to compare; the message says why */
 } fourlink_verdict;
 
@@ -779,7 +784,7 @@ typedef struct fourlink_check {
     long line;
     char name[64];                       /* of the column or fact; cut off if longer */
     char printed_text[64];               /* the value as written; cut off if longer */
-    double printed, computed, tolerance; /* in `unit`; 0 if there is no value, or it is in words */
+    double printed, computed, tolerance; /* in `unit`; 0 if there is no value, or for words */
     const char *unit;                    /* "": words */
     char words[100];                     /* a fact in words, as computed; "": a number */
     int has_angle;                       /* 1: a column, at the crank angle `angle` */
@@ -787,7 +792,7 @@ typedef struct fourlink_check {
     fourlink_branch branch;
     long message_line; /* FOURLINK_NO_VALUE: line of the mistake in `file` */
     char message[400]; /* FOURLINK_NO_VALUE: why */
-    char hint[200];    /* FOURLINK_DIFFERS: why that may be, or "" */
+    char hint[200];    /* FOURLINK_DIFFERS: a possible reason, or "" */
 } fourlink_check;
 
 /* ---------------------------------------------------------------------------------------------
@@ -804,9 +809,8 @@ FOURLINK_API const char *fourlink_branch_text(int branch);
 FOURLINK_API const char *fourlink_version(void);
 
 /* The words for a kind of mechanism, and for its links, by number: "four-bar linkage", "slider-crank",
-** "inverted slider-crank"; "ground", "crank", "coupler", "rod" or "slider", "rocker", "piston" or
-** "lever".  Constant strings in English, never
-** null. */
+** "inverted slider-crank"; "ground", "crank", "coupler", "rod" or "slider", "rocker", "piston" or "lever".
+** Constant strings in English, never null. */
 FOURLINK_API const char *fourlink_kind_text(int kind);
 FOURLINK_API const char *fourlink_link_text(int kind, int link);
 
@@ -815,7 +819,7 @@ FOURLINK_API const char *fourlink_link_text(int kind, int link);
 ** its origin. */
 FOURLINK_API int fourlink_slides(int kind, int link);
 
-/* What a kind of mechanism consists of: its words, its joints, what slides on what.
+/* The parts of a kind of mechanism: its words, its joints, which links slide on which.
 **
 ** Given:
 **    kind       FOURLINK_FOUR_BAR ...
@@ -832,13 +836,13 @@ FOURLINK_API int fourlink_kind_of(int kind, fourlink_kind_facts *facts);
 **    design     the mechanism: lengths > 0 (unused for the piston), masses and moments of inertia
 **               >= 0
 ** Returned:
-**    mechanism  the same, checked, with the constants of every position
+**    mechanism  the checked design, with the constants of every position
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND, FOURLINK_BAD_LENGTH,
 **    FOURLINK_BAD_MASS
 ** Note:
-**    A design that cannot be assembled at some angles, or at any, is accepted: the status of each
-**    position says so.
+**    A design that cannot be assembled at some or all angles is accepted; the status of each position reports
+**    it.
 ** Reference:
 **    The triangle BCD, law of cosines: it exists where |b - c| <= BD <= b + c.
 */
@@ -880,13 +884,13 @@ FOURLINK_API int fourlink_reach_of(const fourlink_mechanism *mechanism, fourlink
 **    mechanism  from fourlink_prepare
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
 ** Returned:
-**    limits     what has_swing and has_stroke exclude is 0
+**    limits     members that has_swing and has_stroke exclude are 0
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_BRANCH
 ** Notes:
 ** 1) The rocker of a crank-rocker has limits where crank and coupler are in line.  A mechanism with
 **    a change point has neither limits nor dead centres.
-** 2) time_ratio is the larger crank angle between the limits, or dead centres, over the smaller one.
+** 2) time_ratio is the larger crank angle between the limits, or dead centres, divided by the smaller one.
 ** Reference:
 **    The triangles ACD with AC = b - a and a + b, law of cosines; dead centres where crank and rod
 **    are in line.
@@ -907,9 +911,9 @@ FOURLINK_API int fourlink_limits_of(const fourlink_mechanism *mechanism, fourlin
 **    FOURLINK_DEAD_POSITION, FOURLINK_CHANGE_POINT, FOURLINK_LOST_IN_ROUNDING;
 **    FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BRANCH, FOURLINK_BAD_KIND
 ** Notes:
-** 1) A position counts as dead if sine^2 <= 1e-14, which is rounding error.
+** 1) A position counts as dead if sine^2 <= 1e-14, the level of rounding error.
 ** 2) The members that the next two functions fill are not valid yet.
-** 3) FOURLINK_BAD_KIND means that the mechanism was not prepared, here and in the functions below.
+** 3) Here and in the functions below, FOURLINK_BAD_KIND means that the mechanism was not prepared.
 ** Reference:
 **    Alvi, eqs. 1 to 3, by circles instead of Freudenstein's equation (the source file four_bar.c);
 **    ME3491, and DFA eq. 1 (slider_crank.c).
@@ -980,9 +984,9 @@ FOURLINK_API int fourlink_point(const fourlink_state *state, int link, const fou
 **    FOURLINK_BAD_LINK, FOURLINK_BAD_FRAME
 ** Notes:
 ** 1) The system is solved by GSL's LU decomposition for banded matrices, which allocates nothing.
-** 2) `residual` is normally near 1e-15, and grows with the condition 1/|sine|.
-** 3) A state that the functions above did not fill gives meaningless forces, or
-**    FOURLINK_BAD_NUMBER or FOURLINK_SINGULAR if it holds NaN or infinity.
+** 2) `residual` is normally near 1e-15, and grows with the condition number 1/|sine|.
+** 3) A state that the functions above did not fill gives meaningless forces, or FOURLINK_BAD_NUMBER or
+**    FOURLINK_SINGULAR if it contains NaN or infinity.
 ** Reference:
 **    ME3491, eqs. 3 to 15, corrected; see nine_equations.c.
 */
@@ -990,7 +994,7 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
                                 const fourlink_load *loads, unsigned long n_loads,
                                 fourlink_forces *forces);
 
-/* The same forces in closed form, from the nine equations eliminated by hand.
+/* The same forces in closed form, from the nine equations solved by hand.
 **
 ** Given:
 **    mechanism, state, loads, n_loads  as for fourlink_solve
@@ -999,8 +1003,8 @@ FOURLINK_API int fourlink_solve(const fourlink_mechanism *mechanism, const fourl
 ** Returned (function value):
 **    as from fourlink_solve
 ** Notes:
-** 1) Links 3 and 4 are a dyad: their forces follow from two equations, and the crank's from those.
-**    This takes a small part of the time of fourlink_solve; each solution checks the other.
+** 1) Links 3 and 4 are a dyad: their forces follow from two equations, and those of the crank from them.
+**    This takes a fraction of the time of fourlink_solve; each solution checks the other.
 ** 2) FOURLINK_SINGULAR follows from the state's `sine`.
 ** Reference:
 **    The equations are those of fourlink_solve; see closed_form.c.
@@ -1009,26 +1013,26 @@ FOURLINK_API int fourlink_solve_dyad(const fourlink_mechanism *mechanism,
                                      const fourlink_state *state, const fourlink_load *loads,
                                      unsigned long n_loads, fourlink_forces *forces);
 
-/* The same forces with Coulomb friction in pins and guides, which depends on them.
+/* The same forces with Coulomb friction in pins and guides, which depends on the forces.
 **
 ** Given:
 **    mechanism, state, loads, n_loads  as for fourlink_solve
 **    friction     of the joints
 **    closed_form  1: as fourlink_solve_dyad, 0: as fourlink_solve
 ** Returned:
-**    forces       as from fourlink_solve with losses->load as loads besides; slider-crank: F14x is the
-**                 friction of the guide; inverted: F34 is N34 with the friction of the guide
+**    forces       as from fourlink_solve with losses->load as additional loads; slider-crank: F14x is the
+**                 friction of the guide; inverted: F34 is N34 plus the friction of the guide
 **    losses       friction and power lost
 ** Returned (function value):
 **    as from fourlink_solve; FOURLINK_LOCKED: no torque moves the mechanism; FOURLINK_BAD_FRICTION
 ** Notes:
-** 1) The signs follow from the relative speeds, of a crank at rest from those of a unit speed in
-**    friction->direction.  A joint that stands still while the crank turns has no friction: dead
-**    centres of a piston, limits of a rocker.
-** 2) The friction of joints is found by Newton's method, which starts without friction and takes three
-**    to five steps.  FOURLINK_LOCKED means that the frictionless solution has no continuation as
-**    friction grows to its full size.
-** 3) `residual` is the power balance with the power lost.
+** 1) The signs follow from the relative speeds; for a crank at rest, from those at unit speed in
+**    friction->direction.  A joint that is at rest while the crank turns has no friction: dead centres of a
+**    piston, limits of a rocker.
+** 2) Friction is found by Newton's method, which starts without friction and takes three to five steps.
+**    FOURLINK_LOCKED means that the frictionless solution has no continuation as friction grows to its full
+**    size.
+** 3) `residual` is the power balance including the lost power.
 ** Reference:
 **    R. S. Khurmi, J. K. Gupta, "Theory of Machines", chapter 10, friction circle; see friction.c.
 */
@@ -1038,8 +1042,8 @@ FOURLINK_API int fourlink_solve_friction(const fourlink_mechanism *mechanism,
                                          int closed_form, fourlink_forces *forces,
                                          fourlink_losses *losses);
 
-/* Check a spring and find its turns: a torsional spring counts them from the first crank angle >= 0 that
-** can be reached, where its angle is within 180 deg of the free one.
+/* Check a spring and find its turns.  A torsional spring counts turns from the first crank angle >= 0 that
+** can be reached, where its angle is within 180 deg of the free angle.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -1059,12 +1063,12 @@ FOURLINK_API int fourlink_spring_prepare(const fourlink_mechanism *mechanism,
 **    state      from fourlink_velocity
 **    spring     from fourlink_spring_prepare
 ** Returned:
-**    at         length, force, loads; from P on `link` to Q on `to`, T = preload + k (L - L0) + c dL/dt
-**               draws P towards Q
+**    at         length, force, loads; with P on `link` and Q on `to`, T = preload + k (L - L0) + c dL/dt
+**               pulls P towards Q
 ** Returned (function value):
 **    FOURLINK_OK, FOURLINK_NO_DIRECTION; FOURLINK_NULL, FOURLINK_BAD_KIND
 ** Note:
-**    A spring whose preload, free length and damping are 0 has no need of a direction.
+**    A spring whose preload, free length and damping are 0 needs no direction.
 */
 FOURLINK_API int fourlink_spring_at(const fourlink_mechanism *mechanism,
                                     const fourlink_state *state, const fourlink_spring *spring,
@@ -1074,11 +1078,11 @@ FOURLINK_API int fourlink_spring_at(const fourlink_mechanism *mechanism,
 **
 ** Given:
 **    mechanism  from fourlink_prepare
-**    fraction   1, of the reciprocating mass of a slider-crank, to be balanced by the crank; otherwise
+**    fraction   1, fraction of the reciprocating mass of a slider-crank that the crank balances; otherwise
 **               unused
 ** Returned:
-**    balance    of a four-bar and an inverted slider-crank: with these the shaking force of inertia
-**               is 0 in any motion
+**    balance    for a four-bar or an inverted slider-crank these make the shaking force of inertia 0 in any
+**               motion
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_KIND
 ** Reference:
@@ -1093,9 +1097,9 @@ FOURLINK_API int fourlink_balance_of(const fourlink_mechanism *mechanism, double
 ** Given:
 **    link       the link
 **    moment     kg m, of the counterweight in the link's own axes
-**    radius     m, > 0, its distance from the link's origin
+**    radius     m, > 0, distance of the counterweight from the link's origin
 ** Returned:
-**    balanced   the link with it: mass, centre of mass, moment of inertia; may be `link`
+**    balanced   the link with the counterweight: mass, centre of mass, moment of inertia; may be `link`
 **    mass       kg, of the counterweight, a point mass; may be null
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_BALANCE
@@ -1104,7 +1108,7 @@ FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
                                             const fourlink_vector *moment, double radius,
                                             fourlink_link *balanced, double *mass);
 
-/* The generalised inertia of the moving links: with it the kinetic energy is J omega2^2 / 2.
+/* The generalised inertia J of the moving links: their kinetic energy is J omega2^2 / 2.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -1115,15 +1119,15 @@ FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
 ** Note:
-**    The torque on the crank that moves the links is J alpha2 + slope omega2^2 / 2, without loads
-**    and weights.
+**    Without loads and weights, the torque on the crank that moves the links is J alpha2 + slope omega2^2 /
+**    2.
 ** Reference:
 **    Lagrange's equation for one coordinate; see inertia.c.
 */
 FOURLINK_API int fourlink_inertia(const fourlink_mechanism *mechanism, const fourlink_state *state,
                                   double *J, double *slope);
 
-/* The generalised force of loads and weights on the crank: their power for a unit crank speed.
+/* The generalised force of loads and weights on the crank: their power at unit crank speed.
 **
 ** Given:
 **    mechanism  from fourlink_prepare
@@ -1146,7 +1150,7 @@ FOURLINK_API int fourlink_generalised_force(const fourlink_mechanism *mechanism,
 **    motor      a motor
 **    omega2     rad/s, of the crank
 ** Returned:
-**    torque     N m, at the crank: that of the motor's shaft times the ratio
+**    torque     N m, at the crank: the torque of the motor's shaft times the ratio
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_MOTOR
 */
@@ -1191,7 +1195,7 @@ FOURLINK_API const char *fourlink_unknown_text(int kind, int i);
 FOURLINK_API int fourlink_unknowns(const fourlink_mechanism *mechanism,
                                    const fourlink_forces *forces, double x[9]);
 
-/* A whole crank position in one call: position, velocity, acceleration, forces.
+/* The analysis of one crank position in one call: position, velocity, acceleration, forces.
 **
 ** Given:
 **    mechanism       from fourlink_prepare
@@ -1200,31 +1204,30 @@ FOURLINK_API int fourlink_unknowns(const fourlink_mechanism *mechanism,
 **    loads, n_loads  as for fourlink_solve
 ** Returned:
 **    state           the motion of every link
-**    forces          pin forces and driving torque; may be null: then they are not computed, and
-**                    the loads are ignored
+**    forces          pin forces and driving torque; if null, they are not computed and the loads are ignored
 ** Returned (function value):
 **    as for fourlink_position, fourlink_velocity, fourlink_acceleration and fourlink_solve
 ** Reference:
-**    that of each of these
+**    as for these functions
 */
 FOURLINK_API int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                   const fourlink_crank *crank, const fourlink_load *loads,
                                   unsigned long n_loads, fourlink_state *state,
                                   fourlink_forces *forces);
 
-/* The same with the forces from fourlink_solve_dyad, for many crank positions, as in a search.
+/* The same, with forces from fourlink_solve_dyad: for many crank positions, as in a search.
 **
 ** Given and returned:
 **    all             as for fourlink_analyse
 ** Returned (function value):
-**    as for fourlink_analyse, except FOURLINK_SINGULAR: every position that is found has forces
+**    as for fourlink_analyse, except FOURLINK_SINGULAR: every position found has forces
 */
 FOURLINK_API int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
                                        const fourlink_crank *crank, const fourlink_load *loads,
                                        unsigned long n_loads, fourlink_state *state,
                                        fourlink_forces *forces);
 
-/* fourlink_analyse in one call from the design: for one crank position, or a few.
+/* fourlink_analyse directly from the design: for one crank position, or a few.
 **
 ** Given:
 **    design          as for fourlink_prepare
@@ -1239,7 +1242,7 @@ FOURLINK_API int fourlink_analyse_design(const fourlink_design *design, fourlink
                                          unsigned long n_loads, fourlink_state *state,
                                          fourlink_forces *forces);
 
-/* The textbook's series for a slider-crank.
+/* The textbook series for a slider-crank.
 **
 ** Given:
 **    mechanism  from fourlink_prepare, a slider-crank without offset
@@ -1285,9 +1288,9 @@ FOURLINK_API int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourli
 **    FOURLINK_NOT_AN_ENGINE, FOURLINK_ROD_OFF_LINE, FOURLINK_NO_SERIES,
 **    FOURLINK_BAD_APPROXIMATION
 ** Note:
-**    With FOURLINK_EXACT T_engine equals -Ts of the nine equations to rounding, if the crank has no
-**    mass and loads act on the piston alone.  This includes offset, inclination, branch and crank
-**    acceleration.
+**    With FOURLINK_EXACT, T_engine equals -Ts of the nine equations to rounding if the crank has no mass and
+**    loads act on the piston alone.  This holds with offset, inclination and crank acceleration, and on both
+**    branches.
 ** Reference:
 **    DFA, examples 1 and 2; ME3491, examples 1 and 2; see engine.c.
 */
@@ -1327,7 +1330,7 @@ FOURLINK_API int fourlink_klein_construction(const fourlink_mechanism *mechanism
 */
 FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_range *range);
 
-/* The crank at one row of a motion, computed from the row's number: rounding does not accumulate.
+/* The crank at one row of a motion, computed from the row number, so that rounding does not accumulate.
 **
 ** Given:
 **    motion     as above
@@ -1338,8 +1341,8 @@ FOURLINK_API int fourlink_motion_range(const fourlink_motion *motion, fourlink_r
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP, FOURLINK_NO_SUCH_ROW
 ** Note:
-**    The time is negative in a range that runs against the rotation.  It is not defined, and 0, for
-**    a crank at rest and if `hold` is set with an acceleration.
+**    The time is negative in a range that runs against the rotation.  It is undefined, and set to 0, for a
+**    crank at rest and if `hold` is set with an acceleration.
 ** Reference:
 **    Alvi, section 5, the three kinds of motion of the program.
 */
@@ -1350,14 +1353,14 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 **
 ** Given:
 **    motion     as above
-**    angle      in the motion's own unit, between `from` and the last angle
+**    angle      in the motion's unit, between `from` and the last angle
 ** Returned:
 **    row        as from fourlink_motion_row
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_NO_RUN_UP
 ** Notes:
 ** 1) The motion must be one that fourlink_motion_range accepts.
-** 2) Past the angle at which the crank comes to rest its speed is 0.
+** 2) Beyond the angle at which the crank comes to rest, its speed is 0.
 ** Reference:
 **    omega2^2 = speed^2 + 2 acceleration s, s the angle from the first row in rad.
 */
@@ -1382,9 +1385,8 @@ FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle,
 ** Notes:
 ** 1) If the status is not FOURLINK_OK, there is nothing to free.
 ** 2) Numbers are read the same way in every locale.
-** 3) A deck does not change after it is read: several threads may use it.
-** 4) For a deck with a [sweep] this is the first design.  Columns and expected values are checked
-**    but not returned.
+** 3) A deck does not change after it is read, so several threads may use it.
+** 4) A deck with a [sweep] gives its first design.  Columns and expected values are checked but not returned.
 ** 5) More than 10,000,000 rows by angle, or 1,000,000 by time, are a mistake.
 ** Reference:
 **    the manual page fourlink-deck(5)
@@ -1401,8 +1403,8 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 ** Given:
 **    deck       from fourlink_deck_read
 ** Returned:
-**    problem    in SI units and radians, except the angles of its motion; a copy, which may be
-**               changed and outlasts the deck
+**    problem    in SI units and radians, except the angles of its motion; a copy, which may be changed and
+**               remains valid after the deck is freed
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
 ** Note:
@@ -1411,16 +1413,16 @@ FOURLINK_API void fourlink_deck_free(fourlink_deck *deck);
 */
 FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_problem *problem);
 
-/* The loads of a deck at one crank angle: values of curves (Steffen's interpolation), loads within
-** their crank angles, and the force of the gas.
+/* The loads of a deck at one crank angle: curves (by Steffen's interpolation), loads within their range of
+** crank angles, and the gas force.
 **
 ** Given:
 **    deck       from fourlink_deck_read
-**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: it sets the side from which the gas pushes a piston
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED: decides from which side the gas pushes a piston
 **    theta2     rad, crank angle
 ** Returned:
-**    loads      problem.n_loads of them, for fourlink_analyse, in the order of fourlink_deck_load.
-**               Springs, friction, and loads over another argument than the crank angle are 0: see
+**    loads      problem.n_loads loads, for fourlink_analyse, in the order of fourlink_deck_load. Springs,
+**               friction, and loads that depend on anything but the crank angle are 0: see
 **               fourlink_deck_analyse
 **    gas_force  N, of the gas on the piston, towards the crank positive, for fourlink_engine_method
 **               (which takes the loads without the gas); on a rod, along the slide; 0 without gas;
@@ -1433,7 +1435,7 @@ FOURLINK_API int fourlink_deck_problem(const fourlink_deck *deck, fourlink_probl
 FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch branch,
                                      double theta2, fourlink_load *loads, double *gas_force);
 
-/* A crank position of a deck with all its loads: those of fourlink_deck_loads, those that follow a speed,
+/* A crank position of a deck with all its loads: those of fourlink_deck_loads, loads that depend on a speed,
 ** springs, dampers and friction.
 **
 ** Given:
@@ -1442,7 +1444,7 @@ FOURLINK_API int fourlink_deck_loads(const fourlink_deck *deck, fourlink_branch 
 **    crank        crank angle, speed and acceleration
 **    closed_form  1: forces as from fourlink_solve_dyad, 0: as from fourlink_solve
 ** Returned:
-**    loads        problem.n_loads of them; changed on errors too
+**    loads        problem.n_loads loads; also changed on errors
 **    state        the motion
 **    forces       with all loads
 **    losses       friction; without it Ts0 is Ts, the efficiency 1 and the rest 0
@@ -1487,31 +1489,31 @@ FOURLINK_API int fourlink_deck_friction(const fourlink_deck *deck, fourlink_fric
 FOURLINK_API int fourlink_deck_point(const fourlink_deck *deck, unsigned long i, const char **name,
                                      int *link, fourlink_vector *at);
 
-/* The text of a deck with its values as they are: those that changes and the design of its [sweep] have set,
-** and without [sweep].  All else is as in the text that was read, comments and ends of lines too; a deck without
-** changes and [sweep] is written as it was.
+/* The text of a deck with its current values, as set by changes and by the design of its [sweep], and without
+** the [sweep].  Everything else is as in the text that was read, including comments and line ends; a deck
+** without changes and [sweep] is written as it was.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
 **    size       of `out`; 0: only the length is wanted
 ** Returned:
-**    out        the text, null-terminated; cut off if it is longer than size - 1.  May be null if size is 0
+**    out        the text, null-terminated; cut off if longer than size - 1.  May be null if size is 0
 **    length     of the text in bytes, without the null character
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL
 ** Notes:
-** 1) A value of a design has the unit of the value that it replaces, `length = 21 mm`, if a number with at
-**    most 17 digits means the same in it.  A value of a change is written as the change gives it.
-** 2) A vector of which a part is set is written with its two components.
-** 3) A value that the text does not have is added after the first line of its section, or in a section at the
+** 1) A value of a design is written in the unit of the value that it replaces, `length = 21 mm`, if a number
+**    with at most 17 digits gives the same value.  A value of a change is written as the change gives it.
+** 2) If a part of a vector is set, the vector is written as two components.
+** 3) A value that is not in the text is added after the first line of its section, or in a new section at the
 **    end.
-** 4) A deck that is read from this text has the same results.  As forces of designs are solved by dyads unless
-**    the deck has `solver`, `solver = dyad` is written into the text of a design.
+** 4) A deck read from this text has the same results.  Designs are solved by dyads unless the deck has
+**    `solver`, so `solver = dyad` is added to the text of a design.
 */
 FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsigned long size,
                                      unsigned long *length);
 
-/* The unit of a quantity in a deck: of bare numbers, and of printed ones.
+/* The unit of a quantity in a deck, for bare numbers and for printed ones.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
@@ -1526,12 +1528,12 @@ FOURLINK_API int fourlink_deck_write(const fourlink_deck *deck, char *out, unsig
 FOURLINK_API int fourlink_deck_unit(const fourlink_deck *deck, const char *quantity,
                                     fourlink_unit *unit);
 
-/* What a load of a deck is: its name, what makes it, where it acts.
+/* Information on a load of a deck: its name, its source, where it acts.
 **
 ** Given:
 **    deck       from fourlink_deck_read, or fourlink_results_deck
-**    i          0 ... problem.n_loads - 1, in the order of the sorts, and within a sort of the elements;
-**               friction in the order of fourlink_losses
+**    i          0 ... problem.n_loads - 1, ordered by sort, then by element; friction in the order of
+**    fourlink_losses
 ** Returned:
 **    info       the same at every crank angle; its name is valid as long as the deck
 ** Returned (function value):
@@ -1557,20 +1559,20 @@ FOURLINK_API int fourlink_deck_load(const fourlink_deck *deck, unsigned long i,
 ** 1) The text is not needed after the call.
 ** 2) In addition to what fourlink_deck_read checks, the names of columns and of a sweep's outputs
 **    are checked.
-** 3) The functions below allocate nothing, but for one case: a motion that is not given is
-**    integrated here on the branches that the deck asks for, and on another one when that is first
-**    asked for (then FOURLINK_NO_MEMORY is possible).  Several threads can call them at once, each
-**    with its own results.  No result depends on earlier calls.
+** 3) The functions below allocate nothing, with one exception: a motion that is not given is integrated here
+**    on the branches that the deck requests, and on the other branch when it is first requested (then
+**    FOURLINK_NO_MEMORY is possible).  Several threads can call them at once, each with its own results.  No
+**    result depends on earlier calls.
 */
 FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned long max_mistakes,
                                        fourlink_results **results, fourlink_mistake *mistakes,
                                        unsigned long *n_mistakes);
 
-/* Open another design of the [sweep] of a deck that is open.  Its text is not read again, which saves most of
-** the time of fourlink_results_open.
+/* Open another design of the [sweep] of an open deck.  The text is not read again, which saves most of the
+** time of fourlink_results_open.
 **
 ** Given:
-**    from          results of the deck, or of a design; must stay until `results` is freed
+**    from          results of the deck, or of a design; must not be freed before `results`
 **    design        its number, from 0: below n_designs of fourlink_problem
 **    max_mistakes  size of `mistakes`
 ** Returned:
@@ -1582,13 +1584,13 @@ FOURLINK_API int fourlink_results_open(const fourlink_source *source, unsigned l
 **    FOURLINK_NO_MEMORY
 ** Notes:
 ** 1) `from` is not changed: several threads can open designs of it at once.
-** 2) fourlink_results_notes gives only notes on what a design is built of, not those on the text.
+** 2) fourlink_results_notes gives only notes on the design that is built, not notes on the text.
 */
 FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned long design,
                                          unsigned long max_mistakes, fourlink_results **results,
                                          fourlink_mistake *mistakes, unsigned long *n_mistakes);
 
-/* The values of what a sweep varies in a design, even if that design has mistakes.
+/* The values of the quantities that a sweep varies in a design, even if that design has mistakes.
 **
 ** Given:
 **    source     the deck, with the design's number
@@ -1607,8 +1609,8 @@ FOURLINK_API int fourlink_source_design(const fourlink_source *source, unsigned 
 **    source     the deck, with the design's number
 **    max        size of `low` and of `high`
 ** Returned:
-**    low, high  for each of the list FOURLINK_VARIABLES, in the deck's units: the values before and
-**               after it in its range; its own value at an end of the range, and in a list
+**    low, high  for each of the list FOURLINK_VARIABLES, in the deck's units: the values before and after it
+**               in its range; its own value at an end of the range, and for a list
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_MEMORY
 */
@@ -1621,8 +1623,8 @@ FOURLINK_API void fourlink_results_free(fourlink_results *results);
 /* The deck of results, for the functions above; valid as long as the results.  Null for null. */
 FOURLINK_API const fourlink_deck *fourlink_results_deck(const fourlink_results *results);
 
-/* The notes on a deck: what is allowed, but probably not meant, such as a link with a mass and no
-** place of its centre of mass.
+/* The notes on a deck: things that are allowed but probably not meant, such as a link with a mass but no
+** centre of mass.
 **
 ** Given:
 **    results    from fourlink_results_open
@@ -1642,8 +1644,8 @@ FOURLINK_API int fourlink_results_notes(const fourlink_results *results, unsigne
 **    results    from fourlink_results_open
 **    which      FOURLINK_COLUMNS ... FOURLINK_CONDITIONS
 ** Returned:
-**    list       the entries, valid until fourlink_results_free; inputs, variables and conditions
-**               have their `value`, columns and outputs have 0
+**    list       the entries, valid until fourlink_results_free; `value` is set for inputs, variables and
+**               conditions, 0 for columns and outputs
 **    n          how many
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_LIST
@@ -1660,13 +1662,12 @@ FOURLINK_API int fourlink_results_list(fourlink_results *results, int which,
 ** Returned (each may be null):
 **    values     of the list FOURLINK_COLUMNS, in their units; NaN where a column has no value
 **    instant    the motion and the forces of the row
-**    loads      the problem.n_loads loads at its crank angle, springs and friction among them
+**    loads      the problem.n_loads loads at its crank angle, including springs and friction
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why the row has no values but those of the crank; FOURLINK_NULL,
-**    FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_ROW
+**    FOURLINK_OK; 1 to 19, why only the crank has values in this row; FOURLINK_NULL, FOURLINK_BAD_BRANCH,
+**    FOURLINK_NO_SUCH_ROW
 ** Note:
-**    With the codes 1 to 19 too, the crank's columns, `instant->row` and `instant->status` are
-**    returned.
+**    The crank's columns, `instant->row` and `instant->status` are returned with codes 1 to 19 too.
 */
 FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch branch,
                                       unsigned long i, double *values, fourlink_instant *instant,
@@ -1678,7 +1679,7 @@ FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch
 **    results    from fourlink_results_open; not with rows by time
 **    column     its name, as in a list of columns
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
-**    value      in the column's unit; an angle also whole turns from it
+**    value      in the column's unit; angles that differ by whole turns count as equal
 **    max        size of `angles`
 ** Returned:
 **    angles     in the deck's unit of angle and the order of the motion; may be null if max is 0
@@ -1687,8 +1688,8 @@ FOURLINK_API int fourlink_results_row(fourlink_results *results, fourlink_branch
 **    FOURLINK_OK; FOURLINK_CONSTANT, FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG; FOURLINK_NO_SUCH_NAME,
 **    FOURLINK_NO_SUCH_ANGLE (rows by time), FOURLINK_BAD_BRANCH, FOURLINK_BAD_NUMBER, FOURLINK_NULL
 ** Note:
-**    A touch counts.  A jump over the value does not: at the edge of a load, through infinity, from
-**    180 to -180 deg.  Of a revolution that ends with its first row, that is not counted again.
+**    Touching the value counts.  Jumping over it does not: at the edge of a load, through infinity, from 180
+**    to -180 deg.  If a revolution ends where it began, that angle is counted once.
 */
 FOURLINK_API int fourlink_results_crossings(fourlink_results *results, const char *column,
                                             fourlink_branch branch, double value, unsigned long max,
@@ -1708,7 +1709,7 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
                                      double angle, double *values, fourlink_instant *instant,
                                      fourlink_load *loads);
 
-/* What a name means: a column, an extreme or mean of one, a fact, an input or a variable.
+/* Look up a name: a column, an extreme or mean of one, a fact, an input or a variable.
 **
 ** Given:
 **    results    from fourlink_results_open
@@ -1720,17 +1721,17 @@ FOURLINK_API int fourlink_results_at(fourlink_results *results, fourlink_branch 
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_SUCH_NAME
 ** Notes:
-** 1) A name is found once; its values by the handle cost no search for the name.
-** 2) The handle holds for these results, and that of a column, fact or variable for all designs of
+** 1) The name is looked up once; reading values by the handle needs no search.
+** 2) The handle is valid for these results; that of a column, fact or variable is valid for all designs of
 **    the deck's sweep.  It is never 0.
-** 3) Entries of lists and facts have their handles too.  To the handle of a column may be added
-**    FOURLINK_MAX, _MIN, _MEAN or _RMS.
-** 4) A fact is found even if this design does not have it, such as the stroke of a four-bar linkage.
+** 3) Entries of lists and facts have handles too.  FOURLINK_MAX, _MIN, _MEAN or _RMS may be added to the
+**    handle of a column.
+** 4) A fact is found even if this design does not have it: for example, the stroke of a four-bar linkage.
 */
 FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *name,
                                        fourlink_value *found);
 
-/* The value of what a handle stands for.
+/* Get the value that a handle stands for.
 **
 ** Given:
 **    results    from fourlink_results_open
@@ -1740,26 +1741,24 @@ FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *na
 ** Returned:
 **    value      with name, unit, meaning, and the crank angle at which it occurs if it has one
 ** Returned (function value):
-**    FOURLINK_OK; 1 to 19, why a column has no value, or the actual motion ends before it has a
-**    fact; FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT,
-**    FOURLINK_NO_SUCH_ANGLE
+**    FOURLINK_OK; 1 to 19, why a column has no value, or why the actual motion ends before a fact is known;
+**    FOURLINK_NULL, FOURLINK_BAD_BRANCH, FOURLINK_NO_SUCH_NAME, FOURLINK_NO_SUCH_FACT, FOURLINK_NO_SUCH_ANGLE
 ** Notes:
-** 1) Extremes are taken over the deck's motion, refined between its rows.
-** 2) FOURLINK_NO_SUCH_FACT means a fact of other mechanisms, such as the stroke of a four-bar
-**    linkage.  FOURLINK_NO_SUCH_NAME means that the handle is none of these results', or that of a
-**    column which this design of a sweep does not have.
-** 3) If several facts have one name, the ends of two ranges, this is the first.
-** 4) Mean and rms are taken over the crank angle, not over time, of that part of the deck's motion in
-**    which the linkage can be assembled: (integral of y dtheta2) / c, and the root of (integral of
-**    y^2 dtheta2) / c.  An angle is followed beyond 180 deg.  They are infinite where the integral is:
-**    at a dead position velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms.
-**    If a column is unbounded to both sides, as mechanical_advantage is, the status is
-**    FOURLINK_NO_MEAN.
+** 1) Extremes are those of the deck's motion, refined between its rows.
+** 2) FOURLINK_NO_SUCH_FACT means that only other mechanisms have this fact, such as the stroke of a four-bar
+**    linkage.  FOURLINK_NO_SUCH_NAME means that the handle does not belong to these results, or is that of a
+**    column that this design of a sweep does not have.
+** 3) If several facts have the same name, such as the ends of two ranges, this is the first.
+** 4) Mean and rms are taken over the crank angle, not over time, for the part of the deck's motion in which
+**    the linkage can be assembled: (integral of y dtheta2) / c, and the root of (integral of y^2 dtheta2) /
+**    c.  An angle is continued beyond 180 deg.  Mean and rms are infinite where the integral is: at a dead
+**    position velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms.  If a column is
+**    unbounded in both directions, as mechanical_advantage is, the status is FOURLINK_NO_MEAN.
 */
 FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fourlink_branch branch,
                                       double angle, fourlink_value *value);
 
-/* Any number by its name: fourlink_results_find and fourlink_results_get in one call.
+/* Get any number by its name: fourlink_results_find and fourlink_results_get in one call.
 **
 ** Given:
 **    name       as for fourlink_results_find
@@ -1777,8 +1776,8 @@ FOURLINK_API int fourlink_results_value(fourlink_results *results, const char *n
 **
 ** Given:
 **    results    from fourlink_results_open
-**    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: the branches that the deck asks for
-**    groups     FOURLINK_FACTS_LIMITS ..., added up
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED; 0: the branches that the deck requests
+**    groups     sum of FOURLINK_FACTS_LIMITS ...
 ** Returned:
 **    facts      valid until the next call of this function, or fourlink_results_free
 **    n          how many
@@ -1794,14 +1793,14 @@ FOURLINK_API int fourlink_results_facts(fourlink_results *results, int branch, i
 **    results    from fourlink_results_open
 **    branch     FOURLINK_OPEN or FOURLINK_CROSSED
 ** Returned:
-**    angle      crank angle at which it ends, in the deck's unit; that of the last row if it does not
-**               end before
+**    angle      crank angle at which it ends, in the deck's unit; that of the last row if it does not end
+**               earlier
 ** Returned (function value):
 **    FOURLINK_OK: the machine moves through all rows, or its motion is given;
 **    1 to 19, why it does not: FOURLINK_DOES_NOT_START, FOURLINK_STALLS, FOURLINK_NO_STEADY ...;
 **    FOURLINK_NULL, FOURLINK_BAD_BRANCH
 ** Note:
-**    With the codes 1 to 19 too, `angle` is returned.  The rows from there on have the same status.
+**    `angle` is returned with codes 1 to 19 too.  The rows from there on have the same status.
 */
 FOURLINK_API int fourlink_results_end(fourlink_results *results, fourlink_branch branch,
                                       double *angle);
@@ -1838,9 +1837,9 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 ** FORTRAN 77
 ** ------------------------------------------------------------------------------------------- */
 
-/* Calls for programs in FORTRAN 77, named and called as their compilers do on Unix: in lower case
-** with a trailing underscore, all arguments by reference, and the length of a text after all
-** arguments.  For Fortran 2003 there is a module, fourlink.f90.
+/* Calls for FORTRAN 77 programs, with the usual Unix conventions: names in lower case with a trailing
+** underscore, all arguments by reference, and the lengths of texts after all arguments.  For Fortran 2003
+** there is a module, fourlink.f90.
 **
 **       DOUBLE PRECISION LINKS(5,4), OFFSET, GRAV(2), CRANK(3), LOADS(7,*)
 **       DOUBLE PRECISION ANGLE, STATE(9,4), SLIDE(4), FORCES(10)
@@ -1852,13 +1851,12 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **                   ISTAT)
 **       CALL FLTEXT(ISTAT, TEXT)
 **
-** A whole crank position of a four-bar linkage, of a slider-crank, or of its inversion.
+** The analysis of one crank position of a four-bar linkage, a slider-crank, or an inverted slider-crank.
 **
 ** Given:
-**    LINKS      by link number: length (m; unused for a piston or
-**               slider; of a lever DC, or 0), mass (kg), moment of inertia about
-**               the centre of mass (kg m2), x and y of the centre of mass in the link's own axes
-**               (m)
+**    LINKS      by link number: length (m; unused for a piston or slider; lever: DC, or 0), mass (kg), moment
+**               of inertia about the centre of mass (kg m2), x and y of the centre of mass in the link's own
+**               axes (m)
 **    OFFSET     m, slider-crank: the line of stroke is y = OFFSET; inverted: as in fourlink_design
 **    ANGLE      rad, angle of the slide from the line DC of a lever with a length
 **    GRAV       m/s2, in the frame of link 1
@@ -1868,15 +1866,15 @@ FOURLINK_API int fourlink_results_check(fourlink_results *results, unsigned long
 **    LOADS      for each: link (2, 3 or 4), frame (0 ground, 1 link), x and y of the force (N), x and y
 **               of the point where it acts, in the link's own axes (m), torque (N m)
 ** Returned:
-**    STATE      by link number: theta (rad), omega (rad/s), alpha (rad/s2) and of the link's origin x, y
-**               (m), vx, vy (m/s), ax, ay (m/s2); link 1 is 0
+**    STATE      by link number: theta (rad), omega (rad/s), alpha (rad/s2), and x, y (m), vx, vy (m/s), ax,
+**               ay (m/s2) of the link's origin; link 1 is 0
 **    SLIDE      slide (m), slide_v (m/s), slide_a and coriolis (m/s2), as in fourlink_state
-**    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces; of an
-**               inversion M34 in place of M14
-**    ISTAT      0, or a status; then STATE and FORCES are untouched
+**    FORCES     F12x F12y F23x F23y F34x F34y F14x F14y (N), M14, Ts (N m), as in fourlink_forces; M34 in
+**               place of M14 for an inverted slider-crank
+**    ISTAT      0, or a status; then STATE and FORCES are unchanged
 **
-** FLTEXT gives the text of a status, padded with blanks.  The type of the length is that of
-** gfortran 8 and later; older compilers, which pass an int, may need their own interface.
+** FLTEXT gives the text of a status, padded with blanks.  The type of the length is that of gfortran 8 and
+** later; older compilers pass an int and may need their own interface.
 **
 ** Reference:
 **    as fourlink_analyse
@@ -1914,11 +1912,11 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Given:
 **    TEXT       the deck, with CHAR(10) at the end of each line; trailing blanks are ignored
 ** Returned:
-**    HANDLE     for the other calls, and for FLSHUT at the end; 0 if ISTAT is not 0
+**    HANDLE     for the other calls; free it with FLSHUT; 0 if ISTAT is not 0
 **    ISTAT      FOURLINK_OK, FOURLINK_BAD_DECK, FOURLINK_NO_MEMORY
 **    MSG        the first mistake of the deck as LINE: MESSAGE, or the text of another status
 **
-** FLVAL gives any number by its name.
+** FLVAL returns any number by its name.
 **
 ** Given:
 **    NAME       a column such as Ts; max(Ts), min(Ts), mean(Ts), rms(Ts); a fact such as mu_min; an
@@ -1926,18 +1924,17 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 **    IBRNCH     1 open, -1 crossed
 **    ANGLE      of a column: crank angle in the deck's unit; else not used
 ** Returned:
-**    VALUE      the number; untouched if ISTAT is not 0
+**    VALUE      the number; unchanged if ISTAT is not 0
 **    ISTAT      as from fourlink_results_value; FOURLINK_NO_SUCH_FACT for a fact in words
 **
-** FLFIND finds a name once, and FLGET gives its values without a search: ID is the handle of
+** FLFIND looks up a name once, and FLGET returns its values without a search: ID is the handle of
 ** fourlink_results_find.  For the statistics of a column add 1 (max), 2 (min), 3 (mean) or 4 (rms).
 **
-** FLNROW gives the number of rows and columns of the deck's table.  FLNAME gives the name and unit
-** of column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW gives row I, 1 to
-** NROWS.
+** FLNROW returns the number of rows and columns of the deck's table.  FLNAME returns the name and unit of
+** column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW returns row I, 1 to NROWS.
 **
 ** Given:
-**    N          size of VALUES; columns after the first N are left out
+**    N          size of VALUES; columns after the first N are omitted
 ** Returned:
 **    VALUES     by column; NaN if a column has no value
 **    ISTAT      as from fourlink_results_row

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** arithmetic.h - what the compiler must keep: NaN marks what has no value, and infinity what is unbounded, so
-** that results would be wrong without a word.
+** arithmetic.h - floating-point arithmetic that the compiler must not relax.  NaN marks an undefined value
+** and infinity an unbounded one; without them results would be silently wrong.
 */
 #ifndef FOURLINK_ARITHMETIC_H
 #define FOURLINK_ARITHMETIC_H

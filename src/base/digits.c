@@ -2,18 +2,17 @@
 **
 ** digits.c - numbers to text by exact products.
 **
-** printf works with integers of any length.  For numbers of common size a few operations in double
-** do.  A product of two doubles is high + low, without error, where high is the product rounded and
-** low is what the rounding took away; Dekker's method finds low with doubles alone (T. J. Dekker, A
-** floating-point technique for extending the available precision, Numer. Math. 18, 224, 1971, 5.1
-** and 5.2).  The powers of ten up to 10^22 are doubles, so x 10^k is known exactly for k up to 22;
-** its integer part has the digits wanted, and its fraction, compared with 1/2, rounds them, halves to
-** even, as glibc does.  Two steps, or a division, reach further with a relative error below 2^-102;
-** there a fraction near 1/2 is left to the caller, as are very large and very small numbers, more than 17
-** digits, and infinities.
+** printf uses integers of any length.  For numbers of common size a few operations in double are enough.  A
+** product of two doubles is exactly high + low, where high is the rounded product and low its rounding error;
+** Dekker's method finds low with doubles alone (T. J. Dekker, A floating-point technique for extending the
+** available precision, Numer. Math. 18, 224, 1971, 5.1 and 5.2).  The powers of ten up to 10^22 are doubles,
+** so x 10^k is known exactly for k up to 22; its integer part has the wanted digits, and its fraction,
+** compared with 1/2, rounds them, halves to even, as glibc does.  Two steps, or a division, cover a wider
+** range with a relative error below 2^-102; there a fraction near 1/2 is left to the caller, as are very
+** large and very small numbers, more than 17 digits, and infinities.
 **
-** This is true for IEEE double arithmetic that rounds to nearest, even if the compiler fuses products with
-** sums: where that would matter, the product is exact, or is stored first.
+** This requires IEEE double arithmetic that rounds to nearest.  The compiler may fuse products with sums:
+** where that would matter, the product is exact, or is stored first.
 */
 #include <float.h>
 #include <limits.h>
@@ -22,7 +21,8 @@
 
 #include "digits.h"
 
-/* Only if the compiler says that it computes as written, in double (0; 1: float in double too) and no wider. */
+/* Only if the compiler evaluates doubles as doubles, no wider (FLT_EVAL_METHOD 0, or 1: floats as doubles
+** too). */
 #if FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && !defined(__FAST_MATH__) && \
     !defined(__ASSOCIATIVE_MATH__) &&                                                         \
     ((defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ | 1) == 1) ||                      \
@@ -41,12 +41,12 @@ static const double power_of_ten[LARGEST_POWER + 1] = {
     1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/* The sum of two doubles, the second far less than the first. */
+/* The sum of two doubles, the second much smaller than the first. */
 typedef struct pair {
     double high, low;
 } pair;
 
-/* The upper half of the digits of x: x - upper_half(x) has no more than 26 either. */
+/* The upper 26 bits of x; x - upper_half(x) has at most 26 too. */
 static double upper_half(double x)
 {
     double c = 134217728 * x + x; /* 2^27 + 1 */
@@ -54,10 +54,10 @@ static double upper_half(double x)
     return c - (c - x);
 }
 
-/* x y without error; y is an integer here, so that nothing underflows. */
+/* x y, exactly; y is an integer here, so nothing underflows. */
 static pair product(double x, double y)
 {
-    volatile double rounded = x * y; /* stored, so as not to be fused with the differences */
+    volatile double rounded = x * y; /* stored, so that it is not fused with the differences */
     double x1 = upper_half(x), x2 = x - x1, y1 = upper_half(y), y2 = y - y1;
     pair p;
 
@@ -66,8 +66,8 @@ static pair product(double x, double y)
     return p;
 }
 
-/* x 10^k, -22 <= k <= 44, and a margin: 0 for k from 0 to 22, where it is exact, else more than its
-** error if it is less than 10^17. */
+/* x 10^k, -22 <= k <= 44, and a margin: 0 for k from 0 to 22, where the product is exact; otherwise a bound
+** on its error for products below 10^17. */
 static pair scaled(double x, int k, double *margin)
 {
     pair p, q;
@@ -89,7 +89,7 @@ static pair scaled(double x, int k, double *margin)
     return p;
 }
 
-/* 32 bits are enough here, and divide faster than 64. */
+/* 32 bits are enough here, and faster to divide than 64. */
 #if UINT_MAX >= 4294967295UL
 typedef unsigned int word;
 #else
@@ -101,13 +101,13 @@ static const char pairs[] = "00010203040506070809101112131415161718192021222324"
                             "50515253545556575859606162636465666768697071727374"
                             "75767778798081828384858687888990919293949596979899";
 
-/* Write an integer with so many digits; returns the end, as all of these do. */
+/* Write an integer with `count` digits.  Like the functions below, it returns the end of what it wrote. */
 static char *put_integer(word n, int count, char *to)
 {
     char *end = to + count;
     word quotient, rest;
 
-    /* four digits at a time, so that few divisions wait for each other */
+    /* four digits at a time: few divisions depend on each other */
     for (to = end; count >= 4; count -= 4, n = quotient) {
         quotient = n / 10000;
         rest = n - 10000 * quotient;
@@ -121,7 +121,7 @@ static char *put_integer(word n, int count, char *to)
     return end;
 }
 
-/* An integer up to 10^17, top 10^8 + bottom: 32 bits are enough for each. */
+/* An integer up to 10^17 as top 10^8 + bottom, each within 32 bits. */
 typedef struct integer {
     long top, bottom;
 } integer;
@@ -135,10 +135,10 @@ static char *put_long_integer(integer n, int count, char *to)
     return put_integer((word)n.bottom, count, to);
 }
 
-/* The integer nearest to p, 0 <= p <= 10^17.  0 if p is within the margin of a half; with a margin of
-** 0, halves are rounded to even.  All operations but the last sum are exact: the numbers are multiples
-** of the last digit of p.high, or of 1/2, and no longer than 53 bits; and rounding does not change the
-** sign of the last. */
+/* The integer nearest to p, 0 <= p <= 10^17.  0 if p is within the margin of a half; with a margin of 0,
+** halves are rounded to even.  All operations but the last sum are exact, because the numbers are multiples
+** of the last bit of p.high, or of 1/2, and have at most 53 bits.  Rounding does not change the sign of the
+** last sum. */
 static int nearest(pair p, double margin, integer *n)
 {
     double rest, above_half;
@@ -162,7 +162,7 @@ static int nearest(pair p, double margin, integer *n)
 }
 
 /* The first n digits of x >= 0, and the power of ten of the first; 0 if they are not certain.  With `either`,
-** either of two neighbours will do, and 0 means out of range. */
+** either of two neighbours is accepted, and 0 means out of range. */
 static int significant(double x, int n, int either, integer *digits, int *power)
 {
     int binary;
@@ -175,7 +175,7 @@ static int significant(double x, int n, int either, integer *digits, int *power)
         digits->top = digits->bottom = *power = 0;
         return 1;
     }
-    /* log2 of the fraction is at least 2 (fraction - 1): the power is this or, seldom, one more. */
+    /* log2 of the fraction is at least 2 (fraction - 1), so the power is this or, rarely, one more. */
     *power = (int)((binary + 2 * (fraction - 1)) * 0.30103 - 1e-5 + 1000) - 1000;
     for (;; ++*power) {
         int k = n - 1 - *power;
@@ -215,7 +215,7 @@ static char *put_power(int power, char *to)
     return to;
 }
 
-/* Without plus sign and leading zeros: e6, e-12, e100 */
+/* An exponent without plus sign or leading zeros: e6, e-12, e100 */
 static char *put_short_power(int power, char *to)
 {
     int size = power < 0 ? -power : power;
@@ -234,8 +234,8 @@ static char *put_pair(word n, char *to)
     return to;
 }
 
-/* The rounded product x 10^k decides if it is not too near a half: below 4 10^9, which 32 bits hold, its
-** error is less than 5 10^-7. */
+/* The rounded product x 10^k is good enough if it is not too near a half: below 4 10^9, which fits into 32
+** bits, its error is less than 5 10^-7. */
 char *flk_digits_fixed_before(double value, int decimals, char *end)
 {
     double x = fabs(value), fraction;
@@ -368,7 +368,7 @@ char *flk_digits_general(double value, int n, char out[DIGITS_SIZE])
     return put_general(digits, n, power, put_power, put_sign(value, out));
 }
 
-/* As `significant`, for any number, but the last digits may be wrong. */
+/* Like `significant`, for any number, but the last digits may be wrong. */
 static void approximate(double x, int n, integer *digits, int *power)
 {
     double whole;

@@ -7,18 +7,20 @@
 
 #define DIGITS_SIZE 48
 
-/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g); returns its
-** end, or null if its digits are not certain here, for example if it is very large or very small. */
+/* Write a number with the given number of decimals (as %.*f, %.*e) or of significant digits (as %.*g).
+** Returns its end, or null if exact products do not determine its digits, for example if it is very large or
+** very small. */
 char *flk_digits_fixed(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_exponent(double value, int decimals, char out[DIGITS_SIZE]);
 char *flk_digits_general(double value, int digits, char out[DIGITS_SIZE]);
 
-/* Write a number with so many decimals, ending before `end`, without a sign if it prints as 0; at most 12
-** characters.  Returns its beginning, or null, with nothing written, if its digits are not certain here. */
+/* Write a number with `decimals` decimals so that it ends before `end`, without a sign if it prints as 0; at
+** most 12 characters.  Returns its beginning, or null, with nothing written, if its digits are not
+** certain. */
 char *flk_digits_fixed_before(double value, int decimals, char *end);
 
-/* Write any number with so many significant digits, at most 17, and a short exponent (1e6), for messages.
-** The last digits of very large and very small numbers may be wrong. */
+/* Write any number with at most 17 significant digits and a short exponent (1e6), for messages.  The last
+** digits of very large and very small numbers may be wrong. */
 char *flk_digits_short(double value, int digits, char out[DIGITS_SIZE]);
 
 #endif

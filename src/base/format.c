@@ -27,8 +27,8 @@ static char *take_sign_off(char *out, char *end)
     return end - 1;
 }
 
-/* The end of the number that digits.c has written.  If `end` is null it has not, and printf does, with a
-** point for the locale's decimal mark. */
+/* The end of the number that digits.c has written.  If it has not (`end` is null), printf writes it, and a
+** point replaces the locale's decimal mark. */
 static char *finish(char *end, char *out, const char *format, double value, int digits)
 {
     const char *decimal;

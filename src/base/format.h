@@ -13,7 +13,7 @@ char *format_fixed(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general(double value, int digits, char out[FORMAT_SIZE]);
 
-/* The same; these return the end of the number. */
+/* The same, but returning the end of the number. */
 char *format_fixed_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent_end(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general_end(double value, int digits, char out[FORMAT_SIZE]);

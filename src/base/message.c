@@ -11,7 +11,7 @@
 
 #define WORD_SIZE 64
 
-/* A message in the making. */
+/* A message being written. */
 typedef struct writer {
     char *end;
     size_t room;
@@ -125,7 +125,7 @@ int flk_mistakes_are_full(const mistakes *m)
     return m->count == MOST_MISTAKES;
 }
 
-/* An insertion sort: the list is short, and mistakes in the same line keep their order. */
+/* An insertion sort: the list is short, and mistakes on the same line keep their order. */
 void flk_mistakes_sort(mistakes *m)
 {
     size_t i, j;

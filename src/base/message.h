@@ -9,7 +9,7 @@
 
 #define MESSAGE_SIZE 400
 
-/* Write a message.  Its format may hold
+/* Write a message.  Its format may contain
 **
 **    %s    a string
 **    %t    a text, shortened if it is longer than a word
@@ -27,14 +27,14 @@ typedef struct text_place {
     long line;
 } text_place;
 
-/* Of more mistakes than this only the number is kept, and printed. */
+/* Mistakes beyond this number are only counted, not listed. */
 #define MOST_MISTAKES 100
 
 /* The mistakes found in a deck, in the order of its lines. */
 typedef struct mistakes {
     struct mistake *list;
     size_t count, left_out;
-    int out_of_memory; /* 1: one could not be noted */
+    int out_of_memory; /* 1: a mistake could not be recorded */
 } mistakes;
 
 struct mistake {
@@ -42,13 +42,13 @@ struct mistake {
     char message[MESSAGE_SIZE];
 };
 
-/* Note a mistake, with a format as above.  Returns 0, for a function that fails to return. */
+/* Record a mistake, with a format as above.  Returns 0, so that a failing function can return it. */
 int flk_mistake(mistakes *m, text_place place, const char *format, ...);
 
-/* How many there are, those left out too. */
+/* The number of mistakes, including those that are only counted. */
 size_t flk_mistakes_count(const mistakes *m);
 
-/* 1: further mistakes are only counted, so that nothing need be found out about them. */
+/* 1 if further mistakes are only counted, so that no details are needed. */
 int flk_mistakes_are_full(const mistakes *m);
 
 /* Sort by line, for printing. */

@@ -44,7 +44,7 @@ static size_t scan(text t, size_t *point)
     return mark;
 }
 
-/* 1 if the text starts with a word, with or without a sign, that ends there. */
+/* 1 if the text starts with exactly this word, with or without a sign. */
 static int starts_with(text t, const char *word)
 {
     size_t n = strlen(word);
@@ -57,7 +57,7 @@ static int starts_with(text t, const char *word)
     return flk_text_equal(t, word);
 }
 
-/* A larger exponent gives 0 or infinity with any digits before it. */
+/* A larger exponent gives 0 or infinity whatever the digits. */
 #define EXPONENT_MAX 100000
 
 /* The exponent at the front of a text, within +-EXPONENT_MAX. */
@@ -73,8 +73,8 @@ static long read_exponent(const char *s, const char *end)
     return negative ? -exponent : exponent;
 }
 
-/* strtod rounds correctly but expects the decimal mark of the host's locale, so it gets a whole number and an
-** exponent: 12.5e3 as 125e2. */
+/* strtod rounds correctly but expects the decimal mark of the host's locale, so it is given a whole number
+** and an exponent: 12.5e3 as 125e2. */
 number_status flk_number_read(text *rest, double *value)
 {
     char copy[400], *end = copy;

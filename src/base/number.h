@@ -20,8 +20,8 @@ typedef enum number_status {
 /* Take a decimal number off the front of `rest`; a failure leaves `rest` unchanged. */
 number_status flk_number_read(text *rest, double *value);
 
-/* Write a number from 1e-28 to 1e38 with the fewest digits, at least 15, that read back as the same number; of
-** others the last digits may be wrong. */
+/* Write a number from 1e-28 to 1e38 with the fewest digits, at least 15, that read back as the same number.
+** For other numbers the last digits may be wrong. */
 char *flk_number_shortest(double value, char out[DIGITS_SIZE]);
 
 #endif

@@ -20,7 +20,7 @@ static const char *words_of(dimension dim)
     return NULL;
 }
 
-/* The reason for a comma within a number, at the front of `rest`: 66,5 or 1,000. */
+/* The message for a comma in the number at the front of `rest`: 66,5 or 1,000. */
 static void refuse_comma(text rest, text whole, char message[MESSAGE_SIZE])
 {
     char point[40], none[40];
@@ -47,7 +47,7 @@ static void refuse_comma(text rest, text whole, char message[MESSAGE_SIZE])
         flk_message(message, MESSAGE_SIZE, "'%t': a comma as decimal mark: write %s", whole, point);
 }
 
-/* The reason why there is no number. */
+/* The message for a missing number. */
 static void refuse_number(text rest, text whole, quantity q, char message[MESSAGE_SIZE])
 {
     const quantity_info *info = &flk_quantities[q];
@@ -91,7 +91,7 @@ static int is_direction(text t)
            flk_text_equal(t, "counterclockwise") || flk_text_equal(t, "ccw");
 }
 
-/* The reason why a number goes on after its end; null if it does not. */
+/* The message for text that cannot follow a number; null if it can. */
 static const char *why_not_one(text t)
 {
     int c = t.length ? t.start[0] : 0;
@@ -105,7 +105,7 @@ static const char *why_not_one(text t)
     return NULL;
 }
 
-/* The reason why `t` is not a unit; `bad` is the unknown part of it. */
+/* The message if `t` is not a unit; `bad` is its unknown part. */
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
     const char *why = t.start != whole.start ? why_not_one(t) : NULL;
@@ -167,7 +167,7 @@ text flk_quantity_unit_text(text t)
     return flk_text_trim(t);
 }
 
-/* Above 1e9 rad the digits of an angle are used up by its revolutions. */
+/* Above 1e9 rad an angle has too few digits left after its revolutions. */
 #define ANGLE_MAX 1e9
 
 int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE])
@@ -213,7 +213,7 @@ static double last_digit(text t)
     return digit;
 }
 
-/* Longer texts are no quantities. */
+/* A longer text is not a quantity. */
 #define LONGEST 200
 
 int flk_quantity_read(text t, text whole, quantity q, unit bare, quantity_value *value,

@@ -12,7 +12,7 @@ typedef struct quantity_value {
     double number; /* as written */
     unit unit;
     double si;    /* in SI units and radians */
-    double digit; /* likewise, a unit of the last digit: 0.01 m for 2.50 m */
+    double digit; /* also in SI, one unit of the last digit: 0.01 m for 2.50 m */
 } quantity_value;
 
 /* Read a quantity.
@@ -37,7 +37,7 @@ int flk_quantity_unit(text t, text whole, quantity q, unit bare, unit *u,
                       char message[MESSAGE_SIZE]);
 int flk_quantity_size(double si, text whole, quantity q, char message[MESSAGE_SIZE]);
 
-/* What follows the number of a quantity; empty if that is bare. */
+/* The text after the number of a quantity; empty if the number is bare. */
 text flk_quantity_unit_text(text t);
 
 #endif

@@ -2,8 +2,9 @@
 **
 ** solve.c - zeros, peaks and integrals of a function of one variable.
 **
-** Zeros: false position that halves the value of an end which stays (the Illinois method; M. Dowell, P. Jarratt, A
-** modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the function is known.
+** Zeros: false position that halves the value at an end that is kept (the Illinois method; M. Dowell, P.
+** Jarratt, A modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the
+** function is known.
 ** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 5.
 ** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
 */
@@ -55,7 +56,8 @@ void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising)
     }
 }
 
-/* Beside an end, where false position does not leave it: the zero is there to rounding, or the function is steep. */
+/* A place beside an end, where false position stays at it: the zero is there within rounding, or the function
+** is steep. */
 static double beside_end(const flk_bracket *b, double next)
 {
     double little = DBL_EPSILON * GSL_MAX_DBL(fabs(b->low), fabs(b->high));
@@ -85,9 +87,9 @@ double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close)
     return x;
 }
 
-/* At the distance t from the best place the parabola through the three is f + s t - c t^2.  Its top is at s / (2 c), and
-** higher by s^2 / (4 c).  If it is not higher, or parabolas are slow, the longer side is divided, by golden section or, if
-** it is far longer, closer to the best place. */
+/* At the distance t from the best place the parabola through the three points is f + s t - c t^2.  Its top is
+** at s / (2 c), higher by s^2 / (4 c).  If it is not higher, or parabolas converge slowly, the longer side is
+** divided by golden section or, if it is much longer, closer to the best place. */
 flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close)
 {
     flk_sample low = p[0], best = p[1], high = p[2], next;

@@ -7,23 +7,23 @@
 
 typedef double flk_function(double x, void *data);
 
-/* Two places, low < high, with values of unlike signs.  An infinite value has a sign, but no size. */
+/* Two places, low < high, with values of opposite signs.  An infinite value has a sign, but no size. */
 typedef struct flk_bracket {
     double low, high, f_low, f_high;
     int side; /* which end the last value replaced: -1 low, 1 high, 0 none, or an infinite value */
 } flk_bracket;
 
-/* A bracket whose ends may be unknown: then f_low is infinity, f_high minus infinity. */
+/* A bracket.  For an end whose value is unknown, f_low is infinity, or f_high is minus infinity. */
 flk_bracket flk_bracket_of(double low, double high, double f_low, double f_high);
 
-/* The next place to look at: by false position, or the middle where a value is infinite. */
+/* The next place to evaluate: by false position, or the middle if a value is infinite. */
 double flk_bracket_next(const flk_bracket *b);
 
-/* Put a value in the place of the end that has its sign.  `is_rising`: the value at `low` is the negative one. */
+/* Replace the end whose value has the same sign.  `is_rising`: the value at `low` is the negative one. */
 void flk_bracket_take(flk_bracket *b, double x, double f, int is_rising);
 
-/* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place that was looked at.  The bracket
-** closes about it.  NaN ends the search. */
+/* A zero in a bracket, down to rounding, or a place where |f| <= close: the last place evaluated.  The
+** bracket shrinks around it.  NaN ends the search. */
 double flk_find_zero(flk_function *f, void *data, flk_bracket *b, double close);
 
 /* A place and the value there. */
@@ -31,17 +31,17 @@ typedef struct flk_sample {
     double x, value;
 } flk_sample;
 
-/* The largest value between two places, p[0] and p[2], that is found from p[1], the best of the three.  The search ends
-** where values of a smooth function differ by no more than about `close`, and at an infinite value.  NaN is less than any
-** number. */
+/* The largest value between p[0] and p[2], searched for from p[1], the best of the three.  The search ends
+** where values of a smooth function differ by no more than about `close`, and at an infinite value.  NaN
+** counts as less than any number. */
 flk_sample flk_find_peak(flk_function *f, void *data, const flk_sample p[3], double close);
 
-/* The values of a few functions at one place. */
+/* The values of several functions at one place. */
 #define FLK_INTEGRALS 3
 typedef void flk_functions(double x, void *data, double y[FLK_INTEGRALS]);
 
-/* An integral; what another rule with half of the points differs by, which for a smooth function is far more than the
-** error; and the integral of the magnitude. */
+/* An integral; its difference from a rule with half the points, which for a smooth function is far more than
+** the error; and the integral of the magnitude. */
 typedef struct flk_integral {
     double value, error, size;
 } flk_integral;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** spelling.c - what people type for a value, in the plain characters of a deck.
+** spelling.c - values as people type them, rewritten in the plain characters of a deck.
 */
 #include <string.h>
 
 #include "spelling.h"
 
-/* In UTF-8: minus, hyphens and the dash that word processors make of one; degree, and the ordinal beside it
-** on keyboards; dots, cross.  Instruments write the degree in Latin-1 too. */
+/* In UTF-8: minus, hyphens, and the dash that word processors put for a hyphen; the degree sign, and the
+** ordinal beside it on keyboards; dots, cross.  Some instruments write the degree sign in Latin-1. */
 static const struct {
     const char *typed, *plain;
 } signs[] = {{"\342\210\222", "-"}, {"\342\200\220", "-"}, {"\342\200\221", "-"},
@@ -48,7 +48,7 @@ static char take_superscript(text *t)
     return 0;
 }
 
-/* Take a sign off the front of `t`, and write it; the end of what was written. */
+/* Take a sign off the front of `t` and write it.  Returns the end of what was written. */
 static char *write_sign(text *t, const char *start, char *end)
 {
     size_t i;
@@ -64,7 +64,7 @@ static char *write_sign(text *t, const char *start, char *end)
     return end;
 }
 
-/* Take the next character off `t`, and write it; the end of what was written. */
+/* Take the next character off `t` and write it.  Returns the end of what was written. */
 static char *write_next(text *t, const char *start, char *end)
 {
     size_t blank = flk_text_blank(*t);
@@ -89,7 +89,7 @@ static char *write_next(text *t, const char *start, char *end)
     return after;
 }
 
-/* The power of ten at the front of a text: * 10^3.  Its exponent, or null if there is none. */
+/* The exponent of the power of ten at the front of a text, such as * 10^3; null if there is none. */
 static const char *exponent_after(const char *s)
 {
     s += strspn(s, " ");
@@ -102,7 +102,7 @@ static const char *exponent_after(const char *s)
     return is_digit(*s) || ((*s == '-' || *s == '+') && is_digit(s[1])) ? s : NULL;
 }
 
-/* Write powers of ten after digits as e3; the new length. */
+/* Rewrite powers of ten after digits as e3.  Returns the new length. */
 static size_t write_powers(char *out)
 {
     const char *from = out, *exponent;

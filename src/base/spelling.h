@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** spelling.h - what people type for a value, in the plain characters of a deck.
+** spelling.h - values as people type them, rewritten in the plain characters of a deck.
 */
 #ifndef FOURLINK_SPELLING_H
 #define FOURLINK_SPELLING_H
 
 #include "text.h"
 
-/* 1 if a value is sure to be as flk_spelling_plain writes it. */
+/* 1 if flk_spelling_plain would certainly leave a value as it is. */
 int flk_spelling_is_plain(text t);
 
-/* The room that flk_spelling_plain needs. */
+/* The size of the buffer that flk_spelling_plain needs. */
 #define SPELLING_SIZE(length) (4 * (length) + 1)
 
-/* Write a value in plain characters: a minus sign, the blanks of typography, a degree sign, superscripts,
-** multiplication signs, powers of ten.  What it does not know it leaves.
+/* Write a value in plain characters: converts minus signs, typographic blanks, degree signs, superscripts,
+** multiplication signs and powers of ten.  Other characters are copied.
 **
 **    −1.5 × 10³ N·m   -1.5e3 N*m
 **    20°              20 deg
@@ -23,7 +23,7 @@ int flk_spelling_is_plain(text t);
 **    the text, in `out`, of SPELLING_SIZE(t.length) bytes */
 text flk_spelling_plain(text t, char *out);
 
-/* The blanks alone. */
+/* The same, for blanks only. */
 text flk_spelling_blanks(text t, char *out);
 
 #endif

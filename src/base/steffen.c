@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** steffen.c - Steffen's interpolation (Astron. Astrophys. 239, 443, 1990), which does not overshoot: a pressure
-** that is never negative at the points of an indicator card is not negative between them, as a cubic
-** spline's would be beside the steep rise of a combustion.  With h_i = x_{i+1} - x_i and the secant
-** s_i = (y_{i+1} - y_i) / h_i, the slope at a point and the cubic after it are
+** steffen.c - Steffen's interpolation (Astron. Astrophys. 239, 443, 1990), which does not overshoot: a
+** pressure that is never negative at the points of an indicator card is not negative between them either,
+** unlike that of a cubic spline beside the steep rise of a combustion.  With h_i = x_{i+1} - x_i and the
+** secant s_i = (y_{i+1} - y_i) / h_i, the slope at a point and the cubic after it are
 **
 **    p_i  = (s_{i-1} h_i + s_i h_{i-1}) / (h_{i-1} + h_i)                                      (eq. 8)
 **    y'_i = (sign s_{i-1} + sign s_i) min(|s_{i-1}|, |s_i|, |p_i| / 2)                         (eq. 11)
 **    y    = y_i + d (y'_i + d (b + d a)),  d = x - x_i                                         (eq. 1)
 **    a    = (y'_i + y'_{i+1} - 2 s_i) / h_i^2,  b = (3 s_i - 2 y'_i - y'_{i+1}) / h_i    (eqs. 2, 3)
 **
-** GSL has it too, but GSL allocates memory, and calls its error handler if it cannot.
+** GSL has this interpolation too, but allocates memory, and calls its error handler on failure.
 */
 #include <math.h>
 

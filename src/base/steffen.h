@@ -11,11 +11,13 @@ double flk_steffen_slope(double h0, double s0, double h1, double s1);
 /* The value at distance d from the first of two points h apart, with these values and slopes. */
 double flk_steffen_value(double d, double h, double y0, double y1, double slope0, double slope1);
 
-/* The last of the n - 1 intervals between rising x that begins at or before `at`; the first if none does. */
+/* The last of the n - 1 intervals between increasing x that begins at or before `at`; the first if none
+** does. */
 unsigned long flk_steffen_find(const double *x, unsigned long n, double at);
 
-/* The value of a curve through n >= 2 points, x rising.  At its ends the slope is the secant beside them; beyond them
-** the value there holds.  The piece is that in which `within` lies; it goes on smoothly beyond its ends. */
+/* The value of a curve through n >= 2 points with increasing x.  The slope at an end is that of the first or
+** last secant; beyond the ends the curve is constant.  The piece that contains `within` is used, and is
+** continued smoothly beyond its ends. */
 double flk_steffen_on(const double *x, const double *y, unsigned long n, double at, double within);
 
 #endif

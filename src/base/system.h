@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** system.h - what the command needs of the operating system: files, terminals, signals, programs.  Only
-** system_posix.c and system_windows.c, of which one is empty, know which system it is.  The library uses none of
-** it.
+** system.h - what the command needs from the operating system: files, terminals, signals, programs.  Only
+** system_posix.c and system_windows.c depend on the system; one of them is empty.  The library uses none of
+** this.
 **
-** Paths are as the user typed them; on Windows they are UTF-8, and \ and a drive's colon separate names too.
-** What fails sets errno.
+** Paths are as the user typed them; on Windows they are UTF-8, and \ and the colon after a drive also
+** separate names.  Functions that fail set errno.
 */
 #ifndef FOURLINK_SYSTEM_H
 #define FOURLINK_SYSTEM_H
 
 #include <stdio.h>
 
-/* Call this first: it may replace the arguments, and makes the standard streams binary.  From then on a signal
-** that ends the program leaves no temporary file and no program that was started. */
+/* Call this first: it may replace the arguments, and makes the standard streams binary.  From then on, a
+** signal that ends the program also removes its temporary file and ends the program it has started. */
 void system_begin(int *argc, char ***argv);
 
 /* ---- names */
@@ -34,12 +34,13 @@ typedef enum system_kind {
     SYSTEM_FILE,
     SYSTEM_FOLDER,
     SYSTEM_OTHER, /* a device or a pipe */
-    SYSTEM_ERROR  /* it cannot be found out */
+    SYSTEM_ERROR  /* it cannot be determined */
 } system_kind;
 
 system_kind system_kind_of(const char *path);
 
-/* 1 if both paths lead to one file or folder, which is there; 1 if a path leads to what a stream has open. */
+/* 1 if both paths lead to the same existing file or folder; 1 if a path leads to the file that a stream has
+** open. */
 int system_is_same(const char *x, const char *y);
 int system_is_open_as(const char *path, FILE *stream);
 
@@ -49,16 +50,16 @@ FILE *system_open(const char *path, const char *mode);
 /* The same for reading, without waiting for another program; null with errno 0 if it is not a regular file. */
 FILE *system_open_regular(const char *path);
 
-/* 1 if a file, through symbolic links, is in a folder or in one of its folders, or is not there; 0 with errno
-** ENOMEM if out of memory, otherwise with 0. */
+/* 1 if a file, after symbolic links, is in a folder or below it, or does not exist.  Otherwise 0; errno is
+** then ENOMEM if out of memory, else 0. */
 int system_is_within(const char *folder, const char *path);
 
 /* A temporary file without a name, for reading and writing. */
 FILE *system_scratch(void);
 
-/* Create a file with a name of its own: the last six characters of `name`, XXXXXX, are replaced.  It gets the
-** permissions of another path, or those of a new file.  A signal removes it, until one of the functions below
-** has been called. */
+/* Create a file with a unique name: the last six characters of `name`, XXXXXX, are replaced.  It gets the
+** permissions of the file `like`, or those of a new file.  A signal removes it until one of the functions
+** below has been called. */
 FILE *system_create(char *name, const char *like);
 int system_rename(const char *name, const char *path); /* 1; 0 with errno set */
 void system_remove(const char *name);
@@ -73,7 +74,7 @@ unsigned long system_width(FILE *stream); /* of a terminal; 0: unknown */
 /* Catch the signals that end a program, or restore the old actions. */
 void system_catch(int begin);
 
-/* The signal that came since then; 0: none. */
+/* The signal caught since then; 0: none. */
 int system_caught(void);
 
 /* ---- programs */
@@ -84,8 +85,8 @@ typedef struct system_outcome {
     long copied; /* bytes of its output */
 } system_outcome;
 
-/* Run a program from PATH without a shell; `arguments`, the name first, end in null.  It reads `input` from its
-** beginning; its standard output is copied to `output`.  1; 0 with errno set. */
+/* Run a program from PATH without a shell; `arguments` begin with its name and end with null.  It reads
+** `input` from its beginning; its standard output is copied to `output`.  Returns 1, or 0 with errno set. */
 int system_run(const char *const *arguments, FILE *input, FILE *output, FILE *complaints,
                system_outcome *outcome);
 

@@ -163,7 +163,7 @@ FILE *system_scratch(void)
     return tmpfile();
 }
 
-/* As mkstemp; no signal comes between the file and its name in `at_work`. */
+/* Like mkstemp; signals are blocked until the file's name is in `at_work`. */
 static int make_temporary(char *name)
 {
     sigset_t all, old;
@@ -268,7 +268,7 @@ int system_caught(void)
 
 /* ---------------------------------------------------------------------------------------------- programs */
 
-/* Become the program, with only the three standard files open. */
+/* Replace this process by the program, with only the three standard files open. */
 static void become(const char *const *arguments, FILE *complaints)
 {
     int file, reason;
@@ -284,7 +284,7 @@ static void become(const char *const *arguments, FILE *complaints)
     errno = reason;
 }
 
-/* Start the program; returns the pipe that its output comes from, or -1. */
+/* Start the program.  Returns the pipe from its standard output, or -1. */
 static int start(const char *const *arguments, FILE *input, FILE *complaints)
 {
     int ends[2];
@@ -293,9 +293,9 @@ static int start(const char *const *arguments, FILE *input, FILE *complaints)
     if (fflush(input) != 0 || lseek(fileno(input), 0, SEEK_SET) != 0 || fflush(stdout) != 0 ||
         pipe(ends) != 0)
         return -1;
-    signal(SIGCHLD, SIG_DFL); /* otherwise there is no status to wait for */
+    signal(SIGCHLD, SIG_DFL); /* if it is ignored, there is no status to wait for */
     sigfillset(&all);
-    sigprocmask(SIG_BLOCK, &all, &old); /* none comes before `running` is known */
+    sigprocmask(SIG_BLOCK, &all, &old); /* until `running` is known */
     running = fork();
     sigprocmask(SIG_SETMASK, &old, NULL);
     if (running == 0) {

@@ -25,7 +25,7 @@ static UINT old_page; /* of the console */
 
 /* ------------------------------------------------------------------------------------------- errors, text */
 
-/* Set errno by the error of the last call. */
+/* Set errno from the error of the last call. */
 static int fail(void)
 {
     switch (GetLastError()) {
@@ -81,7 +81,7 @@ static HANDLE handle_of(FILE *stream)
 
 /* ------------------------------------------------------------------------------------------------- begin */
 
-/* Declared by no header: the arguments of the program, with * and ? expanded. */
+/* Not declared in any header: the arguments of the program, with * and ? expanded. */
 typedef struct start_info {
     int new_mode;
 } start_info;
@@ -118,7 +118,7 @@ void system_begin(int *argc, char ***argv)
     signal(SIGBREAK, end);
     if (__wgetmainargs(&n, &given, &environment, 1, &info) < 0)
         return;
-    list = calloc((size_t)n + 1, sizeof *list); /* it stays until the program ends */
+    list = calloc((size_t)n + 1, sizeof *list); /* kept until the program ends */
     for (i = 0; list && i < n; i++)
         if ((list[i] = narrow(given[i])) == NULL)
             return;
@@ -150,7 +150,7 @@ int system_read_link(const char *path, char *target, size_t size)
 
 /* ------------------------------------------------------------------------------------------------- files */
 
-/* Open what a path leads to, be it a folder, only to ask about it; INVALID_HANDLE_VALUE with errno set. */
+/* Open a file or folder only for queries; INVALID_HANDLE_VALUE with errno set on failure. */
 static HANDLE open_place(const char *path)
 {
     wchar_t *w = wide(path);
@@ -219,7 +219,7 @@ int system_may_write(const char *path)
 
     free(w);
     if (attributes == INVALID_FILE_ATTRIBUTES || !(attributes & FILE_ATTRIBUTE_READONLY))
-        return 1; /* opening it tells */
+        return 1; /* opening the file will report the error */
     errno = EACCES;
     return 0;
 }
@@ -243,7 +243,7 @@ FILE *system_open_regular(const char *path)
     return kind == SYSTEM_FILE ? system_open(path, "rb") : NULL;
 }
 
-/* The path of what an open handle is, in the system's own form: memory to free, or null. */
+/* The path of an open handle, in the system's own form: memory to free, or null. */
 static wchar_t *real_path(HANDLE handle)
 {
     DWORD n = GetFinalPathNameByHandleW(handle, NULL, 0, 0);
@@ -293,7 +293,7 @@ static FILE *create(const wchar_t *name, DWORD flags)
     return descriptor < 0 ? NULL : _fdopen(descriptor, "w+b");
 }
 
-/* The same under a name that no file has, in place of one that ends in XXXXXX. */
+/* The same with a unique name: XXXXXX at its end is replaced. */
 static FILE *create_new(wchar_t *name, DWORD flags)
 {
     wchar_t *letters = name + wcslen(name) - 6;
@@ -428,7 +428,7 @@ static wchar_t *command_line(const char *const *arguments)
     return wide(line);
 }
 
-/* A handle that a child gets; null with errno set. */
+/* A handle that a child process inherits; null with errno set on failure. */
 static HANDLE inherited(HANDLE handle)
 {
     HANDLE self = GetCurrentProcess(), copy;
@@ -452,7 +452,7 @@ static HANDLE common_end(void)
     return job;
 }
 
-/* Start a program of PATH; the working folder is not searched, where decks of others may be. */
+/* Start a program from PATH.  The working folder is not searched: it may hold someone else's files. */
 static int start(const char *const *arguments, HANDLE standard[3], HANDLE job, HANDLE *process)
 {
     wchar_t *line = command_line(arguments), *name = wide(arguments[0]), program[MAX_PATH];
@@ -486,7 +486,7 @@ static int start(const char *const *arguments, HANDLE standard[3], HANDLE job, H
     return done;
 }
 
-/* Copy a stream; the number of bytes, or -1 with errno set if they cannot be written. */
+/* Copy a stream.  Returns the number of bytes, or -1 with errno set if they cannot be written. */
 static long copy(HANDLE from, FILE *to)
 {
     long copied = 0;

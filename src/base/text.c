@@ -268,7 +268,7 @@ const char *flk_text_nearest(text t, const char *const *words)
     for (; *words; words++) {
         size_t n = strlen(*words), d;
 
-        /* so many letters are inserted or left out at least */
+        /* at least this many letters are inserted or left out */
         if ((n > t.length ? n - t.length : t.length - n) >= best)
             continue;
         d = distance(t, *words);

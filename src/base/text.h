@@ -18,21 +18,21 @@ typedef struct text {
 text flk_text_of(const char *string);
 text flk_text_trim(text t);
 
-/* The length of the blank at the start of a text, or at its end; 0 if there is none.  Those of typography,
-** such as the no-break space, are blanks too. */
+/* The length of the blank at the start of a text, or at its end; 0 if there is none.  Typographic blanks,
+** such as the no-break space, count too. */
 size_t flk_text_blank(text t);
 size_t flk_text_blank_before(text t);
 
-/* Without its first n characters. */
+/* A text without its first n characters. */
 text flk_text_from(text t, size_t n);
 
-/* Without the byte order mark of UTF-8 at its start. */
+/* A text without the byte order mark of UTF-8 at its start. */
 text flk_text_without_mark(text t);
 
-/* Without the double quotes around it. */
+/* A text without the double quotes around it. */
 text flk_text_unquoted(text t);
 
-/* How often a character is in it. */
+/* The number of times a character occurs. */
 size_t flk_text_count(text t, int c);
 
 /* Join strings, up to a null pointer; cut off at `size`. */
@@ -50,12 +50,12 @@ int flk_text_same(text t, const char *word);
 /* Take the characters up to `stop` (or all) off the front of `rest`; 0 if nothing is left. */
 int flk_text_split(text *rest, int stop, text *piece);
 
-/* The length of the UTF-8 character at the front; 0 if there is none.  The same if it can be shown: it is no
-** control character, which could command a terminal, and allowed in XML. */
+/* The length of the UTF-8 character at the front; 0 if there is none.  The same if it is printable: allowed
+** in XML, and not a control character, which could control a terminal. */
 size_t flk_text_letter(text t);
 size_t flk_text_printable(text t);
 
-/* What ends the lines of a text: LF, or CR if it has no LF. */
+/* The character that ends the lines of a text: LF, or CR if it has no LF. */
 int flk_text_line_end(text t);
 
 /* Cut a text at a separator: at the first one, or at the last; the pieces are trimmed.  0 if there is none.
@@ -63,12 +63,12 @@ int flk_text_line_end(text t);
 int flk_text_cut(text t, const char *separator, text *before, text *after);
 int flk_text_cut_last(text t, const char *separator, text *before, text *after);
 
-/* A null-terminated copy in `size` bytes; unprintable bytes are replaced, and "..." replaces what does not
+/* A null-terminated copy in `size` bytes; unprintable bytes are replaced, and "..." marks what did not
 ** fit. */
 char *flk_text_copy(text t, char *out, size_t size);
 
-/* The word in a list, with a null pointer at its end, that is nearest to `t`: one or two typing mistakes
-** away.  Null if there is none. */
+/* The word nearest to `t`, one or two typing mistakes away, in a list that ends with a null pointer.  Null if
+** there is none. */
 const char *flk_text_nearest(text t, const char *const *words);
 
 /* Join the words of a list, with a null pointer at its end: a BETWEEN b BETWEEN c LAST d; cut off at `size`. */

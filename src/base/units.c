@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** units.c - the units of the field, and the quantities of a deck.
+** units.c - the units used in the field, and the quantities of a deck.
 */
 #include <string.h>
 
@@ -22,7 +22,7 @@ quantity flk_quantity_find(const char *name)
     return (quantity)q;
 }
 
-/* GSL's constants if they are exact by definition; those that it rounds (lbf, psi, hp) are computed from
+/* GSL's constants where they are exact by definition; those that GSL rounds (lbf, psi, hp) are computed from
 ** these. */
 #define INCH GSL_CONST_MKSA_INCH
 #define FOOT GSL_CONST_MKSA_FOOT
@@ -78,7 +78,7 @@ static const named_unit units[] = {
     {"bar", GSL_CONST_MKSA_BAR, 1, {-1, 1, -2, 0}},
     {"psi", POUND *G, INCH *INCH, {-1, 1, -2, 0}},
     {"atm", GSL_CONST_MKSA_STD_ATMOSPHERE, 1, {-1, 1, -2, 0}},
-    {"Hz", 1, 1, {0, 0, -1, 0}}, /* known, to be refused: it is not an angular speed */
+    {"Hz", 1, 1, {0, 0, -1, 0}}, /* known so that it can be refused: it is not an angular speed */
     {"%", 1, 1e2, {0, 0, 0, 0}},
     {"1", 1, 1, {0, 0, 0, 0}},
 };
@@ -96,7 +96,7 @@ static const named_unit *find(text name)
     return NULL;
 }
 
-/* Words that people use for a unit, in any case. */
+/* Words that people use for units, in upper or lower case. */
 static const struct {
     const char *written, *meant;
 } words[] = {
@@ -125,7 +125,7 @@ static const struct {
              {"gmm", "g", "mm"},    {"gcm", "g", "cm"},     {"lbft", "lbf", "ft"},
              {"lbin", "lbf", "in"}, {"lbfft", "lbf", "ft"}, {"lbfin", "lbf", "in"}};
 
-/* The unit of a word, or the second of two; null if there is none. */
+/* The unit that a word names, or the second of two; null if there is none. */
 static const named_unit *find_word(text word, const named_unit **first)
 {
     size_t i;
@@ -144,8 +144,8 @@ static const named_unit *find_word(text word, const named_unit **first)
 
 #define MOST_FACTORS 8
 
-/* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if
-** units do not have it. */
+/* Read an exponent, with or without ^, after which it may be negative; 1 if there is none.  Returns 0 if no
+** unit has such an exponent. */
 static int read_exponent(text *t)
 {
     int marked = t->length && t->start[0] == '^', exponent, sign = 1;
@@ -255,7 +255,7 @@ int flk_unit_read(text t, unit *result, text *bad)
     return 1;
 }
 
-/* Words that are no units, and the units that may be meant. */
+/* Words that are not units, and the units that may be meant. */
 static const struct {
     const char *written, *meant;
 } hints[] = {{"gm", "g"},      {"gms", "g"},      {"gr", "g"},      {"mtr", "m"},  {"nm", "N m"},
@@ -263,7 +263,7 @@ static const struct {
              {"pounds", "lb"}, {"pounds", "lbf"}, {"kg", "kgf"},    {"ton", "t"},  {"tonne", "t"},
              {"rps", "rev/s"}, {"psig", "psi"},   {"bara", "bar"},  {"kilo", "kg"}};
 
-/* 1 if a unit has a dimension once a word in it is replaced. */
+/* 1 if a unit has the dimension after a word in it is replaced. */
 static int fits(text t, text word, const char *replacement, dimension dim)
 {
     char trial[200];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** units.h - the units of the field, and the quantities of a deck.
+** units.h - the units used in the field, and the quantities of a deck.
 */
 #ifndef FOURLINK_UNITS_H
 #define FOURLINK_UNITS_H
@@ -62,9 +62,9 @@ typedef struct unit {
     dimension dim;
 } unit;
 
-/* Read a unit, such as N/mm2, kg m2, lbf.in: a product by blank, '.' or '*', '/' dividing by the
-** one factor after it, an exponent as a digit or after '^', where it may be negative; also the words and
-** the spellings Nm, kgm2 that people use.
+/* Read a unit, such as N/mm2, kg m2, lbf.in: factors separated by a blank, '.' or '*'; '/' divides by the
+** next factor only; an exponent is a digit, or follows '^', where it may be negative.  Common words, and the
+** spellings Nm and kgm2, are accepted.
 ** Returns 1 if it is a unit; 0 if not, with the unknown part in `bad`. */
 int flk_unit_read(text t, unit *result, text *bad);
 
@@ -73,7 +73,8 @@ double flk_unit_from_si(double si, unit u);
 
 int flk_dimension_equal(dimension x, dimension y);
 
-/* The unit nearest to a word within the text of a unit, with which that has this dimension; or null. */
+/* The unit that, in place of a word in the text of a unit, gives this dimension and is nearest to that word;
+** or null. */
 const char *flk_unit_nearest(text t, text word, dimension dim);
 
 #endif

@@ -51,7 +51,7 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
     if (pin->word == PIN_END)
         at.x = link->length;
     if (g <= 0)
-        g = STANDARD_GRAVITY; /* off in the machine, but not in the test */
+        g = STANDARD_GRAVITY; /* gravity may be off in the machine, but not in the test */
     h = gsl_hypot(at.x - link->cg.x, at.y - link->cg.y);
     L = g * turns * turns;
     if (h == 0)
@@ -71,8 +71,8 @@ static void build_swing(parser *p, const setting *period, const setting *pin, in
 **
 **    S = sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2),  r^2 = S^2/4 (4 l^2 - 4 e^2 - S^2) / (4 l^2 - S^2)
 **
-** which for e = 0 is r = S/2.  The longest stroke is that of r = l - |e|, the longest crank that turns
-** fully: S^2 = (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would need the sum of the two roots. */
+** which for e = 0 is r = S/2.  The longest stroke has r = l - |e|, the longest crank that turns fully: S^2 =
+** (l + r)^2 - e^2 = 4 l (l - |e|).  A longer stroke would require the sum of the two roots. */
 static void build_stroke(parser *p)
 {
     fourlink_link *link = p->d->design.link;
@@ -94,7 +94,7 @@ static void build_stroke(parser *p)
         link[2].length = S / 2 * sqrt((rest - 4 * e * e) / rest);
 }
 
-/* 1 if a link that need not have a length is given none. */
+/* 1 if a link whose length is optional has none. */
 static int is_without_length(parser *p, const flk_kind *kind, int number)
 {
     section_code section = flk_find_section(flk_text_of(kind->link[number]));
@@ -123,7 +123,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
         flk_values_size(p, s, QUANTITY_LENGTH, gsl_hypot(at->x, at->y));
 }
 
-/* What a link's section says of its mass. */
+/* The mass data in the section of a link. */
 typedef struct body {
     const setting *mass, *cg, *gyration, *inertia, *period, *pin, *uniform;
 } body;
@@ -176,7 +176,7 @@ static void build_bar(parser *p, const flk_kind *kind, const body *b, int number
                     kind->link[number]);
 }
 
-/* Note a mass that has no extent and no place. */
+/* Note a mass with neither moment of inertia nor centre of mass. */
 static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int number)
 {
     const fourlink_link *link = &p->d->design.link[number];
@@ -193,7 +193,7 @@ static void check_point_mass(parser *p, const flk_kind *kind, const body *b, int
                 link->length > 0 ? "uniform = yes for a uniform bar, " : "");
 }
 
-/* The inertia, which is given in one of several ways. */
+/* The moment of inertia, given in one of several ways. */
 static void build_inertia(parser *p, const body *b, int number, int is_mistaken)
 {
     fourlink_link *link = &p->d->design.link[number];

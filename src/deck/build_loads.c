@@ -10,7 +10,7 @@
 #include "mechanics/kind.h"
 #include "reader.h"
 
-/* rad; angles closer than this are the same. */
+/* rad; angles closer than this are equal */
 #define LEAST_STEP 1e-9
 
 /* 1 if a point repeats another, in all components. */
@@ -20,15 +20,16 @@ static int repeats(const point *c, const point *first)
            1e-9 * gsl_hypot(first->y[0], first->y[1]);
 }
 
-/* The period of a curve: over theta2 the cycle, over theta4 a turn; over others 0, as they have none. */
+/* The period of a curve: the cycle for theta2, a turn for theta4; 0 for other arguments, which are not
+** periodic. */
 static double period_of(const parser *p, int over)
 {
     return over == FLK_THETA2 ? p->d->machine.cycle : over == FLK_THETA4 ? 2 * M_PI : 0;
 }
 
-/* Check the points of a curve.  Its arguments increase, angles over at most one period.  A last point at the
-** end of the period repeats the first.  The number of points without that one; 0 if they make no
-** curve. */
+/* Check the points of a curve.  Its arguments must increase; angles cover at most one period.  A last point
+** at the end of the period must repeat the first.  Returns the number of points without that one; 0 if they
+** do not form a curve. */
 static size_t check_curve(parser *p, const setting *s, int over, double period)
 {
     const point *c = s->curve;
@@ -70,7 +71,7 @@ static size_t check_curve(parser *p, const setting *s, int over, double period)
     return 0;
 }
 
-/* Build the curves of a setting's components. */
+/* Build one curve for each component of a setting. */
 static void build_curves(parser *p, const setting *s, int n_components, int over, curve *results)
 {
     double period = period_of(p, over), *memory;
@@ -181,7 +182,7 @@ static void build_window(parser *p, const section_use *use, flk_own_load *own)
                     "the load acts for more than a cycle");
 }
 
-/* max(NAME.vx) must fit wherever names are kept. */
+/* max(NAME.vx) must fit wherever names are stored. */
 #define LONGEST_NAME 32
 
 void flk_build_check_name(parser *p, const section_use *use, const char *columns)
@@ -244,7 +245,7 @@ static int is_piston(const parser *p, int link)
     return fourlink_slides((int)p->d->design.kind, link) == FOURLINK_GROUND;
 }
 
-/* What the curves of a load are over. */
+/* The argument of the curves of a load. */
 static int over_of(const section_use *use)
 {
     return flk_setting_of(use, KEY_LOAD_OVER)->word;
@@ -273,7 +274,7 @@ static void build_force(parser *p, const section_use *use, flk_own_load *own)
     build_curves(p, force, 2, over_of(use), own->values.force_curve);
 }
 
-/* Refuse to follow what the mechanism does not have. */
+/* Refuse an argument that the mechanism does not have. */
 static void check_over(parser *p, const setting *over)
 {
     static const int kinds[] = {
@@ -287,7 +288,7 @@ static void check_over(parser *p, const setting *over)
                     over->value);
 }
 
-/* Values on the way back: a curve or a value, as torque or force is. */
+/* Build the values on the way back: a curve or a constant, like torque or force. */
 static void build_back(parser *p, const section_use *use, flk_own_load *own)
 {
     const setting *back = flk_setting_of(use, KEY_LOAD_BACK);
@@ -311,7 +312,7 @@ static void build_back(parser *p, const section_use *use, flk_own_load *own)
     }
 }
 
-/* A value over a speed needs the speed at which it is reached. */
+/* Build a value that follows a speed, which needs the speed at which it is reached. */
 static void build_power_law(parser *p, const section_use *use, int is_clear, int has_curve,
                             flk_own_load *own)
 {
@@ -399,12 +400,13 @@ void flk_build_loads(parser *p)
     }
 }
 
-/* ------------------------------------------------------------------------------------- curves that are left */
+/* ------------------------------------------------------------------------------------- ends of curves */
 
-#define PLACES 180    /* of the motion */
+#define PLACES 180    /* of the motion, that are checked */
 #define ROUNDING 1e-9 /* of the curve */
 
-/* The least and the largest argument of a load over the motion; of a motion that is not given speeds are not known. */
+/* The smallest and the largest argument of a load over the motion.  If the motion is not given, speeds are
+** unknown. */
 static void find_range(const deck *d, flk_variable over, double *low, double *high)
 {
     double end = d->one_instant ? d->motion.from : d->motion.to;

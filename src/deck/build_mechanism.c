@@ -57,7 +57,7 @@ int flk_build_kind(parser *p)
     return 1;
 }
 
-/* A length in the unit in which another is written, and that unit's text. */
+/* A length in the unit in which another length is written, and the text of that unit. */
 static double in_unit_of(parser *p, const setting *s, double length, text *written)
 {
     *written = flk_quantity_unit_text(s->value);
@@ -66,7 +66,7 @@ static double in_unit_of(parser *p, const setting *s, double length, text *writt
     return flk_unit_from_si(length, s->unit);
 }
 
-/* The slide of a lever: its offset, or the angle at which it passes the lever's end. */
+/* The slide of a lever: its offset, or its angle at the end of the lever. */
 static void build_slide(parser *p)
 {
     const setting *offset = flk_setting_find(p, KEY_LEVER_OFFSET),
@@ -88,7 +88,8 @@ static void build_slide(parser *p)
                     "a lever with an angle needs a length, from D to C on the slide");
 }
 
-/* A slide can be reached at some angle if it is no farther than the two links with a length together. */
+/* A slide can be reached at some angle if its distance is at most the sum of the two links that have a
+** length. */
 static void check_slide(parser *p, const flk_kind *kind, double sum)
 {
     const fourlink_design *design = &p->d->design;
@@ -122,8 +123,8 @@ static void check_slide(parser *p, const flk_kind *kind, double sum)
                 s->value, first, second, in_unit, written);
 }
 
-/* A linkage can be assembled at some angle if no link is longer than the other three together; one with a
-** slide, if the others reach it. */
+/* A linkage can be assembled at some angle if no link is longer than the sum of the other three.  A linkage
+** with a slide can be assembled if the other links reach it. */
 static void check_reach(parser *p, const flk_kind *kind)
 {
     const fourlink_link *link = p->d->design.link;
@@ -189,7 +190,7 @@ void flk_build_mechanism(parser *p)
                     fourlink_status_text(i));
 }
 
-/* The approximations of the engine method, which exist only for the sources' kind of engine. */
+/* The approximations of the engine method, which exist only for the kind of engine in the sources. */
 void flk_build_series(parser *p)
 {
     const setting *s = flk_setting_find(p, KEY_TOP_SERIES);

@@ -66,7 +66,7 @@ static void build_run_up(parser *p, const setting *run_up)
         flk_mistake(p->mistakes, run_up->place, "'hold' cannot be used with a run-up");
 }
 
-/* Note a speed without a unit, unless the deck says which it is: most speeds are in rpm. */
+/* Note a speed without a unit, unless the deck gives the unit: most speeds are in rpm. */
 static void check_speed(parser *p)
 {
     const setting *speed = flk_setting_find(p, KEY_MOTION_SPEED);
@@ -77,7 +77,7 @@ static void check_speed(parser *p)
                     speed->value, speed->value, speed->value);
 }
 
-/* A cycle is at least an interval long, or curves and windows would repeat within a row. */
+/* A cycle is at least one interval long; otherwise curves and windows would repeat within a row. */
 static void check_cycle(parser *p, double cycle)
 {
     const setting *s = flk_setting_find(p, KEY_MOTION_CYCLE);
@@ -91,7 +91,7 @@ int flk_build_mode(parser *p)
     return flk_setting_find(p, KEY_MOTION_MODE)->word;
 }
 
-/* Refuse keys of the given motion beside another mode, and the reverse. */
+/* Refuse keys of the given motion in another mode, and the reverse. */
 static void check_mode(parser *p, int mode)
 {
     static const key_code of_given[] = {KEY_MOTION_ACCELERATION, KEY_MOTION_RUN_UP, KEY_MOTION_HOLD,
@@ -124,7 +124,7 @@ static void check_mode(parser *p, int mode)
         flk_mistake(p->mistakes, mean->place, "the mean_speed must not be 0");
 }
 
-/* The keys of rows by time, which have their own end. */
+/* The keys of rows by time, which have their own end of the range. */
 static void build_rows_by_time(parser *p, int mode)
 {
     static const key_code of_angle[] = {KEY_MOTION_TO, KEY_MOTION_TURNS, KEY_MOTION_INTERVAL};
@@ -168,7 +168,7 @@ static void build_rows_by_time(parser *p, int mode)
                     duration->si[0] / step->si[0]);
 }
 
-/* How the crank's speed comes about. */
+/* How the speed of the crank is determined. */
 static void build_drive(parser *p)
 {
     int mode = flk_build_mode(p);
@@ -208,7 +208,7 @@ static text_place place_of_end(parser *p)
     return IS_SET(to) ? to->place : IS_SET(turns) ? turns->place : flk_reader_end(p);
 }
 
-/* Where the number of rows is given: at the interval, otherwise where the range is. */
+/* The place that determines the number of rows: the interval if given, otherwise the range. */
 static text_place place_of_rows(parser *p)
 {
     static const key_code keys[] = {KEY_MOTION_INTERVAL, KEY_MOTION_TO, KEY_MOTION_TURNS,
@@ -224,7 +224,7 @@ static text_place place_of_rows(parser *p)
     return flk_reader_end(p);
 }
 
-/* Refuse so many rows by angle; 0: nobody counted them. */
+/* Refuse this many rows by angle; 0: not counted. */
 static void refuse_rows(parser *p, unsigned long n)
 {
     char count[40] = "";
@@ -236,7 +236,7 @@ static void refuse_rows(parser *p, unsigned long n)
                 count);
 }
 
-/* The name of what turns a steady motion against its range; null: nothing does. */
+/* The name of the setting that turns a steady motion against its range; null: none. */
 static const char *against_range(parser *p)
 {
     const deck_drive *drive = &p->d->drive;
@@ -311,7 +311,7 @@ void flk_build_motion(parser *p)
         fabs(fabs(motion->to - motion->from) * motion->angle_unit - 2 * M_PI) < 1e-9;
     if (IS_SET(run_up))
         build_run_up(p, run_up);
-    if (p->d->drive.mode != DRIVE_GIVEN) /* at rest it is about to turn in this sense */
+    if (p->d->drive.mode != DRIVE_GIVEN) /* from rest it starts in this sense */
         p->d->machine.friction.direction = motion->to < motion->from ? -1 : 1;
     if (!flk_section_is_mistaken(p, SECTION_MOTION) && flk_mistakes_count(p->mistakes) == before)
         check_range(p);
@@ -325,7 +325,7 @@ void flk_build_table(parser *p)
 
     p->d->asks_for_both = branches == BRANCH_BOTH;
     if (!branches && flk_machine_count(&p->d->machine, &flk_gas_sort))
-        branches = BRANCH_OPEN; /* engines stand on it */
+        branches = BRANCH_OPEN; /* the usual branch of engines */
     p->d->open = branches != BRANCH_CROSSED;
     p->d->crossed = branches != BRANCH_OPEN;
     p->d->columns.names = columns->value;
@@ -337,8 +337,8 @@ void flk_build_table(parser *p)
         p->d->digits = IS_SET(digits) ? (int)digits->si[0] : 6;
 }
 
-/* Answers for a deck that asks for one branch: those of this branch or, if there are none, those of the other
-** as if they were of this one. */
+/* For a deck that requests one branch, keep only the answers for that branch.  If there are none, those for
+** the other branch are used. */
 static void keep_one_branch(deck *d)
 {
     fourlink_branch asked = d->open ? FOURLINK_OPEN : FOURLINK_CROSSED;
@@ -358,7 +358,7 @@ static void keep_one_branch(deck *d)
     d->n_expectations = kept;
 }
 
-/* Add the printed values of the deck, in the order of its lines. */
+/* Add the printed values of the deck, in line order. */
 void flk_build_expectations(parser *p)
 {
     deck *d = p->d;

@@ -8,7 +8,7 @@
 
 /* ------------------------------------------------------------------------------------------- motor */
 
-/* Refuse 0, of which no sense follows. */
+/* Refuse 0, which gives no sense of rotation. */
 static void check_not_zero(parser *p, key_code key)
 {
     const setting *s = flk_setting_find(p, key);
@@ -17,7 +17,7 @@ static void check_not_zero(parser *p, key_code key)
         flk_mistake(p->mistakes, s->place, "the %s must not be 0", flk_key_table[key].name);
 }
 
-/* 1 if two keys that belong together are there; a mistake if only one is. */
+/* 1 if both of two keys that belong together are set; a mistake if only one is. */
 static int has_pair(parser *p, key_code first, key_code second, const char *why)
 {
     const setting *a = flk_setting_find(p, first), *b = flk_setting_find(p, second);
@@ -51,7 +51,7 @@ static int has_power(parser *p)
                     "or the torque would be infinite at rest");
 }
 
-/* Check that a curve has points whose speeds rise; returns how many, or 0. */
+/* Check that the speeds of a curve increase.  Returns the number of points, or 0. */
 static size_t check_curve(parser *p, const setting *s)
 {
     size_t i;
@@ -86,7 +86,7 @@ static void build_curve(parser *p, const setting *s, fourlink_motor *motor)
     motor->n_curve = (unsigned long)n;
 }
 
-/* A motor needs a motion that is not given; one that balances needs a cycle and its mean speed. */
+/* A motor needs a motion that is not given; a motor that balances needs a cycle and its mean speed. */
 static void check_mode(parser *p, const section_use *use, const fourlink_motor *motor)
 {
     int mode = flk_build_mode(p);
@@ -94,7 +94,7 @@ static void check_mode(parser *p, const section_use *use, const fourlink_motor *
                   *word = flk_setting_find(p, KEY_MOTION_MODE);
 
     if (mode == DRIVE_GIVEN && IS_SET(word) && !flk_text_equal(word->value, "given"))
-        return; /* its mistake is noted */
+        return; /* already reported */
     if (mode == DRIVE_GIVEN)
         flk_mistake(
             p->mistakes, use->place,
@@ -150,7 +150,7 @@ void flk_build_motor(parser *p)
     use->is_mistaken = flk_mistakes_count(p->mistakes) > before;
 }
 
-/* The torque of a motor that says in which sense it turns. */
+/* A torque of the motor that shows in which sense it turns. */
 static double driving_torque(const fourlink_motor *motor)
 {
     double largest = 0;
@@ -186,7 +186,7 @@ int flk_build_sense(parser *p)
 
 /* ---------------------------------------------------------------------------------------- flywheel */
 
-/* 1 if something turns or moves with the crank and has inertia. */
+/* 1 if anything that moves with the crank has inertia. */
 static int has_inertia(const deck *d)
 {
     const fourlink_link *link = d->design.link, *crank = &link[FOURLINK_CRANK];
@@ -197,7 +197,7 @@ static int has_inertia(const deck *d)
            (link[4].inertia > 0 && d->design.kind != FOURLINK_SLIDER_CRANK);
 }
 
-/* The exact fluctuation is one of the steady motion. */
+/* The exact fluctuation is defined for the steady motion only. */
 static void build_exact(parser *p, const setting *exact, const setting *fluctuation)
 {
     int mode = flk_build_mode(p);

@@ -9,13 +9,13 @@
 
 /* ------------------------------------------------------------------------------------------ springs */
 
-/* Refuse a key that springs of the other sort have. */
+/* Refuse a key that only the other sort of spring has. */
 static void check_sort(parser *p, const section_use *use, key_code key, int is_torsional)
 {
     const setting *s = flk_setting_of(use, key),
                   *stiffness = flk_setting_of(use, KEY_SPRING_STIFFNESS);
 
-    if (!IS_SET(s) || (!is_torsional && use->is_mistaken)) /* of which sort? */
+    if (!IS_SET(s) || (!is_torsional && use->is_mistaken)) /* the sort is unknown */
         return;
     if (is_torsional)
         flk_mistake(p->mistakes, s->place, "a torsional spring has no %s", flk_key_table[key].name);
@@ -28,7 +28,7 @@ static void check_sort(parser *p, const section_use *use, key_code key, int is_t
                     stiffness->value);
 }
 
-/* The link of an end of a spring; 0 and a mistake if there is none. */
+/* The link at an end of a spring; 0 and a mistake if there is none. */
 static int build_link(parser *p, const section_use *use, key_code key)
 {
     const setting *link = flk_setting_of(use, key);
@@ -42,7 +42,7 @@ static int build_link(parser *p, const section_use *use, key_code key)
     return link->word == FOURLINK_GROUND || flk_build_check_link(p, use, link) ? link->word : 0;
 }
 
-/* The point of an end of a spring. */
+/* The point at an end of a spring. */
 static void build_point(parser *p, const section_use *use, key_code key, int link,
                         fourlink_vector *at)
 {
@@ -79,7 +79,7 @@ static void build_ends(parser *p, const section_use *use, fourlink_spring *s)
     }
 }
 
-/* Refuse a spring between the two sides of a pin: its length is 0 at every position. */
+/* Refuse a spring between two points at the same pin: its length is always 0. */
 static void check_length(parser *p, const section_use *use, const fourlink_spring *spring)
 {
     const fourlink_mechanism *mechanism = &p->d->machine.mechanism;

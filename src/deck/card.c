@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** card.c - curves from files of two columns, the crank angle and a value, as instruments write them.
+** card.c - curves from two-column files, crank angle and value, as instruments write them.
 **
-** The columns are separated by semicolons, or by commas, tabs and blanks.  With semicolons numbers may have
-** decimal commas.  A header names the columns, and may have their units: Angle [deg], p (bar), p/bar, bar; these
-** may also stand in a line of their own below it, or in the deck.  Each row becomes ANGLE UNIT VALUE UNIT, as in
-** a list of points.
+** The columns are separated by semicolons, or by commas, tabs and blanks.  With semicolons, numbers may have
+** decimal commas.  A header names the columns and may give their units: Angle [deg], p (bar), p/bar, bar.
+** The units may also be on a separate line below it, or in the deck.  Each row becomes ANGLE UNIT VALUE UNIT,
+** as in a list of points.
 */
 #include <string.h>
 
@@ -15,19 +15,20 @@
 #define MOST_FIELDS 4
 #define ROW_SIZE 400
 #define UNIT_SIZE 64
-#define MOST_QUOTED 20 /* bytes of the file in a message: it may not have been meant to be read */
+#define MOST_QUOTED 20 /* bytes of the file in a message: it may be the wrong file */
 
-/* A file that is being read. */
+/* A file being read. */
 typedef struct card {
     parser *p;
-    text line;   /* the present line */
-    setting row; /* the setting, with the start of the line as its value, and its place */
-    char quote[MOST_QUOTED + 1]; /* that start */
+    text line;   /* the current line */
+    setting row; /* the setting, with the start of the line as its value, and the line's place */
+    char quote[MOST_QUOTED + 1]; /* the start of the line */
     quantity q[2];
-    char unit[2][UNIT_SIZE]; /* of bare numbers in the columns; empty: the deck's */
-    int is_told[2];          /* 1: the deck gives it with the name of the file */
-    int separator;           /* of its first line: ';', or ' ' for all others; 0 before that */
-    char mark;               /* the first decimal mark with semicolons: '.' or ','; 0 before that */
+    char unit[2][UNIT_SIZE]; /* unit of bare numbers in each column; empty: that of the deck */
+    int is_told[2];          /* 1: the deck gives the unit after the file name */
+    int separator;           /* of the first line: ';', or ' ' for all others; 0 before that line */
+    char mark;               /* the first decimal mark in a file with semicolons: '.' or ','; 0
+                                before it */
     int headers;
 } card;
 
@@ -36,7 +37,7 @@ static int is_number_start(text t)
     return t.length && strchr("+-.0123456789", t.start[0]) != NULL;
 }
 
-/* A row up to its comment.  A semicolon begins one at the start of the line, or after a blank if words
+/* A row up to its comment.  A semicolon begins a comment at the start of a line, or after a blank if words
 ** follow the numbers. */
 static text without_comment(text line)
 {
@@ -58,8 +59,8 @@ static text without_comment(text line)
     return flk_text_trim(before);
 }
 
-/* Cut a line at a separator outside quotes; the number of fields, of which `fields` has the first.  Empty
-** ones count, but at the end and between tabs. */
+/* Cut a line at a separator outside quotes.  Returns the number of fields; `fields` has the first ones.
+** Empty fields count, except at the end and between tabs. */
 static size_t cut(text line, int separator, text fields[MOST_FIELDS])
 {
     size_t i, start = 0, n = 0, used = 0;
@@ -152,7 +153,7 @@ static text after_last(text t, const char *marks)
     return flk_text_trim(flk_text_from(t, i));
 }
 
-/* What stands in the last brackets of a field; 0 if there are none. */
+/* The text in the last brackets of a field; 0 if there are none. */
 static int in_brackets(text field, text *inside)
 {
     size_t open, end = field.length;
@@ -186,7 +187,7 @@ static text unit_in_header(text field, quantity q)
     return found[3];
 }
 
-/* Keep the unit of a column; 0 and a mistake if it is none, or not that of the deck. */
+/* Set the unit of a column; 0 and a mistake if it is not a unit, or differs from that of the deck. */
 static int keep_unit(card *c, int column, text t)
 {
     unit u;
@@ -205,7 +206,7 @@ static int keep_unit(card *c, int column, text t)
     return 1;
 }
 
-/* The names of the columns, or their units below these. */
+/* Read the names of the columns, or the units below them. */
 static void read_header(card *c)
 {
     text fields[MOST_FIELDS];
@@ -221,7 +222,7 @@ static void read_header(card *c)
         keep_unit(c, i, unit_in_header(fields[i], c->q[i]));
 }
 
-/* 1 if a line is a header: the first one without a number, and one of units below it. */
+/* 1 if a line is a header: the first line without a number, or a line of units below it. */
 static int is_header(const card *c)
 {
     text fields[MOST_FIELDS], line = c->line;
@@ -233,14 +234,14 @@ static int is_header(const card *c)
                                is_unit_of(fields[0], c->q[0]) && is_unit_of(fields[1], c->q[1]));
 }
 
-/* Write a decimal comma as a point; 0 if the file has the other mark elsewhere. */
+/* Replace a decimal comma by a point; 0 if the file has the other mark elsewhere. */
 static int write_mark(card *c, char *field)
 {
     char *comma = strchr(field, ','), *dot = strchr(field, '.');
     char mark = comma ? ',' : '.';
 
     if ((!comma && !dot) || (comma && dot) || (comma && strchr(comma + 1, ',')))
-        return 1; /* refused later, if it is none */
+        return 1; /* if it is not a number, it is refused later */
     if (c->mark && c->mark != mark)
         return 0;
     c->mark = mark;
@@ -291,8 +292,7 @@ static int check_columns(card *c, const text *fields, size_t n)
     return 1;
 }
 
-/* Read the text of a point.  A mistake in it may quote any of it, so that a long one has a mistake of its
-** own. */
+/* Read the text of a point.  A message may quote any part of it, so a long text is a separate mistake. */
 static int read_point(card *c, text t, int is_long, point *result)
 {
     mistakes *all = c->p->mistakes, aside;
@@ -309,7 +309,7 @@ static int read_point(card *c, text t, int is_long, point *result)
                        flk_curve_point_example(c->q[1]), c->row.value);
 }
 
-/* Read a row; 0 and a mistake if it is none. */
+/* Read a row; 0 and a mistake if it is not one. */
 static int read_row(card *c, point *result)
 {
     text fields[MOST_FIELDS];
@@ -391,7 +391,7 @@ static void split_name(parser *p, const quantity q[2], text t, text *name, text 
     }
 }
 
-/* Load the file; null if there is none. */
+/* Load the file; null if it does not exist. */
 static const char *load(parser *p, text name, unsigned long *length)
 {
     char file[1024];
@@ -402,7 +402,7 @@ static const char *load(parser *p, text name, unsigned long *length)
                : NULL;
 }
 
-/* Refuse what follows the name of a file that exists, if it is no units of the two columns; 1 if it is refused. */
+/* Refuse text after the name of an existing file if it is not the units of the two columns; 1 if refused. */
 static int refuse_units(parser *p, const setting *s, const quantity q[2], text t)
 {
     unsigned long length;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve_point.c - a point of a curve over the crank angle from text: an angle and a value.
+** curve_point.c - a point of a curve from text: a crank angle and a value.
 */
 #include <string.h>
 
@@ -42,7 +42,7 @@ const char *flk_curve_point_example(quantity q)
                                   : "20 deg 3 N m";
 }
 
-/* The same over another argument. */
+/* The same for another argument. */
 static const char *example(quantity argument, quantity q)
 {
     if (argument == QUANTITY_ANGLE)

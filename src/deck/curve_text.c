@@ -47,7 +47,7 @@ static int next_item(text *rest, text *item)
     return 1;
 }
 
-/* 1 if a value is one for all angles: it has no second number before " at ", and no comma. */
+/* 1 if a value is the same at all angles: it has no second number before " at ", and no comma. */
 static int is_constant(text value, quantity q)
 {
     text rest = value, item, size, angle;
@@ -73,7 +73,7 @@ static int read_constant(parser *p, setting *s, quantity q)
     return 1;
 }
 
-/* Note values in bare numbers, unless the deck says in which unit these are.  Returns 1. */
+/* Note values without units, unless the deck gives the unit of bare numbers.  Returns 1. */
 static int note_unit(parser *p, const setting *s, quantity q)
 {
     const char *name = p->d->units[q].name;

@@ -23,10 +23,10 @@ void flk_deck_start(deck *d)
     }
 }
 
-/* The head of a piece of the deck's memory, before its contents. */
+/* The header of a block of the deck's memory, before its contents. */
 typedef struct kept {
     struct kept *next;
-    double contents[1]; /* aligned for all contents */
+    double contents[1]; /* aligned for any contents */
 } kept;
 
 void *flk_deck_keep(deck *d, size_t size)
@@ -238,7 +238,7 @@ int fourlink_deck_point(const fourlink_deck *d, unsigned long i, const char **na
     return FOURLINK_OK;
 }
 
-/* Of the friction in a joint, or of an element. */
+/* Set the information on a load of friction in a joint, or of an element. */
 static void set_info_of_friction(const flk_machine *machine, unsigned long i,
                                  fourlink_load_info *info)
 {

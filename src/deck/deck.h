@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** deck.h - the input deck: from a text to a problem to solve, or to mistakes.
+** deck.h - the input deck: from a text to a problem, or to a list of mistakes.
 */
 #ifndef FOURLINK_DECK_H
 #define FOURLINK_DECK_H
@@ -18,7 +18,7 @@ typedef struct deck_unit {
     unit unit;
 } deck_unit;
 
-/* A list of names in a deck, such as columns, and its place. */
+/* A list of names in a deck, such as columns, with its place. */
 typedef struct deck_names {
     text names;
     text_place place;
@@ -30,7 +30,7 @@ typedef struct deck_balance {
     fourlink_balance moment; /* of the counterweights */
     double radius;           /* m; 0: not given */
     double reciprocating;    /* kg, of a slider-crank */
-    double mass[2];          /* kg, with this radius: of crank and rocker */
+    double mass[2];          /* kg, at this radius: on crank and rocker */
 } deck_balance;
 
 #define DECK_POINT_COLUMNS 8
@@ -47,7 +47,7 @@ typedef struct deck_point {
 typedef struct deck_expectation {
     text_place place;
     text name, value; /* a column or a fact; the printed value */
-    text tolerance;   /* empty: half of the last printed digit */
+    text tolerance;   /* empty: half a unit of the last printed digit */
     text_place tolerance_place;
     int misprint; /* 1: known to be wrong */
     int has_at;
@@ -60,7 +60,7 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    unsigned long index; /* of its value in this design, in its range or list */
+    unsigned long index; /* index of its value in this design, in its range or list */
     double value;        /* in the deck's unit */
 } deck_variable;
 
@@ -69,15 +69,15 @@ typedef struct deck_sweep {
     deck_variable *variables;
     size_t n_variables;
     unsigned long n_designs;
-    unsigned long design; /* which of them this is */
+    unsigned long design; /* the number of this design */
     deck_names output;    /* empty: rows of each design */
-    deck_names yield;     /* its conditions */
+    deck_names yield;     /* the conditions of the yield */
     int has_statistics;
 } deck_sweep;
 
 enum { SOLVER_MATRIX = 1, SOLVER_DYAD = 2 };
 
-/* How the speed of the crank comes about. */
+/* How the speed of the crank is determined. */
 enum {
     DRIVE_GIVEN = FOURLINK_MODE_GIVEN,   /* as d->motion says */
     DRIVE_FREE = FOURLINK_MODE_FREE,     /* from motion.speed, with or without a motor */
@@ -89,14 +89,14 @@ enum {
 ** rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up and hold are 0. */
 typedef struct deck_drive {
     int mode;
-    double mean_speed;          /* rad/s, steady, with a torque that balances; 0: not given */
+    double mean_speed;          /* rad/s, steady motion with a torque that balances; 0: not given */
     double turns;               /* 1; 0: not given.  motion.to is set from it */
     int by_time;                /* 1: rows by time */
     double time_step, duration; /* s, of rows by time */
-    double fluctuation;         /* 1, exact: the flywheel that has it is wanted; 0: not */
+    double fluctuation;         /* 1, exact: find the flywheel with this fluctuation; 0: none */
 } deck_drive;
 
-/* A deck; to hosts of the library it is fourlink_deck, without members. */
+/* A deck; programs that use the library see an opaque fourlink_deck. */
 typedef struct fourlink_deck deck;
 
 struct fourlink_deck {
@@ -124,15 +124,15 @@ struct fourlink_deck {
     deck_unit units[QUANTITY_COUNT];
 
     mistakes mistakes;                 /* none: the deck is valid */
-    mistakes notes;                    /* what is allowed, but probably not meant */
-    struct parser *settings, *answers; /* what its texts say; null: they are not read */
+    mistakes notes;                    /* on what is allowed but probably not meant */
+    struct parser *settings, *answers; /* the content of its texts; null: not read */
     struct kept *storage;              /* texts that names and places point to */
 };
 
 /* Read a deck.
 **
 ** Given:
-**    source      its text, and changes to it; not needed after the call
+**    source      the text, and changes to it; not needed after the call
 ** Returned:
 **    d           the deck, for flk_deck_free, even if it has mistakes
 ** Returned (function value):
@@ -148,17 +148,18 @@ int flk_deck_read(const fourlink_source *source, deck *d);
 **    from        from flk_deck_read or flk_deck_design; must outlive `d`
 **    design      below d->sweep.n_designs
 ** Returned:
-**    d           the deck, for flk_deck_free, even if it has mistakes; of notes only those on what is built
+**    d           the deck, for flk_deck_free, even if it has mistakes; its notes are only those on what is
+**                built
 ** Returned (function value):
 **    as from flk_deck_read; 0 if the text itself has mistakes
 */
 int flk_deck_design(const deck *from, unsigned long design, deck *d);
 
 /* The values before and after that of variable i in its range, in the deck's unit; its own value at an end of
-** the range, and in a list. */
+** the range, and for a list. */
 void flk_deck_neighbours(deck *d, size_t i, double *low, double *high);
 
-/* Copy the first `max` mistakes or notes of a deck for a host, and their number. */
+/* Copy the first `max` mistakes or notes of a deck, and their number, for the caller. */
 void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,
                             unsigned long *n_mistakes);
 
@@ -166,11 +167,12 @@ void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mista
 void flk_deck_start(deck *d);
 void flk_deck_free(deck *d);
 
-/* The rows of its motion, as from fourlink_motion_range; of rows by time only their number.  The time of such a row, s. */
+/* The rows of its motion, as from fourlink_motion_range; for rows by time only their number.  The time of
+** such a row, s. */
 int flk_deck_range(const deck *d, fourlink_range *range);
 double flk_deck_time(const deck *d, unsigned long row);
 
-/* Memory set to 0 that lasts as long as the deck; null if there is none. */
+/* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_deck_keep(deck *d, size_t size);
 
 #endif

@@ -10,7 +10,7 @@
 #define MOST_LINES 4000000
 #define MOST_SECTIONS 10000
 
-/* 1 if such a section is allowed here; otherwise 0 and a mistake. */
+/* 1 if this section is allowed here; otherwise 0 and a mistake. */
 static int check_section(parser *p, text_place place, section_code section, text name)
 {
     const section_info *info = &flk_section_table[section];
@@ -103,7 +103,7 @@ int flk_line_is_text(parser *p, text line, text_place place)
 static int next_line(parser *p, text *rest, text *line)
 {
     if (p->last_line > 0 && !rest->length)
-        return 0; /* nothing after the last end of line */
+        return 0; /* nothing after the last line end */
     if (!flk_text_split(rest, p->line_end, line))
         return 0;
     p->last_line++;
@@ -121,8 +121,8 @@ static int next_line(parser *p, text *rest, text *line)
                        "more than 8,000,000 characters: not a deck");
 }
 
-/* A line that ends in a comma continues in the next, unless that is an assignment or a section.  The comment
-** and the end of line between them become blanks in the deck's copy. */
+/* A line that ends in a comma continues in the next, unless that is an assignment or a section.  In the
+** deck's copy, the comment and the line end between them become blanks. */
 static void join_lines(parser *p, text *rest, text *line)
 {
     while (line->length && line->start[line->length - 1] == ',' && rest->start) {

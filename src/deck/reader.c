@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** reader.c - the reader of decks: from a text to a problem to solve, or to mistakes.
+** reader.c - the deck reader: from a text to a problem, or to a list of mistakes.
 **
 ** It makes three passes: lines to settings, each a text and its place (lines.c, settings.c); texts to values,
 ** by the forms of schema.h and in the deck's units (values.c); values to a problem (build_*.c).  A mistake
-** does not end the reading, so that one run reports all of them.
+** does not stop the reader, so that one run reports all of them.
 */
 #include <string.h>
 
@@ -102,7 +102,7 @@ static void build(parser *p)
     flk_build_expectations(p);
 }
 
-/* What a text of the source says; null if out of memory. */
+/* Read a text of the source; null if out of memory. */
 static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
 {
     const char *name = is_answers ? source->answers_name : source->name;
@@ -137,7 +137,8 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     return p->out_of_memory ? NULL : p;
 }
 
-/* Build what a text says, of a deck with [sweep] one of its designs; returns what flk_deck_read does. */
+/* Build what a text describes; for a deck with [sweep], one of its designs.  Returns the same as
+** flk_deck_read. */
 static int build_from(deck *d, parser *p, unsigned long design)
 {
     if (!p)
@@ -170,7 +171,7 @@ int flk_deck_read(const fourlink_source *source, deck *d)
     return build_from(d, d->answers, 0);
 }
 
-/* What a text of another deck says.  Settings are shared until one of their section is set.  Null if out of
+/* Share the settings of another deck, for each section until one of its settings is changed.  Null if out of
 ** memory. */
 static parser *share(deck *d, const parser *from)
 {
@@ -187,7 +188,7 @@ static parser *share(deck *d, const parser *from)
     for (i = 0; i < p->n_uses; i++) {
         uses[i] = from->uses[i];
         uses[i].is_shared = 1;
-        uses[i].is_mistaken = 0; /* a mistake of that deck's design */
+        uses[i].is_mistaken = 0; /* a mistake in the design of that deck */
     }
     return p;
 }

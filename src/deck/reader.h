@@ -15,24 +15,24 @@ struct flk_kind;
 /* The parts of a force or a point that can be set separately: load F.force.size. */
 typedef enum vector_part { PART_X, PART_Y, PART_SIZE, PART_ANGLE, PART_NONE } vector_part;
 
-/* Who gives a key or a name its value. */
+/* Where the value of a key or a name comes from. */
 typedef enum value_giver { GIVEN_BY_TEXT, GIVEN_BY_CHANGE, GIVEN_BY_DESIGN } value_giver;
 
-/* What the deck sets a key to. */
+/* The value of a key in the deck. */
 typedef struct setting {
     text_place place; /* see IS_SET */
-    text own;         /* its value in the deck's text; null: it is not there */
-    text value;       /* the value that counts */
+    text own;         /* its value in the deck's text; null: not in the text */
+    text value;       /* the value in effect */
     value_giver giver;
     double number;  /* as written */
     unit unit;      /* its unit */
     double si[2];   /* the value in SI units and radians, or the two components */
-    int of_length;  /* 1: a point, as a part of the length of its link */
+    int of_length;  /* 1: a point given as a fraction of its link's length */
     int is_bare;    /* 1: a force without a direction */
-    int is_read;    /* 1: what follows from `value` is read from it */
-    int is_pending; /* 1: a design of the [sweep] sets it, and none has */
+    int is_read;    /* 1: the members that follow from `value` have been read */
+    int is_pending; /* 1: a design of the [sweep] sets it, but none has yet */
     int word;
-    struct setting *parts; /* of a vector: parts set separately, by vector_part; or null */
+    struct setting *parts; /* for a vector: parts set separately, by vector_part; or null */
     struct point *curve;   /* its points, if it is a curve */
     size_t n_points;
 } setting;
@@ -42,8 +42,8 @@ typedef struct setting {
 /* A point of a curve. */
 typedef struct point {
     double x, y[2];   /* rad, SI units; a value, or two components */
-    text_place place; /* its place in the text */
-    int has_unit;     /* 1: its value has one */
+    text_place place; /* place in the text */
+    int has_unit;     /* 1: the value has a unit */
     double unit_to_si;
 } point;
 
@@ -52,19 +52,19 @@ typedef struct section_use {
     section_code section;
     text name;
     text_place place;
-    const char *start; /* of its header in the text; null: it is not there */
-    int is_mistaken;   /* 1: a mistake in it is noted, so that none is that follows from it */
-    int is_read;       /* 1: all its settings are */
-    int is_shared;     /* 1: its settings are those of the deck of which this is a design */
+    const char *start; /* of its header in the text; null: not in the text */
+    int is_mistaken;   /* 1: a mistake in it is reported; mistakes that follow from it are not */
+    int is_read;       /* 1: all its settings have been read */
+    int is_shared;     /* 1: its settings are those of the deck that this is a design of */
     setting *settings; /* see flk_setting_of */
 } section_use;
 
-/* A value of a section that takes names as keys: [expect], [misprint], [sweep]. */
+/* A value in a section that has names as keys: [expect], [misprint], [sweep]. */
 typedef struct named_value {
     size_t use; /* number of its section */
     text name;
     text_place place;
-    text own, value; /* as of a setting */
+    text own, value; /* as in a setting */
     value_giver giver;
 } named_value;
 
@@ -78,16 +78,16 @@ typedef struct target {
 
 struct variation;
 
-/* What a text says: the settings of a deck, kept as long as it is, or of its answers. */
+/* The content of a text: the settings of a deck, kept as long as the deck, or of its answers. */
 typedef struct parser {
     deck *d;                /* that is being read, or built */
     mistakes *mistakes;     /* the deck's */
-    char why[MESSAGE_SIZE]; /* why a text is not a quantity, until it is noted */
+    char why[MESSAGE_SIZE]; /* why a text is not a quantity, until this is reported */
     const char *name;
     text text;  /* all of it, for fourlink_deck_write */
-    char *copy; /* of it, with blanks between the lines of a value */
+    char *copy; /* of the text, with blanks between the lines of a value */
     fourlink_loader *load;
-    void *host; /* for the loader */
+    void *host; /* passed to the loader */
     section_use *uses;
     size_t n_uses, uses_capacity;
     size_t first_use[SECTION_COUNT]; /* number of the first of each section + 1; 0: none */
@@ -95,28 +95,29 @@ typedef struct parser {
     size_t n_named, named_capacity;
     size_t *named_slots; /* hash table of their names: number + 1; 0: free */
     size_t n_slots;
-    int has_changed_names;        /* 1: one of them is not given by the text */
+    int has_changed_names;        /* 1: some value is not from the text */
     struct variation *variations; /* of [sweep], in the order of its variables */
     double samples;
-    int is_sound;   /* 1: no mistake is noted before a design is set */
+    int is_sound;   /* 1: no mistakes before a design is set */
     int is_answers; /* 1: [expect] and [misprint] instead of those of the deck */
     int has_unknown_section;
     int not_text;      /* 1: the reading ended at a byte that is not text */
-    quantity argument; /* of the curve that is being read */
+    quantity argument; /* of the curve being read */
     long last_line;
     size_t
-        n_characters; /* of the text and the files it names, without comments and blanks around lines */
+        n_characters; /* of the text and the files that it names, without comments and blanks around
+                         lines */
     int line_end;
     int out_of_memory;
 } parser;
 
-/* Memory set to 0 that lasts as long as the deck; null if there is none. */
+/* Memory set to 0, valid as long as the deck; null if out of memory. */
 void *flk_reader_keep(parser *p, size_t size);
 
-/* A null-terminated copy of a text with an ending, which lasts as long. */
+/* A null-terminated copy of a text with an ending, valid as long. */
 char *flk_reader_copy(parser *p, text t, const char *ending);
 
-/* A value in plain characters (see base/spelling.h), which lasts as long; its blanks alone. */
+/* A value in plain characters (see base/spelling.h), valid as long; the same for blanks only. */
 text flk_reader_plain(parser *p, text t);
 text flk_reader_blanks(parser *p, text t);
 
@@ -137,10 +138,10 @@ void flk_section_split(text *section, text *name);
 section_use *flk_section_open(parser *p, section_code section, text name, text_place place,
                               const char *start);
 
-/* 0 and a mistake: there is no section of this name. */
+/* Report that there is no section of this name; returns 0. */
 int flk_section_unknown(parser *p, text_place place, text name);
 
-/* 1 if the deck has such a section, and it is mistaken. */
+/* 1 if the deck has such a section with a mistake. */
 int flk_section_is_mistaken(parser *p, section_code section);
 
 /* The setting of a key in a section that has the key. */
@@ -153,19 +154,19 @@ const setting *flk_setting_find(parser *p, key_code key);
 /* The same for the key with this name; also unset if the section has no such key. */
 const setting *flk_setting_by_name(parser *p, section_code section, const char *key);
 
-/* Its value in SI units, or `otherwise` if it is not set; the same in the deck's unit, without rounding if it
-** is written in that unit. */
+/* The value of a key in SI units, or `otherwise` if it is not set; the same in the deck's unit, without
+** rounding if it is written in that unit. */
 double flk_setting_or(parser *p, key_code key, double otherwise);
 double flk_setting_in_unit(parser *p, const setting *s, quantity q);
 
 /* Set a key in a section, once. */
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value);
 
-/* Find what [SECTION[ NAME].]KEY[.PART] means; 0, and usually a mistake, if it means nothing.  Opens a
-** section that the deck does not have. */
+/* Find the target of [SECTION[ NAME].]KEY[.PART]; 0, and usually a mistake, if there is none.  Opens the
+** section if the deck does not have it. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set it from outside its section: a design of a sweep does; a change of the source. */
+/* Set a target from outside its section: by a design of a sweep, or by a change of the source. */
 void flk_setting_vary(parser *p, text_place place, const target *t, text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);
 
@@ -173,24 +174,24 @@ void flk_setting_assign(parser *p, text_place place, text key, text value);
 ** quotes. */
 text flk_line_without_comment(text line);
 
-/* 1 if a line is text, of a file that is not too large; otherwise 0 and a mistake: read no further. */
+/* 1 if a line is text and the file is not too large; otherwise 0 and a mistake, and reading stops. */
 int flk_line_is_text(parser *p, text line, text_place place);
 
 /* First pass: the lines of the text. */
 void flk_lines_read(parser *p);
 
-/* Second pass: the units, which bare numbers need; the values that are not read. */
+/* Second pass: the units, which bare numbers need; the values not yet read. */
 void flk_values_read_section(parser *p, section_use *use);
 void flk_values_read(parser *p, int units_only);
 
-/* What a load over FLK_THETA2 ... is over. */
+/* The quantity of the argument of a load: FLK_THETA2 ... */
 quantity flk_values_quantity_over(int over);
 
 /* The quantities of [sweep]; the values of one of its designs. */
 void flk_sweep_read(parser *p);
 void flk_sweep_assign(parser *p, unsigned long design);
 
-/* The quantity of a key in a section: that of the schema, or of a torsional spring its twin. */
+/* The quantity of a key in a section: that of the schema or, for a torsional spring, its twin. */
 quantity flk_quantity_of_key(const section_use *use, key_code key);
 
 /* 1 if a spring is torsional: its stiffness or its damping has a unit with rad. */
@@ -200,18 +201,18 @@ int flk_spring_is_torsional(const section_use *use);
 int flk_values_quantity(parser *p, text_place place, text t, text whole, quantity q,
                         quantity_value *value);
 
-/* The pieces of a setting's value: take the number off the front of `rest`; read the unit `t` (if empty, the
-** deck's); check the size; read a quantity. */
+/* Pieces of a setting's value: take the number off the front of `rest`; read the unit `t` (the deck's if
+** empty); check the size; read a quantity. */
 int flk_values_number(parser *p, const setting *s, text *rest, quantity q, double *number);
 int flk_values_unit(parser *p, const setting *s, text t, quantity q, unit *u);
 int flk_values_size(parser *p, const setting *s, quantity q, double si);
 int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si);
 
-/* A force (10 N at 30 deg, (10, 5) N, or 10 N along +x), or a point of a link (also mid, 50 %); a piece of the
-** setting's value. */
+/* Read a force (10 N at 30 deg, (10, 5) N, or 10 N along +x), or a point of a link (also mid, 50 %), from a
+** piece of the setting's value. */
 int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *result);
 
-/* A point of a link; origin, end or a point; the parts that are set separately. */
+/* Read a point of a link; origin, end or a point; the parts that are set separately. */
 int flk_vector_read(parser *p, setting *s, quantity q);
 void flk_vector_read_pin(parser *p, setting *s, quantity q);
 void flk_vector_read_parts(parser *p, setting *s, quantity q);
@@ -219,11 +220,12 @@ void flk_vector_read_parts(parser *p, setting *s, quantity q);
 /* Sine and cosine, exact for whole quarters of a turn. */
 void flk_vector_direction(double angle, double *x, double *y);
 
-/* Where a number starts after a blank, as the value in "20 deg 32 bar"; the text's length if there is none. */
+/* Where a number starts after a blank, such as the value in "20 deg 32 bar"; the length of the text if there
+** is none. */
 size_t flk_curve_point_value(text t);
 
 /* Read a point of a curve, ANGLE VALUE: "20 deg 32 bar", or "20 32" in the deck's units.  `is_cut`: it may be
-** what follows a decimal comma. */
+** the rest after a decimal comma. */
 int flk_curve_point_read(parser *p, setting *s, text t, quantity q, int is_cut, point *result);
 const char *flk_curve_point_example(quantity q);
 
@@ -233,7 +235,7 @@ int flk_card_read(parser *p, setting *s, quantity q, text name);
 /* 1 if a curve is `file NAME`; `name` may be null. */
 int flk_curve_text_file(text value, text *name);
 
-/* A value, or a force; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
+/* Read a value, or a force; or a curve: 0 deg 1 bar, 20 deg 32 bar, ... or file NAME. */
 int flk_curve_text_read(parser *p, setting *s, quantity q);
 
 /* Third pass. */
@@ -252,14 +254,14 @@ void flk_build_points(parser *p);
 void flk_build_series(parser *p);
 void flk_build_motion(parser *p);
 
-/* After all else: note the curves over positions and speeds that the motion leaves. */
+/* Last: note the curves over positions and speeds whose ends the motion exceeds. */
 void flk_build_curve_ends(parser *p);
 void flk_build_flywheel(parser *p);
 void flk_build_motor(parser *p);
 void flk_build_table(parser *p);
 void flk_build_expectations(parser *p);
 
-/* How the crank's speed comes about: DRIVE_GIVEN ... */
+/* How the speed of the crank is determined: DRIVE_GIVEN ... */
 int flk_build_mode(parser *p);
 
 /* The sense in which a speed or a motor turns the crank: -1 clockwise; otherwise 1. */
@@ -268,8 +270,8 @@ int flk_build_sense(parser *p);
 /* 1 if the mechanism can have a stroke instead of the length of its crank. */
 int flk_build_has_stroke(const parser *p);
 
-/* Check the link of a load or a point (0 and a mistake if the mechanism has none of that name); allocate room for each section of a kind; check that a name of columns
-** is one word, not too long. */
+/* Check the link of a load or a point (0 and a mistake if the mechanism has no such link); allocate room for
+** each section of a kind; check that a name for columns is one word and not too long. */
 int flk_build_check_link(parser *p, const section_use *use, const setting *link);
 void *flk_build_keep_each(parser *p, section_code section, size_t size);
 void flk_build_check_name(parser *p, const section_use *use, const char *columns);
@@ -279,7 +281,7 @@ void flk_build_place(parser *p, const setting *s, int link, fourlink_vector *at)
 
 #define STANDARD_GRAVITY 9.81 /* m/s2, as in the sources */
 
-/* Note what is allowed, but probably not meant; a format as for flk_mistake. */
+/* The list for notes on what is allowed but probably not meant; for flk_mistake. */
 #define NOTES(p) (&(p)->d->notes)
 
 #endif

@@ -38,7 +38,7 @@
     X(EXPECT, "expect", 1, ANY_KIND, KEY_EXPECT_AT)                  \
     X(MISPRINT, "misprint", 1, ANY_KIND, KEY_MISPRINT_AT)
 
-/* What a value is. */
+/* The form of a value. */
 typedef enum value_form {
     FORM_TEXT,     /* as written, or in double quotes */
     FORM_WORD,     /* one of a list of words */
@@ -49,7 +49,7 @@ typedef enum value_form {
     FORM_PIN,      /* origin, end, or as FORM_POINT */
     FORM_CURVE,    /* a quantity, or a curve of it over the crank angle */
     FORM_COUNT,    /* a whole number */
-    FORM_EITHER,   /* a quantity or, of a torsional spring, its twin; see flk_quantity_of_key */
+    FORM_EITHER,   /* a quantity or, for a torsional spring, its twin; see flk_quantity_of_key */
     FORM_NAMES     /* names separated by commas or blanks */
 } value_form;
 
@@ -68,7 +68,7 @@ typedef enum value_sign { SIGN_ANY, SIGN_NOT_NEGATIVE, SIGN_POSITIVE } value_sig
     X(S, SWING_PERIOD, "swing_period", QUANTITY, TIME, POSITIVE, ANY_KIND) \
     X(S, SWING_PIN, "swing_pin", PIN, LENGTH, ANY, ANY_KIND)
 
-/* Sections that take names in addition to their keys: columns and facts, or keys of the deck. */
+/* Sections that accept names in addition to their keys: columns and facts, or keys of the deck. */
 #define TAKES_NAMES(section) \
     ((section) == SECTION_EXPECT || (section) == SECTION_MISPRINT || (section) == SECTION_SWEEP)
 
@@ -247,11 +247,11 @@ extern const word_info flk_word_table[];
 key_code flk_first_key(section_code section);
 size_t flk_section_keys(section_code section); /* their number */
 
-/* The link, by number, that a section has in some mechanism; 0: the section is no link. */
+/* The number of the link that a section describes in some mechanism; 0: not a link. */
 int flk_link_of_section(section_code section);
 
-/* The words that a key takes, in a list such as "a, b or c", each between two strings; of links only those with these
-** names, by number, unless it is null. */
+/* List the words that a key accepts, as "a, b or c", each between two strings.  `links`, unless null, has
+** names by number: other links are left out. */
 #define WORDS_SIZE 200
 const char *flk_list_words(key_code key, const char *const *links, const char *before,
                            const char *after, char list[WORDS_SIZE]);

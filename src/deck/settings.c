@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** settings.c - the sections of a deck and the settings of their keys: in the deck, by --set, for a design of
-** a sweep.
+** settings.c - the sections of a deck and the settings of their keys, from the deck, from --set, or for a
+** design of a sweep.
 */
 #include <string.h>
 
 #include "reader.h"
 
-/* Room for one more in a list of n; null if out of memory. */
+/* Make room for one more entry in a list of n; null if out of memory. */
 static void *grow(parser *p, void *list, size_t *capacity, size_t n, size_t size)
 {
     size_t more = *capacity ? 2 * *capacity : 64;
@@ -45,7 +45,7 @@ section_use *flk_section_open(parser *p, section_code section, text name, text_p
     return use;
 }
 
-/* Names that users choose; case matters. */
+/* Compare names that users choose; case matters. */
 static int same_name(text x, text y)
 {
     return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
@@ -315,9 +315,9 @@ static int set_part(parser *p, text_place place, const target *t, setting *s, te
 
     if (!parts)
         return 0;
-    if (s->parts) /* may be those of the deck of which this is a design */
+    if (s->parts) /* may belong to the deck that this is a design of */
         memcpy(parts, s->parts, PART_NONE * sizeof *parts);
-    set(s->place, s, s->value, s->giver); /* what has been read from it is forgotten */
+    set(s->place, s, s->value, s->giver); /* discards what was read from the old value */
     s->parts = parts;
     if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1]))
         return flk_mistake(p->mistakes, place,
@@ -325,7 +325,7 @@ static int set_part(parser *p, text_place place, const target *t, setting *s, te
     return set(place, &parts[t->part], value, giver);
 }
 
-/* key = value; the key's own text is in `t->name`. */
+/* key = value; `t->name` has the text of the key. */
 static int set_target(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
     section_use *use = &p->uses[t->use];
@@ -371,8 +371,8 @@ static vector_part take_part(text *key)
     return PART_NONE;
 }
 
-/* The section that an assignment means by "section NAME", or the only section; null and a mistake if there
-** are several, or none with this name. */
+/* The section that "section NAME" in an assignment refers to, or the only section; null and a mistake if
+** there are several, or none with this name. */
 static section_use *find_section(parser *p, text_place place, section_code code, text name)
 {
     section_use *use = name.length ? flk_section_find(p, code, &name) : NULL, *other = NULL;
@@ -400,8 +400,8 @@ static section_use *find_section(parser *p, text_place place, section_code code,
     return use ? use : flk_section_open(p, code, name, place, NULL);
 }
 
-/* 1 if the target is a vector whose parts can be set.  The deck must have a force; a point defaults to the
-** link's origin. */
+/* 1 if the target is a vector whose parts can be set.  A force must be in the deck; a point defaults to the
+** origin of the link. */
 static int has_parts(parser *p, text_place place, const target *t, text key)
 {
     value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;

@@ -2,10 +2,10 @@
 **
 ** sweep.c - [sweep]: the designs of a deck that varies its quantities.
 **
-** A design is a list of assignments, as --set makes them.  Ranges and lists are combined in all ways; the
-** last changes fastest.  Quantities in step, joined by &, count as one.  With tolerances, each combination has as many samples as the deck says.  A design
-** depends on its index alone: its random numbers are the first of a generator seeded with the deck's seed and
-** the index.
+** A design is a list of assignments, like those of --set.  All combinations of ranges and lists are taken;
+** the last changes fastest.  Quantities varied in step, joined by &, count as one.  With tolerances, each
+** combination has the number of samples that the deck gives.  A design depends only on its index: its random
+** numbers are the first of a generator seeded with the deck's seed and the index.
 */
 #include <math.h>
 #include <string.h>
@@ -29,12 +29,12 @@ typedef struct variation {
     const key_info *key; /* the key, or its vector */
     quantity q;
     quantity_value first; /* the range's first value, or the nominal one */
-    text unit;            /* as written after that */
+    text unit;            /* as written after the first value */
     double step, size;    /* step of a range, and its larger end, in the unit of the first value */
     double tolerance;     /* in the unit of the nominal value */
     int is_normal;
     double count;        /* of values; 1 for a tolerance */
-    int piece, n_pieces; /* in step with others: which of the values between the & are its own */
+    int piece, n_pieces; /* in step with others: the index of its own values between the & */
 } variation;
 
 static text next_item(text *rest)
@@ -45,7 +45,7 @@ static text next_item(text *rest)
     return flk_text_trim(item);
 }
 
-/* The piece of a text between its &, from 0; nothing if it has fewer. */
+/* Piece i of a text between its &, from 0; empty if there are fewer. */
 static text piece_of(text t, int i)
 {
     text piece = {"", 0};
@@ -67,7 +67,7 @@ static int count_pieces(text t)
     return n;
 }
 
-/* A value of a list, or the variation's piece of it. */
+/* A value of a list, or the piece of it that belongs to the variation. */
 static text own_piece(const variation *v, text item)
 {
     return v->n_pieces > 1 ? piece_of(item, v->piece) : item;
@@ -120,7 +120,7 @@ static int read_range(parser *p, variation *v)
     flk_text_cut(v->value, " to ", &first, &rest);
     in_steps = !flk_text_cut(rest, " step ", &last, &step);
     if (in_steps &&
-        !flk_text_cut_last(rest, " in ", &last, &number)) /* the last: 1 in to 2 in in 3 */
+        !flk_text_cut_last(rest, " in ", &last, &number)) /* the last " in ": 1 in to 2 in in 3 */
         return flk_mistake(
             p->mistakes, v->place,
             "a range needs its step, '20 mm to 30 mm step 2 mm', or the number of its "
@@ -276,8 +276,8 @@ static int start_generator(generator *g, double seed, unsigned long design)
     return 1;
 }
 
-/* A value within the tolerance: uniform, or normal with a third of the tolerance as standard deviation, drawn
-** again while outside. */
+/* Draw a value within the tolerance: uniform, or normal with a third of the tolerance as standard deviation,
+** redrawn while outside. */
 static double draw(const variation *v, const gsl_rng *rng)
 {
     double x;
@@ -299,7 +299,7 @@ static double rounded(double x, double size)
     return power > 0 && size * power < 1e16 ? floor(x * power + 0.5) / power : x;
 }
 
-/* The value of index `i`, as written in an assignment. */
+/* The value with index `i`, as written in an assignment. */
 static text value_at(parser *p, const variation *v, unsigned long i, const gsl_rng *rng)
 {
     text rest = v->value, item;
@@ -347,7 +347,7 @@ static int find_quantity(parser *p, variation *v)
            : v->target.key == KEY_COUNT
                ? key->q
                : flk_quantity_of_key(&p->uses[v->target.use], v->target.key);
-    if (v->target.key != KEY_COUNT) { /* report nothing else about it until it has a value */
+    if (v->target.key != KEY_COUNT) { /* no other reports about it until it has a value */
         s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         s->is_pending = 1;
         if (v->target.part == PART_NONE)
@@ -365,7 +365,7 @@ static int find_quantity(parser *p, variation *v)
                        v->name);
 }
 
-/* 1, and a mistake, if an earlier variation has the same quantity: the same part, or one that does not go
+/* 1, and a mistake, if an earlier variation has the same quantity: the same part, or a part that conflicts
 ** with it. */
 static int is_twice(parser *p, const variation *list, const variation *v)
 {
@@ -407,14 +407,14 @@ static void check_samples(parser *p, text_place place, int has_tolerance)
                     "30 mm step 2 mm'");
 }
 
-/* A quantity gets no value, so that its section is not checked further. */
+/* Leave a quantity without a value, so that its section is not checked further. */
 static void leave_out(parser *p, const variation *v)
 {
     if (v->key)
         p->uses[v->target.use].is_mistaken = 1;
 }
 
-/* Read one line of [sweep], whose quantities are varied together; returns the number of its values, 0 if it has
+/* Read a line of [sweep], whose quantities vary together.  Returns the number of values, 0 if it has
 ** mistakes. */
 static double read_line(parser *p, variation *list, const named_value *named)
 {
@@ -534,7 +534,7 @@ void flk_sweep_assign(parser *p, unsigned long design)
     }
 }
 
-/* What each design gives.  A yield is a statistic, unless there are to be none. */
+/* Read the outputs of each design.  A yield is a statistic, unless statistics are turned off. */
 static void read_outputs(parser *p)
 {
     deck_sweep *sweep = &p->d->sweep;

@@ -51,7 +51,7 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si)
     return is_one;
 }
 
-/* The value of a key's word; 0 if it is none of the key's. */
+/* Find the value of a word; 0 if the key does not accept it. */
 static int find_word(key_code key, text t, int *value)
 {
     size_t i;
@@ -112,7 +112,7 @@ static void name_unit(text t, char name[DECK_NAME_SIZE])
     *end = '\0';
 }
 
-/* Areas are in the square of the unit of length, unless that has its own exponent. */
+/* Areas are in the square of the unit of length, unless that unit has an exponent itself. */
 static void set_area(deck *d)
 {
     const deck_unit *length = &d->units[QUANTITY_LENGTH];
@@ -148,7 +148,7 @@ static int read_count(parser *p, setting *s, quantity q)
     return 1;
 }
 
-/* A value in plain characters; the title stays as it is, and names keep theirs. */
+/* A value in plain characters; titles and names are not changed. */
 static text spelled(parser *p, key_code code, text value)
 {
     if (code == KEY_TOP_TITLE)
@@ -175,7 +175,7 @@ int flk_spring_is_torsional(const section_use *use)
            (unit_of(flk_setting_of(use, KEY_SPRING_DAMPING)->value, &u) && u.dim.rad != 0);
 }
 
-/* What a load is over; 0 if its 'over' is none of the words. */
+/* Read the argument of a load; 0 if 'over' is not one of the words. */
 static int read_over(const section_use *use, int *over)
 {
     const setting *s = flk_setting_of(use, KEY_LOAD_OVER);
@@ -193,7 +193,7 @@ quantity flk_values_quantity_over(int over)
     return quantities[over];
 }
 
-/* The quantity of what a load, or the torque of a motor, is over. */
+/* The quantity of the argument of a load or of a motor's torque. */
 static quantity argument_of(const section_use *use)
 {
     int over = FLK_THETA2;
@@ -218,7 +218,7 @@ quantity flk_quantity_of_key(const section_use *use, key_code key)
                                        : QUANTITY_TORQUE;
 }
 
-/* Stiffness and damping need a unit, which says what sort of spring it is. */
+/* Stiffness and damping need a unit, which determines the sort of spring. */
 static int has_unit(parser *p, key_code key, const setting *s)
 {
     if (key == KEY_SPRING_PRELOAD || flk_quantity_unit_text(s->value).length)
@@ -229,7 +229,7 @@ static int has_unit(parser *p, key_code key, const setting *s)
                                                    : "N s/m, or N m s/rad of a torsional spring");
 }
 
-/* 0 if a mistake of another key of the section leaves open what quantity this key has. */
+/* 0 if the quantity of this key is unknown because of a mistake in another key of the section. */
 static int has_meaning(const section_use *use, key_code key)
 {
     value_form form = flk_key_table[key].form;

@@ -61,7 +61,7 @@ static int read_components(parser *p, setting *s, text t, quantity q, point *res
     return 1;
 }
 
-/* A part of the length of the link: 50 %; 0 if there is no per cent sign. */
+/* A fraction of the link's length: 50 %; 0 if there is no per cent sign. */
 static int read_share(parser *p, setting *s, text t, double *share)
 {
     t = flk_text_trim(t);
@@ -106,7 +106,7 @@ int flk_vector_read_piece(parser *p, setting *s, text t, quantity q, point *resu
         return 0;
     if (!read_size(p, s, size_text, q, result, &size))
         return 0;
-    s->is_bare |= !has_angle; /* only a force that was read lacks its direction */
+    s->is_bare |= !has_angle; /* only a force that has been read can lack a direction */
     flk_vector_direction(angle, &x, &y);
     result->y[0] = size * x;
     result->y[1] = size * y;
@@ -145,7 +145,7 @@ void flk_vector_read_pin(parser *p, setting *s, quantity q)
         flk_vector_read(p, s, q);
 }
 
-/* The parts that are not set separately come from the whole vector. */
+/* Parts that are not set separately come from the whole vector. */
 void flk_vector_read_parts(parser *p, setting *s, quantity q)
 {
     double part[PART_NONE], x, y;

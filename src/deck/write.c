@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** write.c - the text of a deck with the values that changes and the design have set.
+** write.c - writes a deck with the values that changes and the design have set.
 **
-** It is the user's text but for these values, and without its [sweep].
+** The rest is the user's text, without its [sweep].
 */
 #include <string.h>
 
 #include "base/number.h"
 #include "reader.h"
 
-/* Where a deck is written to, as far as there is room. */
+/* The destination of a deck; text beyond its size is cut off. */
 typedef struct writer {
     const parser *p;
     char *out;
     size_t size, length;
     const char *line_end;
     int is_within_line;
-    const char *at; /* what is before it in the text is written, or left out */
+    const char *at; /* the text before this place has been written or left out */
 } writer;
 
-/* A key or a name of a section that has another value than in the text. */
+/* A key or a name of a section whose value differs from the text. */
 typedef struct changed {
     text name, own, value;
     key_code key; /* of a setting */
@@ -59,7 +59,7 @@ static int find_unit(const deck *d, text value, quantity q, text *name, unit *u)
     return !name->length || flk_unit_read(*name, u, &rest);
 }
 
-/* A number that in this unit is the very value in SI units; 0 if there is none. */
+/* A number that in this unit gives exactly the SI value; 0 if there is none. */
 static int find_number(double si, const unit *u, char number[DIGITS_SIZE])
 {
     double value = flk_unit_from_si(si, *u), same;
@@ -74,7 +74,7 @@ static int find_number(double si, const unit *u, char number[DIGITS_SIZE])
     return 0;
 }
 
-/* A value of a design in the unit of the deck's own, if that has one and it is another. */
+/* Write a value of a design in the unit of the deck's own value, if that has a different unit. */
 static void put_varied(writer *w, const section_use *use, const changed *c)
 {
     quantity q = flk_quantity_of_key(use, c->key);
@@ -93,8 +93,8 @@ static void put_varied(writer *w, const section_use *use, const changed *c)
     put(w, own);
 }
 
-/* A vector of which parts are set: both components, in the unit of the vector, or of a part that a change has
-** set. */
+/* Write a vector with parts set separately: both components, in the unit of the vector, or of a part that a
+** change has set. */
 static void put_vector(writer *w, const setting *s, quantity q)
 {
     char x[DIGITS_SIZE], y[DIGITS_SIZE], both[2 * DIGITS_SIZE];
@@ -140,7 +140,7 @@ static void put_value(writer *w, const section_use *use, const changed *c)
 
 /* ------------------------------------------------------------------------------------------ sections */
 
-/* What entry i of a section has, its keys first; 0 if that is as in the text. */
+/* Entry i of a section, keys first; 0 if it is unchanged. */
 static int find_changed(const parser *p, const section_use *use, size_t i, changed *c)
 {
     size_t n = flk_section_keys(use->section);
@@ -196,7 +196,8 @@ static void copy_to(writer *w, const char *to)
     w->at = to;
 }
 
-/* Write another value.  Of one that goes on in other lines, the comment of the first line stays. */
+/* Write the new value.  If the old one continues on other lines, only the comment of the first line is
+** kept. */
 static void replace(writer *w, const section_use *use, const changed *c)
 {
     const char *start = in_text(w->p, c->own.start), *end = start + c->own.length;
@@ -215,7 +216,7 @@ static void replace(writer *w, const section_use *use, const changed *c)
     w->at = next_line(w->p, end);
 }
 
-/* Write the values that the text does not have, in lines of their own. */
+/* Write the values that are not in the text, each on its own line. */
 static void add(writer *w, const section_use *use)
 {
     size_t n = count_entries(w->p, use), i;
@@ -243,7 +244,7 @@ static void add(writer *w, const section_use *use)
     }
 }
 
-/* The next value of a section, in the order of the text, that has changed; 0 if there is none. */
+/* The next changed value of a section, in text order; 0 if there is none. */
 static int find_next(const writer *w, const section_use *use, changed *next)
 {
     size_t n = count_entries(w->p, use), i;
@@ -257,7 +258,7 @@ static int find_next(const writer *w, const section_use *use, changed *next)
     return next->own.start != NULL;
 }
 
-/* The first line from a place that is not empty, nor a comment alone. */
+/* The first line from a place that is neither empty nor only a comment. */
 static const char *first_content(const parser *p, const char *from)
 {
     const char *next;

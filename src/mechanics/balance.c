@@ -2,22 +2,22 @@
 **
 ** balance.c - counterweights that balance the shaking force.
 **
-** The first moment of the moving masses, as complex numbers, z_i the centre of mass in the axes of link i, is
-** a sum of rotating vectors, if the loop takes the coupler's direction out of it (Berkof and Lowen).  Four-bar,
-** with a e^(i theta2) + b e^(i theta3) = d + c e^(i theta4):
+** In complex numbers, with z_i the centre of mass in the axes of link i, the first moment of the moving
+** masses is a sum of rotating vectors, once the loop equation has eliminated the coupler's direction (Berkof
+** and Lowen).  Four-bar, with a e^(i theta2) + b e^(i theta3) = d + c e^(i theta4):
 **
 **    sum m r = const + e^(i theta2) [m2 z2 + m3 a (1 - z3 / b)] + e^(i theta4) [m4 z4 + m3 (c / b) z3]
 **
-** inverted slider-crank, link 3 at the angle gamma to link 4:
+** Inverted slider-crank, link 3 at the angle gamma to link 4:
 **
 **    sum m r = const + e^(i theta2) [m2 z2 + m3 a] + e^(i theta4) [m4 z4 + m3 z3 e^(i gamma)]
 **
-** slider-crank, with a e^(i theta2) + l e^(i theta3) = X + i e:
+** Slider-crank, with a e^(i theta2) + l e^(i theta3) = X + i e:
 **
 **    sum m r = const + e^(i theta2) [m2 z2 + m3 a (1 - z3 / l)] + X [m4 + m3 z3 / l]
 **
-** The counterweights are the brackets, reversed.  Of X, whose bracket is the reciprocating mass, the crank balances
-** a fraction: X is a cos(theta2) and smaller terms of twice the frequency.
+** The counterweights are the negative brackets.  The bracket of X is the reciprocating mass, of which the
+** crank balances a fraction: X is a cos(theta2) plus smaller terms of twice the frequency.
 */
 #include <math.h>
 
@@ -88,7 +88,7 @@ int fourlink_balance_of(const fourlink_mechanism *mechanism, double fraction,
     return FOURLINK_OK;
 }
 
-/* With the counterweight m_c at z_c, m_c z_c = U, and both about the new centre of mass z:
+/* With the counterweight m_c at z_c, m_c z_c = U, about the new common centre of mass z:
 **
 **    I = I0 + m0 |z0 - z|^2 + m_c |z_c - z|^2
 */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** closed_form.c - the nine equations of nine_equations.c, eliminated by hand: links 3 and 4 are a dyad, whose
-** forces do not depend on the crank's, and the crank follows.
+** closed_form.c - the nine equations of nine_equations.c, solved by hand.  Links 3 and 4 are a dyad: their
+** forces do not depend on those of the crank, which follows.
 */
 #include <math.h>
 
 #include "free_body.h"
 
-/* F34 is the kind's own.  With e2 the axis of the crank,
+/* F34 comes from the kind.  With e2 the axis of the crank,
 **
 **    F14 = f4 - F34,   F23 = f3 + F34,   F12 = f2 + F23,   Ts = M2 + a e2 x F23
 */
@@ -46,7 +46,7 @@ void flk_dyad(const flk_kind *kind, const fourlink_mechanism *mechanism,
     flk_virtual_work(state, body, forces);
 }
 
-/* A position never gives a singular state, or one with axes that are NaN, but a caller may. */
+/* The position functions never give a singular state, or axes that are NaN, but a caller may. */
 int flk_dyad_is_singular(const fourlink_state *state)
 {
     int i;

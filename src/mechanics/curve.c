@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curve.c - a quantity over the crank angle, given at some angles, smooth and periodic between them; or over another
+** curve.c - a quantity given at some crank angles, smooth between them and periodic; or over another
 ** argument, not periodic.
 **
 ** Between the points the interpolation is Steffen's (base/steffen.c).

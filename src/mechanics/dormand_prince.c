@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** dormand_prince.c - steps of an integration of order 8.
+** dormand_prince.c - steps of an eighth-order integration.
 **
-** The explicit Runge-Kutta method of J. R. Dormand and P. J. Prince with 12 stages, and with two estimates of the error,
-** of orders 5 and 3 (E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd ed.,
-** section II.5, the coefficients of their DOP853):
+** The explicit Runge-Kutta method of J. R. Dormand and P. J. Prince with 12 stages and two error estimates,
+** of orders 5 and 3 (E. Hairer, S. P. Norsett, G. Wanner, "Solving Ordinary Differential Equations I", 2nd
+** ed., section II.5, the coefficients of their DOP853):
 **
 **    k_i   = f(x + c_i h, y + h sum_j a_ij k_j),   y(x + h) = y + h sum b_i k_i
 **    e     = h e5^2 / sqrt(e5^2 + (0.1 e3)^2),     e5 = sum E5_i k_i,  e3 = sum E3_i k_i       (eq. 10.17)
 **
-** With four more stages it has values within a step, of order 7 (section II.6, "A Dense Output Formula for the 8th Order
-** Method"), at x + q h:
+** With four more stages it gives values within a step, of order 7 (section II.6, "A Dense Output Formula for
+** the 8th Order Method"), at x + q h:
 **
 **    y     = y_0 + q (F_0 + (1 - q) (F_1 + q (F_2 + (1 - q) (F_3 + ... q F_6))))
 **
-** GSL has steps of this kind too, but they allocate memory, and its error handler is called if there is none.
+** GSL has such steps too, but they allocate memory, and GSL calls its error handler on failure.
 */
 #include <math.h>
 

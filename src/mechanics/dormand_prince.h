@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** dormand_prince.h - steps of an integration of order 8.
+** dormand_prince.h - steps of an eighth-order integration.
 */
 #ifndef FOURLINK_DORMAND_PRINCE_H
 #define FOURLINK_DORMAND_PRINCE_H
@@ -10,10 +10,10 @@
 #define FLK_STAGE_AT_END 12
 #define FLK_POWERS 7
 
-/* dy/dx at x: FOURLINK_OK, or a status that ends the step. */
+/* Find dy/dx at x.  Returns FOURLINK_OK, or a status that ends the step. */
 typedef int flk_derivative(void *context, double x, const double *y, double *dy);
 
-/* A step; the caller sets the members up to h and k[0]. */
+/* A step.  The caller sets the members up to h, and k[0]. */
 typedef struct flk_step {
     flk_derivative *f;
     void *context; /* for f */
@@ -28,13 +28,13 @@ typedef struct flk_curve_of_step {
     double F[FLK_UNKNOWNS][FLK_POWERS];
 } flk_curve_of_step;
 
-/* Find `next` and its estimated error; then k[12]; then the values within the step, which need both: FOURLINK_OK, or a
-** status of f. */
+/* Find `next` and its estimated error; then k[12]; then the values within the step, which need both.  Return
+** FOURLINK_OK, or a status of f. */
 int flk_step_take(flk_step *step, double *error);
 int flk_step_end(flk_step *step);
 int flk_step_within(flk_step *step, flk_curve_of_step *within);
 
-/* The change of y[i] from the beginning to the part `part` of the step, 0 to 1. */
+/* The change of y[i] from the beginning of the step to its fraction `part`, 0 to 1. */
 double flk_step_change(const flk_curve_of_step *within, int i, double part);
 
 #endif

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** element.h - what acts on the links by known loads: forces and torques of their own, springs and dampers, gas.
+** element.h - the elements that exert known loads on the links: own forces and torques, springs and dampers,
+** gas.
 **
-** An element is one of a machine's list (machine.h); what its sort does is in one file.  Friction is no element: it
-** belongs to the joints and depends on their forces.
+** A machine has a list of elements (machine.h).  Each sort of element is one file.  Friction is not an
+** element: it belongs to the joints and depends on their forces.
 */
 #ifndef FOURLINK_ELEMENT_H
 #define FOURLINK_ELEMENT_H
@@ -15,14 +16,14 @@ struct flk_machine;
 
 /* What the elements exert in a state.
 **
-** Switches (switch.h) divide the motion into cells.  With `held`, a state at unit speed, the cell of that state holds for
-** others too: what acts goes on smoothly beyond the ends of the cell, so that steps of an integration may overshoot them
-** (Modelica: relations are frozen between events). */
+** Switches (switch.h) divide the motion into cells.  With `held`, a state at unit speed, the cell of that
+** state is used for other states too: the loads continue smoothly beyond the ends of the cell, so that
+** integration steps may overshoot them (Modelica: relations are frozen between events). */
 typedef struct flk_acting {
     const fourlink_state *held; /* null: the cell is that of the state itself */
-    double held_speed;          /* rad/s, of the crank, in the held piece of the motor's curve */
-    int sense;                  /* 1 or -1, in which the crank turns or is about to */
-    fourlink_load *load;        /* room for the machine's n_loads */
+    double held_speed;          /* rad/s, a crank speed in the held piece of the motor's curve */
+    int sense;                  /* 1 or -1: the crank turns, or starts, in this sense */
+    fourlink_load *load;        /* array of the machine's n_loads */
     fourlink_vector ground;     /* N, their forces on the frame, */
     double ground_moment;       /* N m, with the moment about A */
     double
@@ -34,11 +35,11 @@ typedef struct flk_switch flk_switch;
 
 #define FLK_ELEMENT_SWITCHES 6
 
-/* A sort of elements.
+/* A sort of element.
 **
-** act       sets the element's loads for a state and adds to its force on the frame: a status
-** switches  lists where it is not smooth (switch.h): their number; null: it is smooth
-** switching what changes its sign where it begins or ends to act; null: it always acts */
+** act       sets the element's loads for a state and adds their force on the frame; returns a status switches
+** lists where it is not smooth (switch.h) and returns their number; null: it is smooth switching changes sign
+** where the element begins or stops acting; null: it always acts */
 typedef struct flk_sort {
     int code; /* FOURLINK_LOAD_OWN ... */
     int (*act)(const flk_element *element, const struct flk_machine *machine,
@@ -58,10 +59,10 @@ struct flk_element {
     const char *name;                              /* of its section; "": none */
     const char *column_names[FLK_ELEMENT_COLUMNS]; /* of a spring, NAME.length ... */
     void *data;                                    /* flk_own_load, fourlink_spring, flk_gas */
-    unsigned long first; /* the number of its first load among those of the machine */
+    unsigned long first; /* index of its first load among those of the machine */
     int n_loads;         /* 1 or 2 */
     int link[2];         /* on which these act */
-    int needs_motion;    /* 1: they depend on more than the crank angle */
+    int needs_motion;    /* 1: its loads depend on more than the crank angle */
     int needs_angles;    /* 1: ... on the angles of links 3 and 4 */
     int has_torque;      /* 1: it has a torque at some crank angle */
 };
@@ -73,27 +74,27 @@ typedef struct flk_load_values {
     curve force_curve[2], torque_curve;
 } flk_load_values;
 
-/* A force and a torque of their own (own_load.c). */
+/* An own load: a force and a torque (own_load.c). */
 typedef struct flk_own_load {
     fourlink_load load; /* its link, point and axes; the values are 0 */
     flk_load_values values, back;
     flk_variable over;
     double exponent;  /* 1 */
     double at_speed;  /* rad/s, m/s: value sign(w) (|w| / at_speed)^exponent; 0: values or curves */
-    int has_back;     /* 1: where the variable falls it has the values `back` */
+    int has_back;     /* 1: `back` has the values for where the variable falls */
     int is_windowed;  /* 1: it acts only between two crank angles, in every cycle */
     double window[2]; /* rad, from and to */
 } flk_own_load;
 
-/* The gas in a cylinder (gas.c). */
+/* Gas in a cylinder (gas.c). */
 typedef struct flk_gas {
-    double area, back_area; /* m2, of the piston on the cover side and on the crank side */
+    double area, back_area; /* m2, of the piston, on the cover side and on the crank side */
     double pressure;        /* Pa, on the cover side */
     curve indicator;        /* Pa over the crank angle in rad, instead of pressure */
     double back_pressure;   /* Pa, on the crank side */
 } flk_gas;
 
-/* Set up an element of its sort with this data (own_load.c, spring.c, gas.c). */
+/* Set up an element of each sort with its data (own_load.c, spring.c, gas.c). */
 void flk_element_of_own(flk_own_load *own, flk_element *element);
 void flk_element_of_spring(fourlink_spring *spring, flk_element *element);
 void flk_element_of_gas(flk_gas *gas, fourlink_kind kind, flk_element *element);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** engine.c - what textbooks compute for a slider-crank: the series, the two masses of the rod, the
-** analytical engine method.
+** engine.c - textbook methods for a slider-crank: the series, the two masses of the rod, the analytical
+** engine method.
 */
 #include <float.h>
 #include <math.h>
@@ -18,9 +18,9 @@
 **    a = r omega^2 (cos(theta) + cos(2 theta) / n) + r alpha (sin(theta) + sin(2 theta) / 2n)
 **    dphi/dt = omega cos(theta) / n,   d2phi/dt2 = -omega^2 sin(theta) / n + alpha cos(theta) / n
 **
-** The terms with alpha, the acceleration of the crank, are the series' own derivative; the sources have
-** constant speed.  For an infinitely long rod, simple harmonic motion, the terms with n vanish.  The rod's
-** angle is theta3 = -phi.
+** The terms with alpha, the acceleration of the crank, follow from differentiating the series; the sources
+** assume constant speed.  For an infinitely long rod (simple harmonic motion) the terms with n vanish.  The
+** rod's angle is theta3 = -phi.
 */
 int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink_state *state,
                              fourlink_series *series)
@@ -54,12 +54,13 @@ int fourlink_textbook_series(const fourlink_mechanism *mechanism, const fourlink
     return FOURLINK_OK;
 }
 
-/* The rod as two masses, b from the gudgeon pin to G (ME3491; DFA, its misprint l1 l2 corrected):
+/* The rod as two masses, b the distance from the gudgeon pin to G (ME3491; DFA, with its misprint l1 l2
+** corrected):
 **
 **    m_a = m b / l at the crank pin,  m_b = m (l - b) / l at the gudgeon pin
 **
-** have the mass and centre of mass of the rod, and the radius of gyration k1, k1^2 = b (l - b) (DFA:
-** l1 l3), which is too large.  The dynamically equivalent pair (ME3491):
+** have the mass and centre of mass of the rod, but their radius of gyration k1, k1^2 = b (l - b) (DFA: l1
+** l3), is too large.  The dynamically equivalent pair (ME3491):
 **
 **    m_g = m d / (b + d) at the gudgeon pin,  m_d = m b / (b + d) at d beyond G,  d = k^2 / b
 */
@@ -97,13 +98,13 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
         return status;
     if (!FLK_WITHIN(found.k, DBL_MAX) || !FLK_WITHIN(found.L, DBL_MAX) ||
         !FLK_WITHIN(found.m_g, DBL_MAX))
-        return FOURLINK_BAD_NUMBER; /* nearly no mass, but an inertia */
+        return FOURLINK_BAD_NUMBER; /* almost no mass, but an inertia */
     *rod = found;
     return FOURLINK_OK;
 }
 
-/* The engine method (DFA; ME3491).  With F the piston effort, towards the crank, of a machine with its
-** crank angle counted from the inner dead centre and no offset,
+/* The engine method (DFA; ME3491).  With F the piston effort towards the crank, the crank angle counted from
+** the inner dead centre, and no offset,
 **
 **    F = p1 A1 - p2 A2 - (m_p + m_b) a  +- weight of m_p + m_b along the stroke
 **    rod force F / cos(phi),  side thrust F tan(phi)
@@ -114,10 +115,10 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
 **    T_weight_b = +- m_b g r [sin(theta) + sin(2 theta) / 2 sqrt(n^2 - sin^2(theta))], in T_piston
 **
-** In general (offset, inclination; the crossed branch seen turned by 180 deg) theta + phi is
-** theta2 - theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), on the crossed
-** branch -cos(theta3); the weight of m_a works along the path of the crank pin.
-** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
+** In general (with offset or inclination; the crossed branch turned by 180 deg) theta + phi is theta2 -
+** theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), or -cos(theta3) on the crossed
+** branch.  The weight of m_a does work along the path of the crank pin. m b (l - L) is written as m b (l - b)
+** - I, which needs no division by b.
 */
 int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_state *state,
                            double gas_force, const fourlink_load *loads, unsigned long n_loads,

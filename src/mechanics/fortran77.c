@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** fortran77.c - a whole crank position for programs in FORTRAN 77, see fourlink.h.
+** fortran77.c - the analysis of one crank position for FORTRAN 77 programs; see fourlink.h.
 */
 #include <string.h>
 
@@ -8,7 +8,7 @@
 
 enum { LINK_NUMBERS = 5, LOAD_NUMBERS = 7, STATE_NUMBERS = 9 };
 
-/* A small whole number in an array of numbers; -1 if it is not one. */
+/* A small whole number stored as a double; -1 if it is not one. */
 static int whole(double x)
 {
     int i = 0 <= x && x < 100 ? (int)x : -1;
@@ -67,7 +67,7 @@ static void put_state(const fourlink_state *state, double *numbers)
     }
 }
 
-/* `design` lacks links and gravity, which are still in the caller's arrays. */
+/* `design` is complete except for links and gravity, which are still in the caller's arrays. */
 static int analyse(fourlink_design *design, const double *links, const double *grav, int branch,
                    const double *crank_numbers, int n_loads, const double *load_numbers,
                    fourlink_state *state, double *state_numbers, double *force_numbers)

@@ -10,7 +10,7 @@
 
 #include "kind.h"
 
-/* Reach.  With f = BD the distance that coupler and rocker have to bridge,
+/* Reach.  With f = BD, the distance that coupler and rocker must span,
 **
 **    f^2 = a^2 + d^2 - 2 a d cos(theta2),
 **
@@ -21,9 +21,9 @@
 **
 ** and u1 u2 = 16 area^2 = 4 b^2 c^2 sin^2(theta4 - theta3), u1 + u2 = 4 b c.  The brackets, `stretched` and
 ** `folded`, depend on the lengths alone.  The first is 0 for a linkage that can lie in one line at 180 deg,
-** the second for one that can do so at 0 deg: its change points.  There the root of u1, or u2, is
-** 2 sqrt(ad) cos(theta2/2), or 2 sqrt(ad) sin(theta2/2), which goes smoothly through 0 and changes sign: so
-** the side on which C lies follows from the angle alone, not from earlier rows.
+** the second for one that can do so at 0 deg: its change points.  There the root of u1 or u2 is 2 sqrt(ad)
+** cos(theta2/2) or 2 sqrt(ad) sin(theta2/2), which passes smoothly through 0 and changes sign.  So the side
+** on which C lies follows from the angle alone, not from earlier rows.
 */
 static void four_bar_prepare(fourlink_mechanism *mechanism)
 {
@@ -33,7 +33,7 @@ static void four_bar_prepare(fourlink_mechanism *mechanism)
     double stretched = slack * sum;
     double folded = (a - d - b + c) * (a - d + b - c);
 
-    /* u1 + u2 = 4 b c: where one of them is 0, sine^2 is the other over b c */
+    /* u1 + u2 = 4 b c: where one of them is 0, sine^2 is the other divided by b c */
     mechanism->change_stretched =
         fabs(stretched) <= FLK_DEAD * b * c || fabs(slack) <= FLK_ROUNDING * sum;
     mechanism->change_folded = fabs(folded) <= FLK_DEAD * b * c ||
@@ -70,9 +70,9 @@ static int four_bar_reach(const fourlink_mechanism *mechanism, double half_sine,
 }
 
 /* Position.  The sources solve Freudenstein's equation by a half-angle tangent (Alvi eq. 2), which
-** divides by zero for ordinary linkages, and take theta3 from an arcsine (Alvi eq. 3), which loses
-** the quadrant.  Instead C is where the circles about B and D meet.  With n the vector BD turned
-** left by 90 deg and s = sin(theta4 - theta3), positive where C lies left of B->D:
+** divides by zero for ordinary linkages, and take theta3 from an arcsine (Alvi eq. 3), which loses the
+** quadrant.  Instead, C is found as the intersection of the circles about B and D.  With n the vector BD
+** turned left by 90 deg and s = sin(theta4 - theta3), positive where C lies left of B->D:
 **
 **    (C - B) / b = (f^2 + b^2 - c^2) / (2 b f^2) BD + (c / f^2) s n = (cos(theta3), sin(theta3))
 **    (C - D) / c = (b^2 - c^2 - f^2) / (2 c f^2) BD + (b / f^2) s n = (cos(theta4), sin(theta4))
@@ -111,7 +111,7 @@ static void four_bar_angles(const fourlink_mechanism *mechanism, fourlink_state 
         state->mu = M_PI - state->mu;
 }
 
-/* Velocity (Alvi eqs. 4.1, its sign corrected, and 4.2), here for a unit crank speed:
+/* Velocity (Alvi eqs. 4.1, with its sign corrected, and 4.2), here for unit crank speed:
 **
 **    k3 = a sin(theta4 - theta2) / (b sin(theta3 - theta4)),   omega3 = k3 omega2
 **    k4 = a sin(theta3 - theta2) / (c sin(theta3 - theta4)),   omega4 = k4 omega2
@@ -121,7 +121,7 @@ static void four_bar_velocity(const fourlink_mechanism *mechanism, fourlink_stat
     static const fourlink_vector zero = {0, 0};
     const fourlink_link *link = mechanism->design.link;
     double a = link[2].length, b = link[3].length, c = link[4].length;
-    double p = -1 / (b * c * state->sine); /* apart, so that it is found beside the axes */
+    double p = -1 / (b * c * state->sine); /* separate: it is computed in parallel with the axes */
     fourlink_link_state *crank = &state->link[2], *coupler = &state->link[3],
                         *rocker = &state->link[4];
 
@@ -133,7 +133,7 @@ static void four_bar_velocity(const fourlink_mechanism *mechanism, fourlink_stat
     rocker->velocity = zero;
 }
 
-/* Acceleration (Alvi section 3.3, the second formula's label corrected):
+/* Acceleration (Alvi section 3.3, with the label of the second formula corrected):
 **
 **    alpha3 = [a alpha2 sin(theta4 - theta2) - a omega2^2 cos(theta4 - theta2)
 **              - b omega3^2 cos(theta4 - theta3) + c omega4^2] / (b sin(theta3 - theta4))
@@ -159,8 +159,7 @@ static void four_bar_acceleration(const fourlink_mechanism *mechanism, fourlink_
     rocker->acceleration = zero;
 }
 
-/* Forces in closed form.  Moments about B and D leave out the force at that pin; the rest has one arm, the
-** link's:
+/* Forces in closed form.  Moments about B and D eliminate the force at that pin; F34 has the link as its arm:
 **
 **    moments of link 3 about B    b e3 x F34 = -M3
 **    moments of link 4 about D    c e4 x F34 =  M4
@@ -188,9 +187,8 @@ static int same(double x, double y)
     return fabs(x - y) <= FLK_ROUNDING * (x + y);
 }
 
-/* Grashof: with s the shortest, l the longest link, p and q the others, some link turns fully if
-** s + l < p + q; s + l = p + q is a linkage with a change point.  Which it is follows from the place
-** of the shortest link. */
+/* Grashof: with s the shortest, l the longest link, p and q the others, some link turns fully if s + l < p +
+** q; if s + l = p + q the linkage has a change point.  The position of the shortest link decides the type. */
 static fourlink_type four_bar_type(const fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;
@@ -250,8 +248,8 @@ static double angle_in_triangle(double x, double y, double z)
     return acos(flk_kind_clamp((x * x + y * y - z * z) / (2 * x * y)));
 }
 
-/* The angle between coupler and rocker goes from its value at the smallest distance BD to that at the
-** largest; the transmission angle is this, or 180 deg minus this. */
+/* The angle between coupler and rocker ranges between its values at the smallest and the largest distance BD.
+** The transmission angle is this angle, or 180 deg minus it. */
 static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *limits)
 {
     const fourlink_link *link = mechanism->design.link;
@@ -266,8 +264,8 @@ static void transmission(const fourlink_mechanism *mechanism, fourlink_limits *l
                                                        : M_PI - least;
 }
 
-/* Crank and coupler in one line: AC = b + a, and AC = b - a with the crank pointing away from C.  With
-** psi the angle ADC the rocker is at 180 deg less psi, above (open) or below the ground (crossed). */
+/* Crank and coupler in one line: AC = b + a, or AC = b - a with the crank pointing away from C.  With psi the
+** angle ADC, the rocker is at 180 deg - psi, above (open) or below (crossed) the ground. */
 static void swing_of_rocker(const fourlink_mechanism *mechanism, fourlink_branch branch,
                             fourlink_limits *limits)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** free_body.h - the three moving links, cut free, and the check by virtual work, for both solutions of the
-** nine equations, and for friction.
+** free_body.h - free bodies of the three moving links, and the check by virtual work, for both solutions of
+** the nine equations and for friction.
 **
-** They are static functions in a header so that the compiler sees each solution in one piece: most of
-** closed_form.c's time goes into them.
+** These are static functions in a header, so that the compiler can optimise each solution as a whole: they
+** take most of the time of closed_form.c.
 */
 #ifndef FOURLINK_FREE_BODY_H
 #define FOURLINK_FREE_BODY_H
@@ -19,7 +19,7 @@ static double flk_larger(double x, double y)
     return x > y ? x : y;
 }
 
-/* The size of the terms of u . v, whose sum may be only rounding. */
+/* The size of the terms of u . v, whose sum may be mere rounding error. */
 static double flk_dot_size(fourlink_vector u, fourlink_vector v)
 {
     return fabs(u.x * v.x) + fabs(u.y * v.y);
@@ -45,8 +45,8 @@ static void flk_apply_load(const fourlink_load *load, const fourlink_link_state 
     body->largest = flk_larger(body->largest, flk_larger(flk_dot_size(F, k), fabs(by_torque)));
 }
 
-/* Right-hand sides (ME3491 eqs. 1 to 11) and terms of virtual work.  The coupler's a_G has the
-** acceleration of B, which the ME3491 program leaves out. */
+/* Right-hand sides (ME3491 eqs. 1 to 11) and terms of virtual work.  The coupler's a_G includes the
+** acceleration of B, which the ME3491 program omits. */
 static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *link,
                          const fourlink_vector *gravity, flk_body *body)
 {
@@ -70,7 +70,7 @@ static void flk_cut_link(const fourlink_link *data, const fourlink_link_state *l
         data->mass * flk_larger(flk_dot_size(*gravity, k), flk_dot_size(a, k)), fabs(by_turning));
 }
 
-/* Links 2, 3, 4 cut free, with valid loads. */
+/* Free bodies of links 2, 3 and 4, with valid loads. */
 static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_state *state,
                          const fourlink_load *loads, unsigned long n_loads, flk_body body[3])
 {
@@ -84,19 +84,19 @@ static void flk_cut_free(const fourlink_mechanism *mechanism, const fourlink_sta
         flk_apply_load(&loads[n], &state->link[loads[n].link], &body[loads[n].link - 2]);
 }
 
-/* The moment of a link's equation about the link's origin instead of G: with f the right-hand side of its
-** force equations, m that of its moments, and r = G - O,
+/* The moment equation of a link about its origin O instead of G: with f the right-hand side of its force
+** equations, m that of its moment equation, and r = G - O,
 **
 **    M_O = m + r x f
 */
 #define FLK_MOMENT_ABOUT_ORIGIN(body) ((body)->moment + FLK_CROSS((body)->arm, (body)->force))
 
-/* Virtual work: with the velocities of a unit crank speed,
+/* Virtual work: with the velocities at unit crank speed,
 **
 **    Ts + sum F.v_P + sum T omega + sum W.v_G - sum (m a_G.v_G + I alpha omega) = 0
 **
-** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine: Ts of these is
-** the crank's own part and F23.v_B, which the balance is relative to as well.
+** gives Ts without the pin forces (ME3491, "principle of virtual work"), and checks the nine equations.
+** Their Ts is the crank's own part plus F23.v_B; the residual is relative to this term too.
 */
 static void flk_virtual_work(const fourlink_state *state, const flk_body body[3],
                              fourlink_forces *forces)
@@ -117,7 +117,7 @@ static void flk_virtual_work(const fourlink_state *state, const flk_body body[3]
     forces->residual = largest > 0 ? (forces->Ts - forces->Ts_work) / largest : 0;
 }
 
-/* 0 for a state whose speeds or accelerations are NaN or infinite: they are in every term of the balance. */
+/* 0 for a state with NaN or infinite speeds or accelerations: they enter every term of the balance. */
 static int flk_is_finite(const fourlink_forces *forces)
 {
     return FLK_WITHIN(forces->Ts - forces->Ts_work, DBL_MAX);

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** friction.c - Coulomb friction in pins and guides, with the pin forces that it depends on.
+** friction.c - Coulomb friction in pins and guides, solved together with the pin forces on which it depends.
 **
-** Friction is a load like others: the moment y of a pin turns one link by -y and the other by +y, the force y
-** of a guide acts along it at the pin, on the link that slides and against it on the other.  Its sign is
-** known, its size follows from the force F of the pin, or from the normal force N and the couple M of the
-** guide:
+** Friction acts as a load: the friction moment y of a pin acts as -y on one link and +y on the other; the
+** friction force y of a guide acts along it at the pin, on the sliding link, and in the opposite direction on
+** the other.  Its sign is known; its size follows from the pin force F, or from the normal force N and the
+** couple M of the guide:
 **
 **    pin      y = rho |F|,   rho = mu r, the radius of the friction circle
-**    guide    y = mu |N|,   or, of a block of length l whose edges press with N1 + N2 = N and
+**    guide    y = mu |N|,   or, for a block of length l whose edges press with N1 + N2 = N and
 **             (N2 - N1) l / 2 = M,   y = mu (|N1| + |N2|) = mu max(|N|, 2 |M| / l)
 **
-** All forces x are linear in the four sizes y:  x(y) = x0 + S y, x0 without friction, column k of S for the
-** unit load of joint k alone.  The moment in A changes Ts alone, so y = phi(x0 + S y) are at most three equations for
-** B, C and D, solved by Newton's method, and A follows:
+** All forces x are linear in the four sizes y: x(y) = x0 + S y, where x0 are the forces without friction and
+** column k of S those of a unit load in joint k alone.  The moment at A changes only Ts, so y = phi(x0 + S y)
+** are at most three equations for B, C and D.  They are solved by Newton's method, and A follows:
 **
 **    (I - Phi S) dy = phi(x0 + S y) - y,   Phi = dphi/dx
 **
@@ -28,26 +28,26 @@
 #define COUPLED 3 /* all but A */
 #define MOST_STEPS 50
 #define CONTINUATION_STEPS 20
-#define EXACT 1e-13   /* of the largest y: Newton's method has ended */
-#define ROUNDED 1e-12 /* ... if it does not come closer */
-#define NEARLY 1e-8   /* ... or does not end, as where two solutions meet: the steps are rounding */
-#define SQUARED 1e-7  /* ... a step that leaves an error of its square, where Phi S is small */
-#define STANDSTILL 1e-12 /* of a unit crank speed: joints slower than this do not move */
+#define EXACT 1e-13   /* relative to the largest y: Newton's method has converged */
+#define ROUNDED 1e-12 /* ... if it does not get closer */
+#define NEARLY 1e-8   /* ... no convergence, as where two solutions meet: only rounding is left */
+#define SQUARED 1e-7  /* ... where Phi S is small: the error after such a step is its square */
+#define STANDSTILL 1e-12 /* relative to unit crank speed: slower joints count as at rest */
 
 /* A joint with friction. */
 typedef struct joint {
     int number; /* 0 to 3, in the order A, B, C, D */
     int is_guide;
     double
-        factor; /* m, of the friction circle; of the guide coefficient times length of the crank */
-    double couple; /* 1/m, 2 / length of the guide; 0: its couple has no friction */
+        factor; /* m, radius of the friction circle; for a guide, coefficient times crank length */
+    double couple; /* 1/m, 2 / length of the guide; 0: its couple causes no friction */
     double
-        speed; /* 1, of the joint over that of the crank (guide: crank pin), in the sense of the motion */
-    fourlink_load load[2]; /* for y = 1 N m: of a guide, 1 N m over the length of the crank */
+        speed; /* 1, joint speed / crank speed (guide: / crank pin speed), in the sense of the motion */
+    fourlink_load load[2]; /* for y = 1 N m; for a guide, 1 N m / crank length */
     int n_loads;
 } joint;
 
-/* The equations for y; columns of joints that there are not are 0. */
+/* The equations for y; columns of missing joints are 0. */
 typedef struct equations {
     joint joint[JOINTS]; /* A is the last */
     int n, n_coupled;
@@ -64,7 +64,7 @@ static void clear(fourlink_load *load, int link)
     load->link = link;
 }
 
-/* Add a load of size 1, unless it is on the ground. */
+/* Add a unit load, unless it is on the ground. */
 static fourlink_load *add_load(joint *j, int link)
 {
     fourlink_load *load = &j->load[j->n_loads];
@@ -87,7 +87,8 @@ static void load_pin(const fourlink_joint *pin, joint *j)
         from->torque = sign;
 }
 
-/* Along the slide, at the origin of the link that slides; the same point of the other link. */
+/* The load acts along the slide, at the origin of the sliding link and at the same point of the other
+** link. */
 static void load_guide(const fourlink_state *state, const fourlink_joint *guide, double length,
                        joint *j)
 {
@@ -111,8 +112,9 @@ static void load_guide(const fourlink_state *state, const fourlink_joint *guide,
     load->force.y = sign * slider->axis.y;
 }
 
-/* Speed of `on` against `from`, of the link that slides along the other, for a unit crank speed.  With r from the
-** origin of the other link to that of the slider, the velocity of its point there is k r turned by 90 deg. */
+/* The speed of `on` relative to `from`, the sliding link relative to the other, for unit crank speed.  With r
+** from the origin of the other link to that of the slider, the velocity of the other link's point there is k
+** r turned by 90 deg. */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
                           const fourlink_joint *at)
 {
@@ -136,7 +138,7 @@ int flk_friction_sense(double omega2, const fourlink_friction *friction)
     return omega2 < 0 || (omega2 == 0 && friction->direction < 0) ? -1 : 1;
 }
 
-/* The joints that have friction and move; in the senses of `held`, if that is given. */
+/* List the joints that have friction and move, with the senses of `held` if that is given. */
 static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanism,
                         const fourlink_state *state, const fourlink_state *held,
                         const fourlink_friction *friction, equations *e)
@@ -168,7 +170,7 @@ static void list_joints(const flk_kind *kind, const fourlink_mechanism *mechanis
     }
 }
 
-/* Force of a pin, couple and normal force of a guide. */
+/* The force of a pin; the couple and normal force of a guide. */
 static void take_unknowns(const joint *j, const fourlink_forces *forces, double x[2])
 {
     int i = 2 * j->number, form = j->is_guide ? FLK_SLIDER : FLK_PIN;
@@ -264,7 +266,7 @@ static void swap_rows(double A[COUPLED][COUPLED + 1], int i, int k)
 }
 
 /* Solve (I - Phi S) d = phi - y by elimination with pivots; returns the determinant of I - Phi S, 0 if it is
-** singular.  Joints that there are not have d = 0. */
+** singular.  Missing joints have d = 0. */
 static double newton_step(const equations *e, double d[COUPLED])
 {
     double A[COUPLED][COUPLED + 1], inverse[COUPLED], determinant = 1;
@@ -322,8 +324,8 @@ static int is_small(const equations *e)
     return 1;
 }
 
-/* Newton's method from the present y, for a share of the friction; 1 if it converges with a positive
-** determinant.  `matrix` is then that of the solution but for the last step. */
+/* Newton's method from the current y, for a share of the friction; 1 if it converges with a positive
+** determinant.  `matrix` is then that before the last step. */
 static int converge(equations *e, double share)
 {
     double d[COUPLED], before = HUGE_VAL, most = 0, largest = 0, determinant = 0;
@@ -350,7 +352,7 @@ static int converge(equations *e, double share)
     return determinant > 0 && most <= NEARLY * largest;
 }
 
-/* 1 if the spectral radius of Phi S is below 1, as it is if a power of it has a norm below 1. */
+/* 1 if some power of Phi S has a norm below 1: then its spectral radius is below 1. */
 static int is_contraction(const equations *e)
 {
     double A[COUPLED][COUPLED], square[COUPLED][COUPLED];
@@ -396,7 +398,7 @@ static int find_sizes(equations *e)
     return FOURLINK_OK;
 }
 
-/* The moment in A, from those of the others. */
+/* The moment at A, from those of the other joints. */
 static void follow_in_A(equations *e)
 {
     double x[2];
@@ -407,8 +409,8 @@ static void follow_in_A(equations *e)
     e->y[e->n_coupled] = e->joint[e->n_coupled].factor * sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
-/* The part of the power that is not lost: of what the crank puts in, or of what it takes out; 0 if without friction
-** the load would drive the crank, and with it does not. */
+/* The part of the power that is not lost: of the power that the crank puts in, or that it takes out.  0 if
+** the load would drive the crank without friction, but does not with it. */
 static double efficiency_of(double Ts, double Ts0, double direction)
 {
     Ts *= direction;
@@ -418,7 +420,7 @@ static double efficiency_of(double Ts, double Ts0, double direction)
     return Ts0 < 0 ? Ts / Ts0 : Ts == Ts0;
 }
 
-/* Give the loads of friction their sizes, and apply them to the links cut free. */
+/* Scale the friction loads, and apply them to the free bodies of the links. */
 static void apply(const fourlink_state *state, equations *e, flk_body body[3])
 {
     int i, k;
@@ -437,10 +439,10 @@ static void apply(const fourlink_state *state, equations *e, flk_body body[3])
     }
 }
 
-/* The joints of the loads: on the two links of B and of C, on the follower at D, on the crank at A. */
+/* The joints of the friction loads: two links at B and at C, the follower at D, the crank at A. */
 const int flk_friction_joint[FOURLINK_FRICTION_LOADS] = {1, 1, 2, 2, 3, 0};
 
-/* Of two links of a joint the first is the one that slides, or `on`: see load_pin and load_guide. */
+/* The first link of a joint is the sliding one, or `on`: see load_pin and load_guide. */
 int flk_friction_link(const flk_kind *kind, unsigned long i)
 {
     const fourlink_joint *at = &kind->joint[flk_friction_joint[i]];
@@ -450,7 +452,7 @@ int flk_friction_link(const flk_kind *kind, unsigned long i)
     return i > 0 && flk_friction_joint[i - 1] == flk_friction_joint[i] ? second : first;
 }
 
-/* The friction that was found. */
+/* List the friction found. */
 static void list_losses(const flk_kind *kind, const equations *e, double length, double omega2,
                         fourlink_losses *losses)
 {
@@ -476,7 +478,7 @@ static void list_losses(const flk_kind *kind, const equations *e, double length,
     }
 }
 
-/* What a guide exerts has its friction besides the normal force: on a piston F14, on a lever F34. */
+/* Add friction to the force of a guide, besides its normal force: F14 on a piston, F34 on a lever. */
 static void add_guide(const flk_kind *kind, const equations *e, fourlink_forces *forces)
 {
     int k;
@@ -510,7 +512,7 @@ static int check_friction(const fourlink_friction *friction)
     return is_negative ? FOURLINK_BAD_FRICTION : FOURLINK_OK;
 }
 
-/* Solve with checked data. */
+/* Solve, with data that have been checked. */
 static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
                      const fourlink_state *state, const fourlink_state *held,
                      const fourlink_load *loads, unsigned long n_loads,

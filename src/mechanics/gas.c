@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** gas.c - the gas in a cylinder: on the piston of a slider-crank, or between rod and cylinder of an inverted one.
+** gas.c - gas in a cylinder: on the piston of a slider-crank, or between rod and cylinder of an inverted
+** slider-crank.
 **
-**    F = p1 A1 - p2 A2,   towards the crank positive        (ME3491, "Forces on the reciprocating parts of an engine")
+**    F = p1 A1 - p2 A2,   positive towards the crank     (ME3491, "Forces on the reciprocating parts of an engine")
 */
 #include <math.h>
 #include <string.h>
@@ -17,7 +18,7 @@ static double force_of(const flk_gas *gas, double theta2, double held)
     return p1 * gas->area - gas->back_pressure * gas->back_area;
 }
 
-/* On the piston, and on the cylinder head along the line of stroke y = offset. */
+/* The gas acts on the piston, and on the cylinder head along the line of stroke y = offset. */
 static void act_on_piston(double side, double force, double offset, fourlink_load *load,
                           flk_acting *acting)
 {

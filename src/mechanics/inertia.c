@@ -2,7 +2,7 @@
 **
 ** inertia.c - the machine as one mass that turns with the crank.
 **
-** With the velocities v_G, k of a unit crank speed, and the accelerations a_G, alpha of a unit speed that is constant,
+** With the velocities v_G, k at unit crank speed, and the accelerations a_G, alpha at constant unit speed,
 ** the kinetic energy is J omega2^2 / 2, and
 **
 **    J     = sum m v_G.v_G + I k^2
@@ -10,7 +10,7 @@
 **    Q     = sum F.v_P + T k + W.v_G
 **    J alpha2 + J' omega2^2 / 2 = Ts + Q
 **
-** Lagrange's equation for one coordinate, theta2.
+** The last is Lagrange's equation for one coordinate, theta2.
 */
 #include "inertia.h"
 #include "kind.h"

@@ -12,22 +12,22 @@
 
 #include "kind.h"
 
-/* Of the lever's line only its signed distance h from D matters.  With u = (cos(theta3), sin(theta3)) the
+/* Only the signed distance h of the lever's line from D matters.  With u = (cos(theta3), sin(theta3)) the
 ** direction of the slide, n = u turned left by 90 deg, s along the slide from the foot of the perpendicular
 ** from D:
 **
 **    r = B - D = s u + h n,   h = offset - c sin(gamma)
 **    theta4 = theta3 - gamma,  slide = s - c cos(gamma)
 **
-** c = DC the length of the lever and gamma the angle of the slide from it; both are 0 for a lever whose x axis
-** is the slide's direction.
+** c = DC is the length of the lever and gamma the angle of the slide from it; both are 0 if the slide is
+** along the x axis of the lever.
 **
 ** Reach.  With f = BD,
 **
 **    f^2 = (a - d)^2 + 4 a d sin^2(theta2/2)
 **    s^2 = f^2 - h^2 = [(a - d)^2 - h^2] + 4 a d sin^2(theta2/2)
 **
-** Where the bracket, `folded`, is 0 the mechanism has a change point, at 0 deg, and the root of s^2 goes
+** Where the bracket, `folded`, is 0 the mechanism has a change point, at 0 deg, and the root of s^2 passes
 ** smoothly through 0 and changes sign there.
 */
 static void inverted_prepare(fourlink_mechanism *mechanism)
@@ -69,7 +69,7 @@ static int inverted_reach(const fourlink_mechanism *mechanism, double half_sine,
     return FOURLINK_OK;
 }
 
-/* B - D; where A, B and D are nearly in line, 1 - cos(theta2) = sin^2(theta2) / (1 + cos(theta2)) keeps the
+/* B - D.  Where A, B and D are nearly in line, 1 - cos(theta2) = sin^2(theta2) / (1 + cos(theta2)) keeps the
 ** digits of a - d. */
 static fourlink_vector from_D(const fourlink_mechanism *mechanism, const fourlink_vector *crank)
 {
@@ -107,7 +107,7 @@ static void inverted_angles(const fourlink_mechanism *mechanism, fourlink_state 
     state->mu = mechanism->h == 0 ? M_PI_2 : atan(fabs(state->s / mechanism->h));
 }
 
-/* Velocity, with beta = theta3 - theta2, here for a unit crank speed:
+/* Velocity, with beta = theta3 - theta2, here for unit crank speed:
 **
 **    k3 = k4 = a cos(beta) / s,   omega3 = omega4 = k4 omega2
 **    ds/dt = a omega2 sin(beta) + h omega4
@@ -152,7 +152,7 @@ static void inverted_acceleration(const fourlink_mechanism *mechanism, fourlink_
     state->slide_a = a_t * sine - a_n * cosine + h * lever->alpha + state->s * n;
 }
 
-/* Forces in closed form.  N34 acts at B, and so leaves the moments of the slider about B:
+/* Forces in closed form.  N34 acts at B, so it drops out of the moments of the slider about B:
 **
 **    moments of the slider about B    M34 = -M3
 **    moments of the lever about D     N34 s + M34 = M4,   for (B - D) x n = s
@@ -221,8 +221,8 @@ static void swing_of_lever(const fourlink_mechanism *mechanism, fourlink_branch 
     limits->time_ratio = (M_PI + swing) / (M_PI - swing);
 }
 
-/* Of a lever that turns fully the time ratio is that of a tool whose line of stroke passes D at right angles
-** to AD, and which goes back where theta3 = +-90 deg (h = 0: cos(sigma / 2) = d / a):
+/* For a lever that turns fully, the time ratio is that of a tool whose line of stroke passes through D at
+** right angles to AD, and which reverses where theta3 = +-90 deg (h = 0: cos(sigma / 2) = d / a):
 **
 **    sigma = acos((d - h) / a) + acos((d + h) / a),   time ratio = (360 deg - sigma) / sigma
 */

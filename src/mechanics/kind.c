@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** kind.c - the table of kinds: names, the nine unknowns, and the mechanism as a whole.
+** kind.c - the table of kinds: names, the nine unknowns, properties of the mechanism as a whole.
 */
 #include <string.h>
 

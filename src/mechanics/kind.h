@@ -17,11 +17,11 @@ typedef struct flk_body {
     fourlink_vector force; /* N, m a_G - W - (sum of forces) */
     double moment;         /* N m, I alpha - (sum of moments about G) */
     double work;           /* N m, power of loads, weight and inertia, unit crank speed */
-    double largest;        /* N m, the largest term of it, components taken apart */
+    double largest;        /* N m, its largest term, counting components separately */
 } flk_body;
 
-/* One of the nine unknowns, two of each joint and Ts: its name, and the member of fourlink_forces that
-** has it; if the joint is a pin, and if it is a slider. */
+/* One of the nine unknowns (two per joint, and Ts): its name and member of fourlink_forces, if the joint is a
+** pin, and if it is a slider. */
 typedef struct flk_unknown {
     const char *name;
     size_t member;
@@ -31,19 +31,19 @@ enum { FLK_PIN, FLK_SLIDER };
 
 extern const flk_unknown flk_unknowns[9][2];
 
-/* Which of the two an unknown is. */
+/* Which of the two applies to an unknown. */
 #define FLK_JOINT_OF(kind, i) ((i) < 8 && (kind)->joint[(i) / 2].slider ? FLK_SLIDER : FLK_PIN)
 
 #define FLK_MEMBER(forces, unknown) ((double *)((char *)(forces) + (unknown).member))
 
-/* Whether a link has a length: one that must be positive, or one that may be 0. */
+/* Whether a link has a length, which must be positive or may be 0. */
 enum { FLK_NO_LENGTH, FLK_LENGTH, FLK_LENGTH_OR_NONE };
 
 /* The functions are called in this order.  The crank and its pin B are placed before `position`,
 ** moved before `velocity`, accelerated before `acceleration`.
 **
-** prepare       the constants of the mechanism, from its lengths
-** reach         whether links 3 and 4 meet, given sine and cosine of half the crank angle; `sine` is that
+** prepare       sets the constants of the mechanism, from its lengths reach         whether links 3 and 4
+** meet, given sine and cosine of half the crank angle; `sine` is that
 **               of the open branch, smooth through change points
 ** position, velocity, acceleration
 **               axis and origin; k, omega and the origin's k and velocity; alpha and the origin's
@@ -82,7 +82,7 @@ typedef struct flk_kind {
 
 extern const flk_kind flk_four_bar, flk_slider_crank, flk_inverted;
 
-/* The record of a kind; null if there is no such kind. */
+/* The record of a kind; null if the kind does not exist. */
 const flk_kind *flk_kind_of(fourlink_kind kind);
 
 /* 1 if two links of this kind slide on each other; 0: all joints are pins. */
@@ -92,47 +92,50 @@ int flk_kind_has_slide(fourlink_kind kind);
 ** FOURLINK_BAD_KIND. */
 int flk_kind_find(const fourlink_mechanism *mechanism, const void *output, const flk_kind **kind);
 
-/* The ranges of crank angles between two limits, either of which may be missing, for a symmetric mechanism:
-** theta2 and `mirror` - theta2 are alike. */
+/* Set the ranges of crank angles between two limits, either of which may be missing, for a symmetric
+** mechanism: theta2 and `mirror` - theta2 are equivalent. */
 void flk_kind_set_ranges(fourlink_reach *reach, int is_low, double lowest, int is_high,
                          double highest, double mirror);
 
-/* Limit x to -1 ... 1, for acos and asin: rounding, or a linkage that cannot be assembled, may exceed it. */
+/* Limit x to -1 ... 1, for acos and asin: it may be outside by rounding, or if the linkage cannot be
+** assembled. */
 double flk_kind_clamp(double x);
 
-/* The nine unknowns, from the links cut free, in closed form (closed_form.c) and by GSL (nine_equations.c), without
-** their check: FOURLINK_OK, FOURLINK_SINGULAR.  The closed form does not test for a singular state. */
+/* Find the nine unknowns from the free bodies, in closed form (closed_form.c) or by GSL (nine_equations.c),
+** without checking them: FOURLINK_OK, FOURLINK_SINGULAR.  The closed form does not test for a singular
+** state. */
 typedef int flk_solution(const flk_kind *kind, const fourlink_mechanism *mechanism,
                          const fourlink_state *state, const flk_body body[3],
                          fourlink_forces *forces);
 flk_solution flk_dyad_of_bodies, flk_matrix_of_bodies;
 int flk_dyad_is_singular(const fourlink_state *state);
 
-/* The motion of every link; without `angles`, which take a third of the time, theta of links 3 and 4, mu and phi are not
-** set (mechanism.c). */
+/* Find the motion of every link.  Without `angles`, which take a third of the time, theta of links 3 and 4,
+** mu and phi are not set (mechanism.c). */
 int flk_mechanism_move(const fourlink_mechanism *mechanism, fourlink_branch branch,
                        const fourlink_crank *crank, int angles, fourlink_state *state);
 
-/* The relative speed in a joint for a unit crank speed: of a pin in rad, of a slider along its slide over the length of
-** the crank.  The sense in which the crank turns, or is about to: 1 or -1 (friction.c). */
+/* The relative speed in a joint for unit crank speed: in rad for a pin, along the slide and divided by the
+** crank length for a slider.  The sense in which the crank turns or starts: 1 or -1 (friction.c). */
 double flk_friction_speed(const fourlink_mechanism *mechanism, const fourlink_state *state,
                           const fourlink_joint *at);
 int flk_friction_sense(double omega2, const fourlink_friction *friction);
 
-/* As fourlink_solve_friction; joints rub in the senses that they have in the state `held`, if that is not null. */
+/* As fourlink_solve_friction, but if `held` is not null, the signs of friction are those of that state. */
 int flk_friction_solve(const fourlink_mechanism *mechanism, const fourlink_state *state,
                        const fourlink_state *held, const fourlink_load *loads,
                        unsigned long n_loads, const fourlink_friction *friction, int closed_form,
                        fourlink_forces *forces, fourlink_losses *losses);
 
-/* Of load i of fourlink_losses: its joint, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
+/* The joint of load i of fourlink_losses, 0 to 3 for A, B, C, D; the link on which it acts (friction.c). */
 extern const int flk_friction_joint[FOURLINK_FRICTION_LOADS];
 int flk_friction_link(const flk_kind *kind, unsigned long i);
 
-/* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, from any of them (turns.c). */
+/* The angle of a link, 1 to 4, continuous in theta2: it counts full turns, with an arbitrary origin
+** (turns.c). */
 double flk_turns_angle(const fourlink_mechanism *mechanism, const fourlink_state *state, int link);
 
-/* 1 if a torsional spring is wound up: after this angle of the crank, a period of the linkage, its own is another
+/* 1 if a torsional spring winds up: its angle is different after this crank angle, a period of the linkage
 ** (spring.c). */
 int flk_spring_winds(const fourlink_mechanism *mechanism, const fourlink_spring *spring,
                      double period);

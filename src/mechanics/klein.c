@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** klein.c - Klein's construction of a slider-crank, and the crank effort of the rod from it.
+** klein.c - Klein's construction for a slider-crank, and the crank effort of the rod that follows from it.
 */
 #include <math.h>
 
@@ -15,8 +15,8 @@
 **    and cuts it at Q,                   BQ = m^2 / l
 **    N on the chord with N_y = O_y = 0:  N = B + BQ u + t (-u_y, u_x)
 **
-** The triangle OBM is the velocity polygon, turned by a right angle, with omega2 for its scale; the
-** quadrangle OBQN is the acceleration polygon, turned by two right angles, with omega2^2.
+** The triangle OBM is the velocity polygon turned by a right angle, with the scale omega2; the quadrangle
+** OBQN is the acceleration polygon turned by two right angles, with the scale omega2^2.
 */
 static void find_lengths(fourlink_vector B, fourlink_vector u, double l, double side,
                          fourlink_klein *klein)
@@ -31,12 +31,12 @@ static void find_lengths(fourlink_vector B, fourlink_vector u, double l, double 
 }
 
 /* The crank effort of the rod alone (ME3491, example 2, "Graphical method"), from the moments about I, the
-** instantaneous centre of the rod, of which the forces at its pins have none but F_T:
+** instantaneous centre of the rod; of the forces at its pins only F_T has a moment about I:
 **
 **    F_T IC = F_C IY - W_C IX,   F_C = m omega2^2 gO,   W_C = m g
 **
-** IC, here IB, is r / |k3|, and k3 IG, turned left, is the velocity of G for a unit crank speed, k_G; a_G is
-** the acceleration for one, gO turned half round:
+** IC, here IB, is r / |k3|.  k3 IG, turned left, is k_G, the velocity of G for unit crank speed; a_G, its
+** acceleration at that speed, is gO turned by 180 deg:
 **
 **    F_C IY = [m a_G . k_G + I alpha3 k3] / |k3|,   W_C IX = m g . k_G / |k3|
 */

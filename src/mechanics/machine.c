@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** machine.c - the mechanism with all that forces and accelerations follow from.
+** machine.c - the mechanism with everything that determines forces and accelerations.
 **
-** The machine moves by
+** The equation of motion is
 **
 **    (J + I_f) alpha2 + J' omega2^2 / 2 = T_m + Q
 **
@@ -21,7 +21,7 @@
 
 #define STEPS 60 /* of the secant */
 
-enum { ON_D = 4, ON_A = 5 }; /* among the loads of fourlink_losses */
+enum { ON_D = 4, ON_A = 5 }; /* indices of loads in fourlink_losses */
 
 void flk_machine_finish(flk_machine *m)
 {
@@ -68,7 +68,7 @@ const flk_element *flk_machine_find(const flk_machine *m, const flk_sort *sort, 
     return NULL;
 }
 
-/* A place for a load that is not known yet. */
+/* Clear a load that is not known yet. */
 static void clear(fourlink_load *load, int link)
 {
     memset(load, 0, sizeof *load);
@@ -105,7 +105,7 @@ void flk_machine_loads_at(const flk_machine *m, fourlink_branch branch, double t
     }
 }
 
-/* The loads in a state, which is at unit speed if none depends on the speed. */
+/* Set the loads for a state, which may be at unit speed if no load depends on the speed. */
 static int set_loads(const flk_machine *m, const fourlink_state *state, double omega2,
                      flk_acting *acting)
 {
@@ -123,7 +123,7 @@ int flk_machine_loads(const flk_machine *m, const fourlink_state *state, flk_act
     return set_loads(m, state, state->link[FOURLINK_CRANK].omega, acting);
 }
 
-/* Friction of a pin on the ground turns that against the link. */
+/* Friction in a pin on the ground also acts on the ground, opposite to the link. */
 static void take_friction(const flk_machine *m, const fourlink_losses *losses, flk_acting *acting)
 {
     memcpy(acting->load + m->first_friction, losses->load, losses->n_loads * sizeof *losses->load);
@@ -176,7 +176,8 @@ int flk_machine_at(const flk_machine *m, fourlink_branch branch, double theta2,
     return place->total > 0 ? FOURLINK_OK : FOURLINK_NO_INERTIA;
 }
 
-/* The torque on the crank that an acceleration needs, less that which the shaft gives: Ts - (T_m - I_f alpha2). */
+/* The torque on the crank that an acceleration needs, minus the torque from the shaft: Ts - (T_m - I_f
+** alpha2). */
 static int missing_torque(const flk_machine *m, fourlink_state *state, const flk_acting *acting,
                           double T_motor, double alpha2, double *value)
 {
@@ -192,9 +193,9 @@ static int missing_torque(const flk_machine *m, fourlink_state *state, const flk
     return status;
 }
 
-/* Friction depends on the pin forces, and they on alpha2: the secant from the acceleration without friction, kept within
-** the bracket that is known, as it leaps about where what is missed has a kink.  That grows with alpha2, unless friction
-** locks the mechanism. */
+/* Friction depends on the pin forces, and these on alpha2.  The secant method starts from the acceleration
+** without friction and is kept within the known bracket, because it jumps about where the missing torque has
+** a kink.  The missing torque grows with alpha2, unless friction locks the mechanism. */
 static int find_alpha(const flk_machine *m, const flk_machine_place *place, fourlink_state *state,
                       const flk_acting *acting, flk_machine_torque *torque)
 {

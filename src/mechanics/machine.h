@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** machine.h - the mechanism with all that forces and accelerations follow from: elements that exert loads, friction of the
-** joints, motor and flywheel on the shaft.
+** machine.h - the mechanism with everything that determines forces and accelerations: elements that exert
+** loads, friction in the joints, motor and flywheel on the shaft.
 */
 #ifndef FOURLINK_MACHINE_H
 #define FOURLINK_MACHINE_H
@@ -10,8 +10,8 @@
 
 #include "element.h"
 
-/* Its loads are those of the elements in their order (own loads, springs, gas), and before those of the gas
-** FOURLINK_FRICTION_LOADS of friction. */
+/* A machine.  Its loads are those of the elements in their order (own loads, springs, gas), with
+** FOURLINK_FRICTION_LOADS loads of friction before those of the gas. */
 typedef struct flk_machine {
     fourlink_mechanism mechanism; /* with counterweights applied */
     flk_element *element;
@@ -23,28 +23,28 @@ typedef struct flk_machine {
     double cycle;         /* rad, the period of curves over theta2 and of ranges of crank angles */
     /* from flk_machine_finish: */
     unsigned long n_loads;
-    unsigned long first_friction, first_gas; /* numbers of loads; n_loads: there is none */
+    unsigned long first_friction, first_gas; /* indices of loads; n_loads: none */
     int needs_motion;                        /* 1: loads depend on more than the crank angle */
     int needs_angles;                        /* 1: ... on the angles of links 3 and 4 */
 } flk_machine;
 
-/* Number the loads, after the last element is in the list. */
+/* Number the loads; call this after the last element has been added. */
 void flk_machine_finish(flk_machine *machine);
 
-/* How many elements of a sort there are; element i of them, or null. */
+/* The number of elements of a sort; the i-th of them, or null. */
 size_t flk_machine_count(const flk_machine *machine, const flk_sort *sort);
 const flk_element *flk_machine_find(const flk_machine *machine, const flk_sort *sort, size_t i);
 
-/* The loads at a crank angle; of its speed only the sense counts.  Places of friction and of elements that need the motion
-** are 0. */
+/* The loads at a crank angle; only the sense of the speed matters.  Loads of friction and of elements that
+** need the motion are 0. */
 void flk_machine_loads_at(const flk_machine *machine, fourlink_branch branch, double theta2,
                           double omega2, flk_acting *acting);
 
-/* The loads in a state; places of friction are 0: FOURLINK_OK, FOURLINK_NO_DIRECTION. */
+/* The loads in a state; those of friction are 0: FOURLINK_OK, FOURLINK_NO_DIRECTION. */
 int flk_machine_loads(const flk_machine *machine, const fourlink_state *state, flk_acting *acting);
 
-/* The loads in a state, friction too, and the forces under them.  Losses are those of friction; without it Ts0 is Ts, the
-** efficiency 1 and the rest 0. */
+/* The loads in a state, including friction, and the resulting forces.  Losses are those of friction; without
+** friction Ts0 is Ts, the efficiency is 1 and the rest is 0. */
 int flk_machine_forces(const flk_machine *machine, const fourlink_state *state, int closed_form,
                        flk_acting *acting, fourlink_forces *forces, fourlink_losses *losses);
 
@@ -58,14 +58,14 @@ typedef struct flk_machine_place {
     double total;         /* kg m2, with flywheel and rotor */
 } flk_machine_place;
 
-/* What turns it there at a speed. */
+/* The torques there at a speed. */
 typedef struct flk_machine_torque {
     double T_motor; /* N m, at the crank */
     double net;     /* N m, T_motor + Q: dE/dtheta2 */
     double alpha2;  /* rad/s2 */
 } flk_machine_torque;
 
-/* kg m2, of flywheel and rotor, at the crank. */
+/* The inertia of flywheel and rotor at the crank, kg m2. */
 double flk_machine_shaft(const flk_machine *machine);
 
 /* FOURLINK_OK, FOURLINK_NO_INERTIA, or why there is no position. */

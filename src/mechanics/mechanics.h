@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanics.h - what the files of the library share and hide from its callers.
+** mechanics.h - declarations that the library's files share but callers do not see.
 */
 #ifndef FOURLINK_MECHANICS_H
 #define FOURLINK_MECHANICS_H
@@ -8,7 +8,7 @@
 #include "fourlink.h"
 #include "base/arithmetic.h"
 
-/* A position with sine^2 below this is dead: the rest is rounding error. */
+/* A position with sine^2 below this is dead; what remains is rounding error. */
 #define FLK_DEAD 1e-14
 
 /* The nine equations are singular if a pivot, scaled so that coefficients are near 1, or the sine of the
@@ -16,27 +16,27 @@
 ** 1e-7. */
 #define FLK_SINGULAR 1e-13
 
-/* A sum of lengths below this, relative to the sum of their magnitudes, is rounding: 807 + 6 and 595 + 218 mm
-** are equal, though not in binary. */
+/* A sum of lengths below this, relative to the sum of their magnitudes, is rounding error: 807 + 6 and 595 +
+** 218 mm are equal, but not in binary. */
 #define FLK_ROUNDING 1e-15
 
-/* The error of u1 + u2 (four_bar.c, slider_crank.c), which the lengths of links 3 and 4 give, in parts of
-** its half, from which on a position is lost in the rounding of far longer links. */
+/* u1 + u2 (four_bar.c, slider_crank.c) follows from the lengths of links 3 and 4.  If its error exceeds this
+** part of half its value, the position is lost in the rounding of much longer links. */
 #define FLK_LOST 1e-8
 
 /* 1 if |x| <= max; 0 for larger numbers and NaN.  The same for a vector. */
 #define FLK_WITHIN(x, max) (fabs(x) <= (max))
 #define FLK_BOTH_WITHIN(v, max) (FLK_WITHIN((v).x, max) && FLK_WITHIN((v).y, max))
 
-/* A case of the switch from codes to texts. */
+/* A case in a switch that returns the text of a code. */
 #define FLK_CASE(name, value, text) \
     case name:                      \
         return text;
 
-/* Sets of kinds are sums of fourlink_kind: this is the set of all, with those to come. */
+/* Sets of kinds are sums of fourlink_kind.  This set has all kinds, including future ones. */
 #define FLK_EVERY_KIND 0xff
 
-/* What has no value; it has no sign, which printf would show. */
+/* NaN for an undefined value, without a sign, which printf would show. */
 #define FLK_UNDEFINED fabs(GSL_NAN)
 
 /* z component of u x v, and u . v */
@@ -49,13 +49,14 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads);
 /* F12x, F12y, F23x ... F14y, the couple of the slider, Ts (kind.c). */
 void flk_list_forces(const fourlink_forces *forces, double list[10]);
 
-/* A vector from a link's own axes into the frame of link 1: v = the arm from the link's origin to the
-** point `at` of it, or a force that turns with the link. */
+/* Turn a vector from a link's own axes into the frame of link 1: v is the arm from the link's origin to its
+** point `at`, or a force that turns with the link. */
 #define FLK_TURN(v, link, at)                                   \
     ((v).x = (at).x * (link)->axis.x - (at).y * (link)->axis.y, \
      (v).y = (at).x * (link)->axis.y + (at).y * (link)->axis.x)
 
-/* k = the derivative by theta2 of the point at arm r from a link's origin: its velocity for a unit crank speed. */
+/* v, the derivative with respect to theta2 of the point at arm r from a link's origin: its velocity for unit
+** crank speed. */
 #define FLK_UNIT_VELOCITY(v, link, r) \
     ((v).x = (link)->k_origin.x - (link)->k * (r).y, (v).y = (link)->k_origin.y + (link)->k * (r).x)
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** mechanism.c - the common part of all mechanisms: checking a design, the crank, points of links, and the
+** mechanism.c - the common part of all mechanisms: the check of a design, the crank, points of links, the
 ** steps of an analysis.
 */
 #include <math.h>
@@ -63,8 +63,8 @@ int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanis
     return FOURLINK_OK;
 }
 
-/* Sine and cosine of half the crank angle, and the sine of the position on this branch, or the reason why
-** there is none. */
+/* Sine and cosine of half the crank angle, and the sine of the position on this branch, or why there is
+** none. */
 typedef struct half_angle {
     double half_sine, half_cosine, sine;
 } half_angle;
@@ -86,7 +86,7 @@ static int find_reach(const flk_kind *kind, const fourlink_mechanism *mechanism,
     return status;
 }
 
-/* The crank turns about A, which is at rest; its other pin B is the origin of link 3. */
+/* The crank turns about the fixed pin A; its other pin B is the origin of link 3. */
 static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fourlink_branch branch,
                   double theta2, const half_angle *at, fourlink_state *state)
 {
@@ -111,8 +111,8 @@ static void place(const flk_kind *kind, const fourlink_mechanism *mechanism, fou
     kind->position(mechanism, state);
 }
 
-/* The angle of an axis, in (-pi, pi]: 180 deg does not become -180 by rounding.  atan of a quotient is much
-** faster than atan2. */
+/* The angle of an axis, in (-pi, pi]: rounding does not turn 180 deg into -180 deg.  atan of a quotient is
+** much faster than atan2. */
 static double angle_of(const fourlink_vector *axis)
 {
     double x = fabs(axis->x), y = fabs(axis->y), angle;
@@ -208,7 +208,7 @@ int fourlink_acceleration(const fourlink_mechanism *mechanism, double alpha2, fo
     return FOURLINK_OK;
 }
 
-/* A point P of a rigid body with origin O, arm r = P - O:
+/* For a point P of a rigid body with origin O and arm r = P - O:
 **
 **    v_P = v_O + omega x r,   a_P = a_O + alpha x r - omega^2 r
 */
@@ -244,8 +244,8 @@ int fourlink_point(const fourlink_state *state, int link, const fourlink_vector 
     return FOURLINK_OK;
 }
 
-/* The motion of every link, except the angles; the state is written only if everything, the loads included,
-** is valid. */
+/* Find the motion of every link, except the angles.  The state is written only if everything is valid,
+** including the loads. */
 static int analyse_motion(const flk_kind *kind, const fourlink_mechanism *mechanism,
                           fourlink_branch branch, const fourlink_crank *crank,
                           const fourlink_load *loads, unsigned long n_loads, fourlink_state *state)
@@ -306,7 +306,7 @@ int fourlink_analyse(const fourlink_mechanism *mechanism, fourlink_branch branch
     return FOURLINK_OK;
 }
 
-/* Nothing can fail after the position is found: its sine is not 0. */
+/* Nothing can fail once the position is found: its sine is not 0. */
 int fourlink_analyse_dyad(const fourlink_mechanism *mechanism, fourlink_branch branch,
                           const fourlink_crank *crank, const fourlink_load *loads,
                           unsigned long n_loads, fourlink_state *state, fourlink_forces *forces)

@@ -14,7 +14,7 @@
 
 #include "mechanics.h"
 
-/* Above this a row's number is not exact in floating point. */
+/* Above this a row number is not exact in floating point. */
 #define MAX_ROWS 1e15
 
 /* The last crank angle, in the motion's unit. */
@@ -34,9 +34,8 @@ static double direction(const fourlink_motion *motion)
     return last_angle(motion) < motion->from ? -1 : 1;
 }
 
-/* Angle through which the crank turns before it comes to rest, in its direction of rotation and the
-** motion's unit: omega2^2 = speed^2 + 2 acceleration s vanishes.  Negative: it does not come to
-** rest.
+/* The angle through which the crank turns before it comes to rest, in its direction of rotation and the
+** motion's unit: omega2^2 = speed^2 + 2 acceleration s is 0.  Negative: it does not come to rest.
 */
 static double stopping_angle(const fourlink_motion *motion)
 {
@@ -49,7 +48,7 @@ static double stopping_angle(const fourlink_motion *motion)
     return fabs(s) / motion->angle_unit;
 }
 
-/* The number of intervals in a span, the last of which may be short.  A span that is a whole number of them,
+/* The number of intervals in a span; the last may be short.  A span that is a whole number of intervals,
 ** except for rounding, has no short one at its end. */
 static double intervals(double span, double interval)
 {
@@ -163,6 +162,6 @@ int fourlink_motion_row(const fourlink_motion *motion, const fourlink_range *ran
         return FOURLINK_NO_SUCH_ROW;
     if (i > 0 && i == range->n_rows - 1 && !range->stops)
         return fourlink_motion_at(motion, last_angle(motion), row);
-    turned = (double)i * motion->interval; /* rounded here, 100 x 0.01 is 1, as it is on paper */
+    turned = (double)i * motion->interval; /* rounded here, so that 100 x 0.01 is 1, as on paper */
     return fourlink_motion_at(motion, motion->from + direction(motion) * turned, row);
 }

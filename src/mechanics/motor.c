@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** motor.c - the torque of a motor over its speed.
+** motor.c - the torque of a motor as a function of its speed.
 **
 ** The crank turns at omega2, the motor at ratio omega2, and its torque on the crank is ratio T:
 **
 **    constant   T = torque
-**    linear     T = stall_torque (1 - w / no_load_speed); it brakes above the no-load speed
-**    curve      Steffen's interpolation; beyond an end the value there holds
+**    linear     T = stall_torque (1 - w / no_load_speed); brakes above the no-load speed
+**    curve      Steffen's interpolation; constant beyond the ends
 **    power      T = power / w, at most max_torque, in the sense of max_torque
 */
 #include <float.h>
@@ -17,7 +17,7 @@
 #include "base/steffen.h"
 #include "inertia.h"
 
-/* The speed from which on the power limits the torque. */
+/* The speed above which the power limits the torque. */
 static double knee_of(const fourlink_motor *motor)
 {
     return motor->power / motor->max_torque;
@@ -30,7 +30,7 @@ static double of_power(const fourlink_motor *motor, double w, double within)
     return turning * fabs(motor->max_torque) > motor->power ? motor->power / w : motor->max_torque;
 }
 
-/* 1 if the numbers that a motor of its kind has are in range. */
+/* 1 if the numbers that this kind of motor uses are in range. */
 static int has_numbers(const fourlink_motor *motor)
 {
     unsigned long i;

@@ -2,7 +2,7 @@
 **
 ** nine_equations.c - pin forces and driving torque from the Newton-Euler equations of the three
 ** moving links, as a system of nine equations, solved by GSL.  They are the same for every mechanism.
-** closed_form.c has the other solution.
+** The other solution is in closed_form.c.
 */
 #include <math.h>
 #include <string.h>
@@ -39,9 +39,9 @@ int flk_check_loads(const fourlink_load *loads, unsigned long n_loads)
     return FOURLINK_OK;
 }
 
-/* The arm of a joint from the point about which a link's moments are: that of `body` from the link's
-** origin, where it is G.  A pin of a link that has a length is at its origin or at its tip, which needs no
-** difference of places, of which a short link behind a long crank has few digits. */
+/* The arm of a joint from the point about which the moments of a link are taken: its origin or, at the arm of
+** `body`, G.  The pins of a link with a length are at its origin and its tip.  This needs no difference of
+** positions, which has few digits for a short link behind a long crank. */
 static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *mechanism,
                               const fourlink_state *state, const fourlink_joint *joint, int i,
                               const flk_body *body)
@@ -60,7 +60,7 @@ static fourlink_vector arm_of(const flk_kind *kind, const fourlink_mechanism *me
     return rho;
 }
 
-/* The direction of a slide, turned left by 90 deg; along the line of stroke x is 0, not -0. */
+/* The direction of a slide, turned left by 90 deg; for the line of stroke, x is 0, not -0. */
 static fourlink_vector normal_of(const fourlink_link_state *slider)
 {
     fourlink_vector n;
@@ -70,29 +70,29 @@ static fourlink_vector normal_of(const fourlink_link_state *slider)
     return n;
 }
 
-/* The place of an equation and of an unknown in the array that holds the matrix: the coefficient of
-** unknown u in equation e is at row[e] + column[u]. */
+/* The places of equations and unknowns in the array of the matrix: the coefficient of unknown u in equation e
+** is at row[e] + column[u]. */
 typedef struct layout {
     int row[9], column[9];
 } layout;
 
-/* What the equations of the links are multiplied by, by number. */
+/* The factors of the equations of the links, by link number. */
 typedef struct scaling {
     double force[5], moment[5];
 } scaling;
 
-/* The nine equations, A x = b, x the two unknowns of each joint, and Ts.  With rho_P = P - G and
-** rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 where all joints are pins (ME3491 eqs. 3 to 15;
-** there with cosines for sines in the moments, and r_g3 for r_g4):
+/* The nine equations, A x = b, where x are the two unknowns of each joint, and Ts.  With rho_P = P - G and
+** rho x F = rho_x F_y - rho_y F_x, for links 2, 3, 4 where all joints are pins (ME3491 eqs. 3 to 15; which
+** has cosines in place of sines in the moments, and r_g3 in place of r_g4):
 **
 **    F12 - F23 = m a_G2 - W2 - sum F        rho_A x F12 - rho_B x F23 + Ts = I alpha2 - sum M
 **    F23 - F34 = m a_G3 - W3 - sum F        rho_B x F23 - rho_C x F34      = I alpha3 - sum M
 **    F34 + F14 = m a_G4 - W4 - sum F        rho_C x F34 + rho_D x F14      = I alpha4 - sum M
 **
-** A slider has F_ij = N n, and its couple M_ij in the moments besides, which takes the column before N.
+** A slider has F_ij = N n, and also its couple M_ij in the moment equations, in the column before N.
 **
-** The equations are multiplied by `scale`, and couples, as unknowns, with that of the moments of the link on
-** which they act: Ts with the crank's. */
+** The equations are multiplied by `scale`.  The unknown couples are scaled like the moments of the link on
+** which they act: Ts like those of the crank. */
 static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
                      const fourlink_state *state, const flk_body body[3], const scaling *scale,
                      const layout *at, double *A, double b[9])
@@ -138,15 +138,15 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
 **
 **    x 4, y 4, moment 4, moment 3, x 3, y 3, moment 2, x 2, y 2
 **
-** the matrix is banded, 3 below and 2 above the diagonal, and GSL's decomposition of banded matrices works in
-** the caller's arrays: nothing is allocated.  Row j of GSL's storage is column j of the matrix, with BELOW
-** places before it for fill-in.
+** the matrix is banded, 3 below and 2 above the diagonal, and GSL's banded decomposition works in the
+** caller's arrays: nothing is allocated.  Row j of GSL's storage is column j of the matrix, with BELOW places
+** before it for fill-in.
 **
 ** The order is that of the closed form.  So a large force that does no work, such as that of the guide under
-** a heavy piston, leaves no rounding in the others.  For this, moments are about the links' origins, where one
-** pin of each has no arm, and the equations of later forces are scaled down, so that they are not chosen as
-** pivots too early.  Moments are divided by their link's length, or, of a link without one, that of the link
-** before: so coefficients are at most 1, and pivots can be compared with a limit.
+** a heavy piston, causes no rounding errors in the others.  For this, moments are taken about the origin of
+** each link, where one of its pins has no arm, and the equations of later forces are scaled down, so that
+** they are not chosen as pivots too early.  Moments are divided by the length of the link or, if it has none,
+** of the link before it.  Then coefficients are at most 1, and pivots can be compared with a limit.
 */
 #define BELOW 3
 #define ABOVE 2
@@ -165,7 +165,8 @@ static void assemble(const flk_kind *kind, const fourlink_mechanism *mechanism,
         7, 8, 6, 4, 5, 3, 0, 1, 2 \
     }
 
-/* A slider between links 3 and 4 has its normal force, which is in the first equations, before its couple. */
+/* For a slider between links 3 and 4, the normal force, which is in the first equations, comes before the
+** couple. */
 static const layout banded[2] = {{ROWS, PLACES(COLUMN, 2, 3)}, {ROWS, PLACES(COLUMN, 3, 2)}};
 static const int places[2][9] = {PLACES(PLACE, 2, 3), PLACES(PLACE, 3, 2)};
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** own_load.c - a force and a torque of their own on a link: constant, over a position or a speed, within a range of crank
-** angles.
+** own_load.c - a given force and torque on a link: constant or a function of a position or a speed, within a
+** range of crank angles.
 */
 #include <math.h>
 
@@ -10,7 +10,8 @@
 
 #define ROUNDING 1e-12 /* of the cycle */
 
-/* 1 if the load acts at a crank angle: at the edge where the crank enters its range, and not at that where it leaves. */
+/* 1 if the load acts at a crank angle.  It acts at the edge where the crank enters its range, but not where
+** it leaves it. */
 static int is_on(const flk_own_load *own, double cycle, double theta2, int sense)
 {
     double after = sense < 0 ? own->window[1] - theta2 : theta2 - own->window[0];
@@ -21,7 +22,8 @@ static int is_on(const flk_own_load *own, double cycle, double theta2, int sense
     return after < own->window[1] - own->window[0] - ROUNDING * cycle;
 }
 
-/* value sign(w) (|w| / at_speed)^exponent, with the sign of a speed `within` the cell; linear it has no corner. */
+/* value sign(w) (|w| / at_speed)^exponent, with the sign of a speed `within` the cell; if linear, it has no
+** corner. */
 static double follow_speed(const flk_own_load *own, double w, double within)
 {
     double factor = w == 0 ? 0 : pow(fabs(w) / own->at_speed, own->exponent);
@@ -29,7 +31,7 @@ static double follow_speed(const flk_own_load *own, double w, double within)
     return (own->exponent == 1 ? w : within) < 0 ? -factor : factor;
 }
 
-/* The values, those of curves at x, on the pieces of x_held. */
+/* Set a load to its values, with curves evaluated at x on the piece that contains x_held. */
 static void set(const flk_load_values *values, double x, double x_held, fourlink_load *load)
 {
     load->torque =
@@ -64,7 +66,7 @@ static int act(const flk_element *element, const flk_machine *machine, const fou
     return FOURLINK_OK;
 }
 
-/* The points of its curves, the edges of its range; where its speed or that of its variable is 0. */
+/* The points of its curves, the edges of its range, and where its speed or that of its variable is 0. */
 static size_t list_switches(const flk_element *element, const flk_machine *machine,
                             flk_switch *list)
 {

@@ -10,16 +10,16 @@
 
 #include "kind.h"
 
-/* Reach.  The rod bridges the height r sin(theta2) - e of the crank pin over the line of stroke.
-** With X the piston's coordinate along that line and w = X - r cos(theta2) = l cos(theta3),
+/* Reach.  The rod spans the height r sin(theta2) - e of the crank pin above the line of stroke.  With X the
+** piston's coordinate along that line and w = X - r cos(theta2) = l cos(theta3),
 **
 **    w^2 = l^2 - (r sin(theta2) - e)^2 = u1 u2
 **    u1 = l - (r sin(theta2) - e) = [l + e - r] + r (1 - sin(theta2))
 **    u2 = l + (r sin(theta2) - e) = [l - e - r] + r (1 + sin(theta2))
 **
 ** and 1 -+ sin(theta2) = (cos(theta2/2) -+ sin(theta2/2))^2.  Where a bracket, `stretched` or
-** `folded`, is 0 the mechanism has a change point, at +90 deg or at -90 deg, and the root of u1 or
-** u2 goes smoothly through 0 and changes sign there.
+** `folded`, is 0 the mechanism has a change point, at +90 deg or at -90 deg, and the root of u1 or u2 passes
+** smoothly through 0 and changes sign there.
 */
 static void slider_crank_prepare(fourlink_mechanism *mechanism)
 {
@@ -95,7 +95,7 @@ static void slider_crank_angles(const fourlink_mechanism *mechanism, fourlink_st
     state->mu = M_PI_2 - fabs(state->phi);
 }
 
-/* Velocity, from the derivative of the loop A-B-C, here for a unit crank speed:
+/* Velocity, from the derivative of the loop A-B-C, here for unit crank speed:
 **
 **    k3 = -r cos(theta2) / (l cos(theta3)),   omega3 = k3 omega2
 **    dX/dtheta2 = -r sin(theta2) - k3 l sin(theta3),   dX/dt = -+v
@@ -144,7 +144,7 @@ static void slider_crank_acceleration(const fourlink_mechanism *mechanism, fourl
     state->a = -(double)state->branch * piston->acceleration.x;
 }
 
-/* Forces in closed form.  Moments of the rod about B leave out the force at that pin:
+/* Forces in closed form.  Moments of the rod about B eliminate the force at that pin:
 **
 **    forces on the piston along the stroke   F34x = f4x
 **    moments of the rod about B              F34y = [F34x sin(theta3) - M3 / l] / cos(theta3)

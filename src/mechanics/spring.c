@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** spring.c - springs and dampers between two links, or a link and the ground.
+** spring.c - springs and dampers between two links, or between a link and the ground.
 **
 ** Between P of link i and Q of link j, with L = |Q - P|, e = (Q - P) / L and dL/dt = e . (v_Q - v_P),
 **
 **    T = T0 + k (L - L0) + c dL/dt,   T e on i at P,   -T e on j at Q
 **
-** and torsional, with the angle phi = theta_i - theta_j,
+** and for a torsional spring, with the angle phi = theta_i - theta_j,
 **
 **    T = T0 + k (phi - phi0) + c dphi/dt,   -T on i,   T on j
 **
@@ -20,7 +20,7 @@
 #include "kind.h"
 #include "switch.h"
 
-/* An end of a spring: position and velocity. */
+/* Find the position and velocity of an end of a spring. */
 static void find_end(const fourlink_state *state, int link, const fourlink_vector *at,
                      fourlink_vector *place, fourlink_vector *velocity)
 {
@@ -32,7 +32,7 @@ static void find_end(const fourlink_state *state, int link, const fourlink_vecto
     velocity->x = velocity->y = 0;
 }
 
-/* Force and moment on a link. */
+/* Add a force and a moment on a link. */
 static void add_load(int link, const fourlink_vector *at, double Fx, double Fy, double torque,
                      fourlink_spring_state *s)
 {
@@ -64,7 +64,7 @@ static double angle_between(const fourlink_mechanism *mechanism, const fourlink_
            flk_turns_angle(mechanism, state, spring->to);
 }
 
-/* s, the length or angle less the free one. */
+/* s, the length or angle minus the free one. */
 static double beyond(const fourlink_mechanism *mechanism, const fourlink_state *state,
                      const fourlink_spring *spring)
 {
@@ -134,7 +134,7 @@ static void torsional_at(const fourlink_mechanism *mechanism, const fourlink_sta
     add_load(spring->to, &zero, 0, 0, s->force, s);
 }
 
-/* In a state, within the cell of another. */
+/* The loads of a spring in a state, within the cell of another state. */
 static int spring_in(const fourlink_mechanism *mechanism, const fourlink_state *state,
                      const fourlink_state *held, const fourlink_spring *spring,
                      fourlink_spring_state *at)
@@ -185,9 +185,9 @@ static int check_spring(const fourlink_spring *spring)
 }
 
 #define BESIDE \
-    1e-6 /* of the range that can be reached, rad: a position that is neither dead nor a change point */
+    1e-6 /* of the reachable range, and rad: a position that is neither dead nor a change point */
 
-/* The first crank angle from 0 that can be reached, or just behind it. */
+/* The first reachable crank angle from 0, or one just after it. */
 static double first_reached(const fourlink_mechanism *mechanism)
 {
     fourlink_reach reach;

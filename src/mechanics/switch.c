@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** switch.c - where a machine is not smooth: a variable of its state passes one of some levels.
+** switch.c - where a machine is not smooth: a variable of its state crosses one of its levels.
 */
 #include <math.h>
 
@@ -36,7 +36,7 @@ size_t flk_switch_of_element(const flk_element *element, flk_switch *s)
     return 1;
 }
 
-/* The friction of a joint changes its sense where the joint stands still. */
+/* Friction reverses where a joint is at rest. */
 static size_t list_joints(const flk_machine *m, flk_switch *list)
 {
     const flk_kind *kind = flk_kind_of(m->mechanism.design.kind);
@@ -102,7 +102,7 @@ size_t flk_switch_below(const double *level, size_t n, double x)
     return low;
 }
 
-/* The number of levels below x, counted on through the periods. */
+/* The number of levels below x, counted through all periods. */
 static double count_below(const flk_switch *s, double x)
 {
     double turns = s->period > 0 ? floor((x - s->level[0]) / s->period) : 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** turns.c - angles of links that are continuous in the crank angle, and count full turns.
+** turns.c - link angles that are continuous in the crank angle and count full turns.
 */
 #include <math.h>
 
@@ -14,7 +14,7 @@
 **                            a > d   a e^(i t) (1 - (d/a) e^(-i t))   angle t + arg(...)
 **                            a = d   2 a sin(t/2) i e^(i t/2)         angle t/2 + pi/2, r = 2 a sin(t/2)
 **
-** and the arguments in brackets are within +-90 deg.
+** and the arguments of the brackets are within +-90 deg.
 */
 static double line_of_B(const fourlink_mechanism *mechanism, const fourlink_state *state, double *r)
 {
@@ -31,14 +31,14 @@ static double line_of_B(const fourlink_mechanism *mechanism, const fourlink_stat
     return theta2 / 2 + M_PI_2;
 }
 
-/* An angle of the triangle BCD, from sine and cosine, which goes on through 0 and, where it is `turned` at the folded
-** change point, through 180 deg.  Between change points it keeps its sign:
+/* An angle of the triangle BCD, from sine and cosine, continued through 0 and, if it is `turned` at the
+** folded change point, through 180 deg.  Between change points it keeps its sign:
 **
-**    folded change point alone    sign and angle return after two turns of the crank, on one side of 180 deg
-**    stretched as well            it goes through 0 there, and so on in one sense
+**    folded change point alone    sign and angle repeat after two turns of the crank, on one side of 180 deg
+**    stretched as well            it passes through 0 there, and goes on in one sense
 **
-** A line of signed length (a = d) keeps it smooth where that length is 0; it then goes through 180 deg only if r
-** reaches -(b + c), once in two turns.
+** A line of signed length (a = d) keeps it smooth where that length is 0; it then passes through 180 deg only
+** if r reaches -(b + c), once in two turns.
 */
 static double in_triangle(const fourlink_mechanism *mechanism, const fourlink_state *state,
                           double sine, double cosine, int turned)
@@ -58,8 +58,8 @@ static double in_triangle(const fourlink_mechanism *mechanism, const fourlink_st
     return angle * branch < 0 ? angle + branch * 2 * M_PI : angle;
 }
 
-/* Of coupler and rocker: r the signed length of BD, f = |r|, beta and delta the angles at B and D of the triangle
-** BCD, positive where C is to the left of B->D,
+/* Coupler and rocker: with r the signed length of BD, f = |r|, beta and delta the angles at B and D of the
+** triangle BCD, positive where C is to the left of B->D,
 **
 **    sin(beta) = c sine / r,   cos(beta) = (r^2 + b^2 - c^2) / (2 r b),   theta3 = angle(D - B) + beta
 **    sin(delta) = b sine / r,   cos(delta) = (r^2 + c^2 - b^2) / (2 r c),   theta4 = angle(B - D) - delta
@@ -78,8 +78,8 @@ static double of_four_bar(const fourlink_mechanism *mechanism, const fourlink_st
                               (r * r + (c - b) * (c + b)) / (2 * r * c), b > c);
 }
 
-/* Of the rod, which passes -90 deg at the stretched change point, 90 deg at the folded one.  With both (l = r,
-** e = 0) it turns against the crank, on the crossed branch with it. */
+/* The rod passes -90 deg at the stretched change point, and 90 deg at the folded one.  With both (l = r, e =
+** 0) it turns against the crank, but with it on the crossed branch. */
 static double of_rod(const fourlink_mechanism *mechanism, const fourlink_state *state)
 {
     const fourlink_vector *e3 = &state->link[3].axis;
@@ -94,7 +94,7 @@ static double of_rod(const fourlink_mechanism *mechanism, const fourlink_state *
     return state->branch == FOURLINK_OPEN ? atan2(e3->y, e3->x) : M_PI + atan2(-e3->y, -e3->x);
 }
 
-/* Of the slide: B - D = s u + h n */
+/* The slide: B - D = s u + h n */
 static double of_slide(const fourlink_mechanism *mechanism, const fourlink_state *state)
 {
     double r, line = line_of_B(mechanism, state, &r);

@@ -4,7 +4,7 @@
 */
 #include "variable.h"
 
-#define STANDSTILL 1e-12 /* of a unit crank speed: what is slower turns round */
+#define STANDSTILL 1e-12 /* relative to unit crank speed: a slower variable is reversing */
 
 double flk_variable_value(const fourlink_state *state, flk_variable variable)
 {

@@ -7,7 +7,7 @@
 
 #include "mechanics.h"
 
-/* In the order of the words of `over` in a deck: positions, then the rate of each. */
+/* In the order of the words for `over` in a deck: positions, then the rate of each. */
 typedef enum flk_variable {
     FLK_THETA2,
     FLK_THETA4,
@@ -23,10 +23,11 @@ typedef enum flk_variable {
 
 #define FLK_RATE_OF(position) ((flk_variable)((int)(position) + (FLK_OMEGA2 - FLK_THETA2)))
 
-/* Its value, rad or m, rad/s or m/s. */
+/* The value of a variable, in rad or m, rad/s or m/s. */
 double flk_variable_value(const fourlink_state *state, flk_variable variable);
 
-/* 1 if a position falls as the crank turns in a sense, 1 or -1.  Where it turns round it does not fall. */
+/* 1 if a position decreases as the crank turns in a sense, 1 or -1.  Where it reverses, it does not
+** decrease. */
 int flk_variable_falls(const fourlink_mechanism *mechanism, const fourlink_state *state,
                        flk_variable position, int sense);
 

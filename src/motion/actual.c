@@ -25,7 +25,7 @@ struct flk_actual {
     flk_path path[2]; /* open, crossed */
     flk_actual_facts facts[2];
     int is_found[2]; /* 1: the motion of this branch is integrated */
-    int is_known[2]; /* 1: all facts; 0: those of the cycle are not found yet */
+    int is_known[2]; /* 1: all facts; 0: those of the cycle are still missing */
     double cycle;    /* rad */
     double length;   /* rad, of the rows */
 };
@@ -48,7 +48,7 @@ static int run(flk_path *p, const deck *d, double length)
     return flk_path_run(p, speed, length);
 }
 
-/* A run-up that ends never comes to the steady motion, unless it only needs too many steps. */
+/* A run-up that ends never reaches the steady motion, unless it merely needs too many steps. */
 static void lose_cycle(const flk_path *p, flk_actual_facts *f)
 {
     if (p->status == FOURLINK_TOO_LONG)
@@ -57,9 +57,10 @@ static void lose_cycle(const flk_path *p, flk_actual_facts *f)
     f->no_cycle = p->status;
 }
 
-/* A run-up, and the facts of the steady motion to which it leads.  Two motions of a machine never have the same energy at
-** the same angle.  One from rest that passes the first cycle has gained energy, so it gains in every later cycle too, and
-** settles at the steady motion.  It stalls in the first cycle, or not at all: rows that end earlier do not tell. */
+/* Find a run-up, and the facts of the steady motion that it approaches.  Two motions of a machine never have
+** the same energy at the same angle.  A motion from rest that completes the first cycle has gained energy, so
+** it gains energy in every later cycle too, and settles at the steady motion.  It stalls in the first cycle
+** or never; rows that end earlier do not decide this. */
 static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
 {
     int found;
@@ -76,7 +77,7 @@ static int run_up(flk_actual *m, flk_path *p, flk_actual_facts *f)
     return found;
 }
 
-/* Rows by time: the sense of the motion is that in which the crank turns at first. */
+/* Rows by time: the sense of the motion is that in which the crank starts. */
 static int run_for(flk_path *p, const deck *d)
 {
     double speed = d->drive.mode == DRIVE_FREE ? d->motion.speed : 0;
@@ -122,7 +123,7 @@ static double angle_of(const flk_path *p, double s)
     return motion->from + p->equation.sense * s / motion->angle_unit;
 }
 
-/* Trials of steps: fewer of those that take longer, with friction or with many loads. */
+/* The number of trial steps: fewer where steps take longer, with friction or many loads. */
 static unsigned long budget_of(const flk_machine *machine)
 {
     unsigned long n = machine->n_loads,
@@ -154,7 +155,7 @@ static void find_branch(flk_actual *m, fourlink_branch branch)
     m->is_found[index_of(branch)] = 1;
 }
 
-/* The number of a branch, whose motion is found if it was not. */
+/* The index of a branch; finds its motion if necessary. */
 static int find_index(flk_actual *m, fourlink_branch branch)
 {
     if (!m->is_found[index_of(branch)])

@@ -2,9 +2,9 @@
 **
 ** corners.c - the crank angles at which columns are not smooth: switches of the machine, dead positions, change points.
 **
-** Levels over the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled twice a
-** degree, and base/solve finds where they pass a level between two samples.  Where a level is passed depends on the speed
-** only for variables that are speeds.
+** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
+** twice per degree, and base/solve finds where they cross a level between two samples.  Only for variables
+** that are speeds does this place depend on the speed.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -18,9 +18,9 @@
 #include "mechanics/kind.h"
 
 #define SAMPLES 720 /* of a turn */
-#define PASSES 8    /* at most, that are kept, of a level in a turn */
+#define PASSES 8    /* of a level in a turn, at most, are kept */
 
-/* Ends that are closer, in rad, are one. */
+/* Ends closer than this, in rad, count as one. */
 #define CLOSEST 1e-9
 
 static int index_of(fourlink_branch branch)
@@ -33,21 +33,21 @@ static int is_over_theta2(const flk_switch *s)
     return !s->joint && s->of == FLK_THETA2;
 }
 
-/* 1 if the crank has one speed that is given. */
+/* 1 if the crank has a single, given speed. */
 static int has_one_speed(const deck *d)
 {
     return d->drive.mode == DRIVE_GIVEN && d->motion.acceleration == 0;
 }
 
-/* 1 if the levels of a switch are passed at the same angles in every period. */
+/* 1 if the levels of a switch are crossed at the same angles in every period. */
 static int is_periodic(const deck *d, const flk_switch *s)
 {
     return flk_switch_is_of_position(s) || has_one_speed(d);
 }
 
-/* ------------------------------------------------------------------------------------ levels that are passed */
+/* ------------------------------------------------------------------------------------ crossings of levels */
 
-/* A variable less a level, over theta2. */
+/* A variable minus a level, as a function of theta2. */
 typedef struct sought {
     const flk_corners *corners;
     const flk_passage *passage; /* null: at the given speed */
@@ -67,7 +67,7 @@ static int move(const flk_corners *c, fourlink_branch branch, double theta2, dou
            FOURLINK_OK;
 }
 
-/* The speed at which a motion without one of its own is taken. */
+/* The speed used for a motion that gives none. */
 static double given_speed(const deck *d)
 {
     return has_one_speed(d) && d->motion.speed != 0 ? d->motion.speed : 1;
@@ -88,7 +88,8 @@ static double value_at(double theta2, void *data)
     return x->s->period > 0 ? value - x->s->period * floor(value / x->s->period + 0.5) : value;
 }
 
-/* The crank angle between two at which the variable, which goes from `last` to `now`, passes a level. */
+/* The crank angle between `from` and `to` at which the variable, which goes from `last` to `now`, crosses a
+** level. */
 static double find_pass(sought *x, double from, double to, double last, double now, double number)
 {
     flk_bracket b;
@@ -99,13 +100,13 @@ static double find_pass(sought *x, double from, double to, double last, double n
     return flk_find_zero(value_at, x, &b, 0);
 }
 
-/* A value less than half a period from another. */
+/* The value within half a period of `near`. */
 static double nearest(const flk_switch *s, double value, double near)
 {
     return s->period > 0 ? value - s->period * floor((value - near) / s->period + 0.5) : value;
 }
 
-/* Keep where the levels of switch j are passed between two crank angles. */
+/* Store where the levels of switch j are crossed between two crank angles. */
 static void keep(flk_corners *c, fourlink_branch branch, size_t j, double from, double to,
                  double last, double now)
 {
@@ -124,7 +125,7 @@ static void keep(flk_corners *c, fourlink_branch branch, size_t j, double from, 
         kept[(*n)++] = find_pass(&x, from, to, last, now, number);
 }
 
-/* Find where a branch passes levels, at all speeds or at the one that is given. */
+/* Find where a branch crosses levels, at all speeds or at the given one. */
 static void find(flk_corners *c, fourlink_branch branch)
 {
     const flk_machine *machine = &c->d->machine;
@@ -155,8 +156,8 @@ static void find(flk_corners *c, fourlink_branch branch)
 
 typedef struct search {
     const flk_passage *p;
-    double after; /* rad passed: the next end behind this is wanted */
-    double at;    /* the nearest so far, and what it is */
+    double after; /* rad passed: the next end after this is sought */
+    double at;    /* the nearest end so far, and its kind */
     flk_piece_end end;
 } search;
 
@@ -173,7 +174,7 @@ static void offer(search *s, double passed, flk_piece_end end)
     s->end = end;
 }
 
-/* An end at this crank angle and all that are whole periods away. */
+/* Offer the end at this crank angle and at all angles whole periods away. */
 static void offer_angle(search *s, double theta2, double period, flk_piece_end end)
 {
     double passed = s->p->sense * (theta2 - s->p->from);
@@ -182,7 +183,7 @@ static void offer_angle(search *s, double theta2, double period, flk_piece_end e
           end);
 }
 
-/* Of many, rising within a period, only the neighbours can be next. */
+/* Of many levels, increasing within a period, only the neighbours can be next. */
 static void offer_levels(search *s, const double *level, size_t n, double period)
 {
     double here = s->p->from + s->p->sense * s->after;
@@ -203,7 +204,7 @@ static void offer_levels(search *s, const double *level, size_t n, double period
     }
 }
 
-/* The first level of a speed that is passed before an end, at the speed of the motion. */
+/* The first level of a speed that is crossed before an end, at the speed of the motion. */
 static void offer_speed(search *s, const flk_switch *of, double end)
 {
     const flk_passage *p = s->p;
@@ -227,7 +228,7 @@ static void offer_speed(search *s, const flk_switch *of, double end)
     }
 }
 
-/* Levels of speeds that are passed before the next end, at the speed of the motion. */
+/* Levels of speeds that are crossed before the next end, at the speed of the motion. */
 static void offer_speeds(search *s, double end)
 {
     const flk_passage *p = s->p;
@@ -254,7 +255,7 @@ static void offer_loads(search *s, double end)
 }
 
 /* Dead positions are the ends of the reachable ranges; change points are where a range could end, at 0 and
-** 180 deg or at +-90 deg, as are the positions that come near to one line. */
+** 180 deg or at +-90 deg, and positions where the links come close to one line. */
 static void offer_positions(search *s)
 {
     const fourlink_mechanism *mechanism = &s->p->corners->d->machine.mechanism;
@@ -306,7 +307,7 @@ flk_piece_end flk_corners_first(const flk_passage *passage)
 
 /* ------------------------------------------------------------------------------------------------- the switches */
 
-/* Those over the crank angle first. */
+/* Sort switches over the crank angle to the front. */
 static size_t sort(flk_switch *list, size_t n)
 {
     size_t first = 0, i;

@@ -15,34 +15,34 @@ typedef enum flk_piece_end {
     FLK_END_DEAD,  /* dead position: as the root, with poles; no row there */
     FLK_END_CHANGE,      /* change point: smooth, or a pole; no row there */
     FLK_END_CHANGE_REST, /* the same with the crank at rest: as the root of the distance */
-    FLK_END_NOWHERE      /* behind the last piece */
+    FLK_END_NOWHERE      /* after the last piece */
 } flk_piece_end;
 
-/* The switches of a deck's machine, and the crank angles at which each branch passes their levels: found when first asked
-** for, so that columns of the motion alone never pay for them. */
+/* The switches of a deck's machine, and the crank angles at which each branch crosses their levels.  They are
+** found when first needed, so that columns of the motion alone never pay for them. */
 typedef struct flk_corners {
     const deck *d;
-    flk_switch *switches; /* those over the crank angle are the first n_over_theta2 */
+    flk_switch *switches; /* the first n_over_theta2 are over the crank angle */
     size_t n_switches, n_over_theta2;
-    double period;     /* rad: after it positions are the same */
-    double *theta2[2]; /* rad, rising, of the open and the crossed branch */
+    double period;     /* rad: positions repeat after this */
+    double *theta2[2]; /* rad, increasing, of the open and the crossed branch */
     size_t n[2], most;
     int is_known[2];
     double *work; /* values of the switches */
 } flk_corners;
 
-/* The speed of the crank, rad/s, after it has passed an angle since the first row; NaN if it does not come there. */
+/* The speed of the crank, rad/s, at an angle passed since the first row; NaN if it does not get there. */
 typedef double flk_speed_at(void *host, double passed);
 
-/* A motion along which corners are passed. */
+/* A motion that passes corners. */
 typedef struct flk_passage {
     flk_corners *corners;
     fourlink_branch branch;
     double from;   /* rad, theta2 at the first row */
     double sense;  /* 1 or -1 */
-    int has_loads; /* 1: the corners of loads too */
+    int has_loads; /* 1: include the corners of loads */
     flk_speed_at
-        *speed; /* for loads over speeds; null: they have no corners where the speed is not 0 */
+        *speed; /* for loads over speeds; null: they have corners only where the speed is 0 */
     void *host;
 } flk_passage;
 
@@ -50,18 +50,18 @@ typedef struct flk_passage {
 flk_corners *flk_corners_open(const deck *d);
 void flk_corners_close(flk_corners *corners);
 
-/* Two angles passed that differ by less are one. */
+/* Two passed angles that differ by less count as one. */
 #define FLK_CORNERS_CLOSE(passed) (1e-9 + 1e-14 * (passed))
 
-/* The next corner behind `after`, rad passed since the first row, up to `end` if that is nearer, and what is there; n more
-** may be given. */
+/* The next corner after `after`, in rad passed since the first row, or `end` if that is nearer, and its kind;
+** n more ends may be given. */
 double flk_corners_next(const flk_passage *passage, double after, double end, const double *more,
                         size_t n, flk_piece_end *what);
 
-/* What is at the first row. */
+/* The kind of corner at the first row. */
 flk_piece_end flk_corners_first(const flk_passage *passage);
 
-/* The most corners of loads in an angle. */
+/* The largest possible number of load corners in an angle. */
 size_t flk_corners_most(const flk_corners *corners, double angle);
 
 #endif

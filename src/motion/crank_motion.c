@@ -36,7 +36,7 @@ int flk_crank_motion_open(flk_crank_motion *c, const deck *d, flk_acting *acting
 
     memset(c, 0, sizeof *c);
     c->d = d;
-    flk_deck_range(d, &c->range); /* the deck's reader has checked it */
+    flk_deck_range(d, &c->range); /* checked by the deck reader */
     c->end = last_angle(c);
     c->period = period_of(machine);
     for (; (spring = flk_machine_find(machine, &flk_spring_sort, i)) != NULL; i++)
@@ -86,7 +86,7 @@ int flk_crank_motion_find_angle(const flk_crank_motion *c, double angle, double 
 
     *at = angle;
     if (c->d->drive.by_time)
-        return 1; /* which angles it reaches depends on the branch */
+        return 1; /* the angles that it reaches depend on the branch */
     if (angle < first - tiny || angle > last + tiny)
         *at = angle + turn * ceil((first - tiny - angle) / turn);
     return first - tiny <= *at && *at <= last + tiny;

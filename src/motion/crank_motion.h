@@ -10,34 +10,36 @@
 typedef struct flk_crank_motion {
     const deck *d;
     fourlink_range range; /* of the rows */
-    double end;           /* the crank angle of the last row, in the deck's unit; by time unused */
+    double end;           /* the crank angle of the last row, in the deck's unit; unused by time */
     double
-        period; /* rad, after which a motion that repeats is the same: the cycle, at least one turn, and two turns
-                      if the mechanism has one change point, after which the links return on the other side */
-    int winds; /* 1: a spring is wound up, so that no cycle is as the one before */
+        period; /* rad, period of a motion that repeats: the cycle, at least one turn; two turns if
+                   the mechanism has one change point, since the links return on the other side
+                   after one turn */
+    int winds;  /* 1: a spring winds up, so that cycles differ */
     flk_corners *corners;
     flk_actual *actual; /* null: the motion is given */
 } flk_crank_motion;
 
-/* Set up the motion of a deck, which has to last as long, and memory for the loads of a row; 0 if out of memory. */
+/* Set up the motion of a deck, which must remain valid as long, and memory for the loads of a row; 0 if out
+** of memory. */
 int flk_crank_motion_open(flk_crank_motion *crank_motion, const deck *d, flk_acting *acting);
 void flk_crank_motion_close(flk_crank_motion *crank_motion);
 
-/* 1 if the actual motion of a branch took too many steps: what is known of it depends on where the budget ended. */
+/* 1 if the actual motion of a branch took too many steps: its facts depend on where the budget ended. */
 int flk_crank_motion_stops(const flk_crank_motion *crank_motion, fourlink_branch branch);
 
 /* 1 if speed and acceleration are the same in every period. */
 int flk_crank_motion_repeats(const flk_crank_motion *crank_motion);
 
-/* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
+/* 1 if the motion is one revolution that ends at its initial position and speed. */
 int flk_crank_motion_is_periodic(const flk_crank_motion *crank_motion);
 
-/* Find the angle of the motion that differs from an angle by whole periods (a turn, or a cycle of several),
-** in the deck's unit; 0 if the motion does not reach it. */
+/* Find the angle of the motion, in the deck's unit, that differs from an angle by whole periods (a turn, or a
+** cycle of several turns); 0 if the motion does not reach it. */
 int flk_crank_motion_find_angle(const flk_crank_motion *crank_motion, double angle, double *at);
 
-/* The length of the motion on a branch, rad, and the crank angle at its end, in the deck's unit; of rows by time
-** the time, s. */
+/* The length of the motion on a branch, rad, and the crank angle at its end, in the deck's unit; for rows by
+** time, the time, s. */
 double flk_crank_motion_length(const flk_crank_motion *crank_motion, fourlink_branch branch);
 double flk_crank_motion_end(const flk_crank_motion *crank_motion, fourlink_branch branch);
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** equation.c - the equation of motion over the time, within a cell of the machine.
+** equation.c - the equation of motion in time, within a cell of the machine.
 **
-** With s the angle that the crank has passed, in the sense of the motion,
+** With s the angle through which the crank has turned, in the sense of the motion,
 **
 **    ds/dt = omega2,   domega2/dt = alpha2,   dE/dt = (T_m + Q) omega2
 **
-** omega2 follows from the accelerations, which need J', and E from the work, which does not: that
-** (J + I_f) omega2^2 / 2 = E checks both.
+** omega2 follows from the accelerations, which need J', and E from the work, which does not.  (J + I_f)
+** omega2^2 / 2 = E checks both.
 */
 #include <math.h>
 
@@ -16,7 +16,7 @@
 #include "equation.h"
 #include "mechanics/dormand_prince.h"
 
-#define BESIDE 5e-3 /* rad, of a change point: nearer, values are those through angles about it */
+#define BESIDE 5e-3 /* rad, from a change point: closer values are interpolated from around it */
 #define PLACES 6
 
 double flk_equation_theta2(const flk_equation *e, double s)
@@ -53,8 +53,9 @@ static double after_change(const flk_equation *e, double s)
     return nearest;
 }
 
-/* Where values are taken, in rad passed, and their weights: their number.  Near a change point the motion of the links,
-** which is smooth, is lost in rounding, and the polynomial through places about it (Lagrange) has its values. */
+/* The places, in rad passed, at which values are taken, and their weights; returns their number.  Near a
+** change point the motion of the links, which is smooth, is lost in rounding; it is interpolated by a
+** polynomial through places around it (Lagrange). */
 static int find_places(const flk_equation *e, double s, double *places, double *weights)
 {
     static const double nodes[PLACES] = {-3 * BESIDE, -2 * BESIDE, -BESIDE,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** flywheel.c - the flywheel with which the steady motion has a wanted fluctuation of speed.
+** flywheel.c - the flywheel that gives the steady motion a required fluctuation of speed.
 **
-** The fluctuation Cs is sought as a function of x = 1 / I.  It is 0 for x = 0, the infinite flywheel, and for small x
-** the textbooks' dE x / omega^2, so that secants find it soon.  Where the flywheel is too small there may be no steady
-** motion at all; such x are an upper bound.
+** The fluctuation Cs is a function of x = 1 / I.  It is 0 for x = 0, the infinite flywheel, and dE x /
+** omega^2 for small x, as in textbooks, so the secant method converges quickly.  If the flywheel is too small
+** there may be no steady motion; such x are an upper bound.
 */
 #include <math.h>
 
@@ -15,8 +15,8 @@
 #include "steady.h"
 
 #define TRIES 200
-#define CLOSE 1e-10      /* of the fluctuation wanted */
-#define ROUNDED 1e-7     /* ... if it does not come closer */
+#define CLOSE 1e-10      /* of the required fluctuation */
+#define ROUNDED 1e-7     /* ... if it does not get closer */
 #define NO_FLYWHEEL 1e12 /* 1/(kg m2) */
 
 typedef struct search {
@@ -44,7 +44,7 @@ static int is_found(double y, double y_last, double wanted)
     return off <= CLOSE * wanted || (off <= ROUNDED * wanted && off > 0.5 * fabs(y_last - wanted));
 }
 
-/* The next x by the secant through this point and the last; 0 if there is none. */
+/* The next x, from the secant through this point and the last; 0 if there is none. */
 static double secant(double x, double y, double *last, double *y_last, double wanted)
 {
     double next = x + (wanted - y) * (x - *last) / (y - *y_last);

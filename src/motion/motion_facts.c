@@ -2,7 +2,7 @@
 **
 ** motion_facts.c - facts of the actual motion: mean speed, fluctuation, rate, time of a run-up.
 **
-**    mean speed    cycle / period, the mean over time, what a tachometer shows
+**    mean speed    cycle / period, the mean over time, as a tachometer shows it
 **    textbooks'    (largest + smallest) / 2
 **    fluctuation   (largest - smallest) / mean speed
 **    rate          exp(integral of d(T_m + Q)/d(omega2) / ((J + I_f) omega2) dtheta2 over a cycle)
@@ -29,7 +29,7 @@ typedef struct sample {
     double s, speed, alpha, time;
 } sample;
 
-/* Also at a change point, where there is no row. */
+/* The sample at s, also at a change point, where there is no row. */
 static int take(const flk_path *p, double s, sample *at)
 {
     flk_equation e = p->equation;
@@ -46,12 +46,12 @@ static int take(const flk_path *p, double s, sample *at)
     return 1;
 }
 
-/* What is sought: the acceleration, or the speed less a value, is 0. */
+/* The function whose zero is sought: the acceleration, or the speed minus a value. */
 typedef struct goal {
     const flk_path *p;
     int of_speed;
     double speed;
-    sample at; /* where the search is */
+    sample at; /* the sample last taken */
 } goal;
 
 static double value_of(const goal *g, const sample *at)
@@ -83,8 +83,8 @@ static void widen(const sample *at, double *least, double *most)
     *most = GSL_MAX(*most, at->speed);
 }
 
-/* The smallest and the largest speed from s to the end: at the ends of the steps, or where the acceleration is 0 between
-** them.  Within a step it may be 0 twice, so the middle is looked at too. */
+/* The smallest and the largest speed from s to the end: at the ends of steps, or where the acceleration is 0
+** between them.  Within a step it may be 0 twice, so the middle is checked too. */
 static int find_range(const flk_path *p, double s, double *least, double *most)
 {
     goal extreme;

@@ -7,14 +7,14 @@
 
 #include "path.h"
 
-/* None is known. */
+/* Set all facts to unknown. */
 void flk_facts_forget(flk_actual_facts *f);
 
-/* Those of the last cycle of a path, which has one: mean speeds, period, fluctuation; of a path that is the steady
-** cycle its rate too. */
+/* The facts of the last cycle of a path, which must have one: mean speeds, period, fluctuation; if the path
+** is the steady cycle, also its rate. */
 void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f);
 
-/* The time of a run-up to the mean speed, which is known. */
+/* The time of a run-up to the mean speed, which must be known. */
 void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f);
 
 #endif

@@ -2,10 +2,10 @@
 **
 ** path.c - the motion of one branch from a given speed: steps of the integration, and any instant between them.
 **
-** Between two corners of the torques the machine is held in one cell, whose torques go on smoothly beyond its ends.  So
-** steps may overshoot the end of a cell, or the place where the crank comes to rest; they are cut there on their
-** interpolant, and the next cell begins.  Rows lie within steps: they do not depend on each other, nor on the interval
-** between them.
+** Between two corners of the torques the machine is held in one cell, whose torques continue smoothly beyond
+** its ends.  So steps may overshoot the end of a cell, or the place where the crank comes to rest; they are
+** cut there on their interpolant, and the next cell begins.  Rows lie within steps: they do not depend on
+** each other or on the interval between them.
 */
 #include <math.h>
 #include <stdlib.h>
@@ -19,23 +19,23 @@
 #include "path.h"
 
 #define LONGEST 0.35    /* rad, of a step */
-#define BEYOND 1.1      /* by which a step may overshoot the end of a cell */
-#define SHORTEST 1e-13  /* of the angle, the time or the duration: no step is shorter, */
-#define CLOSEST 1e-9    /* ... to where there is no position */
-#define AT_LIMIT 1e-6   /* rad, from an angle that the links do not reach */
-#define CREEP 1e-6      /* of a slow speed: rest */
-#define NO_INERTIA 1e-9 /* of that at the first row */
+#define BEYOND 1.1      /* factor by which a step may overshoot the end of a cell */
+#define SHORTEST 1e-13  /* of the angle, the time or the duration: shortest step, */
+#define CLOSEST 1e-9    /* ... towards a place without a position */
+#define AT_LIMIT 1e-6   /* rad, from an angle that the links cannot reach */
+#define CREEP 1e-6      /* of a slow speed: counts as rest */
+#define NO_INERTIA 1e-9 /* of the inertia at the first row */
 #define SLOW 1e-2       /* of speed and energy at FIRST, and of the speed with the largest energy */
-#define STILL 1e-10     /* of a slow speed: rounding, which may have any sign */
+#define STILL 1e-10     /* of a slow speed: rounding error, of any sign */
 #define FIRST 0.01      /* rad, from rest */
-#define SHORT 1e-2      /* rad: in a motion that swings back, errors of this at least */
-#define SHORTER 1e-4    /* ... and in another */
+#define SHORT 1e-2      /* rad: in a motion that swings back, errors count as of at least this */
+#define SHORTER 1e-4    /* ... and in other motions */
 #define FAST 0.1        /* of the largest energy: far from rest */
 #define NUDGE 1e-10     /* of a speed at an end of a piece of the motor's curve */
 #define DIFFERENCE 1e-5 /* of the speed, for a derivative */
 #define ROUNDING 1e-9   /* rad */
-#define WORST 1e8       /* of the errors of steps, in parts of the tolerance */
-#define NOT_FINITE (-1) /* a step leads to no finite values */
+#define WORST 1e8       /* of the errors of steps, relative to the tolerance */
+#define NOT_FINITE (-1) /* a step gives no finite values */
 
 /* A cell, and what ends it. */
 typedef struct cell {
@@ -43,9 +43,9 @@ typedef struct cell {
     double end;  /* rad passed, in that direction */
     flk_piece_end what;
     fourlink_state held;
-    double slowest, fastest; /* rad/s, of the crank, of the piece of the motor's curve */
-    double slow, little;     /* rad/s, J: of less, errors count as of this */
-    int goes_on;             /* 1: the last step ended within it, where J + I_f is this: */
+    double slowest, fastest; /* rad/s, crank speeds at the ends of the piece of the motor's curve */
+    double slow, little;     /* rad/s, J: errors of smaller values are relative to these */
+    int goes_on;             /* 1: the last step ended within the cell, where J + I_f is `total` */
     double total;            /* kg m2 */
 } cell;
 
@@ -53,7 +53,7 @@ typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
 
 /* ---------------------------------------------------------------------------------------------------- one step */
 
-/* The time in which the crank turns through an angle from a speed, if its acceleration is constant. */
+/* The time in which the crank turns through an angle at constant acceleration. */
 static double time_for(const flk_step *step, double angle)
 {
     double speed = fabs(step->y[FLK_SPEED]), alpha = step->k[0][FLK_SPEED], square, sum;
@@ -65,7 +65,8 @@ static double time_for(const flk_step *step, double angle)
     return sum > 0 ? 2 * angle / sum : GSL_POSINF;
 }
 
-/* The speed is that of the energy, which is a mere quadrature and has the smaller error, but near rest. */
+/* Except near rest, the speed is computed from the energy, which is a mere quadrature and has the smaller
+** error. */
 static void correct(const flk_path *p, double total, flk_node *node)
 {
     double E = node->y[FLK_ENERGY], *speed = &node->y[FLK_SPEED];
@@ -76,8 +77,8 @@ static void correct(const flk_path *p, double total, flk_node *node)
     *speed = *speed < 0 ? -sqrt(2 * E / total) : sqrt(2 * E / total);
 }
 
-/* Set the beginning of a step at a node.  Within a cell it has the derivatives of the end of the last step, which hardly
-** change with the correction. */
+/* Set the beginning of a step at a node.  Within a cell it takes the derivatives from the end of the last
+** step, which the correction hardly changes. */
 static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
 {
     double alpha;
@@ -103,7 +104,7 @@ static int begin(flk_path *p, flk_node *node, cell *c, flk_step *step)
     return status;
 }
 
-/* The error of a step in parts of the tolerance. */
+/* The error of a step relative to the tolerance. */
 static double error_of(const flk_path *p, const cell *c, const flk_step *step, const double *error)
 {
     const double *y = step->y, *next = step->next;
@@ -129,7 +130,7 @@ static int are_finite(const double *values, int n)
     return 1;
 }
 
-/* Take a step of this length, with the values within it: its error, or a status. */
+/* Take a step of this length, with the values within it.  Returns its error, or a status. */
 static int take(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_of_step *within,
                 double *size)
 {
@@ -155,8 +156,8 @@ static int take(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_
     return status;
 }
 
-/* Why no step from s is short enough: a dead position is there, where J is unbounded; nothing that moves there has
-** mass; no step leads to finite values; otherwise too many steps. */
+/* Why no step from s is short enough: a dead position, where J is unbounded; nothing that moves there has
+** mass; no step gives finite values; otherwise too many steps. */
 static int why_none(const flk_path *p, double s, int status)
 {
     const flk_equation *e = &p->equation;
@@ -171,7 +172,7 @@ static int why_none(const flk_path *p, double s, int status)
     return status == NOT_FINITE ? FOURLINK_OVERFLOW : FOURLINK_TOO_LONG;
 }
 
-/* The longest step that is tried: a little farther than to the end of the cell, or to rest. */
+/* The longest step to try: slightly beyond the end of the cell, or rest. */
 static double longest(const flk_step *step, const cell *c)
 {
     double left = fabs(c->end - step->y[FLK_PASSED]);
@@ -181,7 +182,7 @@ static double longest(const flk_step *step, const cell *c)
     return alpha < 0 && speed > STILL * c->slow ? GSL_MIN(h, -1.5 * speed / alpha) : h;
 }
 
-/* The shortest step that is tried: this part of the angle, of the time that has passed, of the duration. */
+/* The shortest step to try: this fraction of the angle, of the elapsed time, of the duration. */
 static double shortest(const flk_path *p, const flk_step *step, double part, double left)
 {
     double by_angle = time_for(step, part * (FIRST + fabs(step->y[FLK_PASSED])));
@@ -191,7 +192,7 @@ static double shortest(const flk_path *p, const flk_step *step, double part, dou
     return step->x > 0 ? GSL_MIN(by_angle, part * step->x) : by_angle;
 }
 
-/* One step from a node, of at most *h; *h is the length for the next. */
+/* Take one step from a node, of at most *h; *h returns the length for the next. */
 static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_step *step)
 {
     double size, factor, length, s = node->y[FLK_PASSED];
@@ -219,7 +220,7 @@ static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_
 
 /* -------------------------------------------------------------------------------------------- where a step is cut */
 
-/* What an unknown changes within a step, less a change that is sought. */
+/* The change of an unknown within a step, minus the change sought. */
 typedef struct passing {
     const flk_curve_of_step *within;
     int i;
@@ -233,7 +234,7 @@ static double passed_by(double part, void *data)
     return flk_step_change(x->within, x->i, part) - x->change;
 }
 
-/* The part of a step, up to `most`, at which an unknown, which passes it, has changed by this much. */
+/* The fraction of a step, up to `most`, at which an unknown has changed by this much. */
 static double part_of(const flk_curve_of_step *within, int i, double change, double most)
 {
     flk_bracket b;
@@ -246,7 +247,7 @@ static double part_of(const flk_curve_of_step *within, int i, double change, dou
     return flk_find_zero(passed_by, &x, &b, 0);
 }
 
-/* The unknowns at a part of the step that begins at a node. */
+/* The unknowns at a fraction of the step that begins at a node. */
 static void at_part(const flk_node *node, double part, flk_node *at)
 {
     int i;
@@ -258,7 +259,7 @@ static void at_part(const flk_node *node, double part, flk_node *at)
     at->h = 0;
 }
 
-/* Cut a step where unknown i passes a value, if it does before *part. */
+/* Cut a step where unknown i crosses a value, if that is before *part. */
 static int cut(const flk_node *node, int i, double value, int rises, double *part)
 {
     double change = value - node->y[i], reached = flk_step_change(&node->within, i, *part);
@@ -269,8 +270,8 @@ static int cut(const flk_node *node, int i, double value, int rises, double *par
     return 1;
 }
 
-/* The part of a step at which the speed has its peak, if it turns there, as the slopes at both ends say; else 1.  Golden
-** section, as the peak may be close to an end. */
+/* The fraction of a step at which the speed has its peak, if the slopes at both ends show that there is one;
+** else 1.  Golden section, as the peak may be close to an end. */
 static double peak_of_speed(const flk_node *node, const flk_step *step)
 {
     double sign = step->k[0][FLK_SPEED] < 0 ? -1 : 1, low = 0, high = 1, x, y;
@@ -290,8 +291,8 @@ static double peak_of_speed(const flk_node *node, const flk_step *step)
     return 0.5 * (low + high);
 }
 
-/* The node at the end of a step, or where it leaves the cell first, and why.  A speed with a peak may leave it and come
-** back. */
+/* The node at the end of a step, or where it first leaves the cell, and why.  A speed with a peak may leave
+** the cell and return. */
 static ending end_step(const flk_path *p, const flk_node *node, const cell *c, const flk_step *step,
                        flk_node *after)
 {
@@ -348,7 +349,7 @@ static double acceleration_at(flk_path *p, const flk_node *node)
                                                                                   : 0;
 }
 
-/* Hold the piece of the motor's curve into which the speed goes. */
+/* Hold the piece of the motor's curve that the speed enters. */
 static void hold_speed(flk_path *p, const flk_node *node, cell *c)
 {
     const fourlink_motor *motor = &p->equation.machine.motor;
@@ -396,7 +397,7 @@ static int enter(flk_path *p, const flk_node *node, int turning, double length, 
     return FOURLINK_OK;
 }
 
-/* A crank may creep into an equilibrium: it is at rest when nothing is left of its speed. */
+/* A crank may creep into an equilibrium: it counts as at rest when almost no speed is left. */
 static int creeps(const cell *c, const flk_node *before, const flk_node *after)
 {
     double speed = fabs(after->y[FLK_SPEED]);
@@ -416,7 +417,8 @@ static int turns_to(flk_path *p, const flk_node *node)
     return alpha > 0 ? 1 : alpha < 0 && p->swings ? -1 : 0;
 }
 
-/* Go through a cell, up to its end, a length, a duration: FOURLINK_OK, or why the crank comes no farther. */
+/* Integrate through a cell, up to its end, a length or a duration: FOURLINK_OK, or why the crank stops
+** there. */
 static int run_cell(flk_path *p, cell *c, double duration, double *h)
 {
     flk_node after;
@@ -503,7 +505,7 @@ const flk_node *flk_path_end(const flk_path *p)
     return &p->node[p->n - 1];
 }
 
-/* The last node at or before a value of an unknown that rises; -1: of the time. */
+/* The last node at or before a value of an increasing unknown; -1: the time. */
 static const flk_node *node_before(const flk_path *p, int i, double value)
 {
     size_t low = 0, high = p->n;
@@ -520,7 +522,7 @@ static const flk_node *node_before(const flk_path *p, int i, double value)
     return &p->node[low];
 }
 
-/* The first step in which a crank that swings passes s, or comes as close as rounding; null: it does not. */
+/* The first step in which a swinging crank passes s, to rounding; null if it does not. */
 static const flk_node *step_to(const flk_path *p, double s)
 {
     const flk_node *node, *close = NULL;
@@ -618,7 +620,7 @@ double flk_path_travel(const flk_path *p)
 
 /* ---------------------------------------------------------------------------------------------------- growth */
 
-/* A step, and the path that it is of. */
+/* A step and its path. */
 typedef struct span {
     const flk_path *p;
     const flk_node *node;

@@ -12,10 +12,11 @@
 
 /* Where a step begins. */
 typedef struct flk_node {
-    double t;               /* s */
-    double y[FLK_UNKNOWNS]; /* rad passed since the first row, rad/s, J */
-    double residual;        /* J, by which the energy of the speed has exceeded y, so far */
-    double h;               /* s, of the step, which may go on beyond the next node; 0 at the end */
+    double t;                 /* s */
+    double y[FLK_UNKNOWNS];   /* rad passed since the first row, rad/s, J */
+    double residual;          /* J, excess so far of the energy of the speed over y */
+    double h;                 /* s, of the step, which may extend beyond the next node; 0 at the
+                                 end */
     flk_curve_of_step within; /* the unknowns within it */
 } flk_node;
 
@@ -26,27 +27,28 @@ typedef struct flk_path {
     double tolerance; /* 1, of a step */
     flk_node *node;   /* to be freed */
     size_t n, room;
-    int status;           /* why it ends before its length, or FOURLINK_OK */
+    int status;           /* why it ends early, or FOURLINK_OK */
     int swings;           /* 1: the crank may swing back */
     int is_steady;        /* 1: it is a cycle that repeats */
-    unsigned long budget; /* trials of steps that are left, for all runs together */
+    unsigned long budget; /* trial steps left, for all runs together */
     int no_memory;        /* 1: nodes are missing */
     double largest;       /* J, energy */
 } flk_path;
 
-/* Integrate from this speed, rad/s, >= 0, over an angle in rad, which a crank that comes to rest does not pass; or from a
-** speed of either sign for a duration in s, in which it may swing back.  1 if the path is as long. */
+/* Integrate from a speed >= 0, rad/s, over an angle, rad, which a crank that comes to rest does not complete;
+** or from a speed of either sign for a duration, s, during which it may swing back.  1 if the path reaches
+** its full length. */
 int flk_path_run(flk_path *p, double speed, double length);
 int flk_path_run_for(flk_path *p, double speed, double duration);
 
-/* Where it ends. */
+/* The end of the path. */
 const flk_node *flk_path_end(const flk_path *p);
 
-/* The unknowns after the crank has passed s, the first time. */
+/* The unknowns when the crank first passes s. */
 int flk_path_node_at(const flk_path *p, double s, flk_node *at);
 
-/* The crank after it has passed s, the first time, or as close as rounding; at a time within the path; in the state of a
-** node: FOURLINK_OK, or why there is none. */
+/* The crank when it first passes s, to rounding; at a time within the path; in the state of a node:
+** FOURLINK_OK, or why there is none. */
 int flk_path_at(const flk_path *p, double s, flk_actual_row *row);
 int flk_path_at_time(const flk_path *p, double t, flk_actual_row *row);
 int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
@@ -54,7 +56,7 @@ int flk_path_row(const flk_path *p, const flk_node *at, flk_actual_row *row);
 /* The angle through which the crank turns, forwards and backwards, rad. */
 double flk_path_travel(const flk_path *p);
 
-/* By which the logarithm of a small difference of energy grows over the path:
+/* The growth over the path of the logarithm of a small difference in energy:
 ** integral of d(T_m + Q)/d(omega2) / (J + I_f) dt; NaN if a torque is not known. */
 double flk_path_growth(const flk_path *p);
 

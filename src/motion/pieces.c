@@ -24,7 +24,7 @@ static double whole_length(const flk_crank_motion *crank_motion)
            crank_motion->d->motion.angle_unit;
 }
 
-/* How the crank starts or ends: at rest it speeds up as the root of the angle. */
+/* How the crank starts or ends: from rest, its speed grows as the root of the angle. */
 static flk_piece_end end_of_motion(const flk_crank_motion *crank_motion, double angle)
 {
     fourlink_row row;
@@ -42,7 +42,7 @@ static flk_piece_end beginning(const flk_crank_motion *crank_motion)
     return end_of_motion(crank_motion, crank_motion->d->motion.from);
 }
 
-/* The end at a length; an actual motion that is shorter than its rows stalls. */
+/* The end of the motion at a length; an actual motion that is shorter than its rows has stalled. */
 static flk_piece_end ending(const flk_crank_motion *crank_motion, double length)
 {
     if (crank_motion->actual)
@@ -52,7 +52,7 @@ static flk_piece_end ending(const flk_crank_motion *crank_motion, double length)
     return end_of_motion(crank_motion, crank_motion->end);
 }
 
-/* An end of the motion at a position that has an end of its own. */
+/* Combine an end of the motion with that of its position. */
 static flk_piece_end join(flk_piece_end of_motion, flk_piece_end of_position)
 {
     if (of_position == FLK_END_CHANGE && of_motion == FLK_END_ROOT)
@@ -90,7 +90,7 @@ static void find_passage(const flk_pieces *x, int has_loads, flk_passage *p)
     p->host = (void *)x;
 }
 
-/* The next end behind `after`; without those of loads that of columns of the motion alone. */
+/* The next end after `after`; without loads, the next end for columns of the motion alone. */
 static double next_end(const flk_pieces *x, double after, int has_loads, flk_piece_end *end)
 {
     const fourlink_motion *motion = &x->crank_motion->d->motion;
@@ -109,7 +109,7 @@ static double next_end(const flk_pieces *x, double after, int has_loads, flk_pie
     return x->length;
 }
 
-/* What is at the beginning of the motion. */
+/* The kind of end at the beginning of the motion. */
 static flk_piece_end first_end(const flk_pieces *x)
 {
     flk_passage p;

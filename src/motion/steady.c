@@ -2,22 +2,24 @@
 **
 ** steady.c - the motion that repeats after a cycle.
 **
-** From the energy E0 at the first row the crank comes to the energy g(E0) after a cycle, in the time t.  Unknown are the
-** speed v at the first row and, of a motor that balances the loads, its torque T:
+** From the energy E0 at the first row the crank reaches the energy g(E0) after a cycle, in the time t.  The
+** unknowns are the speed v at the first row and, for a motor that balances the loads, its torque T:
 **
-**    g(E0) - E0 = 0                                of any motor, for v
-**    g(E0) - E0 = 0,   mean_speed t - cycle = 0    of a motor that balances, for v and T
+**    g(E0) - E0 = 0                                for any motor, for v
+**    g(E0) - E0 = 0,   mean_speed t - cycle = 0    for a motor that balances, for v and T
 **
-** The first is solved by Newton's method in E0, as g' = exp(growth) follows from the path, between speeds at which the
-** machine gains and loses energy in a cycle.  It starts from the lowest speed above which the mean torque of a cycle at
-** constant speed is negative: there a run-up ends, for below it the machine gains speed.  The motion is stable if g' < 1.
+** The first is solved by Newton's method in E0, with g' = exp(growth) from the path, between speeds at which
+** the machine gains and loses energy in a cycle.  It starts from the lowest speed above which the mean torque
+** of a cycle at constant speed is negative: a run-up ends there, because below it the machine gains speed.
+** The motion is stable if g' < 1.
 **
 ** The second is solved by Broyden's method in ln v and T (C. G. Broyden, Math. Comp. 19, 577, 1965).
 **
-** Of a motor that balances the loads, Broyden's method may lose its way where the crank nearly comes to rest, with a
-** small flywheel.  But two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only, and with the
-** same T not at all.  So the energy after a cycle grows with T, there is one T at most for each v, and the motions of
-** larger v are faster at every angle: both unknowns lie in brackets, T for each v, and v.
+** For a motor that balances the loads, Broyden's method may fail where the crank nearly comes to rest, with a
+** small flywheel.  But two solutions E(theta) of dE/dtheta = T + Q with different T cross in one sense only,
+** and with the same T not at all.  So the energy after a cycle grows with T, there is at most one T for each
+** v, and motions with larger v are faster at every angle.  Both unknowns can therefore be bracketed: T for
+** each v, and v.
 */
 #include <math.h>
 
@@ -32,15 +34,15 @@
 #define STEPS 60
 #define HALVINGS 30
 #define LONGEST_STEP 0.3 /* of ln v, without a better step */
-#define SHORT 3e-2       /* of ln v: the growth is hardly another after it */
+#define SHORT 3e-2       /* of ln v: the growth hardly changes over this */
 #define DOUBLINGS 40
 #define COARSE 1e-6 /* tolerance of the steps of first solutions, and their error */
-#define NEAR \
-    1e-10 /* of what lies in a bracket, and the bracket: the error of its steps is larger */
+#define NEAR 1e-10  /* of a bracketed unknown and its bracket: the error of the steps is larger */
 #define DIFFERENCE 1e-7 /* of an unknown, for a derivative */
 #define CLOSE 1e-13     /* of the energy, the cycle: solved */
 #define ROUNDED \
-    1e-9 /* ... if it does not come closer: corners of friction, or periods that depend on last digits */
+    1e-9 /* ... if it does not get closer: corners of friction, or periods that depend on last
+            digits */
 
 /* The equations in one or two unknowns. */
 typedef struct problem {
@@ -70,7 +72,7 @@ static int mean_torque(const flk_path *p, double cycle, double speed, double *me
     return 1;
 }
 
-/* A speed of the size of those of the motor. */
+/* A speed of the order of the motor's speeds. */
 static double size_of_speed(const fourlink_motor *motor, double torque, double total)
 {
     double w = 0;
@@ -112,7 +114,7 @@ static double guess_speed(const flk_path *p, double cycle)
     return 0;
 }
 
-/* The residuals of x = ln v, T; 0 if the crank stalls. */
+/* Find the residuals at x = ln v, T; 0 if the crank stalls. */
 static int find_residuals(const problem *q, const double *x, double *r)
 {
     const flk_node *end;
@@ -183,7 +185,7 @@ static int step(const problem *q, double *x, double *r, const double *dx, double
     return 0;
 }
 
-/* Go on from x until the residuals are close to 0, or as close as rounding lets them come. */
+/* Iterate from x until the residuals are close to 0, or as close as rounding allows. */
 static int broyden(const problem *q, double *x, double B[2][2], double close, double rounded)
 {
     double r[2], dx[2], last;
@@ -205,18 +207,18 @@ static int broyden(const problem *q, double *x, double B[2][2], double close, do
     return 0;
 }
 
-/* 1 if this is no end of the motion, but one of the search. */
+/* 1 if this ends the search, not the motion. */
 static int is_lost(int status)
 {
     return status == FOURLINK_OK || status == FOURLINK_STALLS || status == FOURLINK_TOO_LONG ||
            status == FOURLINK_OVERFLOW;
 }
 
-/* The change of ln v after which E0 = g(E0), by Newton's method:
+/* The change of ln v that gives E0 = g(E0), by Newton's method:
 **
 **    dE0 / E0 = (g(E0) / E0 - 1) / (1 - g')
 **
-** Where g' >= 1, a long step towards larger or smaller speeds. */
+** If g' >= 1, a long step towards larger or smaller speeds. */
 static double newton(double r, double growth)
 {
     double relative = growth < 0 ? -gsl_expm1(r) / gsl_expm1(growth) : 0;
@@ -226,9 +228,9 @@ static double newton(double r, double growth)
     return r > 0 ? LONGEST_STEP : -LONGEST_STEP;
 }
 
-/* The stable motion that repeats itself, for ln v.  A cycle from `low` gains energy, or the crank stalls; one from `high`
-** loses energy.  At the end, steps are so small that rounding makes them, or corners of friction.  The growth, 0 if it is
-** not known, is found again after a step that is not short. */
+/* Solve for ln v of the stable motion that repeats.  A cycle from `low` gains energy, or the crank stalls;
+** one from `high` loses energy.  In the end, steps are as small as rounding, or the corners of friction, make
+** them.  The growth, 0 if unknown, is found again after each step that is not short. */
 static int solve_speed(const problem *q, double *x, double *growth, double close, double rounded)
 {
     double low = GSL_NEGINF, high = GSL_POSINF, r[2], dx, last = GSL_POSINF;
@@ -259,7 +261,7 @@ static int solve_speed(const problem *q, double *x, double *growth, double close
     return 0;
 }
 
-/* Coarsely, then finely.  B begins as if torques did not depend on the speed, g' = 1. */
+/* Solve coarsely, then finely.  B starts as if torques did not depend on the speed, g' = 1. */
 static int solve_problem(const problem *q, double *x)
 {
     double tolerance = q->p->tolerance, B[2][2], growth = 0;
@@ -277,10 +279,10 @@ static int solve_problem(const problem *q, double *x)
                                       : solve_speed(q, x, &growth, CLOSE, COARSE));
 }
 
-/* A quantity that rises with an unknown; -infinite if the crank stalls. */
+/* A quantity that increases with an unknown; -infinity if the crank stalls. */
 typedef double rising(const problem *q, double *x);
 
-/* The energy that a cycle gains, by the torque. */
+/* The energy gained in a cycle, as a function of the torque. */
 static double gain(const problem *q, double *x)
 {
     double r[2];
@@ -288,16 +290,16 @@ static double gain(const problem *q, double *x)
     return find_residuals(q, x, r) ? r[0] : GSL_NEGINF;
 }
 
-/* 1 if the gain jumps over 0 at a torque with which the crank stalls: a torque adds its work to the energy of a cycle, and
-** little more. */
+/* 1 if the gain jumps over 0 at a torque at which the crank stalls: a torque adds its work to the energy of a
+** cycle, and little more. */
 static int is_jump(const problem *q, double range, double f_low, double f_high)
 {
     return !gsl_finite(f_low) &&
            f_high * q->p->node[0].y[FLK_ENERGY] > 10 * q->torque_unit * q->cycle * range;
 }
 
-/* Find x[i] where it is 0: by steps that double, then between values of both signs, and by halves while the crank
-** stalls at the lower.  0 if there is none. */
+/* Find the zero in x[i]: by doubling steps, then between values of opposite signs, by bisection while the
+** crank stalls at the lower value.  0 if there is none. */
 static int find_zero(const problem *q, double *x, int i, rising *of, double close)
 {
     double f = of(q, x), h = GSL_MIN(2 * fabs(f), 0.2);
@@ -321,14 +323,14 @@ static int find_zero(const problem *q, double *x, int i, rising *of, double clos
     return fabs(f) <= close;
 }
 
-/* The mean speed of the motion that repeats itself, by the speed at the first row. */
+/* The excess mean speed of the motion that repeats, as a function of the speed at the first row. */
 static double speed_excess(const problem *q, double *x)
 {
     return find_zero(q, x, 1, gain, NEAR) ? -log(q->mean_speed * flk_path_end(q->p)->t / q->cycle)
                                           : GSL_NEGINF;
 }
 
-/* Both unknowns by brackets, coarsely, and then by Broyden's method, which begins with differences. */
+/* Solve for both unknowns, coarsely by brackets, then by Broyden's method, which starts with differences. */
 static int solve_in_brackets(const problem *q, double *x)
 {
     double tolerance = q->p->tolerance, B[2][2], r[2], next[2], at[2];

@@ -7,8 +7,9 @@
 
 #include "path.h"
 
-/* Find the speed at the first row of the steady motion of a path's machine, and with a motor that balances its torque.
-** The path is then the cycle; p->status says why there is none, and the path, if it stalls, where.
+/* Find the speed at the first row of the steady motion of a path's machine and, for a motor that balances,
+** its torque.  The path is then the cycle.  If there is none, p->status says why and, if the crank stalls,
+** the path ends where it does.
 **
 ** Given:
 **    cycle       rad
