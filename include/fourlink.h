@@ -252,11 +252,11 @@ typedef struct fourlink_link_state {
 typedef struct fourlink_state {
     fourlink_link_state link[5]; /* by link number; [0] and [1] are unused */
     fourlink_branch branch;
-    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted: s /
-                       BD. Positive on the open branch, negative on the crossed one; beyond a change
-                       point the signs are swapped (see fourlink_branch). 0 in a dead position;
-                       1/|sine| is the condition number of the position: the factor by which
-                       relative errors of the data can grow */
+    double sine;    /* 1, four-bar: sin(theta4 - theta3); slider-crank: cos(theta3); inverted:
+                       s / BD. Positive on the open branch, negative on the crossed one; beyond a
+                       change point the signs are swapped (see fourlink_branch). 0 in a dead
+                       position; 1/|sine| is the condition number of the position: the factor by
+                       which relative errors of the data can grow */
     double mu;      /* rad, transmission angle, 0 to pi/2 */
     double phi;     /* rad, slider-crank: obliquity of the rod, -pi/2 to pi/2 */
     double x, v, a; /* m, m/s, m/s2, slider-crank: displacement of the piston from its
@@ -1119,8 +1119,8 @@ FOURLINK_API int fourlink_add_counterweight(const fourlink_link *link,
 ** Returned (function value):
 **    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_KIND
 ** Note:
-**    Without loads and weights, the torque on the crank that moves the links is J alpha2 + slope omega2^2 /
-**    2.
+**    Without loads and weights, the torque on the crank that moves the links is
+**    J alpha2 + slope omega2^2 / 2.
 ** Reference:
 **    Lagrange's equation for one coordinate; see inertia.c.
 */
@@ -1750,10 +1750,11 @@ FOURLINK_API int fourlink_results_find(fourlink_results *results, const char *na
 **    column that this design of a sweep does not have.
 ** 3) If several facts have the same name, such as the ends of two ranges, this is the first.
 ** 4) Mean and rms are taken over the crank angle, not over time, for the part of the deck's motion in which
-**    the linkage can be assembled: (integral of y dtheta2) / c, and the root of (integral of y^2 dtheta2) /
-**    c.  An angle is continued beyond 180 deg.  Mean and rms are infinite where the integral is: at a dead
-**    position velocities grow as 1 / sqrt(distance), so they have a mean but an infinite rms.  If a column is
-**    unbounded in both directions, as mechanical_advantage is, the status is FOURLINK_NO_MEAN.
+**    the linkage can be assembled: (integral of y dtheta2) / c, and the root of
+**    (integral of y^2 dtheta2) / c.  An angle is continued beyond 180 deg.  Mean and rms are infinite where
+**    the integral is: at a dead position velocities grow as 1 / sqrt(distance), so they have a mean but an
+**    infinite rms.  If a column is unbounded in both directions, as mechanical_advantage is, the status is
+**    FOURLINK_NO_MEAN.
 */
 FOURLINK_API int fourlink_results_get(fourlink_results *results, int handle, fourlink_branch branch,
                                       double angle, fourlink_value *value);

@@ -5,7 +5,8 @@
 ** Zeros: false position that halves the value at an end that is kept (the Illinois method; M. Dowell, P.
 ** Jarratt, A modified regula falsi method, BIT 11, 1971, p. 168), and bisection where only the sign of the
 ** function is known.
-** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives, 1973, ch. 5.
+** Peaks: parabolas and golden section, after R. P. Brent, Algorithms for Minimization without Derivatives,
+** 1973, ch. 5.
 ** Integrals: the rule of Gauss and Kronrod with 7 and 15 points (R. Piessens et al., QUADPACK, 1983).
 */
 #include <float.h>

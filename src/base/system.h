@@ -47,7 +47,8 @@ int system_is_open_as(const char *path, FILE *stream);
 int system_may_write(const char *path);
 FILE *system_open(const char *path, const char *mode);
 
-/* The same for reading, without waiting for another program; null with errno 0 if it is not a regular file. */
+/* The same for reading, without waiting for another program; null with errno 0 if it is not a regular
+** file. */
 FILE *system_open_regular(const char *path);
 
 /* 1 if a file, after symbolic links, is in a folder or below it, or does not exist.  Otherwise 0; errno is

@@ -85,8 +85,9 @@ enum {
     DRIVE_STEADY = FOURLINK_MODE_STEADY  /* the motion that repeats after d->machine.cycle */
 };
 
-/* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval are the
-** rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up and hold are 0. */
+/* The actual motion of the machine.  With a mode other than DRIVE_GIVEN, motion.from, to and interval
+** describe the rows by angle, speed is that of the first row (free; otherwise 0), and acceleration, run_up
+** and hold are 0. */
 typedef struct deck_drive {
     int mode;
     double mean_speed;          /* rad/s, steady motion with a torque that balances; 0: not given */

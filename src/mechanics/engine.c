@@ -115,10 +115,10 @@ int fourlink_rod_masses(const fourlink_mechanism *mechanism, fourlink_rod *rod)
 **    T_weight_a = -+ m_a g r cos(theta),   T_inertia_a = -m_a r^2 alpha
 **    T_weight_b = +- m_b g r [sin(theta) + sin(2 theta) / 2 sqrt(n^2 - sin^2(theta))], in T_piston
 **
-** In general (with offset or inclination; the crossed branch turned by 180 deg) theta + phi is theta2 -
-** theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), or -cos(theta3) on the crossed
-** branch.  The weight of m_a does work along the path of the crank pin. m b (l - L) is written as m b (l - b)
-** - I, which needs no division by b.
+** In general (with offset or inclination; the crossed branch turned by 180 deg) theta + phi is
+** theta2 - theta3, phi'' is -alpha3, dphi/dtheta is -k3, and cos(phi) is cos(theta3), or -cos(theta3) on the
+** crossed branch.  The weight of m_a does work along the path of the crank pin.
+** m b (l - L) is written as m b (l - b) - I, which needs no division by b.
 */
 int fourlink_engine_method(const fourlink_mechanism *mechanism, const fourlink_state *state,
                            double gas_force, const fourlink_load *loads, unsigned long n_loads,

@@ -187,8 +187,9 @@ static int same(double x, double y)
     return fabs(x - y) <= FLK_ROUNDING * (x + y);
 }
 
-/* Grashof: with s the shortest, l the longest link, p and q the others, some link turns fully if s + l < p +
-** q; if s + l = p + q the linkage has a change point.  The position of the shortest link decides the type. */
+/* Grashof: with s the shortest, l the longest link, p and q the others, some link turns fully if
+** s + l < p + q; if s + l = p + q the linkage has a change point.  The position of the shortest link decides
+** the type. */
 static fourlink_type four_bar_type(const fourlink_mechanism *mechanism)
 {
     const fourlink_link *link = mechanism->design.link;

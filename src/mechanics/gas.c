@@ -3,7 +3,9 @@
 ** gas.c - gas in a cylinder: on the piston of a slider-crank, or between rod and cylinder of an inverted
 ** slider-crank.
 **
-**    F = p1 A1 - p2 A2,   positive towards the crank     (ME3491, "Forces on the reciprocating parts of an engine")
+** Positive towards the crank (ME3491, "Forces on the reciprocating parts of an engine"),
+**
+**    F = p1 A1 - p2 A2
 */
 #include <math.h>
 #include <string.h>

@@ -6,8 +6,9 @@
 **
 **    (J + I_f) alpha2 + J' omega2^2 / 2 = T_m + Q
 **
-** I_f is the inertia of flywheel and rotor on the shaft outside the crank, T_m the torque of the motor, and Q the
-** generalised force of loads, weights, springs, dampers and friction.  The torque on the crank is Ts = T_m - I_f alpha2.
+** I_f is the inertia of flywheel and rotor on the shaft outside the crank, T_m the torque of the motor, and Q
+** the generalised force of loads, weights, springs, dampers and friction.  The torque on the crank is
+** Ts = T_m - I_f alpha2.
 */
 #include <math.h>
 #include <string.h>

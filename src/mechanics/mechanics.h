@@ -16,8 +16,8 @@
 ** 1e-7. */
 #define FLK_SINGULAR 1e-13
 
-/* A sum of lengths below this, relative to the sum of their magnitudes, is rounding error: 807 + 6 and 595 +
-** 218 mm are equal, but not in binary. */
+/* A sum of lengths below this, relative to the sum of their magnitudes, is rounding error: 807 + 6 and
+** 595 + 218 mm are equal, but not in binary. */
 #define FLK_ROUNDING 1e-15
 
 /* u1 + u2 (four_bar.c, slider_crank.c) follows from the lengths of links 3 and 4.  If its error exceeds this

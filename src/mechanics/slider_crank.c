@@ -193,8 +193,8 @@ static double one_turn(double angle)
     return angle < 0 ? angle + 2 * M_PI : angle;
 }
 
-/* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C.  `slow` is
-** the crank angle of the slower stroke. */
+/* Crank and rod in one line, C at the distance r + l, or l - r with the crank pointing away from C.  `slow`
+** is the crank angle of the slower stroke. */
 static void stroke_of_piston(const fourlink_mechanism *mechanism, fourlink_branch branch,
                              fourlink_limits *limits)
 {

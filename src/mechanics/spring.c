@@ -10,7 +10,8 @@
 **
 **    T = T0 + k (phi - phi0) + c dphi/dt,   -T on i,   T on j
 **
-** The energy is k s^2 / 2 + T0 s, s = L - L0 or phi - phi0.  A buffer acts only where s < 0, a rope only where s > 0.
+** The energy is k s^2 / 2 + T0 s, s = L - L0 or phi - phi0.  A buffer acts only where s < 0, a rope only
+** where s > 0.
 */
 #include <math.h>
 #include <string.h>

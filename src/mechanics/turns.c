@@ -78,8 +78,8 @@ static double of_four_bar(const fourlink_mechanism *mechanism, const fourlink_st
                               (r * r + (c - b) * (c + b)) / (2 * r * c), b > c);
 }
 
-/* The rod passes -90 deg at the stretched change point, and 90 deg at the folded one.  With both (l = r, e =
-** 0) it turns against the crank, but with it on the crossed branch. */
+/* The rod passes -90 deg at the stretched change point, and 90 deg at the folded one.  With both (l = r,
+** e = 0) it turns against the crank, but with it on the crossed branch. */
 static double of_rod(const fourlink_mechanism *mechanism, const fourlink_state *state)
 {
     const fourlink_vector *e3 = &state->link[3].axis;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual.c - the actual motion of the machine: speed, acceleration and time of the crank from torques and inertia.
+** actual.c - the actual motion of the machine: crank speed, acceleration and time from torques and inertia.
 */
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** actual.h - the actual motion of the machine: speed, acceleration and time of the crank from torques and inertia.
+** actual.h - the actual motion of the machine: crank speed, acceleration and time from torques and inertia.
 */
 #ifndef FOURLINK_ACTUAL_H
 #define FOURLINK_ACTUAL_H

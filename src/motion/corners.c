@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** corners.c - the crank angles at which columns are not smooth: switches of the machine, dead positions, change points.
+** corners.c - the crank angles at which columns are not smooth: switches of the machine, dead positions,
+** change points.
 **
 ** Levels of the crank angle are known.  Other variables are smooth in theta2 on each branch: they are sampled
 ** twice per degree, and base/solve finds where they cross a level between two samples.  Only for variables
@@ -152,7 +153,7 @@ static void find(flk_corners *c, fourlink_branch branch)
     c->is_known[index_of(branch)] = 1;
 }
 
-/* ---------------------------------------------------------------------------------------------------- the next */
+/* ----------------------------------------------------------------------------------------------- the next */
 
 typedef struct search {
     const flk_passage *p;
@@ -305,7 +306,7 @@ flk_piece_end flk_corners_first(const flk_passage *passage)
     return s.at > CLOSEST ? FLK_END_PLAIN : s.end;
 }
 
-/* ------------------------------------------------------------------------------------------------- the switches */
+/* ------------------------------------------------------------------------------------------- the switches */
 
 /* Sort switches over the crank angle to the front. */
 static size_t sort(flk_switch *list, size_t n)

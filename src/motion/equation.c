@@ -6,8 +6,8 @@
 **
 **    ds/dt = omega2,   domega2/dt = alpha2,   dE/dt = (T_m + Q) omega2
 **
-** omega2 follows from the accelerations, which need J', and E from the work, which does not.  (J + I_f)
-** omega2^2 / 2 = E checks both.
+** omega2 follows from the accelerations, which need J', and E from the work, which does not.
+** (J + I_f) omega2^2 / 2 = E checks both.
 */
 #include <math.h>
 

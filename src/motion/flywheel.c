@@ -2,9 +2,9 @@
 **
 ** flywheel.c - the flywheel that gives the steady motion a required fluctuation of speed.
 **
-** The fluctuation Cs is a function of x = 1 / I.  It is 0 for x = 0, the infinite flywheel, and dE x /
-** omega^2 for small x, as in textbooks, so the secant method converges quickly.  If the flywheel is too small
-** there may be no steady motion; such x are an upper bound.
+** The fluctuation Cs is a function of x = 1 / I.  It is 0 for x = 0, the infinite flywheel, and
+** dE x / omega^2 for small x, as in textbooks, so the secant method converges quickly.  If the flywheel is
+** too small there may be no steady motion; such x are an upper bound.
 */
 #include <math.h>
 

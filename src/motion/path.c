@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** path.c - the motion of one branch from a given speed: steps of the integration, and any instant between them.
+** path.c - the motion of one branch from a given speed: integration steps, and any instant between them.
 **
 ** Between two corners of the torques the machine is held in one cell, whose torques continue smoothly beyond
 ** its ends.  So steps may overshoot the end of a cell, or the place where the crank comes to rest; they are
@@ -51,7 +51,7 @@ typedef struct cell {
 
 typedef enum ending { IN_CELL, AT_END, AT_STOP, AT_SPEED } ending;
 
-/* ---------------------------------------------------------------------------------------------------- one step */
+/* ----------------------------------------------------------------------------------------------- one step */
 
 /* The time in which the crank turns through an angle at constant acceleration. */
 static double time_for(const flk_step *step, double angle)
@@ -218,7 +218,7 @@ static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_
     return why_none(p, s, FOURLINK_OK);
 }
 
-/* -------------------------------------------------------------------------------------------- where a step is cut */
+/* ------------------------------------------------------------------------------------ where a step is cut */
 
 /* The change of an unknown within a step, minus the change sought. */
 typedef struct passing {
@@ -319,7 +319,7 @@ static ending end_step(const flk_path *p, const flk_node *node, const cell *c, c
     return why;
 }
 
-/* ---------------------------------------------------------------------------------------------------- cell by cell */
+/* ------------------------------------------------------------------------------------------- cell by cell */
 
 static int keep(flk_path *p, const flk_node *node)
 {
@@ -498,7 +498,7 @@ int flk_path_run_for(flk_path *p, double speed, double duration)
     return run(p, p->equation.sense * speed, GSL_POSINF, duration);
 }
 
-/* ---------------------------------------------------------------------------------------------------- instants */
+/* ----------------------------------------------------------------------------------------------- instants */
 
 const flk_node *flk_path_end(const flk_path *p)
 {
@@ -618,7 +618,7 @@ double flk_path_travel(const flk_path *p)
     return travel;
 }
 
-/* ---------------------------------------------------------------------------------------------------- growth */
+/* ------------------------------------------------------------------------------------------------- growth */
 
 /* A step and its path. */
 typedef struct span {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** path.h - the motion of one branch from a given speed: steps of the integration, and any instant between them.
+** path.h - the motion of one branch from a given speed: integration steps, and any instant between them.
 */
 #ifndef FOURLINK_PATH_H
 #define FOURLINK_PATH_H

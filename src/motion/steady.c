@@ -41,8 +41,7 @@
 #define DIFFERENCE 1e-7 /* of an unknown, for a derivative */
 #define CLOSE 1e-13     /* of the energy, the cycle: solved */
 #define ROUNDED \
-    1e-9 /* ... if it does not get closer: corners of friction, or periods that depend on last
-            digits */
+    1e-9 /* ... without getting closer: friction corners, periods that depend on last digits */
 
 /* The equations in one or two unknowns. */
 typedef struct problem {
@@ -52,7 +51,8 @@ typedef struct problem {
     double torque_unit; /* N m */
 } problem;
 
-/* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no position. */
+/* The mean torque of a cycle at a constant speed, in the sense of the motion, N m; 0 if there is no
+** position. */
 static int mean_torque(const flk_path *p, double cycle, double speed, double *mean)
 {
     flk_machine_place place;
