@@ -92,7 +92,7 @@ static int is_direction(text t)
 }
 
 /* The message for text that cannot follow a number; null if it can. */
-static const char *why_not_one(text t)
+static const char *why_trailing_text(text t)
 {
     int c = t.length ? t.start[0] : 0;
 
@@ -108,7 +108,7 @@ static const char *why_not_one(text t)
 /* The message if `t` is not a unit; `bad` is its unknown part. */
 static void refuse_unit(text t, text bad, text whole, quantity q, char message[MESSAGE_SIZE])
 {
-    const char *why = t.start != whole.start ? why_not_one(t) : NULL;
+    const char *why = t.start != whole.start ? why_trailing_text(t) : NULL;
     const char *nearest = why ? NULL : flk_unit_nearest(t, bad, flk_quantities[q].dim);
 
     if (nearest && flk_text_same(bad, nearest))

@@ -399,7 +399,7 @@ static int find_sizes(equations *e)
 }
 
 /* The moment at A, from those of the other joints. */
-static void follow_in_A(equations *e)
+static void find_friction_at_A(equations *e)
 {
     double x[2];
 
@@ -537,7 +537,7 @@ static int solve_all(const flk_kind *kind, const fourlink_mechanism *mechanism,
         status = find_sizes(&e);
     if (status != FOURLINK_OK)
         return status;
-    follow_in_A(&e);
+    find_friction_at_A(&e);
     apply(state, &e, body);
     status = solve(kind, mechanism, state, body, &found);
     flk_virtual_work(state, body, &found);

@@ -30,7 +30,7 @@ typedef struct sample {
 } sample;
 
 /* The sample at s, also at a change point, where there is no row. */
-static int take(const flk_path *p, double s, sample *at)
+static int take_sample(const flk_path *p, double s, sample *at)
 {
     flk_equation e = p->equation;
     double dy[FLK_UNKNOWNS];
@@ -63,7 +63,7 @@ static double value_at(double s, void *data)
 {
     goal *g = data;
 
-    return take(g->p, s, &g->at) ? value_of(g, &g->at) : GSL_NAN;
+    return take_sample(g->p, s, &g->at) ? value_of(g, &g->at) : GSL_NAN;
 }
 
 /* A zero between two samples whose values differ in sign. */
@@ -94,7 +94,7 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
 
     memset(&extreme, 0, sizeof extreme);
     extreme.p = p;
-    if (!take(p, s, &last))
+    if (!take_sample(p, s, &last))
         return 0;
     *least = *most = last.speed;
     for (k = 0; k + 1 < p->n; k++)
@@ -103,7 +103,7 @@ static int find_range(const flk_path *p, double s, double *least, double *most)
 
             if (half == 1 ? 0.5 * (from + to) <= s : to <= s)
                 continue;
-            if (!take(p, half == 1 ? 0.5 * (from + to) : to, &now))
+            if (!take_sample(p, half == 1 ? 0.5 * (from + to) : to, &now))
                 return 0;
             widen(&now, least, most);
             if ((last.alpha < 0) != (now.alpha < 0)) {
@@ -121,7 +121,8 @@ void flk_facts_of_cycle(const flk_path *p, double cycle, flk_actual_facts *f)
     double from = GSL_MAX(0, end->y[FLK_PASSED] - cycle), least, most;
     sample first;
 
-    if (!(end->y[FLK_PASSED] > 0) || !take(p, from, &first) || !find_range(p, from, &least, &most))
+    if (!(end->y[FLK_PASSED] > 0) || !take_sample(p, from, &first) ||
+        !find_range(p, from, &least, &most))
         return;
     f->period = end->t - first.time;
     f->mean_speed = p->equation.sense * (end->y[FLK_PASSED] - from) / f->period;
@@ -140,7 +141,7 @@ void flk_facts_of_run_up(const flk_path *p, flk_actual_facts *f)
     reached.p = p;
     reached.of_speed = 1;
     reached.speed = p->equation.sense * f->mean_speed;
-    for (k = 0; k < p->n && take(p, p->node[k].y[FLK_PASSED], &now); k++) {
+    for (k = 0; k < p->n && take_sample(p, p->node[k].y[FLK_PASSED], &now); k++) {
         if (k > 0 && now.speed >= reached.speed) {
             find_sample(&reached, &last, &now, &now);
             f->run_up_time = now.time;

@@ -130,9 +130,9 @@ static int are_finite(const double *values, int n)
     return 1;
 }
 
-/* Take a step of this length, with the values within it.  Returns its error, or a status. */
-static int take(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_of_step *within,
-                double *size)
+/* Try a step of this length, with the values within it.  Returns its error, or a status. */
+static int try_step(const flk_path *p, cell *c, flk_step *step, double h, flk_curve_of_step *within,
+                    double *size)
 {
     double error[FLK_UNKNOWNS];
     int status, i;
@@ -193,7 +193,8 @@ static double shortest(const flk_path *p, const flk_step *step, double part, dou
 }
 
 /* Take one step from a node, of at most *h; *h returns the length for the next. */
-static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_step *step)
+static int advance_node(flk_path *p, flk_node *node, cell *c, double left, double *h,
+                        flk_step *step)
 {
     double size, factor, length, s = node->y[FLK_PASSED];
     int status = begin(p, node, c, step);
@@ -202,7 +203,7 @@ static int go(flk_path *p, flk_node *node, cell *c, double left, double *h, flk_
         return status;
     length = GSL_MIN(GSL_MIN(*h > 0 ? *h : time_for(step, 0.1), longest(step, c)), left);
     for (; p->budget > 0; p->budget--) {
-        status = take(p, c, step, length, &node->within, &size);
+        status = try_step(p, c, step, length, &node->within, &size);
         if (status == FOURLINK_OK && size <= 1) {
             *h = length * GSL_MIN(5, 0.9 * pow(GSL_MAX(size, 1e-10), -0.125));
             node->h = length;
@@ -429,7 +430,7 @@ static int run_cell(flk_path *p, cell *c, double duration, double *h)
     while (why == IN_CELL && flk_path_end(p)->t < duration) {
         flk_node *node = &p->node[p->n - 1];
 
-        status = go(p, node, c, duration - node->t, h, &step);
+        status = advance_node(p, node, c, duration - node->t, h, &step);
         if (status != FOURLINK_OK)
             return status;
         why = end_step(p, node, c, &step, &after);
