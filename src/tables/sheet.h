@@ -50,7 +50,7 @@ typedef struct sheet {
     unsigned long n_columns, n_variables;
     unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
     const double *varied;          /* the values of its variables */
-    struct statistics *statistics; /* of the sweep; null: none */
+    struct statistics *statistics; /* collects the designs, which are not written; null: none */
     double *values;                /* of a row */
     fourlink_load *loads;          /* of a row */
     void *layout;                  /* of the format */
