@@ -156,7 +156,8 @@ int sheet_is_over(const sheet *s, const fourlink_instant *at);
 /* Find the extremes of a branch: FOURLINK_OK, or why there are none. */
 int sheet_find_extremes(fourlink_results *results, fourlink_branch branch);
 
-/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all rows. */
+/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all
+** rows. */
 #define SHEET_STOP_SIZE (FORMAT_SIZE + 100)
 const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_STOP_SIZE]);
 
