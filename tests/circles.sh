@@ -7,11 +7,9 @@ nm=$1
 shift
 
 # FILE FILE: the first needs a name that the second defines
-for object; do
-    "$nm" "$object" | sed "s|^|${object##*CMakeFiles/fourlink.dir/} |"
-done | awk '
-    {file = $1; sub(/\.(o|obj)$/, "", file)}
-    $(NF - 1) == "U" {n++; from[n] = file; name[n] = $NF; next}
+"$nm" -A "$@" | awk '
+    {file = $1; sub(/\.(o|obj):.*/, "", file); sub(/.*fourlink\.dir\//, "", file)}
+    $(NF - 1) == "U" {n++; from[n] = file; name[n] = $NF}
     $(NF - 1) ~ /^[TDRBVC]$/ {at[$NF] = file; n_defined++}
     END {
         for (i = 1; i <= n; i++)

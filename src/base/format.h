@@ -7,8 +7,8 @@
 
 #define FORMAT_SIZE 400
 
-/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g); without a sign if it
-** prints as 0. */
+/* Write a number with so many decimals (as %.*f, %.*e) or so many significant digits (as %.*g);
+** without a sign if it prints as 0. */
 char *format_fixed(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_exponent(double value, int decimals, char out[FORMAT_SIZE]);
 char *format_general(double value, int digits, char out[FORMAT_SIZE]);

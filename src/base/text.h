@@ -71,7 +71,8 @@ char *flk_text_copy(text t, char *out, size_t size);
 ** there is none. */
 const char *flk_text_nearest(text t, const char *const *words);
 
-/* Join the words of a list, with a null pointer at its end: a BETWEEN b BETWEEN c LAST d; cut off at `size`. */
+/* Join the words of a list, with a null pointer at its end: a BETWEEN b BETWEEN c LAST d; cut off at
+** `size`. */
 char *flk_text_list(const char *const *words, const char *between, const char *last, char *out,
                     size_t size);
 

@@ -88,7 +88,7 @@ static int run(sheet *s, FILE *out, const input *in, int *signal_number)
 
     system_catch(1);
     if (enough) {
-        content_begin(s, out, !in->o->parts || in->o->part == 1);
+        content_begin(s, out, !s->statistics && (!in->o->parts || in->o->part == 1));
         enough = write_all(s, in, varied);
     }
     system_catch(0);
@@ -114,11 +114,9 @@ static int write_statistics(sheet *s, FILE *out, const input *in, int *signal_nu
         statistics_close(&x);
         return command_complain("cannot analyse", in->name, "not enough memory");
     }
-    s->format = &statistics_collector;
     s->statistics = &x;
     status = run(s, out, in, signal_number);
     if (status < EXIT_FILES) {
-        s->format = in->o->format;
         s->content = SHEET_STATISTICS;
         s->n_variables = 0;
         content_begin(s, out, 1);

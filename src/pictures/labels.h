@@ -36,8 +36,8 @@ typedef struct labels {
     double scale;    /* unit of length for a pixel, when placed */
 } labels;
 
-/* Put the texts of a drawing of this size where they cover least, and choose scale and range for a box of so many
-** pixels. */
+/* Put the texts of a drawing of this size where they cover least, and choose scale and range for a box of
+** so many pixels. */
 void labels_place(labels *l, place_box drawn, int is_fixed, double size, double width,
                   double height);
 

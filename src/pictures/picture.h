@@ -139,14 +139,14 @@ typedef struct picture_row {
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
-/* Open a deck for a picture that draws some of these columns; null: none.  1; 0 and its first mistake, or out of
-** memory.  Close it whatever came of it. */
+/* Open a deck for a picture that draws some of these columns; null: none.  1; 0 and its first mistake, or out
+** of memory.  Close it whatever came of it. */
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
                  const char *values, fourlink_mistake *mistake);
 void picture_close(picture *p);
 
-/* Open it again with these columns, and with a further assignment, unless these are null; one instant becomes a whole
-** cycle.  The same results. */
+/* Open it again with these columns, and with a further assignment, unless these are null; one instant becomes
+** a whole cycle.  Returns the same. */
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
 
 /* The column to draw over, and those columns of the kind's list that the deck has. */

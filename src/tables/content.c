@@ -12,6 +12,7 @@
 #include "content.h"
 #include "expect.h"
 #include "matrix.h"
+#include "statistics.h"
 
 /* Warn near a dead position: with a transmission angle below 1 deg, errors of the data grow more than 57
 ** times. */
@@ -238,7 +239,7 @@ static void write_checks(sheet *s)
 /* List all names, each once. */
 static void write_list(sheet *s)
 {
-    static const char *const statistics[][2] = {
+    static const char *const of_columns[][2] = {
         {"max(COLUMN)", "largest value of any column"},
         {"min(COLUMN)", "smallest value of any column"},
         {"mean(COLUMN)", "mean over the crank angle"},
@@ -262,8 +263,8 @@ static void write_list(sheet *s)
     memset(&statistic, 0, sizeof statistic);
     statistic.unit = "";
     for (i = 0; i < 4; i++) {
-        statistic.name = statistics[i][0];
-        statistic.meaning = statistics[i][1];
+        statistic.name = of_columns[i][0];
+        statistic.meaning = of_columns[i][1];
         s->format->fact(s, &statistic);
     }
 }
@@ -387,7 +388,10 @@ static void write_lines(sheet *s)
             why = why ? why : reason;
         }
         s->failed += why != NULL;
-        s->format->design(s, branches[i], outputs, why);
+        if (s->statistics)
+            statistics_add(s, branches[i], outputs);
+        else
+            s->format->design(s, branches[i], outputs, why);
     }
 }
 
@@ -398,6 +402,8 @@ void content_write_design(sheet *s, fourlink_results *results, fourlink_results 
     s->varied = varied;
     if (!open_results(s, results ? results : first))
         s->out_of_memory = 1;
+    else if (!results && s->statistics)
+        statistics_refuse(s);
     else if (!results)
         s->format->refuse(s, why);
     else if (s->content == SHEET_DESIGNS)

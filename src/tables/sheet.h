@@ -50,7 +50,7 @@ typedef struct sheet {
     unsigned long n_columns, n_variables;
     unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
     const double *varied;          /* the values of its variables */
-    struct statistics *statistics; /* of the sweep; null: none */
+    struct statistics *statistics; /* collects the designs, which are not written; null: none */
     double *values;                /* of a row */
     fourlink_load *loads;          /* of a row */
     void *layout;                  /* of the format */
@@ -156,7 +156,8 @@ int sheet_is_over(const sheet *s, const fourlink_instant *at);
 /* Find the extremes of a branch: FOURLINK_OK, or why there are none. */
 int sheet_find_extremes(fourlink_results *results, fourlink_branch branch);
 
-/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all rows. */
+/* Where the crank comes to rest, or why the machine goes no further, in words; null if it moves through all
+** rows. */
 #define SHEET_STOP_SIZE (FORMAT_SIZE + 100)
 const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_STOP_SIZE]);
 

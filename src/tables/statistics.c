@@ -98,13 +98,11 @@ static void add_values(statistics *x, fourlink_branch branch, const double *valu
 
 /* --------------------------------------------------------------------------- designs of a sheet */
 
-static void add_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,
-                       const char *why)
+void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *outputs)
 {
     double values[SHEET_OUTPUTS];
     unsigned long i;
 
-    (void)why;
     for (i = 0; i < s->n_header; i++) {
         if (outputs[i].has_value && outputs[i].v.words)
             s->statistics->samples[(unsigned long)index_of(branch) * s->n_header + i].has_words = 1;
@@ -114,36 +112,14 @@ static void add_design(sheet *s, fourlink_branch branch, const sheet_output *out
     s->out_of_memory |= s->statistics->out_of_memory;
 }
 
-static void add_refused(sheet *s, const char *why)
+void statistics_refuse(sheet *s)
 {
     fourlink_branch branches[2];
     int n = sheet_branches(s, branches), i;
 
-    (void)why;
     for (i = 0; i < n; i++)
         add_values(s->statistics, branches[i], NULL);
 }
-
-const sheet_format statistics_collector = {
-    "",                 /* name */
-    1 << SHEET_DESIGNS, /* writes */
-    NULL,               /* begin */
-    NULL,               /* open */
-    NULL,               /* column */
-    NULL,               /* fact */
-    NULL,               /* block */
-    NULL,               /* row */
-    NULL,               /* end_block */
-    NULL,               /* check */
-    add_design,         /* design */
-    add_refused,        /* refuse */
-    NULL,               /* close */
-    0,                  /* layout_size */
-    0,                  /* is_by_angle */
-    0,                  /* is_brief */
-    NULL,               /* statistic */
-    NULL                /* yield */
-};
 
 /* ------------------------------------------------------------------------------------- results */
 

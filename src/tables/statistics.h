@@ -32,8 +32,9 @@ void statistics_close(statistics *x);
 /* 1 if a value meets a condition of the yield; NaN meets none. */
 int statistics_meets(const fourlink_value *condition, double value);
 
-/* A format that writes nothing and adds the designs of a sheet to s->statistics. */
-extern const sheet_format statistics_collector;
+/* Add a design to s->statistics: its outputs on a branch; on all branches, one that could not be computed. */
+void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *outputs);
+void statistics_refuse(sheet *s);
 
 /* Write them as a sheet of their own, which the caller has begun. */
 void statistics_write(sheet *s, fourlink_results *results, statistics *x);

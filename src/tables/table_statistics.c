@@ -23,7 +23,7 @@ static size_t width_of(const sheet *s)
 ** has all, and the line is longer. */
 static void put_number(sheet *s, double value)
 {
-    int all = s->problem.digits ? s->problem.digits : USUAL_DIGITS, digits = all;
+    int all = s->problem.digits, digits = all;
     char number[FORMAT_SIZE];
 
     format_general(value, digits, number);
