@@ -86,7 +86,7 @@ static void find_style(const sheet *s, const fourlink_value *c, style *x)
     if (x->exponent)
         width = strlen(format_exponent(-1, x->decimals, number));
     else
-        width = strlen(format_fixed(-x->size, x->decimals, number));
+        width = strlen(format_fixed(x->size > 0 ? -x->size : -1, x->decimals, number));
     if (strlen(c->name) > width)
         width = strlen(c->name);
     if (strlen(c->unit) > width)
