@@ -313,7 +313,7 @@ int fourlink_source_design(const fourlink_source *source, unsigned long max, dou
     if (!source || !source->text || !values)
         return FOURLINK_NULL;
     status = flk_deck_read(source, &d);
-    for (i = 0; i < d.sweep.n_variables && i < max; i++)
+    for (i = 0; status >= 0 && i < d.sweep.n_variables && i < max; i++)
         values[i] = d.sweep.variables[i].value;
     flk_deck_free(&d);
     return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
@@ -329,7 +329,7 @@ int fourlink_source_neighbours(const fourlink_source *source, unsigned long max,
     if (!source || !source->text || !low || !high)
         return FOURLINK_NULL;
     status = flk_deck_read(source, &d);
-    for (i = 0; i < d.sweep.n_variables && i < max; i++)
+    for (i = 0; status >= 0 && i < d.sweep.n_variables && i < max; i++)
         flk_deck_neighbours(&d, i, &low[i], &high[i]);
     flk_deck_free(&d);
     return status < 0 ? FOURLINK_NO_MEMORY : FOURLINK_OK;
