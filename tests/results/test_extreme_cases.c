@@ -49,6 +49,34 @@ TEST(test_corners)
     check(deck, FOURLINK_OPEN, "min(Fi2_dir)", 0, 1e-9);
 }
 
+/* The force in a massless coupler has its direction, also where that ends: at a dead position coupler and rocker are in
+** one line, from B to D. */
+TEST(test_direction_at_dead_position)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[crank]\nlength = 0.3\n[coupler]\nlength = 0.4\n[rocker]\n"
+        "length = 0.5\n[ground]\nlength = 0.75\n[load]\nlink = rocker\ntorque = 1 N m\n"
+        "[motion]\nspeed = 2 rad/s\nto = 150 deg\n";
+    double dead = acos((0.3 * 0.3 + 0.75 * 0.75 - 0.9 * 0.9) / (2 * 0.3 * 0.75));
+    double line = atan2(-0.3 * sin(dead), 0.75 - 0.3 * cos(dead)) * 180 / PI;
+
+    check(deck, FOURLINK_OPEN, "min(theta3)", line, 1e-9);
+    check(deck, FOURLINK_OPEN, "min(F34_dir)", line, 1e-9);
+    check(deck, FOURLINK_CROSSED, "max(F34_dir)", line + 180, 1e-9);
+}
+
+/* With a rod as long as the crank x = 2 a cos(theta2): at 90 deg the piston's acceleration turns over. */
+TEST(test_direction_of_vanishing_force)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[crank]\nlength = 50 mm\n[rod]\nlength = 50 mm\n"
+        "[piston]\nmass = 1 kg\n[motion]\nspeed = 10 rad/s\n";
+    fourlink_value v = extreme(deck, FOURLINK_OPEN, "max(Fi4_dir)");
+
+    assert_near(v.value, 180, 1e-9);
+    assert_near(v.angle, 90, 1e-9);
+}
+
 /* A constant column has its extremes at the first row, though rounding makes it vary. */
 TEST(test_constant)
 {
