@@ -82,9 +82,12 @@ static best best_of(const flk_limit_rows *e, values y, int order, flk_polynomial
 {
     flk_polynomial here;
     double value, error;
-    best b = {GSL_NAN, GSL_POSINF, 0, 0};
+    best b;
     int scale;
 
+    b.value = GSL_NAN;
+    b.error = GSL_POSINF;
+    b.size = b.reach = 0;
     for (scale = 0; scale < SCALES; scale++) {
         value = extrapolate(e, y, order, scale, &here, &error);
         if (error < b.error) {
