@@ -13,6 +13,8 @@ static int status_of(const char *contents, const char *name, fourlink_branch bra
     fourlink_results *r = opened(contents);
     int status = fourlink_results_value(r, name, branch, 0, v);
 
+    if (status == FOURLINK_OK)
+        assert_string_equal(v->name, name); /* as long as the results */
     fourlink_results_free(r);
     return status;
 }
@@ -27,7 +29,6 @@ static double value(const char *contents, const char *name, fourlink_branch bran
     status = status_of(contents, copy, branch, &v);
     if (status != FOURLINK_OK)
         fail_msg("%s: %s\n%s", name, fourlink_status_text(status), contents);
-    assert_string_equal(v.name, copy);
     assert_int_equal(v.has_angle, 0);
     assert_int_equal(v.branch, (int)branch);
     return v.value;
