@@ -25,7 +25,7 @@ typedef struct flk_bests {
 } bests;
 
 typedef struct search {
-    flk_samples x;
+    flk_samples samples;
     bests *bests; /* of each column */
 } search;
 
@@ -131,8 +131,10 @@ static void offer_samples(const sought *k, int which)
 
 #define NODES 9 /* of a polynomial through samples */
 #define AGREED \
-    1e-11 /* of the column's size: the row at the peak of the polynomial is what that says */
-#define EQUAL 1e-14 /* ... a search by rows ends */
+    1e-11 /* of the column's size: the row at the top of the polynomial is what that says, */
+#define FLAT \
+    3e-8 /* ... and of what three samples bend, so that the place of a flat peak is exact too */
+#define EQUAL 1e-14 /* of the column's size: a search by rows ends */
 
 /* The column, or its negative where its smallest value is sought. */
 static double peak_at(double s, void *data)
@@ -176,35 +178,44 @@ static void through(const sought *k, size_t i, flk_polynomial *of)
         flk_polynomial_add(of, k->x->s[from], signed_value(k->which, v[from]));
 }
 
-/* Take the top of a polynomial between two places, if the row there is better.  1 if it is what the polynomial says. */
-static int take_top(sought *k, flk_polynomial *of, double low, double high, flk_sample *best)
+/* The column's size; there it may pass near 0. */
+static double size_of(const sought *k, double there)
+{
+    return GSL_MAX_DBL(k->c->size, fabs(there));
+}
+
+/* Take the top of a polynomial between two places, if f is better there.  1 if it differs by at most `close` from what the
+** polynomial says. */
+static int take_top(flk_function *f, sought *k, flk_polynomial *of, double low, double high,
+                    double close, flk_sample *best)
 {
     flk_sample top;
     int agrees;
 
     if (!flk_polynomial_find_flat(of, low, high, &top.x))
         return 0;
-    top.value = peak_at(top.x, k);
-    agrees = fabs(top.value - flk_polynomial_value(of, top.x)) <= AGREED * fabs(top.value) &&
-             top.value >= best->value - EQUAL * fabs(top.value);
+    top.value = f(top.x, k);
+    agrees = fabs(top.value - flk_polynomial_value(of, top.x)) <= close &&
+             top.value >= best->value - EQUAL * size_of(k, top.value);
     if (agrees || top.value > best->value)
         *best = top;
     return agrees;
 }
 
-/* A peak is flat, so values give its place to the root of the rounding only; the slope of a polynomial through rows close
+/* A peak is flat, so values give its place to the root of the rounding only; the slope of a polynomial through values close
 ** about it is more exact. */
-static void sharpen(sought *k, const flk_sample at[3], flk_sample *best)
+static void sharpen(flk_function *f, sought *k, double low, double high, flk_sample *best)
 {
-    double step = (at[2].x - at[0].x) / 20, middle = best->x;
+    double middle = best->x;
+    double step = GSL_MIN_DBL((high - low) / 20, GSL_MIN_DBL(middle - low, high - middle) / 2);
     flk_polynomial of;
     int i;
 
-    if (middle - 2 * step < at[0].x || middle + 2 * step > at[2].x)
+    if (!(step > 0))
         return;
     for (of.n = 0, i = -2; i <= 2; i++)
-        flk_polynomial_add(&of, middle + i * step, i ? peak_at(middle + i * step, k) : best->value);
-    take_top(k, &of, middle - step, middle + step, best);
+        flk_polynomial_add(&of, middle + i * step, i ? f(middle + i * step, k) : best->value);
+    take_top(f, k, &of, middle - step, middle + step, EQUAL * size_of(k, best->value), best);
 }
 
 /* The peak between the neighbours of sample i. */
@@ -212,14 +223,17 @@ static flk_sample find_peak(sought *k, size_t i)
 {
     flk_polynomial of;
     flk_sample at[3];
+    double bend, close;
 
     at[0] = sample_of(k, i - 1);
     at[1] = sample_of(k, i);
     at[2] = sample_of(k, i + 1);
+    bend = 2 * at[1].value - at[0].value - at[2].value;
     through(k, i, &of);
-    if (!take_top(k, &of, at[0].x, at[2].x, &at[1])) {
+    close = GSL_MIN_DBL(AGREED * size_of(k, at[1].value), FLAT * bend);
+    if (!take_top(peak_at, k, &of, at[0].x, at[2].x, close, &at[1])) {
         at[1] = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
-        sharpen(k, at, &at[1]);
+        sharpen(peak_at, k, at[0].x, at[2].x, &at[1]);
     }
     return at[1];
 }
@@ -243,9 +257,11 @@ static flk_sample find_peak_at_end(sought *k, size_t i, size_t next)
     at[1].value = peak_beside_end(at[1].x, k);
     at[2].x = 1;
     at[2].value = sample_of(k, next).value;
-    top = at[1].value > at[0].value
-              ? flk_find_peak(peak_beside_end, k, at, EQUAL * fabs(at[1].value))
-              : at[0];
+    top = at[0];
+    if (at[1].value > at[0].value) {
+        top = flk_find_peak(peak_beside_end, k, at, EQUAL * fabs(at[1].value));
+        sharpen(peak_beside_end, k, at[0].x, at[2].x, &top);
+    }
     if (!(top.value > end.value))
         return end;
     top.x = parameter_beside_end(k, top.x);
@@ -437,14 +453,14 @@ static void end_piece(search *x)
 {
     size_t i;
 
-    for (i = 0; i < x->x.n_columns; i++) {
-        flk_sampled *c = &x->x.columns[i];
+    for (i = 0; i < x->samples.n_columns; i++) {
+        flk_sampled *c = &x->samples.columns[i];
 
-        if (!x->x.is_reached && c->of.turn > 0 && !c->is_of_crank) {
+        if (!x->samples.is_reached && c->of.turn > 0 && !c->is_of_crank) {
             commit(&x->bests[i], 0);
             c->of.last = GSL_NAN;
             c->of.restarts = 1;
-        } else if (x->x.f.a->crank_motion.actual) {
+        } else if (x->samples.f.a->crank_motion.actual) {
             commit(&x->bests[i], 0);
         }
     }
@@ -453,11 +469,11 @@ static void end_piece(search *x)
 /* An angle makes in each skipped period as many turns as in the first. */
 static void skip_turns(search *x)
 {
-    double periods = floor(x->x.f.skipped / x->x.f.motion.period + 0.5);
+    double periods = floor(x->samples.f.skipped / x->samples.f.motion.period + 0.5);
     size_t c;
 
-    for (c = 0; c < x->x.n_columns; c++) {
-        flk_followed *t = &x->x.columns[c].of;
+    for (c = 0; c < x->samples.n_columns; c++) {
+        flk_followed *t = &x->samples.columns[c].of;
 
         if (t->turn > 0 && !t->restarts && !gsl_isnan(t->first + t->last))
             t->last += flk_followed_turns(t, t->first, t->last) * periods;
@@ -476,11 +492,11 @@ static void move_constant(const search *x, const flk_followed *t, bests *b)
     if (!max->is_there || !min->is_there || !gsl_finite(max->value) ||
         !(max->value - min->value <= NOISE * fabs(max->value)))
         return;
-    flk_follow_row(&x->x.f, flk_column_need(t->c), 0, &row);
+    flk_follow_row(&x->samples.f, flk_column_need(t->c), 0, &row);
     value = flk_followed_nearest(t, flk_column_value(t->c, &row), max->value);
     if (row.at.status == FOURLINK_CHANGE_POINT ||
         fabs(value - max->value) <= NOISE * fabs(max->value))
-        max->angle = min->angle = x->x.f.from;
+        max->angle = min->angle = x->samples.f.from;
 }
 
 /* Of a difference of lengths, as a displacement, the least value is 0 but for rounding. */
@@ -490,7 +506,7 @@ static void give(const search *x, const flk_extreme *best, double size, flk_extr
 {
     extreme->is_there = best->is_there;
     extreme->value = fabs(best->value) <= ROUNDING * size ? 0 : best->value;
-    extreme->angle = flk_follow_crank(&x->x.f, best->angle);
+    extreme->angle = flk_follow_crank(&x->samples.f, best->angle);
 }
 
 /* The last row of a revolution is its first: after a gap angles are moved by whole turns to agree with it. */
@@ -498,13 +514,13 @@ static void finish(search *x, int has_gap, flk_extreme_pair *pairs)
 {
     size_t i;
 
-    for (i = 0; i < x->x.n_columns; i++) {
-        const flk_sampled *c = &x->x.columns[i];
+    for (i = 0; i < x->samples.n_columns; i++) {
+        const flk_sampled *c = &x->samples.columns[i];
         double first = c->of.first, last = c->of.last, shift = 0;
         bests *b = &x->bests[i];
 
-        if (has_gap && c->of.turn > 0 && flk_crank_motion_is_periodic(&x->x.f.a->crank_motion) &&
-            !gsl_isnan(first + last))
+        if (has_gap && c->of.turn > 0 &&
+            flk_crank_motion_is_periodic(&x->samples.f.a->crank_motion) && !gsl_isnan(first + last))
             shift = flk_followed_turns(&c->of, last, first);
         commit(b, shift);
         move_constant(x, &c->of, b);
@@ -518,10 +534,10 @@ static void start(search *x, const flk_extremes *e, flk_analysis *a, fourlink_br
 {
     size_t i;
 
-    flk_samples_begin(&x->x, &e->room, a, branch);
+    flk_samples_begin(&x->samples, &e->room, a, branch);
     x->bests = e->bests;
     for (i = 0; i < n; i++) {
-        flk_samples_add(&x->x, &pairs[i].c);
+        flk_samples_add(&x->samples, &pairs[i].c);
         memset(&x->bests[i], 0, sizeof x->bests[i]);
         x->bests[i].close = a->crank_motion.actual ? CLOSE_TURNS : CLOSE;
     }
@@ -529,7 +545,7 @@ static void start(search *x, const flk_extremes *e, flk_analysis *a, fourlink_br
 
 static void search_motion(search *x, flk_extreme_pair *pairs)
 {
-    flk_samples *s = &x->x;
+    flk_samples *s = &x->samples;
     int has_gap = 0;
     size_t i;
 
@@ -559,7 +575,7 @@ static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
         a->is_fast = 1;
         search_motion(&x, pairs);
         a->is_fast = 0;
-        status = flk_follow_is_over(&x.x.f) ? FOURLINK_LONG_SEARCH : FOURLINK_OK;
+        status = flk_follow_is_over(&x.samples.f) ? FOURLINK_LONG_SEARCH : FOURLINK_OK;
     }
     for (i = 0; i < n; i++) {
         pairs[i].status = status;

@@ -76,15 +76,21 @@ double flk_follow_corner(const flk_follower *f, double s)
                      : f->piece.to - length * gsl_pow_2(sin(M_PI_2 * (1 - s)));
 }
 
-double flk_follow_passed(const flk_follower *f, double s)
+double flk_follow_inside(const flk_follower *f, double s)
 {
     double inside = GSL_MIN_DBL(INSIDE, (f->piece.to - f->piece.from) / 4);
 
-    if (s <= 0 && f->piece.from > 0)
-        return f->piece.from + inside;
-    if (s >= 1 && f->piece.to < f->motion.length)
-        return f->piece.to - inside;
-    return flk_follow_corner(f, s);
+    return s <= 0   ? f->piece.from + inside
+           : s >= 1 ? f->piece.to - inside
+                    : flk_follow_corner(f, s);
+}
+
+double flk_follow_passed(const flk_follower *f, double s)
+{
+    int is_end_of_motion =
+        (s <= 0 && f->piece.from <= 0) || (s >= 1 && f->piece.to >= f->motion.length);
+
+    return is_end_of_motion ? flk_follow_corner(f, s) : flk_follow_inside(f, s);
 }
 
 double flk_follow_rate(const flk_follower *f, double s)

@@ -43,8 +43,9 @@ int flk_follow_has_limit(flk_piece_end end);
 double flk_follow_passed(const flk_follower *f, double s);
 double flk_follow_rate(const flk_follower *f, double s);
 
-/* The same at the end itself. */
+/* The same at the end itself; just inside any end. */
 double flk_follow_corner(const flk_follower *f, double s);
+double flk_follow_inside(const flk_follower *f, double s);
 
 /* The crank angle after such a part of the motion, in the deck's unit; of rows by time the time.  The crank angle there. */
 double flk_follow_angle(const flk_follower *f, double passed);

@@ -126,19 +126,17 @@ double flk_samples_angle(const flk_samples *x, const flk_sampled *c, double s)
 /* -------------------------------------------------------------------------------------------- samples */
 
 /* At an end of the piece the row there counts; where a load jumps, that just inside. */
-#define INSIDE 5e-11 /* rad */
-#define AGREES 1e-6  /* of the column's size */
+#define AGREES 1e-6 /* of the column's size */
 
 static void take_end(const flk_samples *x, double s, size_t i)
 {
     flk_piece_end end = s <= 0 ? x->f.piece.begin : x->f.piece.end;
-    double corner = flk_follow_corner(&x->f, s), length = x->f.piece.to - x->f.piece.from;
-    double inside = GSL_MIN_DBL(INSIDE, length / 4);
+    double corner = flk_follow_corner(&x->f, s);
     flk_row at, beside;
     size_t k;
 
     flk_follow_row(&x->f, x->needs, corner, &at);
-    flk_follow_row(&x->f, x->needs, s <= 0 ? corner + inside : corner - inside, &beside);
+    flk_follow_row(&x->f, x->needs, flk_follow_inside(&x->f, s), &beside);
     for (k = 0; k < x->n_columns; k++) {
         flk_sampled *c = &x->columns[k];
         double here = value_of(x, c, s, corner, &at), there = value_of(x, c, s, corner, &beside);
@@ -147,7 +145,7 @@ static void take_end(const flk_samples *x, double s, size_t i)
                     fabs(flk_followed_nearest(&c->of, here, there) - there) > AGREES * size;
 
         c->is_inside[s >= 1] = (jumps || gsl_isnan(here)) && !gsl_finite(c->of.bound);
-        c->v[i] = c->is_inside[s >= 1] ? there : here;
+        c->v[i] = c->is_inside[s >= 1] ? flk_followed_nearest(&c->of, there, here) : here;
         c->corner[s >= 1] = c->is_inside[s >= 1] ? here : there;
     }
 }

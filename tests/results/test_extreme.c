@@ -76,7 +76,7 @@ static void check_extremes(const char *contents, const own_entry *columns, const
                 }
                 if (((what & VALUES) && !(fabs(e.value - turn - (double)p.value) <=
                                           1e-9 * fabs((double)p.value) + 1e-15)) ||
-                    ((what & ANGLES) && !(nearest <= 1e-5)))
+                    ((what & ANGLES) && !(nearest <= 1e-6)))
                     fail_msg("%s, %s = %.17g at %.17g deg, expected %.17g at %.17g\n%s", e.name,
                              fourlink_branch_text((int)branches[k]), e.value, e.angle,
                              (double)p.value, (double)(p.theta2[0] * 180 / PIL), contents);
@@ -156,7 +156,7 @@ TEST(test_extremes_of_a_drag_link)
 
 static void check_at(double angle, double expected, double turn)
 {
-    assert_near(turned(angle - expected, turn), 0, 1e-5);
+    assert_near(turned(angle - expected, turn), 0, 1e-6);
 }
 
 /* A rocker that swings to and fro between two dead positions of the crank, through 180 deg: its angle goes
