@@ -73,7 +73,8 @@ module fourlink
     fourlink_bad_friction = 46, &
     fourlink_bad_spring = 47, &
     fourlink_bad_balance = 48, &
-    fourlink_bad_motor = 49, fourlink_constant = 50
+    fourlink_bad_motor = 49, fourlink_constant = 50, &
+    fourlink_not_a_number = 51
 
   ! Types of linkages.
   integer(c_int), parameter :: &
@@ -787,19 +788,30 @@ module fourlink
       integer(c_long), intent(inout) :: n_mistakes
     end function fourlink_results_design
 
-    integer(c_int) function fourlink_source_design(source, max, values) bind(c)
+    integer(c_int) function fourlink_results_variables(results, design, max, values, low, high) bind(c)
       import
-      type(fourlink_source), intent(in) :: source
-      integer(c_long), value :: max
+      type(c_ptr), value :: results
+      integer(c_long), value :: design, max
       real(c_double), intent(inout) :: values(*)
-    end function fourlink_source_design
-
-    integer(c_int) function fourlink_source_neighbours(source, max, low, high) bind(c)
-      import
-      type(fourlink_source), intent(in) :: source
-      integer(c_long), value :: max
       real(c_double), intent(inout) :: low(*), high(*)
-    end function fourlink_source_neighbours
+    end function fourlink_results_variables
+
+    integer(c_int) function fourlink_results_set(results, name, value, mistake) bind(c)
+      import
+      type(c_ptr), value :: results
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), value :: value
+      type(fourlink_mistake), intent(inout) :: mistake
+    end function fourlink_results_set
+
+    integer(c_int) function fourlink_results_put(results, n, handles, values, mistake) bind(c)
+      import
+      type(c_ptr), value :: results
+      integer(c_long), value :: n
+      integer(c_int), intent(in) :: handles(*)
+      real(c_double), intent(in) :: values(*)
+      type(fourlink_mistake), intent(inout) :: mistake
+    end function fourlink_results_put
 
     subroutine fourlink_results_free(results) bind(c)
       import

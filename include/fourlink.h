@@ -110,7 +110,8 @@ extern "C" {
     X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")                  \
     X(FOURLINK_BAD_MOTOR, 49,                                                                     \
       "a motor has no such kind, no ratio, or a curve whose speeds do not rise")                  \
-    X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")
+    X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")     \
+    X(FOURLINK_NOT_A_NUMBER, 51, "the input is words, a list or a curve")
 
 #define FOURLINK_STATUS_CODE_(name, value, text) name = value,
 typedef enum fourlink_status {
@@ -1590,32 +1591,63 @@ FOURLINK_API int fourlink_results_design(const fourlink_results *from, unsigned 
                                          unsigned long max_mistakes, fourlink_results **results,
                                          fourlink_mistake *mistakes, unsigned long *n_mistakes);
 
-/* The values of the quantities that a sweep varies in a design, even if that design has mistakes.
+/* The values of the quantities that a sweep varies, in any design, and in its neighbours on the grid.
 **
 ** Given:
-**    source     the deck, with the design's number
-**    max        size of `values`
+**    results    of the deck, or of a design
+**    design     its number, from 0; it may have mistakes
+**    max        size of `values`, `low` and `high`
 ** Returned:
 **    values     of the list FOURLINK_VARIABLES, in the deck's units
+**    low, high  the values before and after them in their ranges; the same value at an end of a range, and for
+**               a list.  May be null
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+**    FOURLINK_OK; FOURLINK_BAD_NUMBER if there is no such design, FOURLINK_NULL
 */
-FOURLINK_API int fourlink_source_design(const fourlink_source *source, unsigned long max,
-                                        double *values);
+FOURLINK_API int fourlink_results_variables(const fourlink_results *results, unsigned long design,
+                                            unsigned long max, double *values, double *low,
+                                            double *high);
 
-/* The neighbours of a design on the grid of its sweep.
+/* Set a number of the deck.  All results are then those of the deck with this value; its text is not read
+** again.
 **
 ** Given:
-**    source     the deck, with the design's number
-**    max        size of `low` and of `high`
+**    results    from fourlink_results_open or fourlink_results_design
+**    name       of a number, such as crank.length or "load L.force.size": SECTION[ NAME].KEY, for a force or
+**               a point with .x, .y, .size or .angle; its section must be in the deck
+**    value      in the unit of that name in FOURLINK_INPUTS, which fourlink_results_find gives too: the
+**               deck's, SI without [units]
 ** Returned:
-**    low, high  for each of the list FOURLINK_VARIABLES, in the deck's units: the values before and after it
-**               in its range; its own value at an end of the range, and for a list
+**    mistake    if the deck has a mistake with this value, the first one; may be null
 ** Returned (function value):
-**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_NO_MEMORY
+**    FOURLINK_OK, FOURLINK_BAD_DECK; FOURLINK_NO_SUCH_NAME, FOURLINK_NOT_A_NUMBER, FOURLINK_BAD_NUMBER,
+**    FOURLINK_NULL, FOURLINK_NO_MEMORY
+** Notes:
+** 1) What depends on the number follows it: uniform links, points given in per cent, counterweights.
+** 2) Unless the status is FOURLINK_OK, the results stay as they were.
+** 3) Numbers set before keep their values.
+** 4) Lists, texts, facts and the deck got from the results before are no longer valid.  Handles are.
+** 5) fourlink_results_notes gives only notes on the design that is built, not notes on the text.
+** 6) fourlink_deck_write writes the deck with the numbers set.
 */
-FOURLINK_API int fourlink_source_neighbours(const fourlink_source *source, unsigned long max,
-                                            double *low, double *high);
+FOURLINK_API int fourlink_results_set(fourlink_results *results, const char *name, double value,
+                                      fourlink_mistake *mistake);
+
+/* Set several numbers at once, by their handles: in one step, so that no deck with only some of them is built.
+**
+** Given:
+**    results    as for fourlink_results_set
+**    n          how many
+**    handles    of the numbers, from fourlink_results_find
+**    values     in the units that fourlink_results_find gives
+** Returned:
+**    mistake    as from fourlink_results_set
+** Returned (function value):
+**    as from fourlink_results_set
+*/
+FOURLINK_API int fourlink_results_put(fourlink_results *results, unsigned long n,
+                                      const int *handles, const double *values,
+                                      fourlink_mistake *mistake);
 
 /* Free results; null is allowed. */
 FOURLINK_API void fourlink_results_free(fourlink_results *results);

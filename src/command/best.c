@@ -14,6 +14,7 @@
 #include <gsl/gsl_multimin.h>
 
 #include "base/message.h"
+#include "base/number.h"
 #include "base/system.h"
 #include "best.h"
 #include "command.h"
@@ -30,18 +31,16 @@ typedef struct search {
     const char *name; /* of what is sought */
     double sign;      /* 1: the smallest, -1: the largest */
     const fourlink_value *conditions, *variables;
-    unsigned long n_conditions, n;
-    double *low, *high, *values, *best; /* by variable, in the deck's units */
-    unsigned long n_free;               /* variables with neighbours */
-    fourlink_source source;   /* the deck without its sweep, with the changes of the command line */
-    fourlink_change *changes; /* one for each variable */
-    char *texts;              /* of these, ASSIGNMENT bytes each */
+    unsigned long n_conditions, n; /* values of variables are in the deck's units */
+    double *best, *low, *high;     /* the best design of the grid, and its neighbours */
+    fourlink_results *trial;       /* the best design, in which values between these are set */
+    int *handles;                  /* of the variables that have neighbours: the free ones */
+    unsigned long n_free;
+    double *values, *refined; /* of the free ones, tried and best so far */
     double found;             /* the smallest sign * value so far */
     fourlink_branch branch;   /* on which it is */
     int out_of_memory;
 } search;
-
-#define ASSIGNMENT 200
 
 static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, double from)
 {
@@ -58,18 +57,14 @@ static int is_met(const search *s, fourlink_results *r, fourlink_branch branch, 
     return 1;
 }
 
-/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield.
-** Its results are freed. */
-static double value_of(search *s, int status, fourlink_results *r, fourlink_branch *branch)
+/* The smallest sign * value of a design on its branches; WORST if it has none, or does not meet the yield. */
+static double value_of(const search *s, fourlink_results *r, fourlink_branch *branch)
 {
     fourlink_problem problem;
     fourlink_value v;
     double least = WORST;
     int i;
 
-    s->out_of_memory |= status == FOURLINK_NO_MEMORY;
-    if (status != FOURLINK_OK)
-        return WORST;
     fourlink_deck_problem(fourlink_results_deck(r), &problem);
     for (i = FOURLINK_OPEN; i >= FOURLINK_CROSSED; i -= 2) {
         fourlink_branch b = (fourlink_branch)i;
@@ -82,7 +77,6 @@ static double value_of(search *s, int status, fourlink_results *r, fourlink_bran
         least = s->sign * v.value;
         *branch = b;
     }
-    fourlink_results_free(r);
     return least;
 }
 
@@ -91,7 +85,6 @@ static double value_of(search *s, int status, fourlink_results *r, fourlink_bran
 /* Find the best design of the grid; 0 if none is allowed. */
 static int search_grid(search *s, FILE *out)
 {
-    fourlink_source source = s->in->source;
     unsigned long best = 0, n = s->in->problem.n_designs, i;
     fourlink_branch branch = FOURLINK_OPEN;
     progress p;
@@ -101,8 +94,10 @@ static int search_grid(search *s, FILE *out)
     for (i = 0; i < n && !s->out_of_memory && !system_caught(); i++) {
         fourlink_results *r = NULL;
         int status = fourlink_results_design(s->in->results, i, 0, &r, NULL, NULL);
-        double value = value_of(s, status, r, &branch);
+        double value = status == FOURLINK_OK ? value_of(s, r, &branch) : WORST;
 
+        s->out_of_memory |= status == FOURLINK_NO_MEMORY;
+        fourlink_results_free(r);
         progress_tell(&p, i + 1, n);
         if (!(value < s->found))
             continue;
@@ -111,80 +106,61 @@ static int search_grid(search *s, FILE *out)
         best = i;
     }
     progress_end(&p);
-    source.design = best;
-    if (fourlink_source_design(&source, s->n, s->best) != FOURLINK_OK ||
-        fourlink_source_neighbours(&source, s->n, s->low, s->high) != FOURLINK_OK)
-        s->out_of_memory = 1;
+    if (!(s->found < WORST) || s->out_of_memory)
+        return 0;
+    fourlink_results_variables(s->in->results, best, s->n, s->best, s->low, s->high);
+    s->out_of_memory =
+        fourlink_results_design(s->in->results, best, 0, &s->trial, NULL, NULL) != FOURLINK_OK;
     for (i = 0; i < s->n; i++)
-        s->n_free += s->low[i] < s->high[i] || s->high[i] < s->low[i];
-    return s->found < WORST && !s->out_of_memory;
+        if (s->low[i] != s->high[i])
+            s->handles[s->n_free++] = s->variables[i].handle;
+    return !s->out_of_memory;
 }
 
 /* ------------------------------------------------------------------------------- between neighbours */
 
-/* The values of the free variables at a point whose coordinates go from 0 to 1 between the neighbours. */
-static void set_values(search *s, const gsl_vector *x)
+/* A number with the digits that the deck will have. */
+static double rounded(double x)
 {
+    char digits[FORMAT_SIZE];
+    text t = flk_text_of(format_general(x, DIGITS, digits));
+
+    flk_number_read(&t, &x);
+    return x;
+}
+
+/* Set the free variables of the trial; 0 if these values are no design. */
+static int set_values(search *s, const double *values)
+{
+    int status = fourlink_results_put(s->trial, s->n_free, s->handles, values, NULL);
+
+    s->out_of_memory |= status == FOURLINK_NO_MEMORY;
+    return status == FOURLINK_OK;
+}
+
+/* The value at a point whose coordinates go from 0 to 1 between the neighbours. */
+static double value_at(const gsl_vector *x, void *data)
+{
+    search *s = data;
+    fourlink_branch branch;
     unsigned long i;
     size_t k = 0;
+    double value;
 
     for (i = 0; i < s->n; i++) {
         double share;
 
-        s->values[i] = s->best[i];
         if (s->low[i] == s->high[i])
             continue;
-        share = gsl_vector_get(x, k++);
+        share = gsl_vector_get(x, k);
         share = share < 0 ? 0 : share > 1 ? 1 : share;
-        s->values[i] = s->low[i] + share * (s->high[i] - s->low[i]);
+        s->values[k++] = rounded(s->low[i] + share * (s->high[i] - s->low[i]));
     }
-}
-
-/* VALUE UNIT with the digits of the deck. */
-static char *value_text(double value, int digits, const char *unit_name, char *out, size_t size)
-{
-    char number[FORMAT_SIZE];
-    int is_plain = strcmp(unit_name, "1") == 0;
-
-    return flk_text_join(out, size, format_general(value, digits, number), is_plain ? "" : " ",
-                         is_plain ? "" : unit_name, (char *)NULL);
-}
-
-/* A value of the grid keeps its digits. */
-static int digits_of(const search *s, unsigned long i)
-{
-    return s->low[i] == s->high[i] ? 15 : DIGITS;
-}
-
-/* Make the changes that set the variables. */
-static void set_changes(search *s)
-{
-    char value[ASSIGNMENT];
-    unsigned long i;
-
-    for (i = 0; i < s->n; i++)
-        flk_text_join(
-            s->texts + ASSIGNMENT * i, ASSIGNMENT, s->variables[i].name, "=",
-            value_text(s->values[i], digits_of(s, i), s->variables[i].unit, value, sizeof value),
-            (char *)NULL);
-}
-
-static double value_at(const gsl_vector *x, void *data)
-{
-    search *s = data;
-    fourlink_results *r = NULL;
-    fourlink_branch branch;
-    double value;
-    int status;
-
-    set_values(s, x);
-    set_changes(s);
-    status = fourlink_results_open(&s->source, 0, &r, NULL, NULL);
-    value = value_of(s, status, r, &branch);
+    value = set_values(s, s->values) ? value_of(s, s->trial, &branch) : WORST;
     if (value < s->found) {
         s->found = value;
         s->branch = branch;
-        memcpy(s->low + 2 * s->n, s->values, s->n * sizeof *s->values);
+        memcpy(s->refined, s->values, s->n_free * sizeof *s->values);
     }
     return value;
 }
@@ -194,7 +170,6 @@ static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vect
                     gsl_vector *steps)
 {
     gsl_multimin_function f;
-    const double *best = s->low + 2 * s->n;
     unsigned long i;
     size_t k = 0;
     int step;
@@ -204,7 +179,7 @@ static void iterate(search *s, double size, gsl_multimin_fminimizer *m, gsl_vect
 
         if (s->low[i] == s->high[i])
             continue;
-        share = (best[i] - s->low[i]) / (s->high[i] - s->low[i]);
+        share = (s->refined[k] - s->low[i]) / (s->high[i] - s->low[i]);
         gsl_vector_set(x, k, share);
         gsl_vector_set(steps, k++, share > 0.5 ? -size : size);
     }
@@ -236,35 +211,25 @@ static void go_down(search *s, double size)
     gsl_set_error_handler(handler);
 }
 
-/* A second simplex goes on where the first has become flat. */
+/* Refine the free variables; a second simplex goes on where the first has become flat. */
 static void refine(search *s)
 {
-    double *best = s->low + 2 * s->n;
+    double on_grid = s->found;
+    unsigned long i;
+    size_t k = 0;
 
-    memcpy(best, s->best, s->n * sizeof *best);
-    if (s->n_free) {
-        go_down(s, 0.3);
-        go_down(s, 0.05);
-    }
-    memcpy(s->best, best, s->n * sizeof *best);
-    memcpy(s->values, best, s->n * sizeof *best);
-    set_changes(s);
+    for (i = 0; i < s->n; i++)
+        if (s->low[i] != s->high[i])
+            s->refined[k++] = s->best[i];
+    if (!k)
+        return;
+    go_down(s, 0.3);
+    go_down(s, 0.05);
+    if (s->found < on_grid)
+        set_values(s, s->refined);
 }
 
 /* ------------------------------------------------------------------------------------------ the deck */
-
-/* The text of a deck with its values as they are, without [sweep]: memory to free, or null. */
-static char *text_of(const fourlink_results *r, unsigned long *length)
-{
-    const fourlink_deck *deck = fourlink_results_deck(r);
-    char *contents;
-
-    fourlink_deck_write(deck, NULL, 0, length);
-    contents = malloc(*length + 1);
-    if (contents)
-        fourlink_deck_write(deck, contents, *length + 1, length);
-    return contents;
-}
 
 /* Write a deck in lines that end in LF. */
 static void write_deck(FILE *out, const char *contents, unsigned long length)
@@ -285,25 +250,19 @@ static void write_deck(FILE *out, const char *contents, unsigned long length)
 
 static int write_result(FILE *out, const search *s)
 {
-    fourlink_results *r = NULL;
-    fourlink_mistake mistake;
     fourlink_value v;
-    char value[ASSIGNMENT], *deck = NULL;
+    char number[FORMAT_SIZE], *deck = NULL;
     unsigned long length;
 
-    if (fourlink_results_open(&s->source, 1, &r, &mistake, NULL) != FOURLINK_OK ||
-        fourlink_results_value(r, s->name, s->branch, 0, &v) != FOURLINK_OK ||
-        (deck = text_of(r, &length)) == NULL) {
-        fourlink_results_free(r);
+    if (fourlink_results_value(s->trial, s->name, s->branch, 0, &v) != FOURLINK_OK ||
+        (deck = input_deck_text(s->trial, &length)) == NULL)
         return command_complain("cannot analyse", s->in->name, "not enough memory");
-    }
-    fprintf(out, "# The best design of %s: %s %s = %s, %s branch.\n", s->in->name,
-            s->sign > 0 ? "min" : "max", s->name,
-            value_text(v.value, 6, v.unit, value, sizeof value),
+    fprintf(out, "# The best design of %s: %s %s = %s%s%s, %s branch.\n", s->in->name,
+            s->sign > 0 ? "min" : "max", s->name, format_general(v.value, 6, number),
+            strcmp(v.unit, "1") ? " " : "", strcmp(v.unit, "1") ? v.unit : "",
             fourlink_branch_text((int)s->branch));
     write_deck(out, deck, length);
     free(deck);
-    fourlink_results_free(r);
     return 0;
 }
 
@@ -312,40 +271,28 @@ static int write_result(FILE *out, const search *s)
 /* Returns 0 if out of memory. */
 static int open_search(search *s, const input *in)
 {
-    unsigned long i;
-
     memset(s, 0, sizeof *s);
     s->in = in;
     s->sign = in->o->best_is_largest ? -1 : 1;
     s->name = in->o->best;
     fourlink_results_list(in->results, FOURLINK_CONDITIONS, &s->conditions, &s->n_conditions);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n);
-    s->low = calloc(5 * s->n, sizeof *s->low); /* low, high, best of all, values, best */
-    s->changes = calloc(s->n, sizeof *s->changes);
-    s->texts = calloc(s->n, ASSIGNMENT);
-    s->source = in->source;
-    s->source.text = text_of(in->results, &s->source.length);
-    if (!s->low || !s->changes || !s->texts || !s->source.text)
+    s->best = calloc(5 * s->n, sizeof *s->best);
+    s->handles = calloc(s->n, sizeof *s->handles);
+    if (!s->best || !s->handles)
         return 0;
+    s->low = s->best + s->n;
     s->high = s->low + s->n;
-    s->values = s->low + 3 * s->n;
-    s->best = s->low + 4 * s->n;
-    for (i = 0; i < s->n; i++) {
-        s->changes[i].origin = "--best";
-        s->changes[i].assignment = s->texts + ASSIGNMENT * i;
-    }
-    s->source.changes = s->changes;
-    s->source.n_changes = s->n;
-    s->source.design = 0;
+    s->values = s->high + s->n;
+    s->refined = s->values + s->n;
     return 1;
 }
 
 static void close_search(search *s)
 {
-    free(s->low);
-    free(s->changes);
-    free(s->texts);
-    free((void *)s->source.text);
+    fourlink_results_free(s->trial);
+    free(s->best);
+    free(s->handles);
 }
 
 /* Search, and write the design that was found; returns the exit status. */

@@ -25,23 +25,13 @@ static unsigned long end_of_part(unsigned long designs, unsigned long k, unsigne
 /* Write one design; 0 if out of memory. */
 static int write_design(sheet *s, const input *in, unsigned long i, double *varied)
 {
-    fourlink_source source = in->source;
     fourlink_results *results = NULL;
-    const fourlink_value *list;
     fourlink_mistake mistake;
-    unsigned long n, k;
-    int status;
+    int status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
 
-    source.design = i;
-    status = fourlink_results_design(in->results, i, 1, &results, &mistake, NULL);
-    if (status == FOURLINK_OK) {
-        fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n);
-        for (k = 0; k < n; k++)
-            varied[k] = list[k].value;
-    } else if (status != FOURLINK_BAD_DECK ||
-               fourlink_source_design(&source, s->n_variables, varied) != FOURLINK_OK) {
+    if (status != FOURLINK_OK && status != FOURLINK_BAD_DECK)
         return 0;
-    }
+    fourlink_results_variables(in->results, i, s->n_variables, varied, NULL, NULL);
     content_write_design(s, results, in->results, i, varied, mistake.message);
     fourlink_results_free(results);
     return !s->out_of_memory;

@@ -105,6 +105,8 @@ int flk_curve_text_read(parser *p, setting *s, quantity q)
     double number;
     point *c;
 
+    if (s->is_number)
+        return flk_values_piece(p, s, rest, q, &s->si[0]);
     if (flk_curve_text_file(rest, &item))
         return flk_card_read(p, s, q, item) && note_unit(p, s, q);
     if (flk_number_read(&item, &number) == NUMBER_COMMA) /* 0,5 N m */

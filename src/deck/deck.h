@@ -60,9 +60,15 @@ typedef struct deck_expectation {
 typedef struct deck_variable {
     text name; /* crank.length */
     quantity q;
-    unsigned long index; /* index of its value in this design, in its range or list */
-    double value;        /* in the deck's unit */
+    double value;         /* in the deck's unit */
+    unsigned long number; /* as from flk_number_find */
 } deck_variable;
+
+/* A number of the deck that a host sets. */
+typedef struct deck_number {
+    unsigned long id; /* from flk_number_find */
+    double value;     /* in the deck's unit */
+} deck_number;
 
 /* [sweep]; a deck without one has no variables. */
 typedef struct deck_sweep {
@@ -143,22 +149,35 @@ struct fourlink_deck {
 */
 int flk_deck_read(const fourlink_source *source, deck *d);
 
-/* Build another design of a deck's [sweep] from its settings, without its text.
+/* Build another design of a deck from its settings, without its text.
 **
 ** Given:
 **    from        from flk_deck_read or flk_deck_design; must outlive `d`
-**    design      below d->sweep.n_designs
+**    design      below from->sweep.n_designs; 0 for a deck without [sweep]
+**    set         numbers that differ from those of this design
+**    n_set       how many
 ** Returned:
 **    d           the deck, for flk_deck_free, even if it has mistakes; its notes are only those on what is
 **                built
 ** Returned (function value):
 **    as from flk_deck_read; 0 if the text itself has mistakes
 */
-int flk_deck_design(const deck *from, unsigned long design, deck *d);
+int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
+                    deck *d);
 
-/* The values before and after that of variable i in its range, in the deck's unit; its own value at an end of
-** the range, and for a list. */
-void flk_deck_neighbours(deck *d, size_t i, double *low, double *high);
+/* The first `max` values of a design's variables, in the deck's unit; the values before and after them in their
+** ranges, or the same value at an end of a range, and for a list.  `low` and `high` may be null. */
+void flk_deck_variables(const deck *d, unsigned long design, size_t max, double *values,
+                        double *low, double *high);
+
+/* The number of a deck with this name, crank.length or load L.force.size: the same for all its designs; 0 if
+** there is no such key, or no such section in the deck. */
+unsigned long flk_number_find(const deck *d, text name);
+
+/* The quantity and the last word of the name of a number; its value in the deck's unit, NaN if it is not given.
+** 0 if it is not a number: words, a list, a curve. */
+int flk_number_describe(const deck *d, unsigned long id, quantity *q, const char **key,
+                        double *value);
 
 /* Copy the first `max` mistakes or notes of a deck, and their number, for the caller. */
 void flk_deck_give_mistakes(const mistakes *m, unsigned long max, fourlink_mistake *list,

@@ -137,14 +137,16 @@ static parser *read_text(deck *d, const fourlink_source *source, int is_answers)
     return p->out_of_memory ? NULL : p;
 }
 
-/* Build what a text describes; for a deck with [sweep], one of its designs.  Returns the same as
-** flk_deck_read. */
-static int build_from(deck *d, parser *p, unsigned long design)
+/* Build what a text describes; for a deck with [sweep], one of its designs, with numbers set.  Returns the same
+** as flk_deck_read. */
+static int build_from(deck *d, parser *p, unsigned long design, const deck_number *set,
+                      size_t n_set)
 {
     if (!p)
         return -1;
     if (d->sweep.n_designs && !p->is_answers)
         flk_sweep_assign(p, design);
+    flk_numbers_assign(p, set, n_set);
     if (!p->out_of_memory)
         flk_values_read(p, 0);
     if (!p->out_of_memory && p->is_answers)
@@ -164,11 +166,11 @@ int flk_deck_read(const fourlink_source *source, deck *d)
 
     flk_deck_start(d);
     d->settings = read_text(d, source, 0);
-    status = build_from(d, d->settings, source->design);
+    status = build_from(d, d->settings, source->design, NULL, 0);
     if (!source->answers || status != 1)
         return status;
     d->answers = read_text(d, source, 1);
-    return build_from(d, d->answers, 0);
+    return build_from(d, d->answers, 0, NULL, 0);
 }
 
 /* Share the settings of another deck, for each section until one of its settings is changed.  Null if out of
@@ -193,7 +195,8 @@ static parser *share(deck *d, const parser *from)
     return p;
 }
 
-int flk_deck_design(const deck *from, unsigned long design, deck *d)
+int flk_deck_design(const deck *from, unsigned long design, const deck_number *set, size_t n_set,
+                    deck *d)
 {
     int status;
 
@@ -203,9 +206,9 @@ int flk_deck_design(const deck *from, unsigned long design, deck *d)
     memcpy(d->units, from->units, sizeof d->units);
     d->sweep = from->sweep;
     d->settings = share(d, from->settings);
-    status = build_from(d, d->settings, design);
+    status = build_from(d, d->settings, design, set, n_set);
     if (!from->answers || status != 1)
         return status;
     d->answers = share(d, from->answers);
-    return build_from(d, d->answers, 0);
+    return build_from(d, d->answers, 0, NULL, 0);
 }

@@ -29,6 +29,7 @@ typedef struct setting {
     double si[2];   /* the value in SI units and radians, or the two components */
     int of_length;  /* 1: a point given as a fraction of its link's length */
     int is_bare;    /* 1: a force without a direction */
+    int is_number;  /* 1: `number` and `unit` are set, and not read from `value` */
     int is_read;    /* 1: the members that follow from `value` have been read */
     int is_pending; /* 1: a design of the [sweep] sets it, but none has yet */
     int word;
@@ -129,7 +130,7 @@ text_place flk_reader_end(const parser *p);
 
 /* The section of the deck with this name (case matters), or the first if `name` is null; null if there is
 ** none. */
-section_use *flk_section_find(parser *p, section_code section, const text *name);
+section_use *flk_section_find(const parser *p, section_code section, const text *name);
 
 /* Split "section NAME"; the name may be empty. */
 void flk_section_split(text *section, text *name);
@@ -166,9 +167,29 @@ void flk_setting_read(parser *p, text_place place, const section_use *use, text 
 ** section if the deck does not have it. */
 int flk_setting_target(parser *p, text_place place, text key, target *t);
 
-/* Set a target from outside its section: by a design of a sweep, or by a change of the source. */
-void flk_setting_vary(parser *p, text_place place, const target *t, text value);
+/* The same without mistakes and for the sections that the deck has. */
+int flk_setting_look(const parser *p, text key, target *t);
+
+/* Set a target from outside its section: a number, with its text, by a design of a sweep or by a host; or by a
+** change of the source. */
+void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,
+                      text value);
 void flk_setting_assign(parser *p, text_place place, text key, text value);
+
+/* A number and its unit as text. */
+text flk_setting_text(parser *p, double number, text unit_name);
+
+/* 1 if a target is a quantity, or a part of one, whatever it has been given. */
+int flk_target_is_number(const target *t);
+
+/* Its number, as from flk_number_find. */
+unsigned long flk_target_number(const target *t);
+
+/* The quantity of a target that is a number. */
+quantity flk_target_quantity(const parser *p, const target *t);
+
+/* Set the numbers of a host. */
+void flk_numbers_assign(parser *p, const deck_number *set, size_t n);
 
 /* A line up to its comment, which starts with # or ; at the start of the line or after a blank, outside
 ** quotes. */

@@ -51,7 +51,7 @@ static int same_name(text x, text y)
     return x.length == y.length && memcmp(x.start, y.start, x.length) == 0;
 }
 
-section_use *flk_section_find(parser *p, section_code section, const text *name)
+section_use *flk_section_find(const parser *p, section_code section, const text *name)
 {
     size_t i;
 
@@ -234,18 +234,22 @@ static int grow_named(parser *p)
 }
 
 /* Set a name in a section that takes names. */
-static int set_named(parser *p, text_place place, const target *t, text value, value_giver giver)
+static void set_named(parser *p, text_place place, const target *t, text value, value_giver giver)
 {
     size_t *slot;
     named_value *named;
 
-    if (!t->name.length || !value.length)
-        return flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
+    if (!t->name.length || !value.length) {
+        flk_mistake(p->mistakes, place, "expected NAME = VALUE, not '%t'", t->name);
+        return;
+    }
     if (!grow_named(p))
-        return 0;
+        return;
     slot = find_slot(p, t->use, t->name);
-    if (*slot && giver == GIVEN_BY_TEXT)
-        return flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
+    if (*slot && giver == GIVEN_BY_TEXT) {
+        flk_mistake(p->mistakes, place, "'%t' is given twice", t->name);
+        return;
+    }
     if (!*slot)
         *slot = ++p->n_named;
     named = &p->named[*slot - 1];
@@ -257,7 +261,6 @@ static int set_named(parser *p, text_place place, const target *t, text value, v
     p->has_changed_names |= giver != GIVEN_BY_TEXT;
     if (giver == GIVEN_BY_TEXT)
         named->own = value;
-    return 1;
 }
 
 /* Find a key of a section; 0 and a mistake if the section cannot have it. */
@@ -278,7 +281,7 @@ static int find_key(parser *p, text_place place, const section_use *use, text ke
     return 1;
 }
 
-static int set(text_place place, setting *s, text value, value_giver giver)
+static void set(text_place place, setting *s, text value, value_giver giver)
 {
     text own = giver == GIVEN_BY_TEXT && !IS_SET(s) ? value : s->own;
 
@@ -287,7 +290,6 @@ static int set(text_place place, setting *s, text value, value_giver giver)
     s->own = own;
     s->value = value;
     s->giver = giver;
-    return 1;
 }
 
 /* Copy the settings of a section before one of them changes; 0 if out of memory. */
@@ -307,43 +309,55 @@ static int unshare(parser *p, section_use *use)
 }
 
 /* x and y, or size and angle */
-static int set_part(parser *p, text_place place, const target *t, setting *s, text value,
-                    value_giver giver)
+static setting *set_part(parser *p, text_place place, const target *t, setting *s, text value,
+                         value_giver giver)
 {
     vector_part other = t->part < PART_SIZE ? PART_SIZE : PART_X;
     setting *parts = flk_reader_keep(p, PART_NONE * sizeof *s->parts);
 
     if (!parts)
-        return 0;
+        return NULL;
+    if (!IS_SET(s))
+        set(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
     if (s->parts) /* may belong to the deck that this is a design of */
         memcpy(parts, s->parts, PART_NONE * sizeof *parts);
     set(s->place, s, s->value, s->giver); /* discards what was read from the old value */
     s->parts = parts;
-    if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1]))
-        return flk_mistake(p->mistakes, place,
-                           "'%t' and another part of it: set x and y, or size and angle", t->name);
-    return set(place, &parts[t->part], value, giver);
+    if (IS_SET(&parts[other]) || IS_SET(&parts[other + 1])) {
+        flk_mistake(p->mistakes, place,
+                    "'%t' and another part of it: set x and y, or size and angle", t->name);
+        return NULL;
+    }
+    set(place, &parts[t->part], value, giver);
+    return &parts[t->part];
 }
 
-/* key = value; `t->name` has the text of the key. */
-static int set_target(parser *p, text_place place, const target *t, text value, value_giver giver)
+/* key = value; `t->name` has the text of the key.  Returns the setting of a key or a part, null for a name and
+** after a mistake. */
+static setting *set_target(parser *p, text_place place, const target *t, text value,
+                           value_giver giver)
 {
     section_use *use = &p->uses[t->use];
     setting *s;
 
     if (t->key == KEY_COUNT)
-        return set_named(p, place, t, value, giver);
-    if (!unshare(p, use))
-        return 0;
+        set_named(p, place, t, value, giver);
+    if (t->key == KEY_COUNT || !unshare(p, use))
+        return NULL;
     use->is_read = 0;
     s = flk_setting_of(use, t->key);
     if (IS_SET(s) && giver == GIVEN_BY_TEXT)
-        return flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
-                           s->place.line);
-    if (!value.length)
-        return flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
-    return t->part == PART_NONE ? set(place, s, value, giver)
-                                : set_part(p, place, t, s, value, giver);
+        flk_mistake(p->mistakes, place, "'%t' is given twice; first at line %ld", t->name,
+                    s->place.line);
+    else if (!value.length)
+        flk_mistake(p->mistakes, place, "expected a value after '%t ='", t->name);
+    else if (t->part != PART_NONE)
+        return set_part(p, place, t, s, value, giver);
+    else {
+        set(place, s, value, giver);
+        return s;
+    }
+    return NULL;
 }
 
 void flk_setting_read(parser *p, text_place place, const section_use *use, text key, text value)
@@ -400,17 +414,20 @@ static section_use *find_section(parser *p, text_place place, section_code code,
     return use ? use : flk_section_open(p, code, name, place, NULL);
 }
 
+/* 1 if a key takes a force or a point. */
+static int is_vector(key_code key)
+{
+    return key != KEY_COUNT &&
+           (flk_key_table[key].form == FORM_POINT || flk_key_table[key].form == FORM_VECTOR);
+}
+
 /* 1 if the target is a vector whose parts can be set.  A force must be in the deck; a point defaults to the
 ** origin of the link. */
 static int has_parts(parser *p, text_place place, const target *t, text key)
 {
-    value_form form = t->key == KEY_COUNT ? FORM_TEXT : flk_key_table[t->key].form;
-    setting *s =
-        form == FORM_POINT || form == FORM_VECTOR ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
+    setting *s = is_vector(t->key) ? flk_setting_of(&p->uses[t->use], t->key) : NULL;
 
-    if (s && form == FORM_POINT && !IS_SET(s))
-        set(place, s, flk_text_of("(0, 0)"), GIVEN_BY_CHANGE);
-    if (s && IS_SET(s))
+    if (s && (IS_SET(s) || flk_key_table[t->key].form == FORM_POINT))
         return 1;
     return flk_mistake(p->mistakes, place,
                        s ? "'%t' is not in the deck: give it before you vary a part of it"
@@ -438,9 +455,41 @@ int flk_setting_target(parser *p, text_place place, text key, target *t)
     return part == PART_NONE || has_parts(p, place, t, key);
 }
 
-void flk_setting_vary(parser *p, text_place place, const target *t, text value)
+int flk_setting_look(const parser *p, text key, target *t)
 {
-    set_target(p, place, t, value, GIVEN_BY_DESIGN);
+    vector_part part = take_part(&key);
+    text section, name, last;
+    const section_use *use;
+    section_code code;
+    key_code end;
+
+    if (!flk_text_cut_last(key, ".", &section, &last))
+        return 0;
+    flk_section_split(&section, &name);
+    code = flk_find_section(section);
+    use = code < SECTION_COUNT ? flk_section_find(p, code, name.length ? &name : NULL) : NULL;
+    if (!use)
+        return 0;
+    t->use = (size_t)(use - p->uses);
+    t->part = part;
+    t->name = last;
+    end = flk_first_key(use->section + 1);
+    for (t->key = flk_first_key(use->section); t->key < end; t->key++)
+        if (flk_text_equal(last, flk_key_table[t->key].name))
+            return part == PART_NONE || is_vector(t->key);
+    return 0;
+}
+
+void flk_setting_vary(parser *p, text_place place, const target *t, const quantity_value *number,
+                      text value)
+{
+    setting *s = set_target(p, place, t, value, GIVEN_BY_DESIGN);
+
+    if (!s)
+        return;
+    s->number = number->number;
+    s->unit = number->unit;
+    s->is_number = 1;
 }
 
 void flk_setting_assign(parser *p, text_place place, text key, text value)

@@ -29,12 +29,14 @@ typedef struct variation {
     const key_info *key; /* the key, or its vector */
     quantity q;
     quantity_value first; /* the range's first value, or the nominal one */
+    quantity_value *list; /* the values of a list */
     text unit;            /* as written after the first value */
     double step, size;    /* step of a range, and its larger end, in the unit of the first value */
     double tolerance;     /* in the unit of the nominal value */
     int is_normal;
-    double count;        /* of values; 1 for a tolerance */
-    int piece, n_pieces; /* in step with others: the index of its own values between the & */
+    double count;         /* of values; 1 for a tolerance */
+    unsigned long repeat; /* of combinations with the same value, one after the other */
+    int piece, n_pieces;  /* in step with others: the index of its own values between the & */
 } variation;
 
 static text next_item(text *rest)
@@ -78,6 +80,13 @@ static int read(parser *p, const variation *v, text t, quantity_value *value)
     return flk_values_quantity(p, v->place, t, t, v->q, value);
 }
 
+/* A quantity in a unit, without rounding if it is written in that unit. */
+static double in_unit(const quantity_value *value, const unit *u)
+{
+    return value->unit.up == u->up && value->unit.down == u->down ? value->number
+                                                                  : flk_unit_from_si(value->si, *u);
+}
+
 /* Read the first value of a range, or the nominal value. */
 static int read_first(parser *p, variation *v, text t)
 {
@@ -88,15 +97,14 @@ static int read_first(parser *p, variation *v, text t)
     return read(p, v, t, &v->first);
 }
 
-/* Read a quantity in a unit, without rounding if it is written in that unit. */
+/* Read a quantity in a unit. */
 static int read_in(parser *p, const variation *v, text t, const unit *u, double *number)
 {
     quantity_value value;
 
     if (!read(p, v, t, &value))
         return 0;
-    *number = value.unit.up == u->up && value.unit.down == u->down ? value.number
-                                                                   : flk_unit_from_si(value.si, *u);
+    *number = in_unit(&value, u);
     return 1;
 }
 
@@ -198,16 +206,15 @@ static int read_tolerance(parser *p, text nominal, text t, variation *v)
 }
 
 /* One value of a list, the first of which is `first`. */
-static int read_item(parser *p, const variation *v, text first, text item)
+static int read_item(parser *p, const variation *v, text first, text item, quantity_value *value)
 {
     text own = own_piece(v, item);
-    quantity_value value;
 
     if (v->n_pieces > 1 && count_pieces(item) != v->n_pieces)
         return flk_mistake(p->mistakes, v->place,
                            "expected %ld values in step, such as 18 mm & 60 mm, not '%t'",
                            (long)v->n_pieces, item);
-    return read(p, v, own, &value) && units_agree(p, v, own_piece(v, first), own);
+    return read(p, v, own, value) && units_agree(p, v, own_piece(v, first), own);
 }
 
 /* A, B, C */
@@ -216,8 +223,9 @@ static int read_list(parser *p, variation *v)
     text rest = v->value, first = next_item(&rest), item = first;
 
     v->form = VARY_LIST;
-    for (;;) {
-        if (!read_item(p, v, first, item))
+    v->list = flk_reader_keep(p, (flk_text_count(v->value, ',') + 1) * sizeof *v->list);
+    while (v->list) {
+        if (!read_item(p, v, first, item, &v->list[(size_t)v->count]))
             return 0;
         v->count++;
         if (!rest.start)
@@ -226,6 +234,7 @@ static int read_list(parser *p, variation *v)
         if (!item.length && !rest.start)
             return 1; /* a comma at the very end */
     }
+    return 0;
 }
 
 static int read_variation(parser *p, variation *v)
@@ -299,28 +308,31 @@ static double rounded(double x, double size)
     return power > 0 && size * power < 1e16 ? floor(x * power + 0.5) / power : x;
 }
 
-/* The value with index `i`, as written in an assignment. */
-static text value_at(parser *p, const variation *v, unsigned long i, const gsl_rng *rng)
+/* The value with index `i`. */
+static quantity_value value_at(const variation *v, unsigned long i, const gsl_rng *rng)
+{
+    quantity_value value;
+
+    if (v->form == VARY_LIST)
+        return v->list[i];
+    value = v->first;
+    value.number = v->form == VARY_RANGE ? rounded(v->first.number + (double)i * v->step, v->size)
+                                         : v->first.number + draw(v, rng);
+    value.si = flk_unit_to_si(value.number, value.unit);
+    return value;
+}
+
+/* The same as the deck writes it. */
+static text text_at(parser *p, const variation *v, unsigned long i, double number)
 {
     text rest = v->value, item;
-    char number[DIGITS_SIZE], *copy;
-    double x;
 
-    if (v->form == VARY_LIST) {
-        do
-            item = next_item(&rest);
-        while (i-- > 0);
-        return own_piece(v, item);
-    }
-    x = v->form == VARY_RANGE ? rounded(v->first.number + (double)i * v->step, v->size)
-                              : v->first.number + draw(v, rng);
-    copy = flk_reader_keep(p, DIGITS_SIZE + v->unit.length);
-    if (!copy)
-        return v->value;
-    item = flk_text_of(strcpy(copy, flk_number_shortest(x, number)));
-    memcpy(copy + item.length, v->unit.start, v->unit.length);
-    item.length += v->unit.length;
-    return item;
+    if (v->form != VARY_LIST)
+        return flk_setting_text(p, number, v->unit);
+    do
+        item = next_item(&rest);
+    while (i-- > 0);
+    return own_piece(v, item);
 }
 
 /* Find what a name in [sweep] means; 0 and a mistake if it is not a quantity. */
@@ -343,20 +355,14 @@ static int find_quantity(parser *p, variation *v)
     if (!flk_setting_target(p, v->place, v->name, &v->target))
         return 0;
     v->key = key = &flk_key_table[v->target.key == KEY_COUNT ? KEY_TOP_TITLE : v->target.key];
-    v->q = v->target.part == PART_ANGLE ? QUANTITY_ANGLE
-           : v->target.key == KEY_COUNT
-               ? key->q
-               : flk_quantity_of_key(&p->uses[v->target.use], v->target.key);
     if (v->target.key != KEY_COUNT) { /* no other reports about it until it has a value */
+        v->q = flk_target_quantity(p, &v->target);
         s = flk_setting_of(&p->uses[v->target.use], v->target.key);
         s->is_pending = 1;
         if (v->target.part == PART_NONE)
             s->place = v->place;
     }
-    if (v->target.part != PART_NONE)
-        return 1;
-    if (key->form == FORM_QUANTITY || key->form == FORM_EITHER ||
-        (key->form == FORM_CURVE && key->q != QUANTITY_PRESSURE))
+    if (flk_target_is_number(&v->target))
         return 1; /* an indicator card is always a curve */
     is_vector = key->form == FORM_POINT || key->form == FORM_VECTOR;
     return flk_mistake(p->mistakes, v->place,
@@ -474,34 +480,56 @@ static size_t most_variations(const parser *p)
     return GSL_MIN(n, MOST_VARIABLES + 1);
 }
 
-/* The digits of a combination's number: the last quantity changes fastest. */
-static void number_values(const variation *list, deck_sweep *sweep, unsigned long combination)
+/* How many combinations with the same value of a quantity follow each other: the last changes fastest. */
+static void set_repeats(variation *list, size_t n)
 {
-    unsigned long count;
+    unsigned long repeat = 1;
     size_t i;
 
-    for (i = sweep->n_variables; i-- > 0;) {
-        count = (unsigned long)list[i].count;
-        sweep->variables[i].index = combination % count;
+    for (i = n; i-- > 0;) {
+        list[i].repeat = repeat;
         if (list[i].piece == 0)
-            combination /= count;
+            repeat *= (unsigned long)list[i].count;
     }
 }
 
-void flk_deck_neighbours(deck *d, size_t i, double *low, double *high)
+static unsigned long index_in(const variation *v, const parser *p, unsigned long design)
+{
+    return design / (unsigned long)p->samples / v->repeat % (unsigned long)v->count;
+}
+
+/* Start the generator of a design if it has tolerances. */
+static int start_design(parser *p, unsigned long design, generator *g)
+{
+    return !IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)) ||
+           start_generator(g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design);
+}
+
+void flk_deck_variables(const deck *d, unsigned long design, size_t max, double *values,
+                        double *low, double *high)
 {
     parser *p = d->settings;
-    const variation *v = &p->variations[i];
-    const deck_variable *variable = &d->sweep.variables[i];
-    const unit *u = &d->units[v->q].unit;
+    generator g;
+    size_t i;
 
-    *low = *high = variable->value;
-    if (v->form != VARY_RANGE)
+    if (!start_design(p, design, &g))
         return;
-    if (variable->index > 0)
-        read_in(p, v, value_at(p, v, variable->index - 1, NULL), u, low);
-    if (variable->index + 1 < (unsigned long)v->count)
-        read_in(p, v, value_at(p, v, variable->index + 1, NULL), u, high);
+    for (i = 0; i < d->sweep.n_variables && i < max; i++) {
+        const variation *v = &p->variations[i];
+        const unit *u = &d->units[v->q].unit;
+        unsigned long at = index_in(v, p, design);
+        quantity_value value = value_at(v, at, &g.rng), before = value, after = value;
+
+        if (v->form == VARY_RANGE && at > 0)
+            before = value_at(v, at - 1, NULL);
+        if (v->form == VARY_RANGE && at + 1 < (unsigned long)v->count)
+            after = value_at(v, at + 1, NULL);
+        values[i] = in_unit(&value, u);
+        if (low)
+            low[i] = in_unit(&before, u);
+        if (high)
+            high[i] = in_unit(&after, u);
+    }
 }
 
 void flk_sweep_assign(parser *p, unsigned long design)
@@ -513,24 +541,22 @@ void flk_sweep_assign(parser *p, unsigned long design)
     sweep->variables = flk_reader_keep(p, n * sizeof *sweep->variables);
     if (!sweep->variables)
         return;
-    if (IS_SET(flk_setting_find(p, KEY_SWEEP_SAMPLES)) && /* there are tolerances */
-        !start_generator(&g, flk_setting_or(p, KEY_SWEEP_SEED, 1), design)) {
+    if (!start_design(p, design, &g)) {
         p->out_of_memory = 1;
         return;
     }
     sweep->design = design;
-    number_values(p->variations, sweep, design / (unsigned long)p->samples);
     for (i = 0; i < n && !p->out_of_memory; i++) {
         const variation *v = &p->variations[i];
+        unsigned long at = index_in(v, p, design);
+        quantity_value value = value_at(v, at, &g.rng);
         deck_variable *variable = &sweep->variables[i];
-        text value = value_at(p, v, variable->index, &g.rng);
 
         variable->name = v->name;
         variable->q = v->q;
-        if (read_in(p, v, value, &p->d->units[v->q].unit, &variable->value))
-            flk_setting_vary(p, v->place, &v->target, value);
-        else
-            leave_out(p, v);
+        variable->number = flk_target_number(&v->target);
+        variable->value = in_unit(&value, &p->d->units[v->q].unit);
+        flk_setting_vary(p, v->place, &v->target, &value, text_at(p, v, at, value.number));
     }
 }
 
@@ -579,6 +605,7 @@ void flk_sweep_read(parser *p)
     }
     if (p->mistakes->count == before)
         sweep->n_designs = (unsigned long)designs;
+    set_repeats(list, sweep->n_designs ? sweep->n_variables : 0);
     while (sweep->n_variables && !sweep->n_designs)
         leave_out(p, &list[--sweep->n_variables]);
     read_outputs(p);

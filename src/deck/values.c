@@ -43,6 +43,10 @@ int flk_values_piece(parser *p, setting *s, text t, quantity q, double *si)
     quantity_value value;
     int is_one;
 
+    if (s->is_number) {
+        *si = flk_unit_to_si(s->number, s->unit);
+        return flk_values_size(p, s, q, *si);
+    }
     memset(&value, 0, sizeof value);
     is_one = flk_values_quantity(p, s->place, t, s->value, q, &value);
     s->number = value.number;

@@ -94,14 +94,12 @@ static int keep_outputs(const picture *p, designs *d, unsigned long i, int branc
 /* Compute the outputs of design i; a design with mistakes has none. */
 static int compute(picture *p, designs *d, unsigned long i, double *variables)
 {
-    fourlink_source source = *p->source;
     fourlink_results *r = NULL;
     const fourlink_value *list;
     fourlink_problem problem;
     unsigned long n, k;
     int status, b;
 
-    source.design = i;
     p->n_lines += (unsigned long)p->n_branches;
     status = fourlink_results_design(p->results, i, 0, &r, NULL, NULL);
     if (status == FOURLINK_OK) {
@@ -113,8 +111,7 @@ static int compute(picture *p, designs *d, unsigned long i, double *variables)
             p->n_missing += !keep_outputs(p, d, i, b, r, problem.motion.from);
     } else {
         p->n_missing += (unsigned long)p->n_branches;
-        if (fourlink_source_design(&source, d->n_variables, variables) != FOURLINK_OK)
-            status = FOURLINK_NO_MEMORY;
+        fourlink_results_variables(p->results, i, d->n_variables, variables, NULL, NULL);
     }
     fourlink_results_free(r);
     return status != FOURLINK_NO_MEMORY;

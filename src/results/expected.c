@@ -23,51 +23,51 @@ static void refuse(fourlink_check *c, text name, const char *nearest)
 }
 
 /* The first fact of the deck with a similar name, or the most similar column. */
-static const char *find_nearest(fourlink_results *r, const deck_expectation *e, int handle)
+static const char *find_nearest(flk_opened *o, const deck_expectation *e, int handle)
 {
     int group = flk_fact_group(handle);
     unsigned long n = flk_fact_list(
-        &r->a, NULL, (int)e->branch,
+        &o->a, NULL, (int)e->branch,
         group ? group : FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
-        NULL, 0, r->facts, NULL);
+        NULL, 0, o->facts, NULL);
     unsigned long i;
 
     for (i = 0; i < n; i++) {
         const char *known[2];
 
-        known[0] = r->facts[i].name;
+        known[0] = o->facts[i].name;
         known[1] = NULL;
         if (flk_text_nearest(e->name, known))
             return known[0];
     }
-    return flk_column_nearest(&r->a, e->name);
+    return flk_column_nearest(&o->a, e->name);
 }
 
-/* Find what a name means; the first of r->facts are those of this name, such as the ends of two ranges.
+/* Find what a name means; the first of o->facts are those of this name, such as the ends of two ranges.
 ** Returns 0 and a message if the deck has none. */
-static int find_name(fourlink_results *r, const deck_expectation *e, fourlink_check *c, flk_name *n,
+static int find_name(flk_opened *o, const deck_expectation *e, fourlink_check *c, flk_name *n,
                      unsigned long *n_facts)
 {
-    int is_hinted = e - r->d.expectations < HINTED;
+    int is_hinted = e - o->d.expectations < HINTED;
 
     *n_facts = 0;
-    flk_name_find(r, e->name, n);
+    flk_name_find(o, e->name, n);
     if (n->kind == FLK_NAME_FACT)
-        *n_facts = flk_name_facts(r, n->handle, e->branch);
+        *n_facts = flk_name_facts(o, n->handle, e->branch);
     if (n->kind == FLK_NAME_COLUMN || n->kind == FLK_NAME_STATISTIC || *n_facts)
         return 1;
     refuse(c, n->of,
            !is_hinted     ? NULL
-           : n->statistic ? flk_column_nearest(&r->a, n->of)
-                          : find_nearest(r, e, n->handle));
+           : n->statistic ? flk_column_nearest(&o->a, n->of)
+                          : find_nearest(o, e, n->handle));
     return 0;
 }
 
 /* Find the value of a column at the expected angle, or its statistic; 0 and a message if there is none. */
-static int value_there(fourlink_results *r, const deck_expectation *e, const flk_name *n,
+static int value_there(flk_opened *o, const deck_expectation *e, const flk_name *n,
                        fourlink_check *c, fourlink_value *v)
 {
-    const char *name = r->d.units[QUANTITY_ANGLE].name;
+    const char *name = o->d.units[QUANTITY_ANGLE].name;
     int is_column = n->kind == FLK_NAME_COLUMN, status;
 
     if (is_column && !e->has_at) {
@@ -75,7 +75,7 @@ static int value_there(fourlink_results *r, const deck_expectation *e, const flk
                     "a column needs a crank angle: add 'at = ...' to this section");
         return 0;
     }
-    status = flk_name_value(r, n, e->branch, e->at, v);
+    status = flk_name_value(o, n, e->branch, e->at, v);
     if (status == FOURLINK_OK)
         return 1;
     if (!is_column)
@@ -153,9 +153,9 @@ static int infinite_sign(text value, quantity q, unit usual)
 }
 
 /* 1 if they agree; -1 and a message if there is nothing to compare. */
-static int compare(fourlink_results *r, const deck_expectation *e, flk_name *n, fourlink_check *c)
+static int compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
-    const fourlink_value *facts = r->facts;
+    const fourlink_value *facts = o->facts;
     quantity_value printed;
     fourlink_value found;
     unsigned long n_facts, i;
@@ -164,7 +164,7 @@ static int compare(fourlink_results *r, const deck_expectation *e, flk_name *n, 
     int infinite;
     quantity q;
 
-    if (!find_name(r, e, c, n, &n_facts))
+    if (!find_name(o, e, c, n, &n_facts))
         return -1;
     c->has_angle = n->kind == FLK_NAME_COLUMN;
     if (n_facts && facts[0].words) {
@@ -172,23 +172,23 @@ static int compare(fourlink_results *r, const deck_expectation *e, flk_name *n, 
         return flk_text_equal(e->value, facts[0].words);
     }
     q = n_facts ? flk_quantity_find(facts[0].quantity) : flk_column_quantity(&n->c);
-    u = &r->d.units[q];
+    u = &o->d.units[q];
     c->unit = u->name;
     infinite = n_facts ? 0 : infinite_sign(e->value, q, u->unit);
     if (infinite) {
         c->printed = infinite > 0 ? GSL_POSINF : GSL_NEGINF;
-        if (!value_there(r, e, n, c, &found))
+        if (!value_there(o, e, n, c, &found))
             return -1;
         c->computed = found.value;
         return flk_expected_agrees(c, c->computed, 0);
     }
     if (!flk_quantity_read(e->value, e->value, q, u->unit, &printed, c->message) ||
-        !read_tolerance(&r->d, e, q, &printed, &tolerance, c))
+        !read_tolerance(&o->d, e, q, &printed, &tolerance, c))
         return -1;
     c->message_line = e->place.line;
     if (n_facts)
         found = facts[0];
-    else if (!value_there(r, e, n, c, &found))
+    else if (!value_there(o, e, n, c, &found))
         return -1;
     turn = q == QUANTITY_ANGLE ? flk_unit_from_si(2 * M_PI, u->unit) : 0;
     c->printed = flk_unit_from_si(printed.si, u->unit);
@@ -201,8 +201,7 @@ static int compare(fourlink_results *r, const deck_expectation *e, flk_name *n, 
     return flk_expected_agrees(c, c->computed, turn);
 }
 
-void flk_expected_compare(fourlink_results *r, const deck_expectation *e, flk_name *n,
-                          fourlink_check *c)
+void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n, fourlink_check *c)
 {
     int agrees;
 
@@ -214,7 +213,7 @@ void flk_expected_compare(fourlink_results *r, const deck_expectation *e, flk_na
     c->unit = "";
     c->angle = e->at;
     c->branch = e->branch;
-    agrees = compare(r, e, n, c);
+    agrees = compare(o, e, n, c);
     if (agrees < 0)
         c->verdict = FOURLINK_NO_VALUE;
     else if (e->misprint)

@@ -8,7 +8,7 @@
 #include "name.h"
 
 /* Compare a printed value with the computed one, and give what its name means. */
-void flk_expected_compare(fourlink_results *r, const deck_expectation *e, flk_name *n,
+void flk_expected_compare(flk_opened *o, const deck_expectation *e, flk_name *n,
                           fourlink_check *check);
 
 /* 1 if a value agrees with check->printed within check->tolerance.  `turn` is a turn of an angle in its unit, as whole

@@ -51,8 +51,8 @@ void flshut_(fourlink_results **handle)
 
 void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols)
 {
-    *nrows = *handle ? (int)(*handle)->a.crank_motion.range.n_rows : 0;
-    *ncols = *handle ? (int)(*handle)->n_columns : 0;
+    *nrows = *handle ? (int)(*handle)->now->a.crank_motion.range.n_rows : 0;
+    *ncols = *handle ? (int)(*handle)->now->n_columns : 0;
 }
 
 void flname_(fourlink_results *const *handle, const int *i, char *name, char *in_unit, int *istat,
@@ -113,17 +113,19 @@ void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch
 void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, const int *n,
             double *values, int *istat)
 {
-    fourlink_results *r = *handle;
     fourlink_branch branch = (fourlink_branch)*ibrnch;
+    flk_opened *o;
     flk_row row;
     size_t k;
 
-    *istat = *i < 1 ? FOURLINK_NO_SUCH_ROW
-                    : fourlink_results_row(r, branch, (unsigned long)*i - 1, NULL, NULL, NULL);
+    *istat = *i < 1
+                 ? FOURLINK_NO_SUCH_ROW
+                 : fourlink_results_row(*handle, branch, (unsigned long)*i - 1, NULL, NULL, NULL);
     if (*istat >= FOURLINK_NULL)
         return;
-    flk_analysis_row(&r->a, r->needs, branch, (unsigned long)*i - 1, &row);
-    for (k = 0; k < r->n_columns && (long)k < *n; k++)
-        values[k] = flk_column_value(&r->columns[k], &row);
+    o = (*handle)->now;
+    flk_analysis_row(&o->a, o->needs, branch, (unsigned long)*i - 1, &row);
+    for (k = 0; k < o->n_columns && (long)k < *n; k++)
+        values[k] = flk_column_value(&o->columns[k], &row);
     *istat = row.at.status;
 }

@@ -44,33 +44,33 @@ static const char *hint_of_factor(const fourlink_check *c)
 }
 
 /* 1 if the value elsewhere would have agreed. */
-static int agrees_at(fourlink_results *r, const flk_name *n, const fourlink_check *c,
+static int agrees_at(flk_opened *o, const flk_name *n, const fourlink_check *c,
                      fourlink_branch branch, double angle, double turn)
 {
     fourlink_value v;
 
-    return flk_name_value(r, n, branch, angle, &v) == FOURLINK_OK && !v.words &&
+    return flk_name_value(o, n, branch, angle, &v) == FOURLINK_OK && !v.words &&
            flk_expected_agrees(c, v.value, turn);
 }
 
 /* The neighbouring row whose value is the expected one. */
-static void hint_of_row(fourlink_results *r, const flk_name *n, fourlink_check *c, double turn)
+static void hint_of_row(flk_opened *o, const flk_name *n, fourlink_check *c, double turn)
 {
     fourlink_problem problem;
     int side;
 
-    fourlink_deck_problem(fourlink_results_deck(r), &problem);
+    fourlink_deck_problem(&o->d, &problem);
     for (side = -1; side <= 1 && !c->hint[0]; side += 2) {
         double angle = c->angle + side * problem.motion.interval;
 
-        if (agrees_at(r, n, c, c->branch, angle, turn))
+        if (agrees_at(o, n, c, c->branch, angle, turn))
             flk_message(c->hint, sizeof c->hint,
                         "%s is the value of the neighbouring row, theta2 = %g", c->printed_text,
                         angle);
     }
 }
 
-void flk_hint_find(fourlink_results *r, const flk_name *n, fourlink_check *c)
+void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *c)
 {
     fourlink_branch other = c->branch == FOURLINK_OPEN ? FOURLINK_CROSSED : FOURLINK_OPEN;
     fourlink_value here;
@@ -78,11 +78,11 @@ void flk_hint_find(fourlink_results *r, const flk_name *n, fourlink_check *c)
     double turn;
     int is_opposite, is_other;
 
-    if (flk_name_value(r, n, c->branch, c->angle, &here) != FOURLINK_OK)
+    if (flk_name_value(o, n, c->branch, c->angle, &here) != FOURLINK_OK)
         return;
     turn = strcmp(here.quantity, "angle") == 0 ? 2 * M_PI / here.to_si : 0;
     is_opposite = flk_expected_agrees(c, -c->computed, turn);
-    is_other = agrees_at(r, n, c, other, c->angle, turn);
+    is_other = agrees_at(o, n, c, other, c->angle, turn);
     words = hint_of_factor(c);
     if (is_opposite && !is_other)
         flk_message(c->hint, sizeof c->hint, "the sign is the opposite");
@@ -93,5 +93,5 @@ void flk_hint_find(fourlink_results *r, const flk_name *n, fourlink_check *c)
     else if (words)
         flk_message(c->hint, sizeof c->hint, "%s", words);
     else if (c->has_angle)
-        hint_of_row(r, n, c, turn);
+        hint_of_row(o, n, c, turn);
 }

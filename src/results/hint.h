@@ -8,6 +8,6 @@
 #include "name.h"
 
 /* Set check->hint if the difference is a typical one; `check` holds two numbers of this name that differ. */
-void flk_hint_find(fourlink_results *r, const flk_name *n, fourlink_check *check);
+void flk_hint_find(flk_opened *o, const flk_name *n, fourlink_check *check);
 
 #endif

@@ -28,6 +28,26 @@ void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v)
     v->handle = flk_column_handle(c, FLK_NONE);
 }
 
+unsigned long flk_list_number(int handle)
+{
+    return handle <= FLK_NUMBER_HANDLE(1) && handle % 2 ? (unsigned long)((-1001 - handle) / 2) : 0;
+}
+
+int flk_list_number_value(const deck *d, unsigned long id, fourlink_value *v)
+{
+    const char *key;
+    double value;
+    quantity q;
+
+    if (!flk_number_describe(d, id, &q, &key, &value))
+        return 0;
+    flk_list_describe(d, q, "", v);
+    v->name = key;
+    v->handle = FLK_NUMBER_HANDLE(id);
+    v->value = value;
+    return 1;
+}
+
 void flk_list_columns(const flk_analysis *a, flk_list *columns)
 {
     flk_column c;
@@ -49,7 +69,7 @@ void flk_list_variables(const deck *d, flk_list *variables, char *names)
         fourlink_value *v = &variables->list[variables->n++];
 
         flk_list_describe(d, x->q, "", v);
-        v->handle = FLK_LIST_HANDLE(i);
+        v->handle = FLK_NUMBER_HANDLE(x->number);
         v->name = flk_text_copy(x->name, names + DECK_NAME_SIZE * i, DECK_NAME_SIZE);
         v->value = x->value;
     }
@@ -68,10 +88,12 @@ static fourlink_value *add(listing *t, const char *key, quantity q, double si, c
 {
     char *name = t->names + DECK_NAME_SIZE * t->to->n;
     fourlink_value *v = &t->to->list[t->to->n++];
+    unsigned long number;
 
     flk_list_describe(t->d, q, meaning, v);
-    v->handle = FLK_LIST_HANDLE(t->d->sweep.n_variables + t->to->n);
     v->name = flk_text_join(name, DECK_NAME_SIZE, t->section, ".", key, (char *)NULL);
+    number = flk_number_find(t->d, flk_text_of(name));
+    v->handle = number ? FLK_NUMBER_HANDLE(number) : FLK_LIST_HANDLE(t->to->n);
     v->value = flk_unit_from_si(si, t->d->units[q].unit);
     return v;
 }

@@ -13,13 +13,19 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
-/* The handle of a variable, and behind all of them of an input.  Those of facts are between these and 0,
-** those of columns greater than 0. */
-#define FLK_LIST_HANDLE(i) (-1000 - (int)(i))
+/* The handle of an input that is not a number of the deck; of a number of the deck, by flk_number_find.  Those of facts are between these and 0, those of columns greater than 0. */
+#define FLK_LIST_HANDLE(i) (-1000 - 2 * (int)(i))
+#define FLK_NUMBER_HANDLE(id) (-1001 - 2 * (int)(id))
+
+/* The number of the deck that a handle stands for; 0 if it is another. */
+unsigned long flk_list_number(int handle);
 
 /* A value of a deck without its name and number; of a column, with its name. */
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
+
+/* Describe a number of the deck, with its value or NaN; 0 if it is none. */
+int flk_list_number_value(const deck *d, unsigned long id, fourlink_value *v);
 
 /* All columns that the deck has. */
 void flk_list_columns(const flk_analysis *a, flk_list *columns);

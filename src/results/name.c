@@ -2,8 +2,8 @@
 **
 ** name.c - what a name means: a column, a statistic of a column, a fact, or a value that the deck gives.
 **
-** The handle of an input holds for one design only, as each design leaves out those that are 0; others hold
-** for all designs of a sweep.
+** The handle of an input that is not a number of the deck, such as gas.area, holds for one design only, as each
+** design leaves out inputs that are 0; others hold for all designs.
 */
 #include <string.h>
 
@@ -12,16 +12,16 @@
 #include "fact.h"
 #include "name.h"
 
-/* Find the variable or input of this name, or with a handle that of this handle. */
-static void find_given(fourlink_results *r, text name, flk_name *n)
+/* Find the input or variable of this name, or with a handle that of this handle. */
+static void find_given(flk_opened *o, text name, flk_name *n)
 {
-    static const int which[] = {FOURLINK_VARIABLES, FOURLINK_INPUTS};
+    static const int which[] = {FOURLINK_INPUTS, FOURLINK_VARIABLES};
     unsigned long i;
     int k;
 
-    flk_list_inputs(&r->d, &r->lists[FOURLINK_INPUTS], r->input_names);
+    flk_list_inputs(&o->d, &o->lists[FOURLINK_INPUTS], o->input_names);
     for (k = 0; k < 2; k++) {
-        const flk_list *list = &r->lists[which[k]];
+        const flk_list *list = &o->lists[which[k]];
 
         for (i = 0; i < list->n && !n->kind; i++)
             if (n->handle ? list->list[i].handle == n->handle
@@ -31,62 +31,69 @@ static void find_given(fourlink_results *r, text name, flk_name *n)
                 n->given = &list->list[i];
             }
     }
+    if (n->kind || !flk_list_number_value(
+                       &o->d, n->handle ? flk_list_number(n->handle) : flk_number_find(&o->d, name),
+                       &o->number))
+        return;
+    n->kind = FLK_NAME_GIVEN;
+    n->handle = o->number.handle;
+    n->given = &o->number;
 }
 
-void flk_name_find(fourlink_results *r, text name, flk_name *n)
+void flk_name_find(flk_opened *o, text name, flk_name *n)
 {
     memset(n, 0, sizeof *n);
     n->of = name;
     n->statistic = flk_column_statistic_of(name, &n->of);
-    if (flk_column_find(&r->a, n->of, &n->c)) {
+    if (flk_column_find(&o->a, n->of, &n->c)) {
         n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
         n->handle = flk_column_handle(&n->c, n->statistic);
     } else if ((n->handle = flk_fact_find(name)) != 0) {
         n->kind = FLK_NAME_FACT;
     } else {
-        find_given(r, name, n);
+        find_given(o, name, n);
     }
 }
 
-void flk_name_of_handle(fourlink_results *r, int handle, flk_name *n)
+void flk_name_of_handle(flk_opened *o, int handle, flk_name *n)
 {
     memset(n, 0, sizeof *n);
     n->handle = handle;
     if (flk_fact_group(handle))
         n->kind = FLK_NAME_FACT;
-    else if (flk_column_of_handle(&r->a, handle, &n->c, &n->statistic))
+    else if (flk_column_of_handle(&o->a, handle, &n->c, &n->statistic))
         n->kind = n->statistic ? FLK_NAME_STATISTIC : FLK_NAME_COLUMN;
     else if (handle)
-        find_given(r, n->of, n);
+        find_given(o, n->of, n);
 }
 
-void flk_name_describe(const fourlink_results *r, const flk_name *n, fourlink_value *v)
+void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v)
 {
     memset(v, 0, sizeof *v);
     if (n->kind == FLK_NAME_GIVEN)
         *v = *n->given;
     else if (n->kind == FLK_NAME_FACT)
-        flk_fact_describe(&r->d, n->handle, v);
+        flk_fact_describe(&o->d, n->handle, v);
     else if (n->kind)
-        flk_list_column(&r->d, &n->c, v);
+        flk_list_column(&o->d, &n->c, v);
     v->has_angle = n->kind == FLK_NAME_COLUMN;
     if (n->kind == FLK_NAME_STATISTIC) {
-        v->name = flk_column_statistic_name(n->statistic, &n->c, r->statistic_names);
+        v->name = flk_column_statistic_name(n->statistic, &n->c, o->statistic_names);
         v->handle = n->handle;
     }
 }
 
-static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_branch branch,
-                           double angle, fourlink_value *value)
+static int value_of_column(flk_opened *o, const flk_column *c, fourlink_branch branch, double angle,
+                           fourlink_value *value)
 {
     fourlink_value v;
     double at;
     flk_row row;
 
-    if (!flk_crank_motion_find_angle(&r->a.crank_motion, angle, &at))
+    if (!flk_crank_motion_find_angle(&o->a.crank_motion, angle, &at))
         return FOURLINK_NO_SUCH_ANGLE;
-    flk_analysis_at_angle(&r->a, flk_column_need(c), branch, at, &row);
-    flk_list_column(&r->d, c, &v);
+    flk_analysis_at_angle(&o->a, flk_column_need(c), branch, at, &row);
+    flk_list_column(&o->d, c, &v);
     v.value = flk_column_value(c, &row);
     v.has_angle = 1;
     v.angle = row.at.row.angle;
@@ -97,33 +104,35 @@ static int value_of_column(fourlink_results *r, const flk_column *c, fourlink_br
     return FOURLINK_OK;
 }
 
-unsigned long flk_name_facts(fourlink_results *r, int handle, fourlink_branch branch)
+unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch)
 {
     unsigned long n =
-        flk_fact_list(&r->a, NULL, (int)branch, flk_fact_group(handle), NULL, 0, r->facts, NULL);
+        flk_fact_list(&o->a, NULL, (int)branch, flk_fact_group(handle), NULL, 0, o->facts, NULL);
     unsigned long named = 0, i;
 
     for (i = 0; i < n; i++)
-        if (r->facts[i].handle == handle)
-            r->facts[named++] = r->facts[i];
+        if (o->facts[i].handle == handle)
+            o->facts[named++] = o->facts[i];
     return named;
 }
 
-int flk_name_value(fourlink_results *r, const flk_name *n, fourlink_branch branch, double angle,
+int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
                    fourlink_value *value)
 {
     switch (n->kind) {
     case FLK_NAME_COLUMN:
-        return value_of_column(r, &n->c, branch, angle, value);
+        return value_of_column(o, &n->c, branch, angle, value);
     case FLK_NAME_STATISTIC:
-        return flk_fact_of_statistic(&r->a, &r->extremes, &n->c, n->statistic, branch,
-                                     r->statistic_names, value);
+        return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch,
+                                     o->statistic_names, value);
     case FLK_NAME_FACT:
-        if (!flk_name_facts(r, n->handle, branch))
-            return flk_fact_lack(&r->a, n->handle, branch);
-        *value = r->facts[0];
+        if (!flk_name_facts(o, n->handle, branch))
+            return flk_fact_lack(&o->a, n->handle, branch);
+        *value = o->facts[0];
         return FOURLINK_OK;
     case FLK_NAME_GIVEN:
+        if (gsl_isnan(n->given->value))
+            return FOURLINK_NO_SUCH_NAME;
         *value = *n->given;
         return FOURLINK_OK;
     case FLK_NAME_UNKNOWN:

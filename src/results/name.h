@@ -25,20 +25,20 @@ typedef struct flk_name {
 } flk_name;
 
 /* What a name means.  An unknown one has a statistic and `of` too. */
-void flk_name_find(fourlink_results *r, text name, flk_name *n);
+void flk_name_find(flk_opened *o, text name, flk_name *n);
 
 /* What a handle stands for in this design; `of` is empty. */
-void flk_name_of_handle(fourlink_results *r, int handle, flk_name *n);
+void flk_name_of_handle(flk_opened *o, int handle, flk_name *n);
 
 /* Describe what a name means, without its value; all 0 if it is unknown. */
-void flk_name_describe(const fourlink_results *r, const flk_name *n, fourlink_value *v);
+void flk_name_describe(const flk_opened *o, const flk_name *n, fourlink_value *v);
 
 /* Its value, or as fourlink_results_get why it has none. */
-int flk_name_value(fourlink_results *r, const flk_name *n, fourlink_branch branch, double angle,
+int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, double angle,
                    fourlink_value *value);
 
-/* Put the facts of this handle on a branch first in r->facts, such as the ends of two ranges; returns their
+/* Put the facts of this handle on a branch first in o->facts, such as the ends of two ranges; returns their
 ** number. */
-unsigned long flk_name_facts(fourlink_results *r, int handle, fourlink_branch branch);
+unsigned long flk_name_facts(flk_opened *o, int handle, fourlink_branch branch);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** opened.h - a deck opened for results.
+** opened.h - a deck, or one of its designs, opened for results.
 */
 #ifndef FOURLINK_OPENED_H
 #define FOURLINK_OPENED_H
@@ -8,7 +8,8 @@
 #include "extreme.h"
 #include "list.h"
 
-struct fourlink_results {
+/* One design of a deck. */
+typedef struct flk_opened {
     deck d;
     int whole_cycle; /* as in fourlink_source */
     flk_analysis a;
@@ -21,6 +22,15 @@ struct fourlink_results {
     char *output_names;                      /* of DECK_NAME_SIZE bytes each, as are all below */
     char *variable_names, *input_names;
     char *statistic_names; /* by column and statistic */
+    fourlink_value number; /* the number asked for last that FOURLINK_INPUTS does not list */
+} flk_opened;
+
+/* Results, whose numbers a host can set. */
+struct fourlink_results {
+    flk_opened *now;   /* the design that all functions are about */
+    flk_opened *first; /* the design as it was opened, with the settings that the others share */
+    deck_number *set;  /* the numbers that differ from it */
+    size_t n_set;
 };
 
 #endif

@@ -130,7 +130,7 @@ static void ask_design(const fourlink_source *source, fourlink_results *r)
     fourlink_results *other;
     const fourlink_value *list;
     fourlink_problem p;
-    double *low, *high;
+    double *low, *high, *values;
     unsigned long n;
     int status;
 
@@ -143,10 +143,13 @@ static void ask_design(const fourlink_source *source, fourlink_results *r)
     low = calloc(n + 1, sizeof *low);
     high = calloc(n + 1, sizeof *high);
     MUST(low && high);
-    MUST(fourlink_source_design(source, n, low) == FOURLINK_OK);
-    MUST(fourlink_source_neighbours(source, n, low, high) == FOURLINK_OK);
+    values = calloc(n + 1, sizeof *values);
+    MUST(low && high && values);
+    MUST((fourlink_results_variables(r, p.n_designs / 2, n, values, low, high) == FOURLINK_OK) ==
+         (p.n_designs > 0));
     free(low);
     free(high);
+    free(values);
 }
 
 static void ask_all(fourlink_results *r)

@@ -42,13 +42,9 @@ TEST(test_null_pointers)
     assert_int_equal(fourlink_results_design(r, 0, 1, NULL, &mistake, &n), FOURLINK_NULL);
     assert_int_equal(fourlink_results_design(r, 0, 1, &r, NULL, &n), FOURLINK_NULL);
     assert_int_equal(fourlink_results_design(r, 0, 1, &r, &mistake, &n), FOURLINK_BAD_NUMBER);
-    assert_int_equal(fourlink_source_design(NULL, 1, &x), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_design(&none, 1, &x), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_design(&source, 1, NULL), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_neighbours(NULL, 1, &x, &x), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_neighbours(&none, 1, &x, &x), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_neighbours(&source, 1, NULL, &x), FOURLINK_NULL);
-    assert_int_equal(fourlink_source_neighbours(&source, 1, &x, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_variables(NULL, 0, 1, &x, NULL, NULL), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_variables(r, 0, 1, NULL, &x, &x), FOURLINK_NULL);
+    assert_int_equal(fourlink_results_variables(r, 0, 0, NULL, NULL, NULL), FOURLINK_BAD_NUMBER);
     assert_null(fourlink_results_deck(NULL));
     fourlink_results_free(NULL);
     assert_int_equal(fourlink_results_list(NULL, FOURLINK_COLUMNS, &list, &n), FOURLINK_NULL);
@@ -220,8 +216,11 @@ TEST(test_designs)
                  {7, 7, FOURLINK_OK, 19, 200},
                  {FOURLINK_ANY_DESIGN, 4, FOURLINK_OK, 18, 100}};
     fourlink_source source = deck_source(linkage(SWEEP));
+    fourlink_results *any = NULL;
     size_t i;
 
+    source.design = FOURLINK_ANY_DESIGN;
+    assert_int_equal(fourlink_results_open(&source, 0, &any, NULL, NULL), FOURLINK_OK);
     for (i = 0; i < COUNT(cases); i++) {
         fourlink_results *r = NULL;
         const fourlink_value *list;
@@ -257,11 +256,12 @@ TEST(test_designs)
         fourlink_results_free(r);
         if (cases[i].design == FOURLINK_ANY_DESIGN)
             continue;
-        assert_int_equal(fourlink_source_design(&source, 1, values), FOURLINK_OK);
+        fourlink_results_variables(any, cases[i].design, 1, values, NULL, NULL);
         assert_true(values[0] == cases[i].length && values[1] == 5);
-        assert_int_equal(fourlink_source_design(&source, 3, values), FOURLINK_OK);
+        fourlink_results_variables(any, cases[i].design, 3, values, NULL, NULL);
         assert_true(values[0] == cases[i].length && values[1] == cases[i].speed && values[2] == 5);
     }
+    fourlink_results_free(any);
 }
 
 /* None of the designs is in order: the mistakes are those of the first. */

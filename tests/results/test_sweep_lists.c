@@ -20,24 +20,23 @@ TEST(test_neighbours)
                                             {{18, 20}, {100, 100}, {56, 56}},
                                             {{18, 20}, {200, 200}, {56, 56}},
                                             {{19, 20}, {100, 100}, {56, 56}}};
-    fourlink_source source =
-        deck_source(linkage("[sweep]\ncrank.length = 18 mm to 20 mm step 1 mm\n"
-                            "motion.speed = 100 rpm, 200 rpm\nrocker.length = 56 mm +- 1 mm\n"
-                            "samples = 1\n[units]\nlength = mm\nangular_speed = rpm\n"));
+    fourlink_results *r =
+        opened(linkage("[sweep]\ncrank.length = 18 mm to 20 mm step 1 mm\n"
+                       "motion.speed = 100 rpm, 200 rpm\nrocker.length = 56 mm +- 1 mm\n"
+                       "samples = 1\n[units]\nlength = mm\nangular_speed = rpm\n"));
     double low[3], high[3], values[3];
     size_t i, k;
 
     for (i = 0; i < COUNT(expected); i++) {
-        source.design = (unsigned long)i;
-        assert_int_equal(fourlink_source_neighbours(&source, 3, low, high), FOURLINK_OK);
-        assert_int_equal(fourlink_source_design(&source, 3, values), FOURLINK_OK);
+        assert_int_equal(fourlink_results_variables(r, i, 3, values, low, high), FOURLINK_OK);
         for (k = 0; k < 2; k++)
             assert_true(low[k] == expected[i][k][0] && high[k] == expected[i][k][1]);
         assert_true(low[2] == values[2] && high[2] == values[2]);
     }
     high[1] = 5;
-    assert_int_equal(fourlink_source_neighbours(&source, 1, low, high), FOURLINK_OK);
+    assert_int_equal(fourlink_results_variables(r, 4, 1, values, low, high), FOURLINK_OK);
     assert_true(high[1] == 5);
+    fourlink_results_free(r);
 }
 
 /* The conditions of a yield: outputs with limits, in the deck's units. */

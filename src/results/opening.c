@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** opening.c - opens decks and their designs for results: lists columns, and the outputs and conditions of a sweep.
+*/
+#include <stdlib.h>
+
+#include "base/quantity.h"
+#include "condition.h"
+#include "fact.h"
+#include "name.h"
+#include "opening.h"
+#include "turning.h"
+
+/* Check a name in the [sweep] output: a fact or a statistic of a column; a column only if the deck has one
+** instant. */
+static void check_output(flk_opened *o, text name, const flk_name *n, text_place place)
+{
+    mistakes *m = &o->d.mistakes;
+    char statistic[DECK_NAME_SIZE];
+    const char *nearest;
+
+    if (o->d.drive.by_time && flk_fact_group(n->handle) > FOURLINK_FACTS_LIMITS)
+        flk_mistake(m, place, "'%t' needs rows by angle; [motion] has rows = time", name);
+    if (n->kind == FLK_NAME_STATISTIC || n->kind == FLK_NAME_FACT ||
+        (n->kind == FLK_NAME_COLUMN && o->d.one_instant))
+        return;
+    nearest = n->statistic ? flk_column_nearest(&o->a, n->of) : flk_fact_nearest(name);
+    if (n->statistic && nearest)
+        nearest = flk_column_statistic_text(n->statistic, nearest, statistic);
+    flk_mistake(m, place,
+                n->kind == FLK_NAME_COLUMN
+                    ? "'%t' has a value in each row: use its max(), min(), mean() or rms()%h"
+                    : "'%t' is neither a fact nor the max(), min(), mean() or rms() of a column of "
+                      "this deck%h",
+                name, nearest);
+}
+
+/* Ask for the extreme that a name stands for, if it is one. */
+static void ask_extreme(flk_opened *o, const flk_name *n)
+{
+    if (n->kind == FLK_NAME_STATISTIC && (n->statistic == FLK_MAX || n->statistic == FLK_MIN))
+        flk_extremes_ask(&o->extremes, &n->c);
+}
+
+/* Ask for the extremes that are found in one search with those of a sweep's outputs: those of the columns of a deck
+** without a sweep, and those that are expected. */
+static void ask_extremes(flk_opened *o)
+{
+    flk_name n;
+    text of;
+    size_t i;
+
+    o->extremes.is_together = o->d.sweep.n_variables > 0;
+    for (i = 0; i < o->n_columns && !o->d.sweep.n_variables; i++)
+        if (!(flk_column_flags(&o->columns[i]) & FOURLINK_CRANK_ANGLE))
+            flk_extremes_ask(&o->extremes, &o->columns[i]);
+    for (i = 0; i < o->d.n_expectations; i++)
+        if (flk_column_statistic_of(o->d.expectations[i].name, &of)) {
+            flk_name_find(o, o->d.expectations[i].name, &n);
+            ask_extreme(o, &n);
+        }
+}
+
+#define MOST_OUTPUTS 64
+
+/* Add an output, or find it; null and a mistake if there are too many. */
+static const fourlink_value *add_output(flk_opened *o, text name, text_place place, int is_new)
+{
+    flk_list *outputs = &o->lists[FOURLINK_OUTPUTS];
+    fourlink_value *output = &outputs->list[outputs->n];
+    unsigned long i;
+    flk_name n;
+
+    for (i = 0; i < outputs->n && !is_new; i++)
+        if (flk_text_same(name, outputs->list[i].name))
+            return &outputs->list[i];
+    if (outputs->n == MOST_OUTPUTS) {
+        flk_mistake(&o->d.mistakes, place, "more than 64 outputs");
+        return NULL;
+    }
+    flk_name_find(o, name, &n);
+    flk_name_describe(o, &n, output);
+    check_output(o, name, &n, place);
+    ask_extreme(o, &n);
+    output->name =
+        flk_text_copy(name, o->output_names + DECK_NAME_SIZE * outputs->n++, DECK_NAME_SIZE);
+    return output;
+}
+
+static void list_outputs(flk_opened *o)
+{
+    text_place place = o->d.sweep.output.place;
+    text rest = o->d.sweep.output.names, name;
+
+    while (rest.start && flk_column_next_name(&rest, &name))
+        if (!add_output(o, name, place, 1))
+            return;
+    if (o->d.sweep.output.names.start && !o->lists[FOURLINK_OUTPUTS].n)
+        flk_mistake(&o->d.mistakes, place, "'output' names nothing");
+}
+
+/* Add a condition of the yield; its name is an output too.  Returns 0 if there are too many. */
+static int add_condition(flk_opened *o, const flk_condition *c)
+{
+    flk_list *list = &o->lists[FOURLINK_CONDITIONS];
+    text_place place = o->d.sweep.yield.place;
+    const fourlink_value *output = add_output(o, c->name, place, 0);
+    char message[MESSAGE_SIZE];
+    quantity_value limit;
+    fourlink_value *v;
+    quantity q;
+
+    if (!output || list->n == MOST_OUTPUTS)
+        return 0;
+    if (!output->quantity)
+        return 1; /* not known: already reported */
+    q = flk_quantity_find(output->quantity);
+    if (!flk_quantity_read(c->limit, c->limit, q, o->d.units[q].unit, &limit, message))
+        return flk_mistake(&o->d.mistakes, place, "%s", message) + 1;
+    v = &list->list[list->n];
+    *v = *output;
+    v->value = flk_unit_from_si(limit.si, o->d.units[q].unit);
+    v->flags = c->flags;
+    v->meaning = flk_text_copy(
+        c->whole, o->output_names + DECK_NAME_SIZE * (MOST_OUTPUTS + list->n++), DECK_NAME_SIZE);
+    return 1;
+}
+
+static void list_conditions(flk_opened *o)
+{
+    text rest = o->d.sweep.yield.names;
+    flk_condition c;
+    int status = 0;
+
+    while (rest.start && (status = flk_condition_next(&rest, &c)) != 0) {
+        if (status < 0)
+            flk_mistake(&o->d.mistakes, o->d.sweep.yield.place,
+                        "expected a condition, such as mu_min > 40 deg, not '%t'", c.whole);
+        else if (!add_condition(o, &c))
+            return;
+    }
+}
+
+/* Allocate all lists in one piece, after the facts; 0 if out of memory. */
+static int take_memory(flk_opened *o)
+{
+    size_t columns = flk_column_limit(&o->d), inputs = flk_list_input_limit(&o->d);
+    size_t variables = o->d.sweep.n_variables, size[FOURLINK_CONDITIONS + 1], total = 0;
+    fourlink_value *next;
+    int i;
+
+    size[0] = FLK_FACT_LIMIT + 4 * columns;
+    size[FOURLINK_COLUMNS] = size[FOURLINK_ALL_COLUMNS] = columns;
+    size[FOURLINK_INPUTS] = inputs;
+    size[FOURLINK_VARIABLES] = variables;
+    size[FOURLINK_OUTPUTS] = size[FOURLINK_CONDITIONS] = MOST_OUTPUTS;
+    for (i = 0; i <= FOURLINK_CONDITIONS; i++)
+        total += size[i];
+    o->columns = malloc(columns * sizeof *o->columns);
+    o->output_names =
+        malloc((2 * MOST_OUTPUTS + variables + inputs + FLK_STATISTICS * columns) * DECK_NAME_SIZE);
+    o->facts = next = malloc(total * sizeof *next);
+    for (i = 0; next && i <= FOURLINK_CONDITIONS; next += size[i++])
+        o->lists[i].list = next;
+    if (!o->columns || !o->output_names || !o->facts)
+        return 0;
+    o->variable_names = o->output_names + 2 * MOST_OUTPUTS * DECK_NAME_SIZE;
+    o->input_names = o->variable_names + variables * DECK_NAME_SIZE;
+    o->statistic_names = o->input_names + inputs * DECK_NAME_SIZE;
+    return flk_turning_open(&o->a) && flk_extremes_open(&o->extremes, columns);
+}
+
+/* Open a deck without mistakes; 0 if out of memory. */
+static int open_deck(flk_opened *o)
+{
+    flk_list *list = &o->lists[FOURLINK_COLUMNS];
+    size_t i;
+
+    if (o->d.sweep.n_variables && !o->d.solver)
+        o->d.solver = SOLVER_DYAD;
+    if (!flk_analysis_open(&o->a, &o->d) || !take_memory(o))
+        return 0;
+    o->n_columns = flk_column_choose(&o->a, &o->d.mistakes, o->columns);
+    for (i = 0; i < o->n_columns; i++) {
+        flk_list_column(&o->d, &o->columns[i], &list->list[list->n++]);
+        o->needs |= flk_column_need(&o->columns[i]);
+    }
+    list_outputs(o);
+    list_conditions(o);
+    ask_extremes(o);
+    flk_list_variables(&o->d, &o->lists[FOURLINK_VARIABLES], o->variable_names);
+    return 1;
+}
+
+#define TRIES 1000
+#define LONG_DECK 100000 /* bytes: too long to be read so often */
+
+/* Read a deck.  FOURLINK_ANY_DESIGN reads the first design without mistakes, or the first design if all those
+** tried have mistakes. */
+static int read_deck(const fourlink_source *source, deck *d)
+{
+    fourlink_source one = *source;
+    unsigned long n, i;
+    deck other;
+    int status;
+
+    if (source->design != FOURLINK_ANY_DESIGN)
+        return flk_deck_read(source, d);
+    one.design = 0;
+    status = flk_deck_read(&one, d);
+    n = d->sweep.n_designs;
+    if (source->length > LONG_DECK)
+        n = 1;
+    for (i = 1; status == 0 && i < n && i < 2 * TRIES; i++) {
+        one.design = i < TRIES || n < 2 * TRIES ? i : n / TRIES * (i - TRIES);
+        status = flk_deck_design(d, one.design, NULL, 0, &other);
+        flk_deck_free(&other);
+        if (status == 1) {
+            flk_deck_free(d);
+            return flk_deck_read(&one, d);
+        }
+    }
+    return status;
+}
+
+/* Replace one instant by a cycle with its speed and acceleration. */
+static void hold_instant(deck *d)
+{
+    fourlink_motion *motion = &d->motion;
+    double turn = motion->speed != 0 ? motion->speed : motion->acceleration;
+    double cycle = flk_unit_from_si(d->machine.cycle, d->units[QUANTITY_ANGLE].unit);
+
+    motion->from = 0;
+    motion->to = turn < 0 ? -cycle : cycle;
+    motion->interval = cycle / 72;
+    motion->hold = 1;
+    d->one_instant = 0;
+}
+
+/* Open results of their deck, with the status of flk_deck_read. */
+static int open_results(flk_opened *o, int status, const flk_mistake_list *list,
+                        flk_opened **opened)
+{
+    if (status > 0 && o->whole_cycle && o->d.one_instant)
+        hold_instant(&o->d);
+    if (status > 0 && !open_deck(o))
+        status = -1;
+    else if (status == 0)
+        flk_column_check(&o->d);
+    if (status < 0 || o->d.mistakes.out_of_memory) {
+        flk_opened_free(o);
+        return FOURLINK_NO_MEMORY;
+    }
+    if (!o->d.mistakes.count) {
+        *opened = o;
+        return FOURLINK_OK;
+    }
+    flk_mistakes_sort(&o->d.mistakes);
+    flk_deck_give_mistakes(&o->d.mistakes, list->max, list->mistakes, list->n);
+    flk_opened_free(o);
+    return FOURLINK_BAD_DECK;
+}
+
+int flk_opened_read(const fourlink_source *source, const flk_mistake_list *list,
+                    flk_opened **opened)
+{
+    flk_opened *o = calloc(1, sizeof *o);
+
+    if (!o)
+        return FOURLINK_NO_MEMORY;
+    o->whole_cycle = source->whole_cycle;
+    return open_results(o, read_deck(source, &o->d), list, opened);
+}
+
+int flk_opened_design(const flk_opened *from, unsigned long design, const deck_number *set,
+                      size_t n_set, const flk_mistake_list *list, flk_opened **opened)
+{
+    flk_opened *o = calloc(1, sizeof *o);
+
+    if (!o)
+        return FOURLINK_NO_MEMORY;
+    o->whole_cycle = from->whole_cycle;
+    return open_results(o, flk_deck_design(&from->d, design, set, n_set, &o->d), list, opened);
+}
+
+void flk_opened_free(flk_opened *o)
+{
+    if (!o)
+        return;
+    flk_extremes_close(&o->extremes);
+    flk_analysis_close(&o->a);
+    flk_deck_free(&o->d);
+    free(o->columns);
+    free(o->output_names);
+    free(o->facts);
+    free(o);
+}
