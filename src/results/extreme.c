@@ -579,6 +579,7 @@ static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
     }
     for (i = 0; i < n; i++) {
         pairs[i].status = status;
+        pairs[i].is_searched = 1;
         if (status != FOURLINK_OK)
             pairs[i].max.is_there = pairs[i].min.is_there = 0;
     }
@@ -588,17 +589,22 @@ static void find(const flk_extremes *e, flk_analysis *a, fourlink_branch branch,
 
 int flk_extremes_open(flk_extremes *x, size_t most)
 {
-    x->pairs[0] = malloc(2 * (most + 1) * sizeof *x->pairs[0]);
+    int k;
+
+    x->together[0] = calloc(4 * (most + 1), sizeof *x->together[0]);
     x->bests = malloc((most + 1) * sizeof *x->bests);
-    if (!flk_samples_open(&x->room, most + 1) || !x->pairs[0] || !x->bests)
+    if (!flk_samples_open(&x->room, most + 1) || !x->together[0] || !x->bests)
         return 0;
-    x->pairs[1] = x->pairs[0] + most + 1;
+    for (k = 0; k < 2; k++) {
+        x->together[k] = x->together[0] + (size_t)k * (most + 1);
+        x->alone[k] = x->together[0] + (size_t)(2 + k) * (most + 1);
+    }
     return 1;
 }
 
 void flk_extremes_close(flk_extremes *x)
 {
-    free(x->pairs[0]);
+    free(x->together[0]);
     free(x->bests);
     flk_samples_close(&x->room);
 }
@@ -610,40 +616,42 @@ static int is_same(const flk_column *x, const flk_column *y)
     return !x->link || (x->component == y->component && x->at.x == y->at.x && x->at.y == y->at.y);
 }
 
-void flk_extremes_ask(flk_extremes *x, const flk_column *c)
+/* The number of a column among those asked for; x->n if it is another. */
+static size_t number_of(const flk_extremes *x, const flk_column *c)
 {
     size_t i;
 
-    for (i = 0; i < x->n; i++)
-        if (is_same(&x->pairs[0][i].c, c))
-            return;
-    x->pairs[0][x->n].c = x->pairs[1][x->n].c = *c;
+    for (i = 0; i < x->n && !is_same(&x->together[0][i].c, c); i++)
+        ;
+    return i;
+}
+
+void flk_extremes_ask(flk_extremes *x, const flk_column *c)
+{
+    int k;
+
+    if (number_of(x, c) < x->n)
+        return;
+    for (k = 0; k < 2; k++)
+        x->together[k][x->n].c = x->alone[k][x->n].c = *c;
     x->n++;
 }
 
 #define FEW 8 /* columns that cost hardly more than one */
 
 const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
-                                        fourlink_branch branch)
+                                        fourlink_branch branch, int all)
 {
     int k = branch == FOURLINK_OPEN ? 0 : 1;
-    flk_extreme_pair *pairs = x->pairs[k];
-    size_t i;
+    size_t i = number_of(x, c);
+    int is_alone = i == x->n || !(all || x->is_together || x->n <= FEW);
+    flk_extreme_pair *pair = is_alone ? &x->alone[k][i] : &x->together[k][i];
 
-    for (i = 0; i < x->n && !is_same(&pairs[i].c, c); i++)
-        ;
-    if (i < x->n && x->is_known[k])
-        return &pairs[i];
-    if (x->has_other[k] && is_same(&pairs[x->n].c, c))
-        return &pairs[x->n];
-    if (i < x->n && (x->is_together || x->n <= FEW || x->is_begun[k])) {
-        find(x, a, branch, pairs, x->n);
-        x->is_known[k] = 1;
-        return &pairs[i];
+    if (i == x->n && !is_same(&pair->c, c)) {
+        pair->c = *c;
+        pair->is_searched = 0;
     }
-    x->is_begun[k] |= i < x->n;
-    x->has_other[k] = 1;
-    pairs[x->n].c = *c;
-    find(x, a, branch, &pairs[x->n], 1);
-    return &pairs[x->n];
+    if (!pair->is_searched)
+        find(x, a, branch, is_alone ? pair : x->together[k], is_alone ? 1 : x->n);
+    return pair;
 }

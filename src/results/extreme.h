@@ -18,18 +18,17 @@ typedef struct flk_extreme {
 typedef struct flk_extreme_pair {
     flk_column c;
     flk_extreme min, max;
-    int status; /* FOURLINK_OK; FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG: they are not known */
+    int status;      /* FOURLINK_OK; FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG: they are not known */
+    int is_searched; /* 1: the members above are set */
 } flk_extreme_pair;
 
-/* The extremes that a deck asks for.  The first that is wanted is found alone, unless all are wanted or they are few; with the second all
-** are found, in one search. */
+/* The extremes that a deck asks for.  All are found in one search where all are wanted, or if they are few; else
+** each is found alone.  The last digits may depend on which, but not on what was found before. */
 typedef struct flk_extremes {
-    flk_extreme_pair *pairs[2]; /* open, crossed; behind them one for any other column */
+    flk_extreme_pair *together[2]; /* open, crossed */
+    flk_extreme_pair *alone[2];    /* the same columns; behind them any other */
     size_t n;
-    int is_together;  /* 1: all are wanted */
-    int has_other[2]; /* 1: that is known; */
-    int is_begun[2];  /* 1: one of the n has been found so, */
-    int is_known[2];  /* ... all have */
+    int is_together; /* 1: all are always wanted */
     flk_samples_room room;
     struct flk_bests *bests; /* of each column, in a search */
 } flk_extremes;
@@ -41,8 +40,8 @@ void flk_extremes_close(flk_extremes *x);
 /* Ask for the extremes of a column, before the first of all is found. */
 void flk_extremes_ask(flk_extremes *x, const flk_column *c);
 
-/* The extremes of any column; valid until the next call. */
+/* The extremes of any column; valid until the next call.  `all`: those of all columns asked for are wanted. */
 const flk_extreme_pair *flk_extremes_of(flk_extremes *x, flk_analysis *a, const flk_column *c,
-                                        fourlink_branch branch);
+                                        fourlink_branch branch, int all);
 
 #endif

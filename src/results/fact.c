@@ -345,9 +345,9 @@ int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch)
 }
 
 static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
-                        fourlink_branch branch, flk_statistic statistic, fourlink_value *f)
+                        fourlink_branch branch, flk_statistic statistic, int all, fourlink_value *f)
 {
-    const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch);
+    const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch, all);
     const flk_extreme *e = statistic == FLK_MAX ? &pair->max : &pair->min;
 
     if (pair->status != FOURLINK_OK)
@@ -361,7 +361,7 @@ static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
 }
 
 int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
-                          flk_statistic statistic, fourlink_branch branch, char *names,
+                          flk_statistic statistic, fourlink_branch branch, int all, char *names,
                           fourlink_value *f)
 {
     static const char *const meanings[] = {"", "largest value", "smallest value",
@@ -375,7 +375,7 @@ int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
     v.handle = flk_column_handle(c, statistic);
     v.branch = (int)branch;
     status = statistic == FLK_MAX || statistic == FLK_MIN
-                 ? find_extreme(a, x, c, branch, statistic, &v)
+                 ? find_extreme(a, x, c, branch, statistic, all, &v)
                  : flk_mean_find(a, c, branch, statistic, &v.value);
     if (status == FOURLINK_NOT_REACHED && end_of_motion(a, branch) != FOURLINK_OK)
         status = end_of_motion(a, branch);
@@ -392,7 +392,7 @@ static void add_extremes(listing *t, flk_analysis *a, flk_extremes *x, const flk
     if (flk_column_flags(c) & FOURLINK_CRANK_ANGLE)
         return;
     for (statistic = FLK_MAX; statistic <= FLK_MIN; statistic++)
-        t->n += flk_fact_of_statistic(a, x, c, statistic, (fourlink_branch)t->branch, names,
+        t->n += flk_fact_of_statistic(a, x, c, statistic, (fourlink_branch)t->branch, 1, names,
                                       &t->list[t->n]) == FOURLINK_OK;
 }
 

@@ -123,7 +123,7 @@ int flk_name_value(flk_opened *o, const flk_name *n, fourlink_branch branch, dou
     case FLK_NAME_COLUMN:
         return value_of_column(o, &n->c, branch, angle, value);
     case FLK_NAME_STATISTIC:
-        return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch,
+        return flk_fact_of_statistic(&o->a, &o->extremes, &n->c, n->statistic, branch, 0,
                                      o->statistic_names, value);
     case FLK_NAME_FACT:
         if (!flk_name_facts(o, n->handle, branch))

@@ -9,10 +9,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-#include "machines.h"
-
-#define MOST_COLUMNS 200
-#define MOST_LOADS 40
+#include "everything.h"
 
 static volatile int watches_memory;
 static volatile unsigned long allocations;
@@ -51,88 +48,12 @@ void *realloc(void *memory, size_t size)
 }
 #endif
 
-typedef struct digest {
-    uint64_t hash;
-    unsigned long values, refused; /* numbers looked at; answers other than FOURLINK_OK */
-} digest;
-
-static void note(digest *d, double value)
-{
-    uint64_t bits = 0;
-
-    if (!isnan(value))
-        memcpy(&bits, &value, sizeof bits);
-    d->hash = (d->hash ^ bits) * 1099511628211u;
-    d->values++;
-}
-
-static void note_status(digest *d, int status)
-{
-    note(d, status);
-    d->refused += status != FOURLINK_OK;
-}
-
-static void note_values(digest *d, const double *values, unsigned long n)
-{
-    while (n-- > 0)
-        note(d, values[n]);
-}
-
-/* Call all functions for all that an opened deck has. */
-static digest exercise(fourlink_results *r)
-{
-    digest d = {14695981039346656037u, 0, 0};
-    double values[MOST_COLUMNS], turn;
-    fourlink_load loads[MOST_LOADS];
-    const fourlink_value *list;
-    fourlink_instant instant;
-    fourlink_turning turning;
-    unsigned long n, i, j;
-    fourlink_problem p;
-    fourlink_check c;
-    int k;
-
-    fourlink_deck_problem(fourlink_results_deck(r), &p);
-    assert_true(p.n_loads <= MOST_LOADS);
-    turn = 2 * PI / p.motion.angle_unit;
-    for (k = FOURLINK_COLUMNS; k <= FOURLINK_OUTPUTS; k++) {
-        fourlink_results_list(r, k, &list, &n);
-        for (i = 0; i < n; i++)
-            note(&d, list[i].value);
-    }
-    for (k = 0; k < 2; k++) {
-        fourlink_results_list(r, FOURLINK_COLUMNS, &list, &n);
-        for (i = 0; i < p.n_rows; i += 1 + p.n_rows / 20) {
-            note_status(&d, fourlink_results_row(r, branches[k], i, values, &instant, loads));
-            note_values(&d, values, n);
-        }
-        for (i = 0; i < 24; i++)
-            if (fourlink_results_at(r, branches[k], turn * (double)i / 24, values, NULL, NULL) !=
-                FOURLINK_NO_SUCH_ANGLE)
-                note_values(&d, values, n);
-        note_status(&d, fourlink_results_facts(r, branches[k], 7, &list, &n));
-        for (i = 0; i < n; i++)
-            note(&d, list[i].value);
-        note_status(&d, fourlink_results_turning(r, branches[k], &turning));
-        fourlink_results_list(r, FOURLINK_ALL_COLUMNS, &list, &n);
-        for (i = 0; i < n; i++) {
-            fourlink_value v = {0};
-
-            fourlink_results_value(r, list[i].name, branches[k], turn / 5, &v);
-            note(&d, v.value);
-        }
-    }
-    for (j = 0; j < p.n_expected; j++) {
-        note_status(&d, fourlink_results_check(r, j, &c));
-        note(&d, c.computed);
-    }
-    return d;
-}
-
-/* All columns, by the faster solution; some that differ in kind, by the nine equations. */
+/* All columns, by the faster solution; some that differ in kind, by the nine equations; those of the deck. */
 static const fourlink_change all[2] = {{"test", "table.columns=all"}, {"test", "solver=dyad"}};
 static const fourlink_change some[2] = {
     {"test", "table.columns=theta2,theta3,alpha3,F12,Ts_static,I13x"}, {"test", "solver=matrix"}};
+
+static const fourlink_change own[2] = {{"test", "solver=dyad"}, {"test", "solver=dyad"}};
 
 static fourlink_source with_columns(const char *contents, const fourlink_change changes[2])
 {
@@ -170,18 +91,6 @@ static digest check_everything(const char *contents, const fourlink_change colum
     return first;
 }
 
-static void read_whole(const char *path, char *text, size_t size)
-{
-    FILE *in = fopen(path, "r");
-    size_t n;
-
-    assert_non_null(in);
-    n = fread(text, 1, size - 1, in);
-    fclose(in);
-    assert_true(n > 0 && n < size - 1);
-    text[n] = '\0';
-}
-
 #ifdef COUNTS_MEMORY
 TEST(test_memory_is_counted)
 {
@@ -214,6 +123,7 @@ TEST(test_everything_of_the_decks)
                 continue;
             read_whole(name, text, sizeof text);
             check_everything(text, all, name);
+            check_everything(text, own, name);
             n++;
         }
         globfree(&found);
