@@ -1935,6 +1935,8 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 **       CALL FLVAL(HANDLE, NAME, IBRNCH, ANGLE, VALUE, ISTAT)
 **       CALL FLFIND(HANDLE, NAME, ID, ISTAT)
 **       CALL FLGET(HANDLE, ID, IBRNCH, ANGLE, VALUE, ISTAT)
+**       CALL FLSET(HANDLE, NAME, VALUE, ISTAT, MSG)
+**       CALL FLPUT(HANDLE, N, IDS, VALUES, ISTAT, MSG)
 **       CALL FLNROW(HANDLE, NROWS, NCOLS)
 **       CALL FLNAME(HANDLE, I, NAME, UNIT, ISTAT)
 **       CALL FLROW(HANDLE, IBRNCH, I, N, VALUES, ISTAT)
@@ -1963,6 +1965,14 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** FLFIND looks up a name once, and FLGET returns its values without a search: ID is the handle of
 ** fourlink_results_find.  For the statistics of a column add 1 (max), 2 (min), 3 (mean) or 4 (rms).
 **
+** FLSET sets a number of the deck, such as crank.length; FLPUT sets N of them at once, by their IDs from FLFIND.
+**
+** Given:
+**    VALUE      in the unit that fourlink_results_set says
+** Returned:
+**    ISTAT      as from fourlink_results_set
+**    MSG        as from FLOPEN
+**
 ** FLNROW returns the number of rows and columns of the deck's table.  FLNAME returns the name and unit of
 ** column I, 1 to NCOLS; otherwise ISTAT is FOURLINK_NO_SUCH_NAME.  FLROW returns row I, 1 to NROWS.
 **
@@ -1976,7 +1986,7 @@ FOURLINK_API void fltext_(const int *istat, char *text, unsigned long length);
 ** Returned texts are padded with blanks, or cut off.
 **
 ** Reference:
-**    as fourlink_results_open, _value, _find, _get, _row
+**    as fourlink_results_open, _value, _find, _get, _set, _put, _row
 */
 FOURLINK_API void flopen_(const char *text, fourlink_results **handle, int *istat, char *msg,
                           unsigned long text_length, unsigned long msg_length);
@@ -1986,6 +1996,11 @@ FOURLINK_API void flfind_(fourlink_results *const *handle, const char *name, int
                           unsigned long name_length);
 FOURLINK_API void flget_(fourlink_results *const *handle, const int *id, const int *ibrnch,
                          const double *angle, double *value, int *istat);
+FOURLINK_API void flset_(fourlink_results *const *handle, const char *name, const double *value,
+                         int *istat, char *msg, unsigned long name_length,
+                         unsigned long msg_length);
+FOURLINK_API void flput_(fourlink_results *const *handle, const int *n, const int *ids,
+                         const double *values, int *istat, char *msg, unsigned long msg_length);
 FOURLINK_API void flnrow_(fourlink_results *const *handle, int *nrows, int *ncols);
 FOURLINK_API void flname_(fourlink_results *const *handle, const int *i, char *name, char *unit,
                           int *istat, unsigned long name_length, unsigned long unit_length);

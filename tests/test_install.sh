@@ -61,6 +61,12 @@ mu_min = 58.229701379 deg
 ANSWER
 # Both are what data/me3491-matrix.deck expects, from two other computations; programs that open a deck read it.
 gives() { "$@" <usr/share/fourlink/data/me3491-matrix.deck | tr -s ' ' | cmp - "$answer"; }
+varied=$work/varied
+for crank in 18 20 22; do
+    usr/bin/fourlink -f csv -S -c Ts -b open -s "crank.length=$crank mm" usr/share/fourlink/data/me3491-matrix.deck |
+        awk -F, -v crank="$crank" '$1 == "max(Ts)" {printf "%.3f m: max(Ts) = %.9f N.m\n", crank / 1000, $2}'
+done >"$varied"
+echo 'the length must be positive, not -1 m' >>"$varied"
 static_libraries="$lib/libfourlink.a -lgsl -lgslcblas -lm"
 
 # caller NAME COMMAND...: a caller of the library, linked to the shared and to the static one.
@@ -94,6 +100,7 @@ with_c() {
     answer=named
     caller 'results by name, C90' $CC $CFLAGS -std=c90 $strict "$callers/results.c"
     answer=answer
+    answer=answer
     printf 'mechanism = four-bar\n[ground]\nlength = 80 parsec\n[krank]\n' >x.deck
     ./shared <x.deck >mistakes
     check 'the mistakes of a deck, as the command tells them' grep -qx \
@@ -101,6 +108,19 @@ with_c() {
     sed 's/^deck:/x.deck:/' mistakes >told
     usr/bin/fourlink x.deck 2>printed
     check 'all of them' cmp printed told
+
+    answer=$varied
+    caller 'numbers that are set, C90' $CC $CFLAGS -std=c90 $strict "$callers/varied.c"
+    # The best transmission angle: b = c = sqrt((a^2 + d^2) / 2), cos(mu_min) = 2 a d / (a^2 + d^2).
+    answer=optimum
+    echo 'coupler 58.310 mm, rocker 58.310 mm: mu_min = 61.928 deg' >$answer
+    usr/bin/fourlink -b open -s 'sweep.coupler.length=50 mm to 65 mm step 5 mm' \
+        -s 'sweep.rocker.length=50 mm to 65 mm step 5 mm' --best='max mu_min' usr/share/fourlink/data/me3491-matrix.deck >best
+    awk 'NR == 1 {mu = $(NF - 3)} /^\[/ {section = $1} /^length/ {length_of[section] = $3}
+        END {printf "coupler %.3f mm, rocker %.3f mm: mu_min = %.3f deg\n", length_of["[coupler]"], length_of["[rocker]"], mu}' best >of_best
+    check 'the best transmission angle, --best' cmp of_best $answer
+    caller 'an optimiser, as --best, C90' $CC $CFLAGS -std=c90 $strict "$callers/optimise.c" -lgsl -lgslcblas
+    answer=answer
 
     mkdir project
     cp "$callers/c90.c" project
@@ -134,6 +154,9 @@ with_fortran() {
     answer=named
     caller 'results by name, Fortran 2003' $FC $CFLAGS -std=f2003 -pedantic $strict "$callers/results.f90" fourlink.o
     caller 'results by name, FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/results.f"
+    answer=$varied
+    caller 'numbers that are set, Fortran 2003' $FC $CFLAGS -std=f2003 -pedantic $strict "$callers/varied.f90" fourlink.o
+    caller 'numbers that are set, FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/varied.f"
     answer=longer
     { cat answer; printf 'a4 = -1373.420151 m/s2\nslide = 0.146352 m\na length is not positive\n'; } >$answer
     caller 'FORTRAN 77' $FC $CFLAGS -std=legacy $strict "$callers/fortran77.f"

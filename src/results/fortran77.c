@@ -23,24 +23,31 @@ static void put_text(const char *words, char *out, unsigned long length)
     memcpy(out, words, n < length ? n : length);
 }
 
+/* The text of a status; of a deck with a mistake, that as LINE: MESSAGE. */
+static void put_message(int status, const fourlink_mistake *mistake, char *msg,
+                        unsigned long length)
+{
+    char words[sizeof mistake->message + 40];
+
+    if (status == FOURLINK_BAD_DECK)
+        flk_message(words, sizeof words, "%ld: %s", mistake->line, mistake->message);
+    else
+        flk_message(words, sizeof words, "%s", status ? fourlink_status_text(status) : "");
+    put_text(words, msg, length);
+}
+
 void flopen_(const char *deck_text, fourlink_results **handle, int *istat, char *msg,
              unsigned long deck_length, unsigned long msg_length)
 {
     fourlink_source source;
     fourlink_mistake mistake;
-    char words[sizeof mistake.message + 40];
-    unsigned long n;
 
     memset(&source, 0, sizeof source);
     source.text = deck_text;
     source.length = without_blanks(deck_text, deck_length);
     *handle = NULL;
-    *istat = fourlink_results_open(&source, 1, handle, &mistake, &n);
-    if (*istat == FOURLINK_BAD_DECK)
-        flk_message(words, sizeof words, "%ld: %s", mistake.line, mistake.message);
-    else
-        flk_message(words, sizeof words, "%s", *istat ? fourlink_status_text(*istat) : "");
-    put_text(words, msg, msg_length);
+    *istat = fourlink_results_open(&source, 1, handle, &mistake, NULL);
+    put_message(*istat, &mistake, msg, msg_length);
 }
 
 void flshut_(fourlink_results **handle)
@@ -108,6 +115,29 @@ void flval_(fourlink_results *const *handle, const char *name, const int *ibrnch
     flfind_(handle, name, &id, istat, name_length);
     if (*istat == FOURLINK_OK)
         flget_(handle, &id, ibrnch, angle, value, istat);
+}
+
+void flput_(fourlink_results *const *handle, const int *n, const int *ids, const double *values,
+            int *istat, char *msg, unsigned long msg_length)
+{
+    fourlink_mistake mistake;
+
+    *istat = *n < 0 ? FOURLINK_BAD_NUMBER
+                    : fourlink_results_put(*handle, (unsigned long)*n, ids, values, &mistake);
+    put_message(*istat, &mistake, msg, msg_length);
+}
+
+void flset_(fourlink_results *const *handle, const char *name, const double *value, int *istat,
+            char *msg, unsigned long name_length, unsigned long msg_length)
+{
+    const int one = 1;
+    int id = 0;
+
+    flfind_(handle, name, &id, istat, name_length);
+    if (*istat == FOURLINK_OK)
+        flput_(handle, &one, &id, value, istat, msg, msg_length);
+    else
+        put_message(*istat, NULL, msg, msg_length);
 }
 
 void flrow_(fourlink_results *const *handle, const int *ibrnch, const int *i, const int *n,

@@ -53,7 +53,7 @@ static const fourlink_change all[2] = {{"test", "table.columns=all"}, {"test", "
 static const fourlink_change some[2] = {
     {"test", "table.columns=theta2,theta3,alpha3,F12,Ts_static,I13x"}, {"test", "solver=matrix"}};
 
-static const fourlink_change own[2] = {{"test", "solver=dyad"}, {"test", "solver=dyad"}};
+static const fourlink_change usual[2] = {{"test", "solver=dyad"}, {"test", "solver=dyad"}};
 
 static fourlink_source with_columns(const char *contents, const fourlink_change changes[2])
 {
@@ -123,7 +123,7 @@ TEST(test_everything_of_the_decks)
                 continue;
             read_whole(name, text, sizeof text);
             check_everything(text, all, name);
-            check_everything(text, own, name);
+            check_everything(text, usual, name);
             n++;
         }
         globfree(&found);
