@@ -555,6 +555,12 @@ module fourlink
       type(fourlink_balance), intent(inout) :: balance
     end function fourlink_balance_of
 
+    integer(c_int) function fourlink_uniform_bar(length, mass, link) bind(c)
+      import
+      real(c_double), value :: length, mass
+      type(fourlink_link), intent(inout) :: link
+    end function fourlink_uniform_bar
+
     integer(c_int) function fourlink_add_counterweight(link, moment, radius, balanced, mass) &
         bind(c)
       import
@@ -699,6 +705,18 @@ module fourlink
       real(c_double), value :: angle
       type(fourlink_row), intent(inout) :: row
     end function fourlink_motion_at
+
+    integer(c_int) function fourlink_extreme(mechanism, motion, loads, n_loads, branch, name, &
+        value, angle) bind(c)
+      import
+      type(fourlink_mechanism), intent(in) :: mechanism
+      type(fourlink_motion), intent(in) :: motion
+      type(fourlink_load), intent(in) :: loads(*)
+      integer(c_long), value :: n_loads
+      integer(c_int), value :: branch
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(inout) :: value, angle
+    end function fourlink_extreme
 
     ! The text may be a character variable, and length its len.
     integer(c_int) function fourlink_deck_read(text, length, load, host, max_mistakes, deck, &

@@ -1093,6 +1093,18 @@ FOURLINK_API int fourlink_spring_at(const fourlink_mechanism *mechanism,
 FOURLINK_API int fourlink_balance_of(const fourlink_mechanism *mechanism, double fraction,
                                      fourlink_balance *balance);
 
+/* Make a link a uniform slender bar between its two pins.
+**
+** Given:
+**    length     m, > 0
+**    mass       kg, >= 0
+** Returned:
+**    link       its length, mass, centre of mass at mid-length, moment of inertia m L^2 / 12
+** Returned (function value):
+**    FOURLINK_OK; FOURLINK_NULL, FOURLINK_BAD_NUMBER, FOURLINK_BAD_LENGTH, FOURLINK_BAD_MASS
+*/
+FOURLINK_API int fourlink_uniform_bar(double length, double mass, fourlink_link *link);
+
 /* Add a counterweight to a link.
 **
 ** Given:
@@ -1366,6 +1378,30 @@ FOURLINK_API int fourlink_motion_row(const fourlink_motion *motion, const fourli
 **    omega2^2 = speed^2 + 2 acceleration s, s the angle from the first row in rad.
 */
 FOURLINK_API int fourlink_motion_at(const fourlink_motion *motion, double angle, fourlink_row *row);
+
+/* The largest or the smallest value of a quantity over a motion, refined between rows, for hosts without a deck.
+**
+** Given:
+**    mechanism  from fourlink_prepare
+**    motion     of the crank; its interval does not matter
+**    loads      on the links, the same at all crank angles; may be null if n_loads is 0
+**    n_loads    how many
+**    branch     FOURLINK_OPEN or FOURLINK_CROSSED
+**    name       max(COLUMN) or min(COLUMN), such as "max(Ts)", "min(omega4)": any column of decks
+** Returned:
+**    value      in SI units and radians; infinite if the quantity is unbounded
+**    angle      crank angle at which it occurs, in the motion's unit; NaN if the value is infinite; may be null
+** Returned (function value):
+**    FOURLINK_OK, FOURLINK_NOT_REACHED, FOURLINK_LONG_SEARCH; FOURLINK_NO_SUCH_NAME, FOURLINK_NULL,
+**    FOURLINK_NO_MEMORY, or as from fourlink_motion_range and fourlink_solve
+** Notes:
+** 1) It is max(COLUMN) of the deck with the same mechanism, motion and loads.
+** 2) Loads that follow the motion, springs and friction need a deck.
+*/
+FOURLINK_API int fourlink_extreme(const fourlink_mechanism *mechanism,
+                                  const fourlink_motion *motion, const fourlink_load *loads,
+                                  unsigned long n_loads, fourlink_branch branch, const char *name,
+                                  double *value, double *angle);
 
 /* Read a deck from memory.
 **

@@ -482,20 +482,83 @@ static int report_command(const char *command, const char *deck_name, FILE *nowh
     return missed;
 }
 
-static double time_command(const char *command, const char *what, const char *deck_name)
+/* Processor seconds of a command, its output thrown away. */
+static double time_command(const char *const *arguments)
 {
     double start = cpu_of_children();
     pid_t child = fork();
     int status = 1;
 
     if (child == 0) {
-        execl(command, command, what, "--branch=both", "--interval=1 deg", "--output", "/dev/null",
-              deck_name, (char *)NULL);
+        execv(arguments[0], (char *const *)arguments);
         _exit(127);
     }
     if (child < 0 || waitpid(child, &status, 0) != child || status != 0)
         exit(EXIT_FAILURE);
     return cpu_of_children() - start;
+}
+
+static double time_table(const char *command, const char *format, const char *deck_name)
+{
+    const char *arguments[8];
+
+    arguments[0] = command;
+    arguments[1] = format;
+    arguments[2] = "--branch=both";
+    arguments[3] = "--interval=1 deg";
+    arguments[4] = "--output";
+    arguments[5] = "/dev/null";
+    arguments[6] = deck_name;
+    arguments[7] = NULL;
+    return time_command(arguments);
+}
+
+/* A design of a sweep with two facts, both branches, by the command; one that a host sets, with max(Ts) of all
+** columns. */
+#define SWEPT "20000"
+
+static double time_sweep(const char *command, const char *deck_name)
+{
+    const char *arguments[9];
+
+    arguments[0] = command;
+    arguments[1] = "--set";
+    arguments[2] = "sweep.crank.length=18 mm to 22 mm in " SWEPT;
+    arguments[3] = "--set";
+    arguments[4] = "sweep.output=mu_min, swing";
+    arguments[5] = "--output";
+    arguments[6] = "/dev/null";
+    arguments[7] = deck_name;
+    arguments[8] = NULL;
+    return time_command(arguments) / strtod(SWEPT, NULL);
+}
+
+static double time_set(const char *deck, size_t length, int n)
+{
+    fourlink_results *results;
+    fourlink_source source;
+    fourlink_value crank, torque;
+    double start, value;
+    int i;
+
+    memset(&source, 0, sizeof source);
+    source.text = deck;
+    source.length = length;
+    if (fourlink_results_open(&source, 0, &results, NULL, NULL) != FOURLINK_OK ||
+        fourlink_results_find(results, "crank.length", &crank) != FOURLINK_OK ||
+        fourlink_results_find(results, "max(Ts)", &torque) != FOURLINK_OK)
+        exit(EXIT_FAILURE);
+    start = seconds();
+    for (i = 0; i < n; i++) {
+        value = 0.018 + 0.004 * i / n;
+        if (fourlink_results_put(results, 1, &crank.handle, &value, NULL) != FOURLINK_OK ||
+            fourlink_results_get(results, torque.handle, FOURLINK_OPEN, 0, &torque) != FOURLINK_OK)
+            exit(EXIT_FAILURE);
+        sink = sink + torque.value;
+    }
+    start = seconds() - start;
+    fourlink_results_free(results);
+    return start / n;
 }
 
 /* Six extremes against rows, and all those of a table against the table. */
@@ -512,8 +575,8 @@ static int report_extremes(const char *command, const char *deck_name, const fou
         extremes[i] = time_extremes(deck, length, 6);
         one[i] = time_extremes(wide, length_of_wide, 1);
         rows[i] = ANGLES * time_rows(fourlink_analyse_dyad, m, load);
-        summary[i] = time_command(command, "--format=table", deck_name);
-        csv[i] = time_command(command, "--format=csv", deck_name);
+        summary[i] = time_table(command, "--format=table", deck_name);
+        csv[i] = time_table(command, "--format=csv", deck_name);
     }
     missed = report("six extremes of forces / 360 rows by dyads",
                     median(extremes, ROUNDS) / median(rows, ROUNDS), 2.5);
@@ -521,6 +584,25 @@ static int report_extremes(const char *command, const char *deck_name, const fou
                      median(one, ROUNDS) / median(rows, ROUNDS), 2);
     return missed + report("a table at 1 deg with all its extremes, both branches / csv",
                            median(summary, ROUNDS) / median(csv, ROUNDS), 3);
+}
+
+static int report_designs(const char *command, const char *deck_name, const fourlink_mechanism *m,
+                          const fourlink_load *load)
+{
+    static char deck[DECK_SIZE];
+    size_t length = read_deck(deck_name, "all", deck);
+    double swept[RUNS], set[RUNS], row[RUNS];
+    int i, missed;
+
+    for (i = 0; i < RUNS; i++) {
+        swept[i] = time_sweep(command, deck_name);
+        set[i] = time_set(deck, length, 2000);
+        row[i] = time_rows(fourlink_analyse_dyad, m, load);
+    }
+    missed = report("design of a sweep with two facts, printed / four-bar row by dyads",
+                    median(swept, RUNS) / median(row, RUNS), 60);
+    return missed + report("set and max(Ts) / four-bar row by dyads",
+                           median(set, RUNS) / median(row, RUNS), 200);
 }
 
 static int report_openings(void)
@@ -619,7 +701,8 @@ int main(int argc, char **argv)
                      median(rows[0], ROUNDS) / median(rows[1], ROUNDS), 0.125);
     missed += report_openings();
     if (argc == 3)
-        missed += report_extremes(argv[1], argv[2], &four_bar, &torque) +
+        missed += report_designs(argv[1], argv[2], &four_bar, &torque) +
+                  report_extremes(argv[1], argv[2], &four_bar, &torque) +
                   report_command(argv[1], argv[2], nowhere);
     fclose(nowhere);
     gsl_permutation_free(p);

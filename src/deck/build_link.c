@@ -148,10 +148,6 @@ static void check_inertia(parser *p, const setting *s, const fourlink_link *link
         flk_mistake(p->mistakes, s->place, "the resulting moment of inertia is out of range");
 }
 
-/* A uniform slender bar between the ends of the link:
-**
-**    x_G = L / 2,  I_G = m L^2 / 12
-*/
 static void build_bar(parser *p, const flk_kind *kind, const body *b, int number)
 {
     fourlink_link *link = &p->d->design.link[number];
@@ -168,8 +164,7 @@ static void build_bar(parser *p, const flk_kind *kind, const body *b, int number
             flk_mistake(p->mistakes, others[i]->place,
                         "a uniform link has its centre of mass at mid-length and the inertia of a "
                         "bar: give either 'uniform' or the others");
-    link->cg.x = link->length / 2;
-    link->inertia = link->mass * link->length * link->length / 12;
+    fourlink_uniform_bar(link->length, link->mass, link);
     check_inertia(p, b->uniform, link);
     if (is_without_length(p, kind, number))
         flk_mistake(p->mistakes, b->uniform->place, "a uniform %s needs a length",

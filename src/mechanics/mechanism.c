@@ -30,6 +30,28 @@ static int check_length(double length)
     return length < FOURLINK_LENGTH_MIN ? FOURLINK_BAD_NUMBER : FOURLINK_OK;
 }
 
+/* A uniform slender bar between the ends of the link:
+**
+**    x_G = L / 2,  I_G = m L^2 / 12
+*/
+int fourlink_uniform_bar(double length, double mass, fourlink_link *link)
+{
+    if (!link)
+        return FOURLINK_NULL;
+    if (!FLK_WITHIN(mass, FOURLINK_NUMBER_MAX) || !FLK_WITHIN(length, FOURLINK_LENGTH_MAX))
+        return FOURLINK_BAD_NUMBER;
+    if (length <= 0)
+        return FOURLINK_BAD_LENGTH;
+    if (mass < 0)
+        return FOURLINK_BAD_MASS;
+    link->length = length;
+    link->mass = mass;
+    link->inertia = mass * length * length / 12;
+    link->cg.x = length / 2;
+    link->cg.y = 0;
+    return FOURLINK_OK;
+}
+
 int fourlink_prepare(const fourlink_design *design, fourlink_mechanism *mechanism)
 {
     const flk_kind *kind;

@@ -381,13 +381,13 @@ int flk_column_number(const flk_analysis *a, size_t i, flk_column *c)
     return 1;
 }
 
-/* Add a column to a list, unless it is there. */
-static size_t add(flk_column *list, size_t n, const flk_column *c)
+/* Add a column to a list of n, unless it is among the first of them. */
+static size_t add(flk_column *list, size_t n, size_t first, const flk_column *c)
 {
     size_t i;
 
-    for (i = 0; i < n; i++)
-        if (list[i].name == c->name)
+    for (i = 0; i < first; i++)
+        if (list[i].number == c->number)
             return n;
     list[n] = *c;
     return n + 1;
@@ -436,23 +436,26 @@ const char *flk_column_nearest(const flk_analysis *a, text name)
     return flk_text_nearest(name, known);
 }
 
-/* 1: printed if the deck names no columns; of a [point], whose columns have names of their own, only the
-** place. */
-static int is_usual(const flk_analysis *a, const flk_column *c)
+/* 1 if possible column i is printed if the deck names none; of a point or a spring only the first two. */
+static int is_usual(const flk_analysis *a, size_t i)
 {
     int usual = a->possible & NEED_ACTUAL ? USUAL | USUAL_ACTUAL : USUAL;
+    size_t of_points = i - FIXED_COUNT, n_of_points = DECK_POINT_COLUMNS * a->d->n_points;
 
-    return c->name != c->info->name ? c->component < 2 : (c->info->kinds & usual) != 0;
+    if (i < FIXED_COUNT)
+        return i < TABLE_COUNT && (table[i].kinds & usual);
+    return of_points < n_of_points ? of_points % DECK_POINT_COLUMNS < 2
+                                   : (of_points - n_of_points) % FLK_ELEMENT_COLUMNS < 2;
 }
 
 static size_t add_all(const flk_analysis *a, int usual_only, flk_column *list, size_t n)
 {
+    size_t i, limit = flk_column_limit(a->d), first = n;
     flk_column c;
-    size_t i;
 
-    for (i = 0; i < flk_column_limit(a->d); i++)
-        if (flk_column_number(a, i, &c) && (!usual_only || is_usual(a, &c)))
-            n = add(list, n, &c);
+    for (i = 0; i < limit; i++)
+        if ((!usual_only || is_usual(a, i)) && flk_column_number(a, i, &c))
+            n = add(list, n, first, &c);
     return n;
 }
 
@@ -594,7 +597,7 @@ size_t flk_column_choose(const flk_analysis *a, mistakes *m, flk_column *list)
         if (flk_text_equal(name, "all"))
             n = add_all(a, 0, list, n);
         else if (find(a, name, flk_text_same, &c) || find(a, name, flk_text_equal, &c))
-            n = add(list, n, &c);
+            n = add(list, n, n, &c);
         else
             note_missing(a, a->d, name, m);
     }

@@ -347,16 +347,14 @@ int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch)
 static int find_extreme(flk_analysis *a, flk_extremes *x, const flk_column *c,
                         fourlink_branch branch, flk_statistic statistic, int all, fourlink_value *f)
 {
-    const flk_extreme_pair *pair = flk_extremes_of(x, a, c, branch, all);
-    const flk_extreme *e = statistic == FLK_MAX ? &pair->max : &pair->min;
+    flk_extreme found;
+    int status = flk_extremes_find(x, a, c, branch, statistic, all, &found);
 
-    if (pair->status != FOURLINK_OK)
-        return pair->status;
-    if (!e->is_there)
-        return FOURLINK_NOT_REACHED;
-    f->value = e->value;
-    f->has_angle = gsl_finite(e->value);
-    f->angle = e->angle;
+    if (status != FOURLINK_OK)
+        return status;
+    f->value = found.value;
+    f->has_angle = gsl_finite(found.value);
+    f->angle = found.angle;
     return FOURLINK_OK;
 }
 

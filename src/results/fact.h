@@ -26,7 +26,7 @@ void flk_fact_describe(const deck *d, int handle, fourlink_value *f);
 int flk_fact_lack(flk_analysis *a, int handle, fourlink_branch branch);
 
 /* A statistic of a column, as a fact; returns FOURLINK_OK, FOURLINK_NOT_REACHED or why the actual motion
-** does not begin, or FOURLINK_NO_MEAN.  `all` as in flk_extremes_of, `names` as in flk_fact_list. */
+** does not begin, or FOURLINK_NO_MEAN.  `all` as in flk_extremes_find, `names` as in flk_fact_list. */
 int flk_fact_of_statistic(flk_analysis *a, flk_extremes *x, const flk_column *c,
                           flk_statistic statistic, fourlink_branch branch, int all, char *names,
                           fourlink_value *f);

@@ -217,7 +217,42 @@ static size_t steps_of(const flk_samples *x)
                            : LEAST_STEPS;
 }
 
-/* Samples of the piece in even steps, and closer beside some ends. */
+/* 1 if a sample of each column lies on the polynomial through three neighbours on each side, `step` apart. */
+#define SMOOTH 1e-4 /* of a column's largest sample */
+
+static int is_smooth(const flk_samples *x, size_t i, double step)
+{
+    size_t k;
+
+    if (i < 3 || i + 3 >= x->n || x->s[i + 3] - x->s[i - 3] < 5.9 * step)
+        return 0;
+    for (k = 0; k < x->n_columns; k++) {
+        const double *v = x->columns[k].v + i;
+        double expected = (v[-3] + v[3] - 6 * (v[-2] + v[2]) + 15 * (v[-1] + v[1])) / 20;
+
+        if (!(fabs(v[0] - expected) <= SMOOTH * x->columns[k].largest))
+            return 0;
+    }
+    return 1;
+}
+
+/* Halve the steps beside samples at which some column is not smooth. */
+static void halve_steps(flk_samples *x, double step)
+{
+    char smooth[MOST_SAMPLES];
+    size_t i, k;
+
+    for (k = 0; k < x->n_columns; k++)
+        for (x->columns[k].largest = 0, i = 0; i < x->n; i++)
+            x->columns[k].largest = GSL_MAX_DBL(x->columns[k].largest, fabs(x->columns[k].v[i]));
+    for (i = 0; i < x->n; i++)
+        smooth[i] = (char)is_smooth(x, i, step);
+    for (i = x->n - 1; i-- > 0;)
+        if (x->s[i + 1] - x->s[i] > 0.9 * step && !(smooth[i] && smooth[i + 1]))
+            insert(x, i + 1, 0.5 * (x->s[i] + x->s[i + 1]));
+}
+
+/* Samples of the piece in even steps, which are doubled where all columns are smooth, and closer beside some ends. */
 static void sample(flk_samples *x)
 {
     size_t n = steps_of(x), i;
@@ -233,11 +268,14 @@ static void sample(flk_samples *x)
     for (k = HALVINGS; at_begin && k > 0; k--)
         insert(x, x->n, step * gsl_pow_int(0.5, k));
     for (i = 1; i < n; i++)
-        insert(x, x->n, step * (double)i);
+        if (i % 2 == 0 || i == 1 || i + 1 == n)
+            insert(x, x->n, step * (double)i);
     for (k = 1; at_end && k <= HALVINGS; k++)
         insert(x, x->n, 1 - step * gsl_pow_int(0.5, k));
     if (n || x->f.piece.from > 0)
         insert(x, x->n, 1);
+    if (n)
+        halve_steps(x, 2 * step);
     x->f.a->is_fast = 1;
 }
 

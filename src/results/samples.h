@@ -2,7 +2,8 @@
 **
 ** samples.h - samples of columns along the motion of a branch, piece by piece.
 **
-** A piece of the motion is sampled once for all columns, in steps of two degrees or less over the parameter of follow.h.
+** A piece of the motion is sampled once for all columns, in steps of about two degrees over the parameter of follow.h, of four
+** where all columns are smooth.
 ** Where there is no row, at dead positions and change points, columns have a limit (limit.h).  A piece in which friction
 ** locks the mechanism is cut further, where that begins and ends.
 */
@@ -18,6 +19,7 @@ typedef struct flk_sampled {
     int is_of_crank;    /* 1: it is defined where the linkage cannot be assembled */
     double *v;          /* samples; of an angle continuous.  NaN: it has no value, or a pole */
     double size;        /* its largest magnitude in the middle of pieces so far, */
+    double largest;     /* the largest magnitude of the samples */
     double size_long;   /* ... and of long ones */
     flk_limit limit[2]; /* at the beginning and the end of the piece */
     int is_inside
