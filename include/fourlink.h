@@ -109,7 +109,7 @@ extern "C" {
       "a spring is between a link and itself, or its damping is negative")                        \
     X(FOURLINK_BAD_BALANCE, 48, "the radius of a counterweight is not positive")                  \
     X(FOURLINK_BAD_MOTOR, 49,                                                                     \
-      "a motor has no such kind, no ratio, or a curve whose speeds do not rise")                  \
+      "a motor has no such kind, no ratio, no power, or a curve whose speeds do not rise")        \
     X(FOURLINK_CONSTANT, 50, "the column is constant: it is not at a value at single angles")     \
     X(FOURLINK_NOT_A_NUMBER, 51, "the input is words, a list or a curve")
 

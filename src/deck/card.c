@@ -396,6 +396,7 @@ static const char *load(parser *p, text name, unsigned long *length)
 {
     char file[1024];
 
+    *length = 0; /* for a loader that does not set it */
     name = flk_text_unquoted(name);
     return p->load && name.length && name.length < sizeof file
                ? p->load(p->host, flk_text_copy(name, file, sizeof file), length)

@@ -78,12 +78,17 @@ int flk_crank_motion_is_periodic(const flk_crank_motion *c)
            mechanism->change_stretched == mechanism->change_folded;
 }
 
+/* Larger angles have too few digits left after their turns. */
+#define ANGLE_MAX 1e9 /* rad, as in decks */
+
 int flk_crank_motion_find_angle(const flk_crank_motion *c, double angle, double *at)
 {
     const fourlink_motion *motion = &c->d->motion;
     double turn = c->period / motion->angle_unit, tiny = 1e-9 * turn;
     double first = GSL_MIN(motion->from, c->end), last = GSL_MAX(motion->from, c->end);
 
+    if (!FLK_WITHIN(angle * motion->angle_unit, ANGLE_MAX))
+        return 0;
     *at = angle;
     if (c->d->drive.by_time)
         return 1; /* the angles that it reaches depend on the branch */

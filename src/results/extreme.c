@@ -131,9 +131,7 @@ static void offer_samples(const sought *k, int which)
 
 #define NODES 9 /* of a polynomial through samples */
 #define AGREED \
-    1e-11 /* of the column's size: the row at the top of the polynomial is what that says, */
-#define FLAT \
-    3e-8 /* ... and of what three samples bend, so that the place of a flat peak is exact too */
+    1e-11 /* of the column's size: the row at the top of the polynomial is what that says */
 #define EQUAL 1e-14 /* of the column's size: a search by rows ends */
 
 /* The column, or its negative where its smallest value is sought. */
@@ -207,7 +205,7 @@ static int take_top(flk_function *f, sought *k, flk_polynomial *of, double low, 
 static void sharpen(flk_function *f, sought *k, double low, double high, flk_sample *best)
 {
     double middle = best->x;
-    double step = GSL_MIN_DBL((high - low) / 20, GSL_MIN_DBL(middle - low, high - middle) / 2);
+    double step = GSL_MIN_DBL((high - low) / 40, GSL_MIN_DBL(middle - low, high - middle) / 2);
     flk_polynomial of;
     int i;
 
@@ -223,18 +221,14 @@ static flk_sample find_peak(sought *k, size_t i)
 {
     flk_polynomial of;
     flk_sample at[3];
-    double bend, close;
 
     at[0] = sample_of(k, i - 1);
     at[1] = sample_of(k, i);
     at[2] = sample_of(k, i + 1);
-    bend = 2 * at[1].value - at[0].value - at[2].value;
     through(k, i, &of);
-    close = GSL_MIN_DBL(AGREED * size_of(k, at[1].value), FLAT * bend);
-    if (!take_top(peak_at, k, &of, at[0].x, at[2].x, close, &at[1])) {
+    if (!take_top(peak_at, k, &of, at[0].x, at[2].x, AGREED * size_of(k, at[1].value), &at[1]))
         at[1] = flk_find_peak(peak_at, k, at, EQUAL * fabs(at[1].value));
-        sharpen(peak_at, k, at[0].x, at[2].x, &at[1]);
-    }
+    sharpen(peak_at, k, at[0].x, at[2].x, &at[1]);
     return at[1];
 }
 

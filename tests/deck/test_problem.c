@@ -41,6 +41,30 @@ static int read_deck(const char *contents, const char *cam, fourlink_deck **deck
                               deck, mistakes, n);
 }
 
+/* Forgets the length. */
+static const char *load_without_length(void *host, const char *file_name, unsigned long *length)
+{
+    (void)file_name;
+    (void)length;
+    return host;
+}
+
+/* A file whose length its loader does not set is empty; nothing behind its text is read. */
+TEST(test_loader_without_length)
+{
+    char *cam = malloc(1);
+    fourlink_mistake mistake;
+    fourlink_deck *deck = untouched;
+
+    assert_non_null(cam);
+    *cam = '0';
+    assert_int_equal(fourlink_deck_read(ENGINE, sizeof ENGINE - 1, load_without_length, cam, 1,
+                                        &deck, &mistake, NULL),
+                     FOURLINK_BAD_DECK);
+    assert_ptr_equal(deck, untouched);
+    free(cam);
+}
+
 TEST(test_problem)
 {
     fourlink_deck *deck = NULL;

@@ -213,6 +213,10 @@ TEST(test_bad_motors)
     assert_int_equal(fourlink_motor_torque(&m, 1, &T), FOURLINK_BAD_MOTOR);
     m.n_curve = 1;
     assert_int_equal(fourlink_motor_torque(&m, 1, &T), FOURLINK_BAD_MOTOR);
+    m.kind = FOURLINK_MOTOR_POWER;
+    m.max_torque = 1;
+    m.power = -1;
+    assert_int_equal(fourlink_motor_torque(&m, 1, &T), FOURLINK_BAD_MOTOR);
     assert_near(T, 7, 0);
 }
 

@@ -457,7 +457,8 @@ TEST(test_rows_that_are_not_there)
                                     -INFINITY, NAN,  1e300, 1e17, -1e300, 3.14159e60, 1e18};
     static const double reached[] = {10,   50,   30,   370,           410,
                                      -350, -310, 3610, 9.99999999999, 50.00000000001};
-    fourlink_results *r = opened(linkage("from = 10 deg\nto = 50 deg\n"));
+    fourlink_results *r = opened(linkage("from = 10 deg\nto = 50 deg\n")),
+                     *whole = opened(linkage(""));
     fourlink_instant x, x_before;
     double values[MOST_COLUMNS], before[MOST_COLUMNS];
     fourlink_load load, load_before;
@@ -476,7 +477,12 @@ TEST(test_rows_that_are_not_there)
             fail_msg("there is a row at %g deg", beyond[i]);
         assert_int_equal(fourlink_results_value(r, "mu", FOURLINK_OPEN, beyond[i], &v),
                          FOURLINK_NO_SUCH_ANGLE);
+        if (fabs(beyond[i]) < 1e10) /* within a turn; beyond, no turn has such an angle */
+            continue;
+        assert_int_equal(fourlink_results_value(whole, "mu", FOURLINK_OPEN, beyond[i], &v),
+                         FOURLINK_NO_SUCH_ANGLE);
     }
+    fourlink_results_free(whole);
     assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 2, values, &x, &load),
                      FOURLINK_NO_SUCH_ROW);
     assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, (unsigned long)-1, values, &x, &load),
