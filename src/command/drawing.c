@@ -44,9 +44,12 @@ static int copy(const char *path, FILE *script)
 
 static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
+    plot_request request = in->o->drawing;
     fourlink_mistake mistake;
-    int written = plot_write(script, &in->source, &in->o->drawing, caption, &mistake);
+    int written;
 
+    request.opened = in->results;
+    written = plot_write(script, &in->source, &request, caption, &mistake);
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
     if (written > 0)

@@ -48,7 +48,7 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
         arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_4, pins.C, f->F34x, f->F34y);
     else if (by == FOURLINK_FOLLOWER)
         arrow_add(arrows, PEN_FORCE, "F" SUB_4 SUB_3, pins.C, -f->F34x, -f->F34y);
-    else if (p->kind.has_stroke) /* F14x is the friction, a load */
+    else if (p->v.kind.has_stroke) /* F14x is the friction, a load */
         arrow_add(arrows, PEN_FORCE, "N", pins.C, 0, f->F14y);
     else
         arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_4, pins.D, f->F14x, f->F14y);
@@ -58,7 +58,7 @@ void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r,
 static int is_drawn(const picture *p, const fourlink_load_info *load, int is_free)
 {
     if (load->sort == FOURLINK_LOAD_FRICTION)
-        return p->kind.has_stroke;
+        return p->v.kind.has_stroke;
     return is_free || load->sort != FOURLINK_LOAD_SPRING;
 }
 
@@ -66,24 +66,19 @@ void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r,
                      int is_free)
 {
     static const char *const weights[5] = {"", "", "W" SUB_2, "W" SUB_3, "W" SUB_4};
-    const fourlink_link *body = &p->design->link[link];
+    const fourlink_link *body = &p->v.design->link[link];
     const fourlink_state *state = &r->now.state;
-    const fourlink_vector *axis = &state->link[link].axis;
     fourlink_load_info info;
     unsigned long i;
 
     arrow_add(arrows, PEN_LOAD, weights[link], figure_of_link(p, state, link, &body->cg),
-              body->mass * p->design->gravity.x, body->mass * p->design->gravity.y);
-    for (i = 0; fourlink_deck_load(p->deck, i, &info) == FOURLINK_OK; i++) {
+              body->mass * p->v.design->gravity.x, body->mass * p->v.design->gravity.y);
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &info) == FOURLINK_OK; i++) {
         const fourlink_load *load = &r->loads[i];
-        fourlink_vector F = load->force;
+        fourlink_vector F = geometry_force(load, state);
 
         if (info.link != link || !is_drawn(p, &info, is_free))
             continue;
-        if (load->frame == FOURLINK_FRAME_LINK) {
-            F.x = load->force.x * axis->x - load->force.y * axis->y;
-            F.y = load->force.x * axis->y + load->force.y * axis->x;
-        }
         arrow_add(arrows, PEN_LOAD, info.name, figure_of_link(p, state, link, &load->at), F.x, F.y);
     }
 }
@@ -139,14 +134,14 @@ void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, 
     fourlink_load_info load;
     unsigned long i;
 
-    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
         if (load.link == link && is_drawn(p, &load, is_free) && load.sort != FOURLINK_LOAD_FRICTION)
             arrow_draw_torque(s, p, PEN_LOAD, load.name, at, r->loads[i].torque);
 }
 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
-    double bar = picture_si(p, q, place_round(picture_value(p, q, largest) / 2.5));
+    double bar = view_si(&p->v, q, place_round(view_value(&p->v, q, largest) / 2.5));
     fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
     fourlink_vector to = place_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];

@@ -51,7 +51,7 @@ static int check_x(const picture *p, const char *name, fourlink_mistake *mistake
         ;
     if (words[i])
         flk_message(message, sizeof message, "'%s' is a word, not a number to draw over", name);
-    else if (fourlink_results_find(p->results, name, &found) == FOURLINK_OK && !found.has_angle)
+    else if (fourlink_results_find(p->v.results, name, &found) == FOURLINK_OK && !found.has_angle)
         flk_message(message, sizeof message, "'%t' is one value, not a column", flk_text_of(name));
     else if (!is_name(name))
         flk_message(message, sizeof message, "expected the name of a column, not '%t'",
@@ -64,7 +64,7 @@ static int check_x(const picture *p, const char *name, fourlink_mistake *mistake
 /* 1 for a measure of rounding beside other columns: its curve says nothing. */
 static int is_rounding(const picture *p, unsigned long column)
 {
-    return p->columns[column].flags & FOURLINK_OF_ROUNDING && p->n_columns > 1;
+    return p->v.columns[column].flags & FOURLINK_OF_ROUNDING && p->v.n_columns > 1;
 }
 
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake)
@@ -75,9 +75,9 @@ int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_m
     if (!check_x(p, x, mistake))
         return 0;
     flk_text_join(out, PICTURE_NAMES, x, (char *)NULL);
-    for (i = 0; i < p->n_columns; i++)
-        if (strcmp(p->columns[i].name, x) != 0 && !is_rounding(p, i)) {
-            flk_text_join(out + strlen(out), PICTURE_NAMES - strlen(out), " ", p->columns[i].name,
+    for (i = 0; i < p->v.n_columns; i++)
+        if (strcmp(p->v.columns[i].name, x) != 0 && !is_rounding(p, i)) {
+            flk_text_join(out + strlen(out), PICTURE_NAMES - strlen(out), " ", p->v.columns[i].name,
                           (char *)NULL);
             drawn++;
         }
@@ -88,10 +88,10 @@ int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_m
 /* 1 if the key has room for one more column. */
 static int has_room(const picture *p, const group *g, int column)
 {
-    int longest = canvas_letters(p->columns[column].name), i;
+    int longest = canvas_letters(p->v.columns[column].name), i;
 
     for (i = 0; i < g->n; i++)
-        longest = GSL_MAX_INT(longest, canvas_letters(p->columns[g->column[i]].name));
+        longest = GSL_MAX_INT(longest, canvas_letters(p->v.columns[g->column[i]].name));
     return g->n < PANEL_CURVES &&
            (g->n + 1) * (KEY_SAMPLE + GSL_MIN_INT(longest, LONGEST_NAME) * CANVAS_LETTER) <=
                KEY_WIDTH;
@@ -100,7 +100,7 @@ static int has_room(const picture *p, const group *g, int column)
 /* 1 if a column belongs to a group: plain numbers have nothing in common. */
 static int belongs(const picture *p, const group *g, int column)
 {
-    const fourlink_value *c = &p->columns[column], *first = &p->columns[g->column[0]];
+    const fourlink_value *c = &p->v.columns[column], *first = &p->v.columns[g->column[0]];
 
     return strcmp(c->quantity, "number") != 0 && strcmp(c->quantity, first->quantity) == 0 &&
            has_room(p, g, column);
@@ -111,7 +111,7 @@ static int make_groups(const picture *p, group groups[PICTURE_COLUMNS])
 {
     int n = 0, i, k;
 
-    for (i = 1; i < (int)p->n_columns; i++) {
+    for (i = 1; i < (int)p->v.n_columns; i++) {
         for (k = 0; k < n && !belongs(p, &groups[k], i); k++)
             ;
         if (k == n)
@@ -127,7 +127,7 @@ int picture_column_panels(const picture *p)
     int n = make_groups(p, groups), panels = 0, i;
 
     for (i = 0; i < n; i++)
-        panels += groups[i].n > 1 ? p->n_branches : 1;
+        panels += groups[i].n > 1 ? p->v.n_branches : 1;
     return panels;
 }
 
@@ -146,8 +146,8 @@ static int is_unbounded(const picture *p, int column, int i)
     int which;
 
     for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++)
-        if (fourlink_results_get(p->results, p->columns[column].handle + which, p->branches[i], 0,
-                                 &found) == FOURLINK_OK &&
+        if (fourlink_results_get(p->v.results, p->v.columns[column].handle + which,
+                                 p->v.branches[i], 0, &found) == FOURLINK_OK &&
             gsl_isinf(found.value))
             return 1;
     return 0;
@@ -201,20 +201,20 @@ static void put_curve(const picture *p, const panel *q, int i, fourlink_branch b
 /* Sample curve i of a panel. */
 static void sample(picture *p, panel *q, int i, int branch, int column)
 {
-    graph_follow(p, p->branches[branch], 0, column, &q->e, &q->line[i]);
+    graph_follow(p, p->v.branches[branch], 0, column, &q->e, &q->line[i]);
     graph_extend_x(&q->x, &q->line[i]);
     q->n = i + 1;
 }
 
 static const char *short_name(const picture *p, int column, char out[200])
 {
-    return canvas_shorten(p->columns[column].name, LONGEST_NAME, 0, out, 200);
+    return canvas_shorten(p->v.columns[column].name, LONGEST_NAME, 0, out, 200);
 }
 
 /* Put the names of the axes; of a panel of several columns, their quantity and the branch. */
 static void put_titles(const picture *p, const group *g, int branch)
 {
-    const fourlink_value *c = &p->columns[g->column[0]];
+    const fourlink_value *c = &p->v.columns[g->column[0]];
     char words[200], x[200], *bar;
 
     if (g->n == 1) {
@@ -224,8 +224,8 @@ static void put_titles(const picture *p, const group *g, int branch)
         while ((bar = strchr(words, '_')) != NULL)
             *bar = ' ';
     }
-    canvas_titles(&p->on, g->n == 1 ? "" : fourlink_branch_text((int)p->branches[branch]),
-                  short_name(p, 0, x), p->columns[0].unit, words, c->unit);
+    canvas_titles(&p->on, g->n == 1 ? "" : fourlink_branch_text((int)p->v.branches[branch]),
+                  short_name(p, 0, x), p->v.columns[0].unit, words, c->unit);
 }
 
 /* The curves of a panel: the column and the branch of each. */
@@ -238,7 +238,7 @@ static void choose(const picture *p, const group *g, int branch, curves *c)
 {
     int several = g->n > 1, i;
 
-    c->n = several ? g->n : p->n_branches;
+    c->n = several ? g->n : p->v.n_branches;
     for (i = 0; i < c->n; i++) {
         c->column[i] = g->column[several ? i : 0];
         c->branch[i] = several ? branch : i;
@@ -250,12 +250,12 @@ static void sample_all(picture *p, panel *q, const curves *c)
 {
     int unbounded = 0, x_unbounded = 0, i;
 
-    q->to_scale = is_coordinate(&p->columns[0]);
+    q->to_scale = is_coordinate(&p->v.columns[0]);
     for (i = 0; i < c->n; i++) {
         sample(p, q, i, c->branch[i], c->column[i]);
         unbounded = unbounded || is_unbounded(p, c->column[i], c->branch[i]);
         x_unbounded = x_unbounded || is_unbounded(p, 0, c->branch[i]);
-        q->to_scale = q->to_scale && is_coordinate(&p->columns[c->column[i]]);
+        q->to_scale = q->to_scale && is_coordinate(&p->v.columns[c->column[i]]);
     }
     if (unbounded)
         cut(q, &q->e, 0);
@@ -276,14 +276,14 @@ static int put_panel(picture *p, const group *g, int branch)
     panel_begin(p, &q, c.n);
     sample_all(p, &q, &c);
     for (i = 0; i < c.n; i++)
-        put_curve(p, &q, i, p->branches[c.branch[i]], c.column[i]);
+        put_curve(p, &q, i, p->v.branches[c.branch[i]], c.column[i]);
     put_titles(p, g, branch);
     panel_range(p, &q);
     for (i = 0; i < c.n; i++)
         if (q.line[i].n_points && g->n == 1)
             panel_extremes(p, &q, c.column[i], i, i);
     for (i = 0; i < c.n; i++) {
-        branch_name = fourlink_branch_text((int)p->branches[c.branch[i]]);
+        branch_name = fourlink_branch_text((int)p->v.branches[c.branch[i]]);
         if (q.line[i].n_points)
             canvas_print(&p->on, "%s $c%d_%s using 1:2 with lines lt %d title %q",
                          p->on.curves++ ? "," : "plot", c.column[i], branch_name, i + 1,
@@ -300,7 +300,7 @@ static int put_groups(picture *p, const group *groups, int n)
 
     for (several = 1; several >= 0; several--)
         for (i = 0; i < n; i++)
-            for (b = 0; (groups[i].n > 1) == several && b < (several ? p->n_branches : 1); b++)
+            for (b = 0; (groups[i].n > 1) == several && b < (several ? p->v.n_branches : 1); b++)
                 drawn += put_panel(p, &groups[i], b);
     return drawn;
 }
@@ -313,5 +313,5 @@ const char *picture_columns(picture *p, fourlink_branch branch)
     if (picture_has_outputs(p))
         return picture_outputs(p);
     return put_groups(p, groups, make_groups(p, groups)) ? NULL
-                                                         : picture_no_rows(p, p->branches[0]);
+                                                         : picture_no_rows(p, p->v.branches[0]);
 }

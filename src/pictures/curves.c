@@ -6,29 +6,30 @@
 
 static void put_line(picture *p, panel *q, fourlink_branch branch, int y)
 {
-    graph_put(p, branch, p->columns[y].name, 0, y, &q->e, &q->line[q->n]);
+    graph_put(p, branch, p->v.columns[y].name, 0, y, &q->e, &q->line[q->n]);
     graph_extend_x(&q->x, &q->line[q->n++]);
 }
 
 /* Draw a column, for all branches, with its extremes. */
 static void put_panel(picture *p, int y)
 {
-    const char *name = p->columns[y].name;
+    const char *name = p->v.columns[y].name;
     panel q;
     int i;
 
     panel_begin(p, &q, 1);
-    for (i = 0; i < p->n_branches; i++)
-        put_line(p, &q, p->branches[i], y);
-    canvas_titles(&p->on, "", p->columns[0].name, p->columns[0].unit, name, p->columns[y].unit);
+    for (i = 0; i < p->v.n_branches; i++)
+        put_line(p, &q, p->v.branches[i], y);
+    canvas_titles(&p->on, "", p->v.columns[0].name, p->v.columns[0].unit, name,
+                  p->v.columns[y].unit);
     panel_range(p, &q);
-    for (i = 0; i < p->n_branches; i++)
+    for (i = 0; i < p->v.n_branches; i++)
         if (q.line[i].n_points)
             panel_extremes(p, &q, y, i, i);
-    for (i = 0; i < p->n_branches; i++)
+    for (i = 0; i < p->v.n_branches; i++)
         if (q.line[i].n_points) {
-            graph_plot(p, p->branches[i], name, i + 1);
-            fprintf(p->on.out, "'%s'", fourlink_branch_text(p->branches[i]));
+            graph_plot(p, p->v.branches[i], name, i + 1);
+            fprintf(p->on.out, "'%s'", fourlink_branch_text(p->v.branches[i]));
         }
     putc('\n', p->on.out);
 }
@@ -38,11 +39,11 @@ const char *picture_motion(picture *p, fourlink_branch branch)
     int i, drawn = 0;
 
     (void)branch;
-    for (i = 1; i < (int)p->n_columns; i++) {
+    for (i = 1; i < (int)p->v.n_columns; i++) {
         put_panel(p, i);
         drawn += p->on.curves;
     }
-    return drawn ? NULL : picture_no_rows(p, p->branches[0]);
+    return drawn ? NULL : picture_no_rows(p, p->v.branches[0]);
 }
 
 /* Draw columns of one unit in one panel. */
@@ -55,8 +56,9 @@ static void put_columns(picture *p, fourlink_branch branch, const char *const *n
     for (i = 0; names[i]; i++)
         if ((y = graph_column(p, names[i])) > 0) {
             put_line(p, &q, branch, y);
-            canvas_titles(&p->on, fourlink_branch_text(branch), p->columns[0].name,
-                          p->columns[0].unit, names[1] ? "force" : names[i], p->columns[y].unit);
+            canvas_titles(&p->on, fourlink_branch_text(branch), p->v.columns[0].name,
+                          p->v.columns[0].unit, names[1] ? "force" : names[i],
+                          p->v.columns[y].unit);
         }
     panel_range(p, &q);
     for (i = 0; names[i]; i++)

@@ -7,6 +7,7 @@
 
 #include "picture.h"
 #include "sketch.h"
+#include "view/geometry.h"
 
 /* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
 ** an inverted slider-crank C, where links 3 and 4 meet, is B. */

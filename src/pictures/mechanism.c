@@ -34,26 +34,27 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, picture_driving_torque(p, &r->now.forces));
+    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft,
+                      view_driving_torque(&p->v, &r->now.forces));
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, "load or weight");
     sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->kind.link[FOURLINK_COUPLER], ", 4 ",
-                                 p->kind.link[FOURLINK_FOLLOWER], (char *)NULL));
+    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
+                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
 /* Draw rows spread over the motion in grey. */
 static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
-    unsigned long n = p->range.n_rows, i, row;
+    unsigned long n = p->v.range.n_rows, i, row;
     fourlink_instant now;
 
     for (i = 0; n > 1 && i < GHOSTS; i++) {
         row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);
-        if (fourlink_results_row(p->results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
+        if (fourlink_results_row(p->v.results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
             figure_outline(s, p, &now.state, PEN_GHOST);
     }
 }
@@ -66,7 +67,7 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
     int k;
 
     for (k = 1; k < p->n_angles; k++)
-        if (fourlink_results_at(p->results, branch, p->angles[k], NULL, &now, NULL) ==
+        if (fourlink_results_at(p->v.results, branch, p->angles[k], NULL, &now, NULL) ==
             FOURLINK_OK) {
             figure_pins pins = figure_place(p, &now.state);
 
@@ -95,7 +96,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     draw_others(&s, p, branch);
     figure_draw(&s, p, &r.now.state, 1);
     spring_draw(&s, p, &r.now.state, 1);
-    if (p->problem.has_forces)
+    if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");

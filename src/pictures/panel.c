@@ -17,7 +17,7 @@
 /* The step of the numbers on the x axis of another column. */
 static double x_step(const picture *p, const panel *q, double span)
 {
-    return strcmp(p->columns[q->x_column].quantity, "angle") == 0
+    return strcmp(p->v.columns[q->x_column].quantity, "angle") == 0
                ? graph_angle_step(p, span)
                : place_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
 }
@@ -25,7 +25,7 @@ static double x_step(const picture *p, const panel *q, double span)
 /* Mark the deck's one instant in a picture of its cycle, over the crank angle. */
 static void put_instant(const picture *p, panel *q)
 {
-    double from = p->problem.motion.from, cycle = p->end - from, angle = p->instant;
+    double from = p->v.problem.motion.from, cycle = p->v.end - from, angle = p->instant;
     char words[PICTURE_MARK + 10], number[PICTURE_MARK];
     double half, x;
 
@@ -46,7 +46,7 @@ static void put_instant(const picture *p, panel *q)
 /* The same on curves over another column. */
 static void put_instants(const picture *p, panel *q)
 {
-    double from = p->problem.motion.from, cycle = p->end - from, part;
+    double from = p->v.problem.motion.from, cycle = p->v.end - from, part;
     int i, k;
 
     if (!p->has_instant || cycle == 0)
@@ -115,7 +115,7 @@ static void keep_clear(panel *q)
 
 void panel_range(const picture *p, panel *q)
 {
-    double low, high, from = p->problem.motion.from, to = p->end;
+    double low, high, from = p->v.problem.motion.from, to = p->v.end;
 
     if (q->e.low > q->e.high)
         return;
@@ -149,7 +149,7 @@ void panel_begin(picture *p, panel *q, int n)
 
 void panel_begin_over(picture *p, panel *q, int x, int n)
 {
-    double from = p->problem.motion.from;
+    double from = p->v.problem.motion.from;
 
     q->x_column = x;
     q->e = q->x = graph_nothing;
@@ -159,8 +159,8 @@ void panel_begin_over(picture *p, panel *q, int x, int n)
     canvas_key(&p->on);
     canvas_grid(&p->on);
     if (picture_is_over_angle(p, q->x_column))
-        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
-                     graph_angle_step(p, fabs(p->end - from)));
+        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->v.end,
+                     graph_angle_step(p, fabs(p->v.end - from)));
 }
 
 /* The value on a curve at an angle that is the same but for whole turns. */
@@ -194,15 +194,16 @@ static void put_extreme(const picture *p, panel *q, double value, double angle, 
 
 void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
 {
-    const fourlink_value *column = &p->columns[y];
+    const fourlink_value *column = &p->v.columns[y];
     int is_cut = graph_is_cut(&q->e), k, is_angle = strcmp(column->quantity, "angle") == 0;
-    double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0, value, first = GSL_NAN;
+    double turn = is_angle ? view_value(&p->v, QUANTITY_ANGLE, 2 * M_PI) : 0, value,
+           first = GSL_NAN;
     double size = GSL_MAX_DBL(fabs(q->e.low), fabs(q->e.high));
     fourlink_value found;
 
     for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
-        if (fourlink_results_get(p->results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
-                                 p->branches[branch], 0, &found) != FOURLINK_OK ||
+        if (fourlink_results_get(p->v.results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
+                                 p->v.branches[branch], 0, &found) != FOURLINK_OK ||
             !gsl_finite(found.value) ||
             (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
             continue;

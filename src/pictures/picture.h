@@ -6,9 +6,8 @@
 #define FOURLINK_PICTURE_H
 
 #include "base/format.h"
-#include "base/units.h"
 #include "canvas.h"
-#include "fourlink.h"
+#include "view/view.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it draws over the crank angle or over time, if
@@ -71,11 +70,10 @@ typedef enum plot_file {
 typedef struct plot_request {
     plot_kind kind;
     plot_file file;
-    const char *picture; /* the file that the script writes; null: to standard output */
-    const char *at;      /* the crank angles of --plot-at; null: it was not given */
-    const char *x;       /* the column of --plot-x; null: it was not given */
-    fourlink_results
-        *opened; /* of the deck, if its caller has opened it; null: it is opened here */
+    const char *picture;      /* the file that the script writes; null: to standard output */
+    const char *at;           /* the crank angles of --plot-at; null: it was not given */
+    const char *x;            /* the column of --plot-x; null: it was not given */
+    fourlink_results *opened; /* of the deck */
 } plot_request;
 
 /* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
@@ -104,23 +102,12 @@ typedef struct picture {
     const char
         *values; /* the columns of its kind, of A|B the first that the deck has; null: none */
     canvas on;
-    fourlink_results *results;
-    const fourlink_deck *deck;
-    fourlink_problem problem;
-    const fourlink_mechanism *mechanism; /* of the problem */
-    const fourlink_design *design;
-    fourlink_kind_facts kind;
+    fourlink_results *own; /* opened for this picture; null: none */
+    view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    fourlink_branch branches[2];
-    int n_branches;
-    fourlink_range range;
-    int has_instant; /* 1: the deck asks for one instant, and the picture shows its cycle */
-    double instant;  /* its crank angle, in the deck's unit */
-    double end;      /* the last crank angle of the motion, in the deck's unit */
-    fourlink_unit units[QUANTITY_COUNT];
-    const fourlink_value *columns; /* the columns of its kind that the deck has */
-    unsigned long n_columns;
-    fourlink_load *loads;             /* room for the loads at one crank angle */
+    int has_instant;      /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;       /* its crank angle, in the deck's unit */
+    fourlink_load *loads; /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
@@ -139,14 +126,13 @@ typedef struct picture_row {
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
-/* Open a deck for a picture that draws some of these columns; null: none.  1; 0 and its first mistake, or out
-** of memory.  Close it whatever came of it. */
+/* Begin a picture that draws some of these columns; null: none.  0: out of memory.  Close it whatever came of it. */
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
-                 const char *values, fourlink_mistake *mistake);
+                 const char *values);
 void picture_close(picture *p);
 
-/* Open it again with these columns, and with a further assignment, unless these are null; one instant becomes
-** a whole cycle.  Returns the same. */
+/* Open its deck with these columns, and with a further assignment, unless these are null; one instant becomes a whole
+** cycle.  1; 0 and its first mistake, or out of memory. */
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
 
 /* The column to draw over, and those columns of the kind's list that the deck has. */
@@ -171,9 +157,6 @@ int picture_column_panels(const picture *p);
 ** link. */
 int size_lines_beside(const picture *p, int each_link);
 
-/* The angle by which the x axis rises, rad: drawings are turned by it. */
-double size_turn(const picture *p);
-
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
@@ -181,10 +164,6 @@ double size_height(const picture *p, double width);
 ** it cannot be opened, as without memory. */
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);
-
-/* A value in the deck's unit of its quantity, and in SI units. */
-double picture_value(const picture *p, quantity q, double si);
-double picture_si(const picture *p, quantity q, double value);
 
 /* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
@@ -201,23 +180,11 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
-/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is 0. */
-double picture_torque_rounding(const picture *p, const fourlink_forces *forces);
-
-/* N m, Ts, or 0 if it is rounding. */
-double picture_driving_torque(const picture *p, const fourlink_forces *forces);
-
 /* rad/s, of the crank at the first row; of the actual motion its mean over a cycle, if it has one. */
 double picture_speed_of(const picture *p, fourlink_branch branch);
 
 /* Why there is nothing to draw: no row of the motion can be computed on a branch. */
 const char *picture_no_rows(const picture *p, fourlink_branch branch);
-
-/* The last crank angle of a motion, in its unit. */
-double picture_end(const fourlink_motion *motion);
-
-/* How near the piston comes to the crankshaft, along x, in m; of a crank that does not turn fully, a guess. */
-double picture_outer_end(const fourlink_mechanism *mechanism);
 
 /* The column over which the motion is drawn: theta2, or time if the deck has rows by time. */
 const char *picture_over(const picture *p);

@@ -14,7 +14,7 @@ static void put_branch(const picture *p, fourlink_branch branch, double mean, ch
     char words[PICTURE_WORDS] = "";
 
     if (!gsl_isnan(mean))
-        picture_words(p, "mean", picture_si(p, QUANTITY_ANGULAR_SPEED, mean),
+        picture_words(p, "mean", view_si(&p->v, QUANTITY_ANGULAR_SPEED, mean),
                       QUANTITY_ANGULAR_SPEED, words);
     flk_text_join(title, size, fourlink_branch_text((int)branch), words[0] ? ": " : "", words,
                   (char *)NULL);
@@ -35,15 +35,15 @@ static int put_panel(picture *p, fourlink_branch branch, const char *over, const
         if ((y = graph_column(p, names[i])) > 0) {
             graph_put(p, branch, names[i], x, y, &q.e, &q.line[n]);
             graph_extend_x(&q.x, &q.line[n]);
-            canvas_titles(&p->on, title, over, p->columns[x].unit, names[1] ? "torque" : names[0],
-                          p->columns[y].unit);
+            canvas_titles(&p->on, title, over, p->v.columns[x].unit, names[1] ? "torque" : names[0],
+                          p->v.columns[y].unit);
             drawn[n++] = names[i];
         }
     q.n = n;
     if (!n || !q.line[0].n_points)
         return 0;
     panel_range(p, &q);
-    panel_extremes(p, &q, graph_column(p, drawn[0]), branch != p->branches[0], 0);
+    panel_extremes(p, &q, graph_column(p, drawn[0]), branch != p->v.branches[0], 0);
     for (i = 0; i < n; i++) {
         graph_plot(p, branch, drawn[i], i + 1);
         canvas_print(&p->on, "%q", drawn[i]);
@@ -59,7 +59,7 @@ const char *picture_speed(picture *p, fourlink_branch branch)
     static const char *const speed[] = {"omega2", NULL}, *const energy[] = {"energy", NULL},
                              *const torques[] = {"T_motor", "Ts", NULL};
     fourlink_value mean;
-    int status = fourlink_results_value(p->results, "mean_speed", branch, 0, &mean);
+    int status = fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean);
 
     if (!put_panel(p, branch, picture_over(p), speed, status == FOURLINK_OK ? mean.value : GSL_NAN))
         return picture_no_rows(p, branch);

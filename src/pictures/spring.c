@@ -110,7 +110,7 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
     }
     if (link == FOURLINK_CRANK)
         figure_off(x->s, pins.A, pins.B, end);
-    else if (!p->kind.slides_on[link])
+    else if (!p->v.kind.slides_on[link])
         figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
     sketch_dot(x->s, end);
 }
@@ -156,7 +156,7 @@ static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
     int low = GSL_MIN_INT(spring->link, spring->to), high = GSL_MAX_INT(spring->link, spring->to);
 
     if (high == FOURLINK_FOLLOWER)
-        return low == FOURLINK_COUPLER || p->kind.has_stroke ? pins.C : pins.D;
+        return low == FOURLINK_COUPLER || p->v.kind.has_stroke ? pins.C : pins.D;
     return low == FOURLINK_CRANK ? pins.B : high == FOURLINK_CRANK ? pins.A : pins.B;
 }
 
@@ -172,7 +172,7 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
     origin = figure_point(p, state->link[link].origin);
     theta = state->link[link].theta;
     return gsl_hypot(origin.x - pin.x, origin.y - pin.y) <
-                   0.5 * figure_length(p, p->design->link[link].length)
+                   0.5 * figure_length(p, p->v.design->link[link].length)
                ? theta
                : theta + M_PI;
 }
@@ -208,10 +208,10 @@ void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int h
     const char *name = "";
     unsigned long i;
 
-    for (i = 0; i < p->problem.n_springs; i++) {
-        fourlink_deck_spring(p->deck, i, &name, &spring);
+    for (i = 0; i < p->v.problem.n_springs; i++) {
+        fourlink_deck_spring(p->v.deck, i, &name, &spring);
         (spring.is_torsional ? draw_torsional : draw_linear)(s, p, state, &spring, name);
-        if (has_values && fourlink_spring_at(p->mechanism, state, &spring, &at) == FOURLINK_OK)
+        if (has_values && fourlink_spring_at(p->v.mechanism, state, &spring, &at) == FOURLINK_OK)
             figure_note(s, p, name, at.force,
                         spring.is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE);
     }

@@ -53,8 +53,8 @@ static fourlink_vector end_of(const arrow *x)
 static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
                                 fourlink_vector v)
 {
-    v.x = picture_value(g->p, g->q, v.x);
-    v.y = picture_value(g->p, g->q, v.y);
+    v.x = view_value(&g->p->v, g->q, v.x);
+    v.y = view_value(&g->p->v, g->q, v.y);
     arrow_put(&g->sides, kind, name, from, v);
     return place_beside(from, v.x, v.y);
 }
@@ -98,7 +98,7 @@ static void draw_sides(polygon *g)
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
-        figure_note(&g->s, g->p, x->name, picture_si(g->p, g->q, length), g->q);
+        figure_note(&g->s, g->p, x->name, view_si(&g->p->v, g->q, length), g->q);
         if (length < SHORTEST * g->s.size) {
             sketch_line(&g->s, x->kind, x->at, to);
             continue;
@@ -127,7 +127,7 @@ static void put_image(polygon *g, const fourlink_state *state, int link, const f
 
     fourlink_point(state, link, at, NULL, &v, &a);
     end = g->q == QUANTITY_SPEED ? v : a;
-    end = place_at(picture_value(g->p, g->q, end.x), picture_value(g->p, g->q, end.y));
+    end = place_at(view_value(&g->p->v, g->q, end.x), view_value(&g->p->v, g->q, end.y));
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
     put_letter(g, end, letter);
@@ -147,11 +147,11 @@ static void put_images(polygon *g, const fourlink_state *state)
     if (arrow_largest(&g->sides) == 0)
         return;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (g->p->design->link[link].mass > 0)
-            put_image(g, state, link, &g->p->design->link[link].cg,
+        if (g->p->v.design->link[link].mass > 0)
+            put_image(g, state, link, &g->p->v.design->link[link].cg,
                       letters[g->q != QUANTITY_SPEED][link]);
-    for (i = 0; i < g->p->problem.n_points; i++) {
-        fourlink_deck_point(g->p->deck, i, &name, &link, &at);
+    for (i = 0; i < g->p->v.problem.n_points; i++) {
+        fourlink_deck_point(g->p->v.deck, i, &name, &link, &at);
         put_image(g, state, link, &at,
                   flk_text_join(letter, sizeof letter, name, mark, (char *)NULL));
     }
@@ -161,7 +161,7 @@ static void put_images(polygon *g, const fourlink_state *state)
 static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
                         fourlink_vector *a)
 {
-    fourlink_vector at = place_at(p->design->link[FOURLINK_COUPLER].length, 0);
+    fourlink_vector at = place_at(p->v.design->link[FOURLINK_COUPLER].length, 0);
 
     fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
 }
@@ -192,7 +192,7 @@ static void put_sliding(picture *p, const fourlink_state *state)
     put_letter(&g, b, "b");
     put_letter(&g, b4, "b4");
     put_images(&g, state);
-    sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
+    sketch_close(&g.s, "velocity polygon", p->v.units[g.q].name);
 }
 
 static void put_velocities(picture *p, const fourlink_state *state)
@@ -210,7 +210,7 @@ static void put_velocities(picture *p, const fourlink_state *state)
     put_letter(&g, b, "b");
     put_letter(&g, c, "c");
     put_images(&g, state);
-    sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
+    sketch_close(&g.s, "velocity polygon", p->v.units[g.q].name);
 }
 
 /* Add the normal and the tangential acceleration of a link's end about its origin. */
@@ -218,7 +218,7 @@ static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int li
                                  const char *normal, const char *tangential, fourlink_vector from)
 {
     const fourlink_link_state *l = &state->link[link];
-    double length = g->p->design->link[link].length, n = -l->omega * l->omega * length,
+    double length = g->p->v.design->link[link].length, n = -l->omega * l->omega * length,
            t = l->alpha * length;
 
     from = put_side(g, (pen)link, normal, from, place_at(n * l->axis.x, n * l->axis.y));
@@ -247,7 +247,7 @@ static void put_coriolis(picture *p, const fourlink_state *state)
     put_letter(&g, b, "b'");
     put_letter(&g, b4, "b4'");
     put_images(&g, state);
-    sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
+    sketch_close(&g.s, "acceleration polygon", p->v.units[g.q].name);
 }
 
 static void put_accelerations(picture *p, const fourlink_state *state)
@@ -259,7 +259,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     open_polygon(&g, p, QUANTITY_ACCELERATION);
     b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
     c = put_parts(&g, state, FOURLINK_COUPLER, "aCBn", "aCBt", b);
-    if (p->kind.has_stroke)
+    if (p->v.kind.has_stroke)
         put_side(&g, PEN_FOLLOWER, "aC", zero, a_C);
     else
         put_parts(&g, state, FOURLINK_FOLLOWER, "aCn", "aCt", zero);
@@ -270,7 +270,7 @@ static void put_accelerations(picture *p, const fourlink_state *state)
     put_letter(&g, b, "b'");
     put_letter(&g, c, "c'");
     put_images(&g, state);
-    sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
+    sketch_close(&g.s, "acceleration polygon", p->v.units[g.q].name);
 }
 
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
@@ -304,14 +304,14 @@ static void touch(free_body *b, int pin, int i)
 
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
-    const fourlink_link *body = &p->design->link[link];
+    const fourlink_link *body = &p->v.design->link[link];
     const fourlink_state *state = &r->now.state;
     figure_pins pins = figure_place(p, state);
     int first, second;
     fourlink_vector a_G;
 
     b->link = link;
-    b->is_slider = p->kind.slides_on[link];
+    b->is_slider = p->v.kind.slides_on[link];
     b->first = link == FOURLINK_CRANK ? pins.A : link == FOURLINK_COUPLER ? pins.B : pins.C;
     b->second = link == FOURLINK_CRANK                     ? pins.B
                 : link == FOURLINK_COUPLER || b->is_slider ? pins.C
@@ -319,7 +319,7 @@ static void open_body(free_body *b, const picture *p, const picture_row *r, int 
     b->G = figure_of_link(p, state, link, &body->cg);
     b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
     if (b->length == 0)
-        b->length = figure_length(p, p->design->link[FOURLINK_CRANK].length);
+        b->length = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
     b->forces.n = 0;
     first = add_pin(b, p, r, 0, link - 1);
     second = add_pin(b, p, r, 1, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1);
@@ -342,7 +342,7 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     } else {
         sketch_pin(s, at);
     }
-    figure_letter(s, at, other, other, p->kind.joint[b->link - FOURLINK_CRANK + pin].letter);
+    figure_letter(s, at, other, other, p->v.kind.joint[b->link - FOURLINK_CRANK + pin].letter);
 }
 
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
@@ -352,15 +352,15 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 
     if (b->is_slider)
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
-    else if (p->kind.has_slot && b->link == FOURLINK_FOLLOWER)
+    else if (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
-    for (i = 0; i < p->problem.n_loads; i++)
+    for (i = 0; i < p->v.problem.n_loads; i++)
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
                        figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
-    if (p->design->link[b->link].mass > 0) {
+    if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G);
     }
@@ -372,8 +372,8 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 /* Draw the body with forces and torques. */
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
-    double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
-    double largest = arrow_largest(&b->forces), crank = p->design->link[FOURLINK_CRANK].length;
+    double inertia = p->v.design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
+    double largest = arrow_largest(&b->forces), crank = p->v.design->link[FOURLINK_CRANK].length;
     char words[80];
     sketch s;
 
@@ -388,18 +388,19 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
     }
     arrow_draw_load_torques(&s, p, r, b->link, 1);
     if (b->link == FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, picture_driving_torque(p, &r->now.forces));
-    if (p->kind.has_slot && b->link != FOURLINK_CRANK)
+        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, view_driving_torque(&p->v, &r->now.forces));
+    if (p->v.kind.has_slot && b->link != FOURLINK_CRANK)
         arrow_draw_torque(&s, p, PEN_FORCE, b->is_slider ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4,
                           b->first, b->is_slider ? -r->now.forces.M34 : r->now.forces.M34);
-    if (p->kind.has_stroke && b->is_slider && fabs(r->now.forces.M14) > ROUNDING * largest * crank)
+    if (p->v.kind.has_stroke && b->is_slider &&
+        fabs(r->now.forces.M14) > ROUNDING * largest * crank)
         arrow_draw_torque(&s, p, PEN_FORCE, "M" SUB_1 SUB_4, b->first, r->now.forces.M14);
     if (alpha != 0 && inertia > 0)
         arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
         friction_circle_note(&s, b->circle_scale);
-    flk_text_join(words, sizeof words, "free body of the ", p->kind.link[b->link], (char *)NULL);
-    sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
+    flk_text_join(words, sizeof words, "free body of the ", p->v.kind.link[b->link], (char *)NULL);
+    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
@@ -414,8 +415,8 @@ static void put_force_polygon(picture *p, const free_body *b)
     for (i = 0; i < b->forces.n; i++)
         at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", p->kind.link[b->link], (char *)NULL);
-    sketch_close(&g.s, words, p->units[QUANTITY_FORCE].name);
+    flk_text_join(words, sizeof words, "forces on the ", p->v.kind.link[b->link], (char *)NULL);
+    sketch_close(&g.s, words, p->v.units[QUANTITY_FORCE].name);
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)
@@ -439,9 +440,9 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     put_mechanism(p, &r.now);
-    (p->kind.has_slot ? put_sliding : put_velocities)(p, &r.now.state);
-    (p->kind.has_slot ? put_coriolis : put_accelerations)(p, &r.now.state);
-    if (!p->problem.has_forces)
+    (p->v.kind.has_slot ? put_sliding : put_velocities)(p, &r.now.state);
+    (p->v.kind.has_slot ? put_coriolis : put_accelerations)(p, &r.now.state);
+    if (!p->v.problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         open_body(&bodies[link], p, &r, link);

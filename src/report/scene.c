@@ -6,6 +6,7 @@
 
 #include "scene.h"
 #include "tables/json_text.h"
+#include "view/geometry.h"
 
 /* In UTF-8. */
 #define PRIME "\342\200\262"
@@ -52,30 +53,30 @@ static void put_label(line *l, const char *name, const char *sub, const char *su
 
 static void put_link(line *l, const rows *t, int link)
 {
-    const fourlink_joint *ends = &t->kind.joint[link - FOURLINK_CRANK];
-    int slides = t->kind.slides_on[link], n = 0, on;
-    const char *shape = slides                                          ? "block"
-                        : t->kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
-                                                                        : "bar";
+    const fourlink_joint *ends = &t->v.kind.joint[link - FOURLINK_CRANK];
+    int slides = t->v.kind.slides_on[link], n = 0, on;
+    const char *shape = slides                                            ? "block"
+                        : t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
+                                                                          : "bar";
     unsigned long i;
     char name[ROWS_NAME];
 
     line_put(l, "{\"link\":%lu", (unsigned long)link);
-    put_text(l, "name", t->kind.link[link]);
+    put_text(l, "name", t->v.kind.link[link]);
     put_text(l, "shape", shape);
     line_put(l, ",\"pins\":[\"%s\"", ends[0].letter);
     if (!slides)
         line_put(l, ",\"%s\"", ends[1].letter);
     line_put(l, "],\"points\":[");
-    for (i = 0; i < t->problem.n_points; i++) {
+    for (i = 0; i < t->v.problem.n_points; i++) {
         fourlink_vector at;
 
-        fourlink_deck_point(t->deck, i, NULL, &on, &at);
+        fourlink_deck_point(t->v.deck, i, NULL, &on, &at);
         if (on == link)
             line_put(l, "%s\"%s\"", n++ ? "," : "", rows_name("P", i, "", name));
     }
     line_put(l, "]");
-    if (t->design->link[link].mass > 0)
+    if (t->v.design->link[link].mass > 0)
         line_put(l, ",\"centre\":\"%s\"", rows_name("G", (unsigned long)link, "", name));
     line_put(l, "}");
 }
@@ -102,8 +103,8 @@ static void put_tracers(line *l, const rows *t)
     int link, n = 0;
 
     line_put(l, "\"points\":[");
-    for (i = 0; i < t->problem.n_points; i++) {
-        fourlink_deck_point(t->deck, i, &words, &link, &at);
+    for (i = 0; i < t->v.problem.n_points; i++) {
+        fourlink_deck_point(t->v.deck, i, &words, &link, &at);
         put_comma(l, &n);
         put_label(l, words, "", "");
         line_put(l, ",\"of\":\"%s\"}", rows_name("P", i, "", name));
@@ -117,7 +118,7 @@ static const char *pin_of(const rows *t, const fourlink_spring *spring)
     static const int pins[5][5] = {
         {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 0}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
 
-    return t->kind.joint[pins[spring->link][spring->to]].letter;
+    return t->v.kind.joint[pins[spring->link][spring->to]].letter;
 }
 
 /* A spring: its name and what it is, its pin, or its ends on two links. */
@@ -130,8 +131,8 @@ static void put_springs(line *l, const rows *t)
     int n = 0;
 
     line_put(l, "\"springs\":[");
-    for (i = 0; i < t->problem.n_springs; i++) {
-        fourlink_deck_spring(t->deck, i, &words, &spring);
+    for (i = 0; i < t->v.problem.n_springs; i++) {
+        fourlink_deck_spring(t->v.deck, i, &words, &spring);
         put_comma(l, &n);
         put_label(l, words, "", "");
         line_put(l, ",\"coil\":%s,\"damper\":%s",
@@ -208,13 +209,13 @@ static void put_images(line *l, const rows *t, const char *before, const char *p
 
     line_put(l, ",\"images\":[");
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (t->design->link[link].mass > 0) {
+        if (t->v.design->link[link].mass > 0) {
             put_comma(l, &n);
             put_label(l, "g", numbers[link], prime);
             line_put(l, ",\"of\":\"%sG%s\"}", before, numbers[link]);
         }
-    for (i = 0; i < t->problem.n_points; i++) {
-        fourlink_deck_point(t->deck, i, &words, &link, &at);
+    for (i = 0; i < t->v.problem.n_points; i++) {
+        fourlink_deck_point(t->v.deck, i, &words, &link, &at);
         put_comma(l, &n);
         put_label(l, words, "", prime);
         line_put(l, ",\"of\":\"%s%s\"}", before, rows_name("P", i, "", name));
@@ -226,15 +227,15 @@ static void put_polygons(line *l, const rows *t)
 {
     line_put(l, "\"polygons\":[\n{\"title\":\"Velocity polygon\",\"quantity\":\"speed\","
                 "\"zero\":\"all velocities are zero\",\"pole\":\"o\",\"lines\":[]");
-    put_sides(l, t, t->kind.has_slot ? sliding : velocities);
+    put_sides(l, t, t->v.kind.has_slot ? sliding : velocities);
     put_images(l, t, "v", "");
     line_put(l, "},\n{\"title\":\"Acceleration polygon\",\"quantity\":\"acceleration\","
                 "\"zero\":\"all accelerations are zero\",\"pole\":\"o" PRIME "\",\"lines\":[");
-    if (t->kind.has_slot)
+    if (t->v.kind.has_slot)
         line_put(l, "[\"o" PRIME "\",\"b" PRIME "\"],[\"o" PRIME "\",\"b" SUB_4 PRIME "\"]]");
     else
         line_put(l, "[\"o" PRIME "\",\"c" PRIME "\"],[\"b" PRIME "\",\"c" PRIME "\"]]");
-    put_sides(l, t, t->kind.has_slot ? coriolis : accelerations);
+    put_sides(l, t, t->v.kind.has_slot ? coriolis : accelerations);
     put_images(l, t, "a", PRIME);
     line_put(l, "}],\n");
 }
@@ -258,28 +259,28 @@ static void put_force(line *l, int *n, const char *name, const char *sub, const 
 /* 1 for the friction of a slider on its lever, which F34 has. */
 static int is_in_F34(const rows *t, const fourlink_load_info *load)
 {
-    return t->kind.has_slot && load->sort == FOURLINK_LOAD_FRICTION && load->element == JOINT_C;
+    return t->v.kind.has_slot && load->sort == FOURLINK_LOAD_FRICTION && load->element == JOINT_C;
 }
 
 /* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
 static int sense_of_load(const rows *t, const fourlink_load_info *load)
 {
     if (load->sort == FOURLINK_LOAD_FRICTION)
-        return t->kind.has_stroke && load->element == JOINT_D ? 1 : INNER;
+        return t->v.kind.has_stroke && load->element == JOINT_D ? 1 : INNER;
     return load->sort == FOURLINK_LOAD_SPRING ? INNER : 1;
 }
 
 static void put_pin_forces(line *l, const rows *t, int *n)
 {
-    const char *C = t->kind.joint[JOINT_C].letter, *D = t->kind.joint[JOINT_D].letter;
+    const char *C = t->v.kind.joint[JOINT_C].letter, *D = t->v.kind.joint[JOINT_D].letter;
 
     put_force(l, n, "F", "12", "F12", 1, "A", 2, "pin");
     put_force(l, n, "F", "32", "F23", -1, "B", 2, "pin");
     put_force(l, n, "F", "23", "F23", 1, "B", 3, "pin");
     put_force(l, n, "F", "43", "F34", -1, C, 3, "pin");
     put_force(l, n, "F", "34", "F34", 1, C, 4, "pin");
-    put_force(l, n, t->kind.has_stroke ? "N" : "F", t->kind.has_stroke ? "" : "14", "F14", 1, D, 4,
-              "pin");
+    put_force(l, n, t->v.kind.has_stroke ? "N" : "F", t->v.kind.has_stroke ? "" : "14", "F14", 1, D,
+              4, "pin");
 }
 
 static void put_body_forces(line *l, const rows *t, int *n)
@@ -288,7 +289,7 @@ static void put_body_forces(line *l, const rows *t, int *n)
     unsigned long link;
 
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        if (t->design->link[link].mass <= 0)
+        if (t->v.design->link[link].mass <= 0)
             continue;
         rows_name("G", link, "", at);
         put_force(l, n, "W", numbers[link], rows_name("W", link, "", of), 1, at, (int)link, "load");
@@ -305,11 +306,11 @@ static void put_forces(line *l, const rows *t)
     int n = 0;
 
     line_put(l, "\"forces\":[");
-    if (t->problem.has_forces) {
+    if (t->v.problem.has_forces) {
         put_pin_forces(l, t, &n);
         put_body_forces(l, t, &n);
     }
-    for (i = 0; fourlink_deck_load(t->deck, i, &load) == FOURLINK_OK; i++)
+    for (i = 0; fourlink_deck_load(t->v.deck, i, &load) == FOURLINK_OK; i++)
         if (!is_in_F34(t, &load))
             put_force(l, &n, load.name, "", rows_name("L", i, "F", of), sense_of_load(t, &load),
                       rows_name("L", i, "", at), load.link, "load");
@@ -325,25 +326,25 @@ static void put_torques(line *l, const rows *t)
     int n = 0;
 
     line_put(l, "\"torques\":[");
-    if (t->problem.has_forces)
+    if (t->v.problem.has_forces)
         put_force(l, &n, "T", "s", "Ts", 1, "A", 2, "pin");
-    if (t->problem.has_forces && t->kind.has_slot) {
+    if (t->v.problem.has_forces && t->v.kind.has_slot) {
         put_force(l, &n, "M", "43", "M34", -1, "B", 3, "pin");
         put_force(l, &n, "M", "34", "M34", 1, "B", 4, "pin");
     }
-    if (t->problem.has_forces && t->kind.has_stroke)
+    if (t->v.problem.has_forces && t->v.kind.has_stroke)
         put_force(l, &n, "M", "14", "M14", 1, "C", 4, "pin");
-    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER && t->problem.has_forces; i++)
-        if (t->design->link[i].mass > 0 && t->design->link[i].inertia > 0)
+    for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER && t->v.problem.has_forces; i++)
+        if (t->v.design->link[i].mass > 0 && t->v.design->link[i].inertia > 0)
             put_force(l, &n, MINUS "I" ALPHA, numbers[i], rows_name("I", i, "T", of), 1,
                       rows_name("G", i, "", at), (int)i, "inertia");
-    for (i = 0; fourlink_deck_load(t->deck, i, &load) == FOURLINK_OK; i++)
+    for (i = 0; fourlink_deck_load(t->v.deck, i, &load) == FOURLINK_OK; i++)
         if (load.sort == FOURLINK_LOAD_FRICTION)
             put_force(l, &n, "M", joints[load.element], rows_name("L", i, "T", of), INNER,
                       joints[load.element], load.link, "load");
         else
             put_force(l, &n, load.name, "", rows_name("L", i, "T", of), sense_of_load(t, &load),
-                      t->kind.joint[origins[load.link]].letter, load.link, "load");
+                      t->v.kind.joint[origins[load.link]].letter, load.link, "load");
     line_put(l, "],\n");
 }
 
@@ -359,7 +360,7 @@ static void put_units(line *l, const rows *t)
     line_put(l, "\"units\":{");
     for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++) {
         line_put(l, "%s\"%s\":", i ? "," : "", flk_quantities[used[i]].name);
-        put_string(l, t->units[used[i]].name);
+        put_string(l, t->v.units[used[i]].name);
     }
     line_put(l, "},\n");
 }
@@ -367,16 +368,11 @@ static void put_units(line *l, const rows *t)
 /* The x axis rises by the angle `turn`, in rad; a drawing is turned by it. */
 static void put_frame(line *l, const rows *t)
 {
-    const fourlink_vector *g = &t->design->gravity;
-    double turn = g->x != 0 || g->y != 0 ? atan2(-g->x, -g->y) : 0;
-    int is_heavy =
-        t->design->link[2].mass > 0 || t->design->link[3].mass > 0 || t->design->link[4].mass > 0;
-
     line_put(l, "\"turn\":");
-    json_text_number(l, fabs(turn) < 1e-9 ? 0 : turn, 17);
+    json_text_number(l, geometry_turn(&t->v), 17);
     line_put(l, ",\"gravity\":%s,\"forced\":%s,\"supports\":[\"A\"%s],\n",
-             is_heavy && (g->x != 0 || g->y != 0) ? "true" : "false",
-             t->problem.has_forces ? "true" : "false", t->kind.has_stroke ? "" : ",\"D\"");
+             geometry_has_weight(&t->v) ? "true" : "false",
+             t->v.problem.has_forces ? "true" : "false", t->v.kind.has_stroke ? "" : ",\"D\"");
 }
 
 void scene_write(line *l, const rows *t)

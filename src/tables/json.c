@@ -131,15 +131,15 @@ static void open_deck(sheet *s)
     unsigned long i;
 
     put_labels(s);
-    put_text(&s->l, "title", s->problem.title);
+    put_text(&s->l, "title", s->v.problem.title);
     if (s->content == SHEET_STATISTICS)
         return;
-    put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
+    put_text(&s->l, "mechanism", s->v.kind.words);
     if (s->content == SHEET_LIST)
         return;
     sheet_write_inputs(s, put_input);
-    for (i = 0; s->content == SHEET_ROWS && i < s->n_columns; i++)
-        put_column(s, &s->columns[i]);
+    for (i = 0; s->content == SHEET_ROWS && i < s->v.n_columns; i++)
+        put_column(s, &s->v.columns[i]);
 }
 
 static void put_fact(sheet *s, const fourlink_value *fact)
@@ -189,7 +189,7 @@ static void put_row(sheet *s, const sheet_row *row)
     put_name(&s->l, "status", 1);
     put_string(&s->l, row->status);
     line_put(&s->l, ",\"values\":");
-    for (i = 0; row->values && i < s->n_columns; i++) {
+    for (i = 0; row->values && i < s->v.n_columns; i++) {
         line_text(&s->l, i ? "," : "[", 1);
         put_number(&s->l, row->values[i]);
     }
@@ -242,7 +242,7 @@ static void begin(sheet *s)
         return;
     line_text(&s->l, "{", 1);
     put_name(&s->l, "title", 1);
-    put_string(&s->l, s->problem.title);
+    put_string(&s->l, s->v.problem.title);
     s->design = 1; /* one line */
     for (i = 0; i < s->n_variables; i++)
         put_column(s, &s->variables[i]);
@@ -273,11 +273,10 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
 /* Written instead of a deck, or instead of a design, on a line for each branch. */
 static void refuse(sheet *s, const char *why)
 {
-    fourlink_branch branches[2];
-    int n = s->content == SHEET_DESIGNS ? sheet_branches(s, branches) : 0, i;
+    int n = s->content == SHEET_DESIGNS ? s->v.n_branches : 0, i;
 
     for (i = 0; i < n; i++)
-        put_design(s, branches[i], NULL, why);
+        put_design(s, s->v.branches[i], NULL, why);
     if (n)
         return;
     put_labels(s);

@@ -14,47 +14,46 @@
 
 /* The largest magnitude of each column, in rows spread evenly over the motion; 0 if it is only rounding
 ** compared with other columns of the same quantity. */
-static void find_sizes(sheet *s, style *styles)
+static void find_sizes(const view *v, double *values, style *styles)
 {
-    unsigned long n_rows = s->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
+    unsigned long n_rows = v->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
     double of_quantity[QUANTITY_COUNT] = {0};
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
 
-    for (j = 0; j < s->n_columns; j++)
+    for (j = 0; j < v->n_columns; j++)
         styles[j].size = 0;
-    for (i = 0; i < n; i++)
+    for (i = 0; i < v->n_branches; i++)
         for (k = 0; k < samples; k++) {
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
 
-            fourlink_results_row(s->results, branches[i],
-                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), s->values,
-                                 NULL, NULL);
-            for (j = 0; j < s->n_columns; j++)
-                if (fabs(s->values[j]) > styles[j].size)
-                    styles[j].size = fabs(s->values[j]);
+            fourlink_results_row(v->results, v->branches[i],
+                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), values, NULL,
+                                 NULL);
+            for (j = 0; j < v->n_columns; j++)
+                if (fabs(values[j]) > styles[j].size)
+                    styles[j].size = fabs(values[j]);
         }
-    for (j = 0; j < s->n_columns; j++) {
-        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
+    for (j = 0; j < v->n_columns; j++) {
+        double *largest = &of_quantity[flk_quantity_find(v->columns[j].quantity)];
 
         *largest = GSL_MAX_DBL(*largest, styles[j].size);
     }
-    for (j = 0; j < s->n_columns; j++)
-        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(s->columns[j].quantity)])
+    for (j = 0; j < v->n_columns; j++)
+        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(v->columns[j].quantity)])
             styles[j].size = 0;
 }
 
 /* The number of decimals that writes every crank angle exactly, if it is small. */
-static int decimals_of_angle(const sheet *s, int otherwise)
+static int decimals_of_angle(const view *v, int is_at, int otherwise)
 {
-    const fourlink_motion *motion = &s->problem.motion;
+    const fourlink_motion *motion = &v->problem.motion;
     double last = motion->from, step = 1;
     fourlink_row row;
     int decimals;
 
-    if (s->problem.by_time || s->at)
+    if (v->problem.by_time || is_at)
         return otherwise;
-    if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
+    if (!v->range.stops && fourlink_motion_row(motion, &v->range, v->range.n_rows - 1, &row) == 0)
         last = row.angle;
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
         double x = motion->from * step, y = last * step, z = motion->interval * step;
@@ -66,13 +65,13 @@ static int decimals_of_angle(const sheet *s, int otherwise)
     return otherwise;
 }
 
-static void find_style(const sheet *s, const fourlink_value *c, style *x)
+static void find_style(const view *v, int is_at, const fourlink_value *c, style *x)
 {
     char number[FORMAT_SIZE];
     size_t width;
 
     x->exponent = x->size > 0 && (x->size < 1e-6 || x->size >= 1e9);
-    x->decimals = s->problem.digits - 1;
+    x->decimals = v->problem.digits - 1;
     if (c->flags & FOURLINK_OF_ROUNDING) {
         x->exponent = 1;
         x->decimals = 1;
@@ -81,7 +80,7 @@ static void find_style(const sheet *s, const fourlink_value *c, style *x)
         if (x->decimals < 0)
             x->decimals = 0;
         if (c->flags & FOURLINK_CRANK_ANGLE)
-            x->decimals = decimals_of_angle(s, x->decimals);
+            x->decimals = decimals_of_angle(v, is_at, x->decimals);
     }
     if (x->exponent)
         width = strlen(format_exponent(-1, x->decimals, number));
@@ -107,11 +106,11 @@ void style_put(line *l, double value, const style *x, size_t width)
     line_right(l, number, (size_t)(style_text(value, x, number) - number), width);
 }
 
-void style_find(sheet *s, style *styles)
+void style_find(const view *v, int is_at, double *values, style *styles)
 {
     unsigned long j;
 
-    find_sizes(s, styles);
-    for (j = 0; j < s->n_columns; j++)
-        find_style(s, &s->columns[j], &styles[j]);
+    find_sizes(v, values, styles);
+    for (j = 0; j < v->n_columns; j++)
+        find_style(v, is_at, &v->columns[j], &styles[j]);
 }

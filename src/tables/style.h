@@ -19,8 +19,8 @@ typedef struct style {
     fourlink_value extreme; /* the last one found */
 } style;
 
-/* Find the styles of a deck's columns. */
-void style_find(sheet *s, style *styles);
+/* Find the styles of a deck's columns; `is_at`: of rows at any crank angles.  `values` is room for a row. */
+void style_find(const view *v, int is_at, double *values, style *styles);
 
 /* Write a number with the decimals of its column; returns its end.  The same right-aligned in a field. */
 char *style_text(double value, const style *x, char out[FORMAT_SIZE]);

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** view.h - what of a deck is to be shown: its branches, columns, units, and what its kind of mechanism has.
+**
+** Tables, pictures, report and page take a deck's results once, as a view.
+*/
+#ifndef FOURLINK_VIEW_H
+#define FOURLINK_VIEW_H
+
+#include "base/units.h"
+#include "fourlink.h"
+
+typedef struct view {
+    fourlink_results *results;
+    const fourlink_deck *deck;
+    fourlink_problem problem;
+    const fourlink_mechanism *mechanism; /* of the problem */
+    const fourlink_design *design;
+    fourlink_kind_facts kind;
+    fourlink_branch branches[2]; /* that the deck asks for */
+    int n_branches;
+    fourlink_range range; /* by time, with the number of its rows */
+    double end;           /* the last crank angle of the motion, in the deck's unit */
+    fourlink_unit units[QUANTITY_COUNT];
+    const fourlink_value *columns; /* of its table */
+    unsigned long n_columns;
+} view;
+
+/* Take the results of a deck, which stay the caller's. */
+void view_take(view *v, fourlink_results *results);
+
+/* A value in the deck's unit of its quantity, and in SI units. */
+double view_value(const view *v, quantity q, double si);
+double view_si(const view *v, quantity q, double value);
+
+/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is 0. */
+double view_torque_rounding(const view *v, const fourlink_forces *forces);
+
+/* N m, Ts, or 0 if it is rounding. */
+double view_driving_torque(const view *v, const fourlink_forces *forces);
+
+#endif
