@@ -40,6 +40,8 @@ const char *picture_motion(picture *p, fourlink_branch branch)
 
     (void)branch;
     for (i = 1; i < (int)p->v.n_columns; i++) {
+        if (!picture_draws(p, p->v.columns[i].name))
+            continue;
         put_panel(p, i);
         drawn += p->on.curves;
     }

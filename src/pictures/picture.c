@@ -162,13 +162,11 @@ static int take_results(picture *p, fourlink_results *results)
     return p->loads || run_out_of_memory(p);
 }
 
-int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
-                 const char *values)
+int picture_open(picture *p, const fourlink_source *source, const plot_request *request)
 {
     memset(p, 0, sizeof *p);
     p->request = request;
     p->source = source;
-    p->values = values;
     return take_results(p, request->opened);
 }
 
@@ -182,17 +180,41 @@ static int has_column(const picture *p, text name)
            found.has_angle;
 }
 
-void picture_choose(const picture *p, char out[PICTURE_NAMES])
-{
-    text rest = flk_text_of(p->values), either, name;
+#define PLOT_VALUES(code, name, columns, rows, width, height, needs, draw, values, shows) values,
+const char *const plot_values[] = {PLOT_LIST(PLOT_VALUES) NULL};
 
-    flk_text_join(out, PICTURE_NAMES, picture_over(p), " ", (char *)NULL);
+/* Add those columns of a list that the deck has. */
+static void add_columns(const picture *p, const char *values, char out[PICTURE_NAMES])
+{
+    text rest = flk_text_of(values), either, name;
+
     while (flk_text_split(&rest, ',', &either)) {
         while (flk_text_split(&either, '|', &name) && !has_column(p, name))
             ;
         if (has_column(p, name))
             strcat(strncat(out, name.start, name.length), " ");
     }
+}
+
+void picture_choose(const picture *p, char out[PICTURE_NAMES])
+{
+    int kind;
+
+    flk_text_join(out, PICTURE_NAMES, picture_over(p), " ", (char *)NULL);
+    for (kind = 0; kind < PLOT_COUNT; kind++)
+        if (plot_values[kind] && (p->request->kept || kind == (int)p->request->kind))
+            add_columns(p, plot_values[kind], out);
+}
+
+int picture_draws(const picture *p, const char *column)
+{
+    text rest = flk_text_of(plot_values[p->request->kind]), either, name;
+
+    while (flk_text_split(&rest, ',', &either))
+        while (flk_text_split(&either, '|', &name))
+            if (flk_text_same(name, column))
+                return 1;
+    return 0;
 }
 
 /* Open the deck with further assignments. */
@@ -218,7 +240,7 @@ static int open_changed(picture *p, const char *const assignments[2], fourlink_m
     return status == FOURLINK_OK || (status != FOURLINK_BAD_DECK && run_out_of_memory(p));
 }
 
-int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
+static int reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
 {
     char assignment[PICTURE_NAMES + 20];
     const char *assignments[2];
@@ -228,6 +250,24 @@ int picture_reopen(picture *p, const char *columns, const char *further, fourlin
                              : NULL;
     assignments[1] = further;
     return open_changed(p, assignments, mistake) && take_results(p, p->own);
+}
+
+int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
+{
+    fourlink_results **kept = p->request->kept;
+    char names[PICTURE_NAMES];
+
+    if (kept && *kept)
+        return take_results(p, *kept);
+    if (kept)
+        picture_choose(p, names);
+    if (!reopen(p, kept ? names : columns, further, mistake))
+        return 0;
+    if (kept) {
+        *kept = p->own;
+        p->own = NULL;
+    }
+    return 1;
 }
 
 int picture_has_balance(const picture *p)
@@ -250,7 +290,7 @@ int picture_open_balance(picture *p, const char *apply, picture *other)
     other->own = NULL;
     other->loads = NULL;
     picture_choose(p, names);
-    opened = picture_reopen(other, names, apply, &mistake);
+    opened = reopen(other, names, apply, &mistake);
     p->out_of_memory |= other->out_of_memory;
     return opened;
 }

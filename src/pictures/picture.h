@@ -57,6 +57,9 @@ enum {
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
+/* The columns of each kind, as in the list; null: none. */
+extern const char *const plot_values[];
+
 /* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
 typedef enum plot_file {
     PLOT_SVG,
@@ -74,6 +77,8 @@ typedef struct plot_request {
     const char *at;           /* the crank angles of --plot-at; null: it was not given */
     const char *x;            /* the column of --plot-x; null: it was not given */
     fourlink_results *opened; /* of the deck */
+    /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
+    fourlink_results **kept;
 } plot_request;
 
 /* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
@@ -92,15 +97,14 @@ typedef struct plot_caption {
 
 #define PICTURE_STEPS 720 /* of a motion */
 
-#define PICTURE_COLUMNS 25
+#define PICTURE_CURVES 24  /* of any columns */
+#define PICTURE_COLUMNS 40 /* of a picture; all kinds together have fewer */
 #define PICTURE_NAMES 2000 /* of columns */
 
 /* A picture in the making. */
 typedef struct picture {
     const plot_request *request;
     const fourlink_source *source;
-    const char
-        *values; /* the columns of its kind, of A|B the first that the deck has; null: none */
     canvas on;
     fourlink_results *own; /* opened for this picture; null: none */
     view v;                /* its columns are those of the kind that the deck has */
@@ -126,17 +130,20 @@ typedef struct picture_row {
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
-/* Begin a picture that draws some of these columns; null: none.  0: out of memory.  Close it whatever came of it. */
-int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
-                 const char *values);
+/* Begin a picture; 0: out of memory.  Close it whatever came of it. */
+int picture_open(picture *p, const fourlink_source *source, const plot_request *request);
 void picture_close(picture *p);
 
 /* Open its deck with these columns, and with a further assignment, unless these are null; one instant becomes a whole
 ** cycle.  1; 0 and its first mistake, or out of memory. */
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
 
-/* The column to draw over, and those columns of the kind's list that the deck has. */
+/* The column to draw over, and those columns of the kind's list, or of all kinds' for a deck that is kept, that the
+** deck has. */
 void picture_choose(const picture *p, char out[PICTURE_NAMES]);
+
+/* 1 for a column of the kind's list. */
+int picture_draws(const picture *p, const char *column);
 
 /* Returns 0, for the caller to return, and the reason. */
 int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);

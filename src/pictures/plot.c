@@ -19,11 +19,10 @@ const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 const char *const plot_shows[] = {PLOT_LIST(PLOT_SHOWS) NULL};
 
 #define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values, shows) \
-    {columns, rows, width, height, needs, draw, values},
+    {columns, rows, width, height, needs, draw},
 static const struct plot_info {
     int columns, rows, width, height, needs;
     const char *(*draw)(picture *p, fourlink_branch branch);
-    const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
@@ -275,7 +274,7 @@ static const char *missing(const picture *p)
     if ((needs & PLOT_SLIDER_CRANK) && !p->v.kind.has_stroke)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
-        p->v.n_columns > PICTURE_COLUMNS - 1)
+        p->v.n_columns > PICTURE_CURVES)
         return "a picture shows at most 24 columns; name those to draw with --columns";
     if ((needs & PLOT_SWEEP) && (!p->v.problem.n_designs || !p->v.problem.has_outputs))
         return "this picture needs a [sweep] with outputs; the deck has none";
@@ -365,7 +364,7 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
         if (!picture_choose_columns(p, names, mistake))
             return 0;
         chosen = names;
-    } else if (p->values) {
+    } else if (plot_values[p->request->kind]) {
         picture_choose(p, names);
         chosen = names;
     }
@@ -395,8 +394,7 @@ int plot_write(FILE *out, const fourlink_source *source, const plot_request *req
     int written;
     picture p;
 
-    written = picture_open(&p, source, request, plot_table[request->kind].values) &&
-              write_script(&p, out, mistake);
+    written = picture_open(&p, source, request) && write_script(&p, out, mistake);
     if (written)
         write_caption(&p, source->name, caption);
     picture_close(&p);

@@ -33,6 +33,7 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.file = PLOT_SVG;
     request.at = at;
     request.opened = r->v.results;
+    request.kept = &r->drawn;
     if (!script) {
         miss(r, strerror(errno));
     } else if ((is_written = plot_write(script, r->source, &request, &caption, &mistake)) > 0) {

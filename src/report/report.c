@@ -179,6 +179,7 @@ int report_write(FILE *out, const fourlink_source *source, const report_request 
         opened = -1;
     outcome->gnuplot = r.gnuplot;
     outcome->has_failed = r.failed > 0;
+    fourlink_results_free(r.drawn);
     free(r.loads);
     free(r.row_loads);
     free(r.notes);
