@@ -11,29 +11,9 @@
 #include "base/format.h"
 #include "base/text.h"
 #include "rows.h"
-#include "view/geometry.h"
 
 #define MOST_ROWS 361
 #define FEWEST_STEPS 120 /* in a revolution */
-
-static const fourlink_vector zero = {0, 0};
-
-static fourlink_vector vector(double x, double y)
-{
-    fourlink_vector v;
-
-    v.x = x;
-    v.y = y;
-    return v;
-}
-
-char *rows_name(const char *before, unsigned long i, const char *after, char name[ROWS_NAME])
-{
-    char number[FORMAT_SIZE];
-
-    return flk_text_join(name, ROWS_NAME, before, format_general((double)i, 10, number), after,
-                         (char *)NULL);
-}
 
 /* The number of a track; that of tracks if there is none of this name. */
 static int number_of(const rows *t, const char *name)
@@ -154,7 +134,7 @@ static rows_track *track_of(rows *t, const char *name)
 
     if (number < t->n_tracks)
         return x;
-    if (t->n_tracks == ROWS_TRACKS)
+    if (t->n_tracks == TRACKS_MOST)
         return NULL;
     x->values = malloc(t->n * sizeof *x->values);
     if (!x->values) {
@@ -162,215 +142,24 @@ static rows_track *track_of(rows *t, const char *name)
         return NULL;
     }
     strcpy(x->name, name);
-    x->is_number = 0;
     x->size = 0;
     for (i = 0; i < t->n; i++)
-        x->values[i] = vector(GSL_NAN, GSL_NAN);
+        x->values[i].x = x->values[i].y = GSL_NAN;
     t->n_tracks++;
     return x;
 }
 
-/* Put a vector in SI units into a track. */
-static void put(rows *t, unsigned long i, const char *name, quantity q, fourlink_vector v)
+/* Put a number of row i into its track. */
+static void put(rows *t, unsigned long i, const track *now)
 {
-    rows_track *x = track_of(t, name);
+    rows_track *x = track_of(t, now->name);
 
     if (!x)
         return;
-    x->values[i] = vector(view_value(&t->v, q, v.x), view_value(&t->v, q, v.y));
+    x->is_number = now->is_number;
+    x->values[i].x = view_value(&t->v, now->q, now->v.x);
+    x->values[i].y = view_value(&t->v, now->q, now->v.y);
     x->size = GSL_MAX_DBL(x->size, GSL_MAX_DBL(fabs(x->values[i].x), fabs(x->values[i].y)));
-}
-
-static void put_number(rows *t, unsigned long i, const char *name, quantity q, double si)
-{
-    rows_track *x = track_of(t, name);
-
-    put(t, i, name, q, vector(si, 0));
-    if (x)
-        x->is_number = 1;
-}
-
-/* Put position, velocity and acceleration of a point of a link: P0, vP0, aP0. */
-static void put_point(rows *t, unsigned long i, const char *name, const fourlink_state *state,
-                      int link, const fourlink_vector *at)
-{
-    fourlink_vector place = zero, v = zero, a = zero;
-    char words[ROWS_NAME];
-
-    fourlink_point(state, link, at, &place, &v, &a);
-    put(t, i, name, QUANTITY_LENGTH, place);
-    put(t, i, flk_text_join(words, sizeof words, "v", name, (char *)NULL), QUANTITY_SPEED, v);
-    put(t, i, flk_text_join(words, sizeof words, "a", name, (char *)NULL), QUANTITY_ACCELERATION,
-        a);
-}
-
-/* Put the ends of the way of a piston, or of a slider, and where the lever meets its slide. */
-static void put_way(rows *t, unsigned long i, const fourlink_state *state)
-{
-    double e = t->v.design->offset, near, far;
-    int has_slot = t->v.kind.has_slot;
-
-    geometry_find_way(&t->v, state->branch, &near, &far);
-    put(t, i, "S1", QUANTITY_LENGTH, has_slot ? geometry_on_slide(state, near) : vector(near, e));
-    put(t, i, "S2", QUANTITY_LENGTH, has_slot ? geometry_on_slide(state, far) : vector(far, e));
-    if (has_slot)
-        put(t, i, "R", QUANTITY_LENGTH, geometry_on_slide(state, geometry_root(&t->v)));
-}
-
-/* Put the ends of springs. */
-static void put_springs(rows *t, unsigned long i, const fourlink_state *state)
-{
-    fourlink_spring spring;
-    fourlink_vector from, to;
-    char name[ROWS_NAME];
-    unsigned long k;
-
-    for (k = 0; k < t->v.problem.n_springs; k++) {
-        fourlink_deck_spring(t->v.deck, k, NULL, &spring);
-        if (spring.is_torsional)
-            continue;
-        from = geometry_of_link(state, spring.link, &spring.at);
-        to = geometry_of_link(state, spring.to, &spring.to_at);
-        put(t, i, rows_name("K", k, "P", name), QUANTITY_LENGTH, from);
-        put(t, i, rows_name("K", k, "Q", name), QUANTITY_LENGTH, to);
-    }
-}
-
-static void put_points(rows *t, unsigned long i, const fourlink_state *state)
-{
-    char name[ROWS_NAME];
-    fourlink_vector at;
-    unsigned long k;
-    int link;
-
-    put(t, i, "A", QUANTITY_LENGTH, zero);
-    put(t, i, "B", QUANTITY_LENGTH, state->link[FOURLINK_COUPLER].origin);
-    if (!t->v.kind.has_slot)
-        put(t, i, "C", QUANTITY_LENGTH, geometry_end(&t->v, state, FOURLINK_COUPLER));
-    if (!t->v.kind.has_stroke)
-        put(t, i, "D", QUANTITY_LENGTH, state->link[FOURLINK_FOLLOWER].origin);
-    if (t->v.kind.has_slot || t->v.kind.has_stroke)
-        put_way(t, i, state);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (t->v.design->link[link].mass > 0)
-            put_point(t, i, rows_name("G", (unsigned long)link, "", name), state, link,
-                      &t->v.design->link[link].cg);
-    for (k = 0; k < t->v.problem.n_points; k++) {
-        fourlink_deck_point(t->v.deck, k, NULL, &link, &at);
-        put_point(t, i, rows_name("P", k, "", name), state, link, &at);
-    }
-    put_springs(t, i, state);
-}
-
-/* -------------------------------------------------------------------- velocities, accelerations, forces */
-
-/* a^n = -omega^2 r, a^t = alpha x r, of the end of an arm r on a link */
-static void put_parts(rows *t, unsigned long i, const char *normal, const char *tangential,
-                      const fourlink_link_state *link, fourlink_vector r)
-{
-    double n = -link->omega * link->omega;
-
-    put(t, i, normal, QUANTITY_ACCELERATION, vector(n * r.x, n * r.y));
-    put(t, i, tangential, QUANTITY_ACCELERATION, vector(-link->alpha * r.y, link->alpha * r.x));
-}
-
-/* The arm of a link: its length along its axis. */
-static fourlink_vector arm(const rows *t, const fourlink_state *state, int link)
-{
-    double length = t->v.design->link[link].length;
-
-    return vector(length * state->link[link].axis.x, length * state->link[link].axis.y);
-}
-
-/* v_C = v_B + v_CB; a_C = a_B + a_CB^n + a_CB^t */
-static void put_rod(rows *t, unsigned long i, const fourlink_state *state)
-{
-    fourlink_vector C = vector(t->v.design->link[FOURLINK_COUPLER].length, 0), v = zero, a = zero;
-    const fourlink_vector *v_B = &state->link[FOURLINK_COUPLER].velocity;
-
-    fourlink_point(state, FOURLINK_COUPLER, &C, NULL, &v, &a);
-    put(t, i, "vC", QUANTITY_SPEED, v);
-    put(t, i, "vCB", QUANTITY_SPEED, vector(v.x - v_B->x, v.y - v_B->y));
-    put_parts(t, i, "aCBn", "aCBt", &state->link[FOURLINK_COUPLER],
-              arm(t, state, FOURLINK_COUPLER));
-    if (t->v.kind.has_stroke)
-        put(t, i, "aC", QUANTITY_ACCELERATION, a);
-    else
-        put_parts(t, i, "aCn", "aCt", &state->link[FOURLINK_FOLLOWER],
-                  arm(t, state, FOURLINK_FOLLOWER));
-}
-
-/* v_B = v_B4 + slide_v u; a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u, B4 the point of the lever
-** at B */
-static void put_sliding(rows *t, unsigned long i, const fourlink_state *state)
-{
-    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
-    const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
-                          *u = &state->link[FOURLINK_COUPLER].axis;
-    fourlink_vector r = vector(B->x - lever->origin.x, B->y - lever->origin.y);
-
-    put(t, i, "vB4", QUANTITY_SPEED, vector(-lever->omega * r.y, lever->omega * r.x));
-    put(t, i, "vS", QUANTITY_SPEED, vector(state->slide_v * u->x, state->slide_v * u->y));
-    put_parts(t, i, "aB4n", "aB4t", lever, r);
-    put(t, i, "aK", QUANTITY_ACCELERATION, vector(-state->coriolis * u->y, state->coriolis * u->x));
-    put(t, i, "aS", QUANTITY_ACCELERATION, vector(state->slide_a * u->x, state->slide_a * u->y));
-}
-
-static void put_loads(rows *t, unsigned long i, const fourlink_state *state)
-{
-    char name[ROWS_NAME];
-    unsigned long k;
-
-    for (k = 0; k < t->v.problem.n_loads; k++) {
-        const fourlink_load *load = &t->loads[k];
-
-        put(t, i, rows_name("L", k, "", name), QUANTITY_LENGTH,
-            geometry_of_link(state, load->link, &load->at));
-        put(t, i, rows_name("L", k, "F", name), QUANTITY_FORCE, geometry_force(load, state));
-        put_number(t, i, rows_name("L", k, "T", name), QUANTITY_TORQUE, load->torque);
-    }
-}
-
-/* Put weight, -m a_G and -I alpha of each link. */
-static void put_inertia(rows *t, unsigned long i, const fourlink_state *state)
-{
-    const fourlink_vector *g = &t->v.design->gravity;
-    fourlink_vector a = zero;
-    char name[ROWS_NAME];
-    unsigned long link;
-
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        const fourlink_link *body = &t->v.design->link[link];
-
-        if (body->mass > 0) {
-            fourlink_point(state, (int)link, &body->cg, NULL, NULL, &a);
-            put(t, i, rows_name("W", link, "", name), QUANTITY_FORCE,
-                vector(body->mass * g->x, body->mass * g->y));
-            put(t, i, rows_name("I", link, "F", name), QUANTITY_FORCE,
-                vector(-body->mass * a.x, -body->mass * a.y));
-        }
-        if (body->inertia > 0)
-            put_number(t, i, rows_name("I", link, "T", name), QUANTITY_TORQUE,
-                       -body->inertia * state->link[link].alpha);
-    }
-}
-
-static void put_forces(rows *t, unsigned long i, const fourlink_instant *now)
-{
-    const fourlink_forces *f = &now->forces;
-
-    put(t, i, "F12", QUANTITY_FORCE, vector(f->F12x, f->F12y));
-    put(t, i, "F23", QUANTITY_FORCE, vector(f->F23x, f->F23y));
-    put(t, i, "F34", QUANTITY_FORCE, vector(f->F34x, f->F34y));
-    put(t, i, "F14", QUANTITY_FORCE,
-        vector(t->v.kind.has_stroke ? 0 : f->F14x, f->F14y)); /* N without friction */
-    put_number(t, i, "Ts", QUANTITY_TORQUE, view_driving_torque(&t->v, f));
-    if (t->v.kind.has_slot)
-        put_number(t, i, "M34", QUANTITY_TORQUE, f->M34);
-    if (t->v.kind.has_stroke)
-        put_number(t, i, "M14", QUANTITY_TORQUE, f->M14);
-    put_inertia(t, i, &now->state);
-    put_loads(t, i, &now->state);
 }
 
 /* -------------------------------------------------------------------------------------------- all of them */
@@ -458,31 +247,18 @@ void rows_close(rows *t)
 
 static void compute_row(rows *t, unsigned long i)
 {
+    double *values = t->table + i * t->v.n_columns;
     fourlink_instant now;
-    double r = t->v.design->link[FOURLINK_CRANK].length, theta,
-           *values = t->table + i * t->v.n_columns;
+    int k;
 
     if (t->v.problem.by_time)
         t->status[i] = fourlink_results_row(t->v.results, t->branch, i, values, &now, t->loads);
     else
         t->status[i] =
             fourlink_results_at(t->v.results, t->branch, t->steps[i], values, &now, t->loads);
-    if (t->status[i] != FOURLINK_OK) { /* the crank can still be drawn */
-        theta = now.row.crank.theta2;
-        put(t, i, "A", QUANTITY_LENGTH, zero);
-        put(t, i, "B", QUANTITY_LENGTH, vector(r * cos(theta), r * sin(theta)));
-        return;
-    }
-    put_points(t, i, &now.state);
-    put(t, i, "vB", QUANTITY_SPEED, now.state.link[FOURLINK_COUPLER].velocity);
-    if (t->v.kind.has_slot)
-        put_sliding(t, i, &now.state);
-    else
-        put_rod(t, i, &now.state);
-    put_parts(t, i, "aBn", "aBt", &now.state.link[FOURLINK_CRANK],
-              arm(t, &now.state, FOURLINK_CRANK));
-    if (t->v.problem.has_forces)
-        put_forces(t, i, &now);
+    tracks_find(&t->now, &t->v, &now, t->loads);
+    for (k = 0; k < t->now.n; k++)
+        put(t, i, &t->now.list[k]);
 }
 
 int rows_compute(rows *t, fourlink_branch branch)

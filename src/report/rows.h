@@ -6,12 +6,12 @@
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H
 
-#include "view/view.h"
+#include "view/tracks.h"
 
-enum { ROWS_TRACKS = 504, ROWS_NAME = 16, ROWS_LOADS = 42, ROWS_POINTS = 24 };
+enum { ROWS_LOADS = 42, ROWS_POINTS = 24 };
 
 typedef struct rows_track {
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
     int is_number;           /* 1: only x is used */
     fourlink_vector *values; /* by row; NaN where the linkage cannot be assembled */
     double size;             /* the largest magnitude */
@@ -28,9 +28,10 @@ typedef struct rows {
     fourlink_branch branch;
     int *status;
     double *table; /* by row and column */
-    rows_track tracks[ROWS_TRACKS];
+    rows_track tracks[TRACKS_MOST];
     int n_tracks;
     fourlink_load *loads; /* at one crank angle */
+    tracks now;           /* the same */
 } rows;
 
 /* Take the deck that is open, or open it where it is to have other rows or is null, and choose the steps: every row of the deck if there are not too many, with others between them if
@@ -47,8 +48,5 @@ int rows_compute(rows *t, fourlink_branch branch);
 
 /* The track of a name; null if there is none. */
 const rows_track *rows_find(const rows *t, const char *name);
-
-/* The name of a track with a number: G2, P0. */
-char *rows_name(const char *before, unsigned long i, const char *after, char name[ROWS_NAME]);
 
 #endif

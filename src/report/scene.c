@@ -59,7 +59,7 @@ static void put_link(line *l, const rows *t, int link)
                         : t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
                                                                           : "bar";
     unsigned long i;
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
 
     line_put(l, "{\"link\":%lu", (unsigned long)link);
     put_text(l, "name", t->v.kind.link[link]);
@@ -73,11 +73,11 @@ static void put_link(line *l, const rows *t, int link)
 
         fourlink_deck_point(t->v.deck, i, NULL, &on, &at);
         if (on == link)
-            line_put(l, "%s\"%s\"", n++ ? "," : "", rows_name("P", i, "", name));
+            line_put(l, "%s\"%s\"", n++ ? "," : "", tracks_name("P", i, "", name));
     }
     line_put(l, "]");
     if (t->v.design->link[link].mass > 0)
-        line_put(l, ",\"centre\":\"%s\"", rows_name("G", (unsigned long)link, "", name));
+        line_put(l, ",\"centre\":\"%s\"", tracks_name("G", (unsigned long)link, "", name));
     line_put(l, "}");
 }
 
@@ -97,7 +97,7 @@ static void put_links(line *l, const rows *t)
 static void put_tracers(line *l, const rows *t)
 {
     const char *words;
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
     unsigned long i;
     fourlink_vector at;
     int link, n = 0;
@@ -107,7 +107,7 @@ static void put_tracers(line *l, const rows *t)
         fourlink_deck_point(t->v.deck, i, &words, &link, &at);
         put_comma(l, &n);
         put_label(l, words, "", "");
-        line_put(l, ",\"of\":\"%s\"}", rows_name("P", i, "", name));
+        line_put(l, ",\"of\":\"%s\"}", tracks_name("P", i, "", name));
     }
     line_put(l, "],\n");
 }
@@ -125,7 +125,7 @@ static const char *pin_of(const rows *t, const fourlink_spring *spring)
 static void put_springs(line *l, const rows *t)
 {
     fourlink_spring spring;
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
     const char *words;
     unsigned long i;
     int n = 0;
@@ -142,8 +142,8 @@ static void put_springs(line *l, const rows *t)
             line_put(l, ",\"pin\":\"%s\"}", pin_of(t, &spring));
             continue;
         }
-        line_put(l, ",\"ends\":[\"%s\",", rows_name("K", i, "P", name));
-        line_put(l, "\"%s\"],\"on\":[%lu,%lu]}", rows_name("K", i, "Q", name),
+        line_put(l, ",\"ends\":[\"%s\",", tracks_name("K", i, "P", name));
+        line_put(l, "\"%s\"],\"on\":[%lu,%lu]}", tracks_name("K", i, "Q", name),
                  (unsigned long)spring.link, (unsigned long)spring.to);
     }
     line_put(l, "],\n");
@@ -201,7 +201,7 @@ static void put_sides(line *l, const rows *t, const side *x)
 /* The images of the centres of mass and of the tracer points. */
 static void put_images(line *l, const rows *t, const char *before, const char *prime)
 {
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
     const char *words;
     fourlink_vector at;
     unsigned long i;
@@ -218,7 +218,7 @@ static void put_images(line *l, const rows *t, const char *before, const char *p
         fourlink_deck_point(t->v.deck, i, &words, &link, &at);
         put_comma(l, &n);
         put_label(l, words, "", prime);
-        line_put(l, ",\"of\":\"%s%s\"}", before, rows_name("P", i, "", name));
+        line_put(l, ",\"of\":\"%s%s\"}", before, tracks_name("P", i, "", name));
     }
     line_put(l, "]");
 }
@@ -285,22 +285,22 @@ static void put_pin_forces(line *l, const rows *t, int *n)
 
 static void put_body_forces(line *l, const rows *t, int *n)
 {
-    char at[ROWS_NAME], of[ROWS_NAME];
+    char at[TRACKS_NAME], of[TRACKS_NAME];
     unsigned long link;
 
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         if (t->v.design->link[link].mass <= 0)
             continue;
-        rows_name("G", link, "", at);
-        put_force(l, n, "W", numbers[link], rows_name("W", link, "", of), 1, at, (int)link, "load");
-        put_force(l, n, MINUS "m a", at, rows_name("I", link, "F", of), 1, at, (int)link,
+        tracks_name("G", link, "", at);
+        put_force(l, n, "W", numbers[link], tracks_name("W", link, "", of), 1, at, (int)link, "load");
+        put_force(l, n, MINUS "m a", at, tracks_name("I", link, "F", of), 1, at, (int)link,
                   "inertia");
     }
 }
 
 static void put_forces(line *l, const rows *t)
 {
-    char at[ROWS_NAME], of[ROWS_NAME];
+    char at[TRACKS_NAME], of[TRACKS_NAME];
     fourlink_load_info load;
     unsigned long i;
     int n = 0;
@@ -312,15 +312,15 @@ static void put_forces(line *l, const rows *t)
     }
     for (i = 0; fourlink_deck_load(t->v.deck, i, &load) == FOURLINK_OK; i++)
         if (!is_in_F34(t, &load))
-            put_force(l, &n, load.name, "", rows_name("L", i, "F", of), sense_of_load(t, &load),
-                      rows_name("L", i, "", at), load.link, "load");
+            put_force(l, &n, load.name, "", tracks_name("L", i, "F", of), sense_of_load(t, &load),
+                      tracks_name("L", i, "", at), load.link, "load");
     line_put(l, "],\n");
 }
 
 static void put_torques(line *l, const rows *t)
 {
     static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
-    char at[ROWS_NAME], of[ROWS_NAME];
+    char at[TRACKS_NAME], of[TRACKS_NAME];
     fourlink_load_info load;
     unsigned long i;
     int n = 0;
@@ -336,14 +336,14 @@ static void put_torques(line *l, const rows *t)
         put_force(l, &n, "M", "14", "M14", 1, "C", 4, "pin");
     for (i = FOURLINK_CRANK; i <= FOURLINK_FOLLOWER && t->v.problem.has_forces; i++)
         if (t->v.design->link[i].mass > 0 && t->v.design->link[i].inertia > 0)
-            put_force(l, &n, MINUS "I" ALPHA, numbers[i], rows_name("I", i, "T", of), 1,
-                      rows_name("G", i, "", at), (int)i, "inertia");
+            put_force(l, &n, MINUS "I" ALPHA, numbers[i], tracks_name("I", i, "T", of), 1,
+                      tracks_name("G", i, "", at), (int)i, "inertia");
     for (i = 0; fourlink_deck_load(t->v.deck, i, &load) == FOURLINK_OK; i++)
         if (load.sort == FOURLINK_LOAD_FRICTION)
-            put_force(l, &n, "M", joints[load.element], rows_name("L", i, "T", of), INNER,
+            put_force(l, &n, "M", joints[load.element], tracks_name("L", i, "T", of), INNER,
                       joints[load.element], load.link, "load");
         else
-            put_force(l, &n, load.name, "", rows_name("L", i, "T", of), sense_of_load(t, &load),
+            put_force(l, &n, load.name, "", tracks_name("L", i, "T", of), sense_of_load(t, &load),
                       t->v.kind.joint[origins[load.link]].letter, load.link, "load");
     line_put(l, "],\n");
 }
