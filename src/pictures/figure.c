@@ -32,6 +32,11 @@ fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, in
     return figure_point(p, geometry_of_link(state, link, at));
 }
 
+fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name)
+{
+    return figure_point(p, tracks_vector(&r->numbers, name));
+}
+
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
 {
     double along = gsl_hypot(second.x - first.x, second.y - first.y);

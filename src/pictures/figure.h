@@ -25,6 +25,9 @@ fourlink_vector figure_point(const picture *p, fourlink_vector si);
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at);
 
+/* The place of a track. */
+fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name);
+
 /* Draw thin lines from the pins of a link to a point that is off their line. */
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at);
 

@@ -12,6 +12,20 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
+/* Add the forces of the pins, for the ground, or the loads on a link. */
+static void add_forces(arrow_list *arrows, const picture *p, const picture_row *r, int link)
+{
+    int i;
+
+    for (i = 0; i < r->drawn.n_forces; i++) {
+        const scene_force *f = &r->drawn.forces[i];
+
+        if (link == FOURLINK_GROUND ? f->sort == SCENE_PIN && f->sign > 0
+                                    : f->sort == SCENE_LOAD && f->on == link && !f->is_inner)
+            arrow_add_force(arrows, p, r, f);
+    }
+}
+
 /* Draw loads, weights and pin forces. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
@@ -22,11 +36,8 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     int link, i;
 
     arrows.n = 0;
-    for (link = FOURLINK_GROUND; link < FOURLINK_FOLLOWER; link++)
-        arrow_add_joint(&arrows, p, r, link, link + 1);
-    arrow_add_joint(&arrows, p, r, FOURLINK_GROUND, FOURLINK_FOLLOWER);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_add_loads(&arrows, p, r, link, 0);
+    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
+        add_forces(&arrows, p, r, link);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
@@ -84,7 +95,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
     picture_row r;
     sketch s;
-    int status = picture_position(p, branch, &r.now, r.loads);
+    int status = picture_row_find(p, branch, &r);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);

@@ -125,6 +125,17 @@ int picture_position(const picture *p, fourlink_branch branch, fourlink_instant 
     return status == FOURLINK_OK ? FOURLINK_OK : first;
 }
 
+int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r)
+{
+    int status = picture_position(p, branch, &r->now, r->loads);
+
+    if (status == FOURLINK_OK) {
+        tracks_find(&r->numbers, &p->v, &r->now, r->loads);
+        scene_find(&r->drawn, &p->v);
+    }
+    return status;
+}
+
 int picture_has_outputs(const picture *p)
 {
     return p->v.problem.has_outputs && p->v.problem.n_designs &&

@@ -7,7 +7,7 @@
 
 #include "base/format.h"
 #include "canvas.h"
-#include "view/view.h"
+#include "view/scene.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it draws over the crank angle or over time, if
@@ -118,10 +118,12 @@ typedef struct picture {
     int out_of_memory;
 } picture;
 
-/* One crank angle, with its loads. */
+/* One crank angle, with its loads and all that is drawn there. */
 typedef struct picture_row {
     fourlink_instant now;
     fourlink_load loads[PICTURE_LOADS + 2];
+    tracks numbers;
+    scene drawn;
 } picture_row;
 
 /* The functions of the kinds.  Those with a panel for each branch are called for each, the others for the
@@ -177,7 +179,6 @@ int picture_open_balance(picture *p, const char *apply, picture *other);
 char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Subscripts, in UTF-8. */
-#define SUB_1 "\342\202\201"
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"
@@ -216,5 +217,6 @@ int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
 ** null.  Returns a status. */
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
+int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);
 
 #endif

@@ -148,16 +148,14 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     sketch_text(s, place(&x, 0.5, end + 1), x.across.x, x.across.y, name);
 }
 
-/* The pin of two links, in any order; A of a pair that has none. */
+/* The pin of a torsional spring. */
 static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
                               const fourlink_spring *spring)
 {
     figure_pins pins = figure_place(p, state);
-    int low = GSL_MIN_INT(spring->link, spring->to), high = GSL_MAX_INT(spring->link, spring->to);
+    const char *letter = scene_pin_of(&p->v, spring);
 
-    if (high == FOURLINK_FOLLOWER)
-        return low == FOURLINK_COUPLER || p->v.kind.has_stroke ? pins.C : pins.D;
-    return low == FOURLINK_CRANK ? pins.B : high == FOURLINK_CRANK ? pins.A : pins.B;
+    return *letter == 'A' ? pins.A : *letter == 'B' ? pins.B : *letter == 'C' ? pins.C : pins.D;
 }
 
 /* The direction of a link from a pin; of the ground downwards. */

@@ -13,7 +13,7 @@
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
-#include "scene.h"
+#include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
 
@@ -206,7 +206,7 @@ static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, do
         done = rows_compute(t, branches[i]);
         if (done && i == 0) {
             put_steps(l, t, start);
-            scene_write(l, t);
+            scene_json_write(l, t);
             line_put(l, "\"branches\":[\n");
         }
         line_put(l, i ? ",\n" : "");
