@@ -353,14 +353,8 @@ CALLED(web_quantity) double web_quantity(int is_angle)
 {
     quantity q = is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;
     char message[MESSAGE_SIZE];
-    quantity_value value;
     text t = flk_text_of(input);
-    unit bare;
+    double value;
 
-    if (!v.results)
-        return GSL_NAN;
-    bare.up = v.units[q].up;
-    bare.down = v.units[q].down;
-    bare.dim = flk_quantities[q].dim;
-    return flk_quantity_read(t, t, q, bare, &value, message) ? value.si : GSL_NAN;
+    return v.results && view_read(&v, q, t, t, &value, message) ? view_si(&v, q, value) : GSL_NAN;
 }

@@ -93,45 +93,27 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
     return figure_of_link(p, state, *link, &at);
 }
 
-/* Make room for the ends of the springs. */
-static void include_springs(sketch *s, const picture *p, const fourlink_state *state)
-{
-    fourlink_spring spring;
-    unsigned long i;
-
-    for (i = 0; i < p->v.problem.n_springs; i++) {
-        fourlink_deck_spring(p->v.deck, i, NULL, &spring);
-        if (spring.is_torsional)
-            continue;
-        sketch_include(s, figure_of_link(p, state, spring.link, &spring.at));
-        sketch_include(s, figure_of_link(p, state, spring.to, &spring.to_at));
-    }
-}
-
 /* Make room for one position, and for the guide of a piston. */
 static void include_position(sketch *s, const picture *p, const fourlink_state *state,
                              double margin)
 {
     figure_pins pins = figure_place(p, state);
-    unsigned long i;
-    const char *name;
-    int link;
+    double from, to;
+    tracks places;
+    int i;
 
-    sketch_include(s, pins.A);
-    sketch_include(s, pins.B);
+    tracks_find_places(&places, &p->v, state);
+    for (i = 0; i < places.n; i++)
+        if (tracks_is_outline(&places.list[i]))
+            sketch_include(s, figure_point(p, places.list[i].v));
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
     if (p->v.kind.has_slot) {
-        double from, to;
-
         find_way(p, state->branch, margin, &from, &to);
         sketch_include(s, on_slide(p, state, from, 0));
         sketch_include(s, on_slide(p, state, to, 0));
     }
-    for (i = 0; i < p->v.problem.n_points; i++)
-        sketch_include(s, tracer(p, state, i, &name, &link));
-    include_springs(s, p, state);
 }
 
 /* Make room for all positions of a branch. */

@@ -228,39 +228,22 @@ int picture_draws(const picture *p, const char *column)
     return 0;
 }
 
-/* Open the deck with further assignments. */
-static int open_changed(picture *p, const char *const assignments[2], fourlink_mistake *mistake)
-{
-    fourlink_source other = *p->source;
-    fourlink_change *changes = malloc((other.n_changes + 2) * sizeof *changes);
-    int status, i;
-
-    if (!changes)
-        return run_out_of_memory(p);
-    if (other.n_changes)
-        memcpy(changes, other.changes, other.n_changes * sizeof *changes);
-    for (i = 0; i < 2; i++)
-        if (assignments[i]) {
-            changes[other.n_changes].origin = p->request->x ? "--plot-x" : "--plot-kind";
-            changes[other.n_changes++].assignment = assignments[i];
-        }
-    other.changes = changes;
-    other.whole_cycle = 1;
-    status = fourlink_results_open(&other, 1, &p->own, mistake, NULL);
-    free(changes);
-    return status == FOURLINK_OK || (status != FOURLINK_BAD_DECK && run_out_of_memory(p));
-}
-
 static int reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)
 {
     char assignment[PICTURE_NAMES + 20];
     const char *assignments[2];
+    int n = 0, status;
 
-    assignments[0] = columns ? flk_text_join(assignment, sizeof assignment,
-                                             "table.columns=", columns, (char *)NULL)
-                             : NULL;
-    assignments[1] = further;
-    return open_changed(p, assignments, mistake) && take_results(p, p->own);
+    if (columns)
+        assignments[n++] =
+            flk_text_join(assignment, sizeof assignment, "table.columns=", columns, (char *)NULL);
+    if (further)
+        assignments[n++] = further;
+    status = view_reopen(p->source, p->request->x ? "--plot-x" : "--plot-kind", assignments, n,
+                         &p->own, mistake);
+    if (status != FOURLINK_OK)
+        return status != FOURLINK_BAD_DECK && run_out_of_memory(p);
+    return take_results(p, p->own);
 }
 
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake)

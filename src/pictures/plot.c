@@ -225,16 +225,10 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
 /* The crank angles of --plot-at, separated by commas. */
 static int read_angles(picture *p, fourlink_mistake *mistake)
 {
-    const fourlink_unit *own = &p->v.units[QUANTITY_ANGLE];
     text rest = flk_text_of(p->request->at), item;
-    unit bare;
     char words[MESSAGE_SIZE];
-    quantity_value value;
     double *angle;
 
-    bare.up = own->up;
-    bare.down = own->down;
-    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (p->n_angles == PICTURE_POSITIONS)
@@ -242,11 +236,9 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
             return picture_refuse(mistake, "--plot-at", plot_names[p->request->kind],
                                   " draws one position, not several");
-        if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
         angle = &p->angles[p->n_angles++];
-        *angle = view_value(&p->v, QUANTITY_ANGLE, value.si);
-        if (!is_in_range(p, *angle, words))
+        if (!view_read(&p->v, QUANTITY_ANGLE, item, item, angle, words) ||
+            !is_in_range(p, *angle, words))
             return picture_refuse(mistake, "--plot-at", words, "");
     }
     return 1;

@@ -44,41 +44,24 @@ int size_lines_beside(const picture *p, int each_link)
     return each_link ? 7 + most : 8 + sum + (int)p->v.problem.n_points;
 }
 
-static void grow(place_box *b, double turn, int link, const fourlink_vector *at,
-                 const fourlink_state *state)
-{
-    fourlink_vector place = geometry_of_link(state, link, at);
-
-    place_grow(b, cos(turn) * place.x - sin(turn) * place.y,
-               sin(turn) * place.x + cos(turn) * place.y);
-}
-
 /* The room that the mechanism needs on a branch. */
 static place_box box_of_motion(const picture *p, fourlink_branch branch)
 {
-    fourlink_vector origin = {0, 0}, C = place_at(p->v.design->link[3].length, 0), at;
+    double c = cos(geometry_turn(&p->v)), s = sin(geometry_turn(&p->v));
     place_box b = place_nothing;
     fourlink_instant now;
-    fourlink_spring spring;
-    double turn = geometry_turn(&p->v);
-    const char *name;
-    unsigned long i;
-    int k, link;
+    tracks places;
+    int k, i;
 
     for (k = 0; k <= OUTLINE_STEPS; k++) {
         if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
             continue;
-        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-            grow(&b, turn, link, &origin, &now.state);
-        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
-        for (i = 0; i < p->v.problem.n_points; i++) {
-            fourlink_deck_point(p->v.deck, i, &name, &link, &at);
-            grow(&b, turn, link, &at, &now.state);
-        }
-        for (i = 0; i < p->v.problem.n_springs; i++) {
-            fourlink_deck_spring(p->v.deck, i, NULL, &spring);
-            grow(&b, turn, spring.link, spring.is_torsional ? &origin : &spring.at, &now.state);
-            grow(&b, turn, spring.to, spring.is_torsional ? &origin : &spring.to_at, &now.state);
+        tracks_find_places(&places, &p->v, &now.state);
+        for (i = 0; i < places.n; i++) {
+            const fourlink_vector *at = &places.list[i].v;
+
+            if (tracks_is_outline(&places.list[i]))
+                place_grow(&b, c * at->x - s * at->y, s * at->x + c * at->y);
         }
     }
     return b;

@@ -97,7 +97,7 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
     char message[400];
     at_item item;
 
-    if (at_next(r->v.results, &list, &item, message) != 1)
+    if (at_next(&r->v, &list, &item, message) != 1)
         return refuse(mistake, "--plot-at", message);
     if (item.column)
         return refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg");

@@ -173,28 +173,16 @@ static int draws_all(const rows *t)
 /* Open the deck, and with a further assignment unless it is null; 0 without memory or if it has mistakes. */
 static int open_deck(rows *t, const fourlink_source *source, const char *further)
 {
-    fourlink_change *changes = malloc((source->n_changes + 1) * sizeof *changes);
-    fourlink_source other = *source;
-    int status = FOURLINK_NO_MEMORY;
+    fourlink_mistake mistake;
+    int status;
 
     fourlink_results_free(t->own);
     t->own = NULL;
-    other.whole_cycle = 1;
-    other.changes = changes;
-    if (changes && source->n_changes)
-        memcpy(changes, source->changes, source->n_changes * sizeof *changes);
-    if (changes && further) {
-        changes[other.n_changes].origin = "--report";
-        changes[other.n_changes++].assignment = further;
-    }
-    if (changes)
-        status = fourlink_results_open(&other, 0, &t->own, NULL, NULL);
-    free(changes);
+    status = view_reopen(source, "--report", &further, further != NULL, &t->own, &mistake);
     t->out_of_memory |= status == FOURLINK_NO_MEMORY;
-    if (status != FOURLINK_OK)
-        return 0;
-    view_take(&t->v, t->own);
-    return 1;
+    if (status == FOURLINK_OK)
+        view_take(&t->v, t->own);
+    return status == FOURLINK_OK;
 }
 
 /* Open a deck with rows by time again, with the time step of the drawing. */

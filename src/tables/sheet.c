@@ -71,7 +71,7 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
     at_item item;
     int status;
 
-    while (at_next(s->v.results, &list, &item, message) == 1) {
+    while (at_next(&s->v, &list, &item, message) == 1) {
         status = at_find(s->v.results, &item, branch, &angles, &n);
         s->out_of_memory |= status == FOURLINK_NO_MEMORY;
         if (status != FOURLINK_OK || n == 0)

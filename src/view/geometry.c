@@ -6,7 +6,7 @@
 
 #include "geometry.h"
 
-static fourlink_vector vector(double x, double y)
+fourlink_vector geometry_vector(double x, double y)
 {
     fourlink_vector v;
 
@@ -26,7 +26,7 @@ fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fo
 
 fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link)
 {
-    fourlink_vector at = vector(v->design->link[link].length, 0);
+    fourlink_vector at = geometry_vector(v->design->link[link].length, 0);
 
     return geometry_of_link(state, link, &at);
 }
@@ -62,7 +62,7 @@ fourlink_vector geometry_on_slide(const fourlink_state *state, double along)
     const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis,
                           *B = &state->link[FOURLINK_COUPLER].origin;
 
-    return vector(B->x + (along - state->s) * u->x, B->y + (along - state->s) * u->y);
+    return geometry_vector(B->x + (along - state->s) * u->x, B->y + (along - state->s) * u->y);
 }
 
 double geometry_root(const view *v)
@@ -76,7 +76,7 @@ fourlink_vector geometry_force(const fourlink_load *load, const fourlink_state *
 
     if (load->frame == FOURLINK_FRAME_GROUND)
         return *F;
-    return vector(F->x * axis->x - F->y * axis->y, F->x * axis->y + F->y * axis->x);
+    return geometry_vector(F->x * axis->x - F->y * axis->y, F->x * axis->y + F->y * axis->x);
 }
 
 double geometry_turn(const view *v)

@@ -29,6 +29,10 @@ typedef struct tracks {
 /* The numbers at an instant; where the linkage cannot be assembled those of the crank alone. */
 void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fourlink_load *loads);
 
+/* The places alone at a position; 1 for those that a drawing needs room for: pins, points, ends of springs. */
+void tracks_find_places(tracks *t, const view *v, const fourlink_state *state);
+int tracks_is_outline(const track *x);
+
 /* The track of a name; null if there is none. */
 const track *tracks_get(const tracks *t, const char *name);
 

@@ -3,6 +3,7 @@
 ** view.c - what of a deck is to be shown.
 */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_math.h>
@@ -39,6 +40,43 @@ void view_take(view *v, fourlink_results *results)
     for (q = 0; q < QUANTITY_COUNT; q++)
         fourlink_deck_unit(v->deck, flk_quantities[q].name, &v->units[q]);
     fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
+}
+
+int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
+                int n, fourlink_results **results, fourlink_mistake *mistake)
+{
+    fourlink_change *changes = malloc((source->n_changes + 2) * sizeof *changes);
+    fourlink_source other = *source;
+    int status, i;
+
+    if (!changes)
+        return FOURLINK_NO_MEMORY;
+    if (source->n_changes)
+        memcpy(changes, source->changes, source->n_changes * sizeof *changes);
+    for (i = 0; i < n; i++) {
+        changes[other.n_changes].origin = origin;
+        changes[other.n_changes++].assignment = further[i];
+    }
+    other.changes = changes;
+    other.whole_cycle = 1;
+    status = fourlink_results_open(&other, 1, results, mistake, NULL);
+    free(changes);
+    return status;
+}
+
+int view_read(const view *v, quantity q, text value, text words, double *number,
+              char message[MESSAGE_SIZE])
+{
+    quantity_value read;
+    unit own;
+
+    own.up = v->units[q].up;
+    own.down = v->units[q].down;
+    own.dim = flk_quantities[q].dim;
+    if (!flk_quantity_read(value, words, q, own, &read, message))
+        return 0;
+    *number = flk_unit_from_si(read.si, own);
+    return 1;
 }
 
 double view_value(const view *v, quantity q, double si)

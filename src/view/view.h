@@ -7,7 +7,7 @@
 #ifndef FOURLINK_VIEW_H
 #define FOURLINK_VIEW_H
 
-#include "base/units.h"
+#include "base/quantity.h"
 #include "fourlink.h"
 
 typedef struct view {
@@ -28,6 +28,15 @@ typedef struct view {
 
 /* Take the results of a deck, which stay the caller's. */
 void view_take(view *v, fourlink_results *results);
+
+/* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole cycle; `origin`
+** is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
+int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
+                int n, fourlink_results **results, fourlink_mistake *mistake);
+
+/* Read a value in the deck's unit of its quantity, or in one that follows it; 0 and a message, which is about `words`. */
+int view_read(const view *v, quantity q, text value, text words, double *number,
+              char message[MESSAGE_SIZE]);
 
 /* A value in the deck's unit of its quantity, and in SI units. */
 double view_value(const view *v, quantity q, double si);
