@@ -11,19 +11,11 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/quantity.h"
 #include "expect.h"
-
-/* How the values of a column are written. */
-typedef struct style {
-    double size;  /* the column's largest magnitude */
-    int decimals; /* of value / 10^exponent */
-    int exponent;
-} style;
+#include "style.h"
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */
 #define SOUND 0.17
-#define SAMPLES 200
 
 /* Not the crank angle, which is `at`; not the time, which an angle can have twice; not rounding. */
 static int is_asked(const fourlink_value *column)
@@ -32,47 +24,7 @@ static int is_asked(const fourlink_value *column)
            strcmp(column->quantity, "time") != 0;
 }
 
-/* The largest magnitude of each column in rows spread over the motion, away from dead positions. */
-static void find_sizes(sheet *s, style *styles)
-{
-    unsigned long n = s->v.problem.n_rows, samples = n < SAMPLES ? n : SAMPLES, k, j;
-    int i;
-    fourlink_instant now;
-
-    for (i = 0; i < s->v.n_branches; i++)
-        for (k = 0; k < samples; k++) {
-            unsigned long row =
-                samples > 1 ? (unsigned long)((double)k * (double)(n - 1) / (double)(samples - 1))
-                            : 0;
-
-            if (fourlink_results_row(s->v.results, s->v.branches[i], row, s->values, &now, NULL) ||
-                now.state.mu < SOUND)
-                continue;
-            for (j = 0; j < s->v.n_columns; j++)
-                if (gsl_finite(s->values[j]))
-                    styles[j].size = GSL_MAX_DBL(styles[j].size, fabs(s->values[j]));
-        }
-}
-
-/* A column that is 0 but for rounding has the size of the others of its quantity. */
-static void level_sizes(const sheet *s, style *styles)
-{
-    double of_quantity[QUANTITY_COUNT] = {0};
-    unsigned long j;
-
-    for (j = 0; j < s->v.n_columns; j++) {
-        double *largest = &of_quantity[flk_quantity_find(s->v.columns[j].quantity)];
-
-        *largest = GSL_MAX_DBL(*largest, styles[j].size);
-    }
-    for (j = 0; j < s->v.n_columns; j++) {
-        double largest = of_quantity[flk_quantity_find(s->v.columns[j].quantity)];
-
-        if (styles[j].size <= 1e-12 * largest)
-            styles[j].size = largest;
-    }
-}
-
+/* A value is divided by 10^exponent. */
 static void find_style(style *x)
 {
     double size = x->size > 0 ? x->size : 1;
@@ -148,9 +100,7 @@ void expect_write(sheet *s)
     int i;
     unsigned long j;
 
-    memset(styles, 0, s->v.n_columns * sizeof *styles);
-    find_sizes(s, styles);
-    level_sizes(s, styles);
+    style_find_sizes(&s->v, SOUND, 1, s->values, styles);
     for (j = 0; j < s->v.n_columns; j++)
         find_style(&styles[j]);
     line_put(&s->l,

@@ -12,12 +12,11 @@
 
 #define SAMPLES 200
 
-/* The largest magnitude of each column, in rows spread evenly over the motion; 0 if it is only rounding
-** compared with other columns of the same quantity. */
-static void find_sizes(const view *v, double *values, style *styles)
+void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles)
 {
     unsigned long n_rows = v->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
     double of_quantity[QUANTITY_COUNT] = {0};
+    fourlink_instant now;
     int i;
 
     for (j = 0; j < v->n_columns; j++)
@@ -25,22 +24,27 @@ static void find_sizes(const view *v, double *values, style *styles)
     for (i = 0; i < v->n_branches; i++)
         for (k = 0; k < samples; k++) {
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
+            unsigned long row = (unsigned long)(share * (double)(n_rows - 1) + 0.5);
 
-            fourlink_results_row(v->results, v->branches[i],
-                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), values, NULL,
-                                 NULL);
+            if (fourlink_results_row(v->results, v->branches[i], row, values,
+                                     sound > 0 ? &now : NULL, NULL) == FOURLINK_OK &&
+                sound > 0 && now.state.mu < sound)
+                continue;
             for (j = 0; j < v->n_columns; j++)
-                if (fabs(values[j]) > styles[j].size)
-                    styles[j].size = fabs(values[j]);
+                if (gsl_finite(values[j]))
+                    styles[j].size = GSL_MAX_DBL(styles[j].size, fabs(values[j]));
         }
     for (j = 0; j < v->n_columns; j++) {
         double *largest = &of_quantity[flk_quantity_find(v->columns[j].quantity)];
 
         *largest = GSL_MAX_DBL(*largest, styles[j].size);
     }
-    for (j = 0; j < v->n_columns; j++)
-        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(v->columns[j].quantity)])
-            styles[j].size = 0;
+    for (j = 0; j < v->n_columns; j++) {
+        double largest = of_quantity[flk_quantity_find(v->columns[j].quantity)];
+
+        if (styles[j].size <= 1e-12 * largest)
+            styles[j].size = has_all ? largest : 0;
+    }
 }
 
 /* The number of decimals that writes every crank angle exactly, if it is small. */
@@ -110,7 +114,7 @@ void style_find(const view *v, int is_at, double *values, style *styles)
 {
     unsigned long j;
 
-    find_sizes(v, values, styles);
+    style_find_sizes(v, 0, 0, values, styles);
     for (j = 0; j < v->n_columns; j++)
         find_style(v, is_at, &v->columns[j], &styles[j]);
 }

@@ -13,11 +13,15 @@ typedef struct style {
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
     double limit; /* numbers below it fit the width, with a sign and a blank */
-    double size;  /* the largest magnitude of the column */
+    double size;  /* the largest finite magnitude of the column */
     int page;     /* from fit_columns */
     int has_extreme;
     fourlink_value extreme; /* the last one found */
 } style;
+
+/* Find the size of each column, in rows spread evenly over the motion that have at least this transmission angle, rad.  That
+** of a column which is only rounding, compared with others of its quantity, is 0, or theirs if all have one. */
+void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles);
 
 /* Find the styles of a deck's columns; `is_at`: of rows at any crank angles.  `values` is room for a row. */
 void style_find(const view *v, int is_at, double *values, style *styles);
