@@ -58,7 +58,7 @@ static int check_x(const picture *p, const char *name, fourlink_mistake *mistake
                     flk_text_of(name));
     else
         return 1;
-    return picture_refuse(mistake, "--plot-x", message, "");
+    return view_refuse(mistake, "--plot-x", message, "");
 }
 
 /* 1 for a measure of rounding beside other columns: its curve says nothing. */
@@ -81,8 +81,8 @@ int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_m
                           (char *)NULL);
             drawn++;
         }
-    return drawn || picture_refuse(mistake, "--plot-kind",
-                                   "no column to draw; name some with --columns", "");
+    return drawn ||
+           view_refuse(mistake, "--plot-kind", "no column to draw; name some with --columns", "");
 }
 
 /* 1 if the key has room for one more column. */

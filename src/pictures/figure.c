@@ -62,14 +62,10 @@ figure_pins figure_place(const picture *p, const fourlink_state *state)
     return pins;
 }
 
-/* A point of the slide, in the deck's unit: so far along it, and so far to its left. */
-static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along,
-                                double across)
+/* A point of the slide, in the deck's unit: so far along it. */
+static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along)
 {
-    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
-    fourlink_vector at = geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along));
-
-    return place_beside(figure_point(p, at), -across * u->y, across * u->x);
+    return figure_point(p, geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along)));
 }
 
 /* The way of what slides, with a margin at both ends. */
@@ -111,8 +107,8 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
     sketch_include(s, pins.D);
     if (p->v.kind.has_slot) {
         find_way(p, state->branch, margin, &from, &to);
-        sketch_include(s, on_slide(p, state, from, 0));
-        sketch_include(s, on_slide(p, state, to, 0));
+        sketch_include(s, on_slide(p, state, from));
+        sketch_include(s, on_slide(p, state, to));
     }
 }
 
@@ -163,14 +159,15 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     }
 }
 
-void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
+/* Draw a rectangle along an axis, from one distance to another, around the line through a place. */
+static void put_rectangle(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis,
+                          double from, double to, double half)
 {
-    double x = PISTON_X * s->size, y = PISTON_Y * s->size;
     fourlink_vector corner[5];
     int i;
 
     for (i = 0; i < 5; i++) {
-        double along = i == 1 || i == 2 ? x : -x, across = i == 2 || i == 3 ? y : -y;
+        double along = i == 1 || i == 2 ? to : from, across = i == 2 || i == 3 ? half : -half;
 
         corner[i] = place_beside(at, along * axis->x - across * axis->y,
                                  along * axis->y + across * axis->x);
@@ -179,22 +176,24 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
         sketch_line(s, kind, corner[i], corner[i + 1]);
 }
 
+void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
+{
+    double half = PISTON_X * s->size;
+
+    put_rectangle(s, kind, at, axis, -half, half, PISTON_Y * s->size);
+}
+
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
-    double half = PISTON_Y * s->size, root = figure_length(p, geometry_root(&p->v)), from, to;
-    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin), corner[5];
-    int i;
+    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin);
+    double root = figure_length(p, geometry_root(&p->v)), from, to;
 
     find_way(p, state->branch, 1.5 * PISTON_X * s->size, &from, &to);
-    for (i = 0; i < 5; i++)
-        corner[i] =
-            on_slide(p, state, i == 1 || i == 2 ? to : from, i == 2 || i == 3 ? half : -half);
-    for (i = 0; i < 4; i++)
-        sketch_line(s, kind, corner[i], corner[i + 1]);
-    sketch_line(s, kind, D, on_slide(p, state, root, 0));
+    put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
+                  PISTON_Y * s->size);
+    sketch_line(s, kind, D, on_slide(p, state, root));
     if (root < from || root > to)
-        sketch_line(s, kind, on_slide(p, state, root, 0),
-                    on_slide(p, state, root < from ? from : to, 0));
+        sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
 }
 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
@@ -284,7 +283,7 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
     if (p->v.kind.has_slot) {
-        fourlink_vector C = on_slide(p, state, figure_length(p, geometry_root(&p->v)), 0);
+        fourlink_vector C = figure_point(p, geometry_on_slide(state, geometry_root(&p->v)));
 
         if (p->v.design->link[FOURLINK_FOLLOWER].length > 0)
             figure_letter(s, C, pins.D, pins.B, "C");

@@ -114,15 +114,7 @@ int picture_state(const picture *p, fourlink_branch branch, int k, int steps, fo
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads)
 {
-    int first = p->n_angles
-                    ? fourlink_results_at(p->v.results, branch, p->angles[0], NULL, now, loads)
-                    : picture_sample(p, branch, 1, 6, NULL, now, loads);
-    int status = first;
-    unsigned long i;
-
-    for (i = 0; status != FOURLINK_OK && !p->n_angles && i < p->v.range.n_rows; i++)
-        status = fourlink_results_row(p->v.results, branch, i, NULL, now, loads);
-    return status == FOURLINK_OK ? FOURLINK_OK : first;
+    return view_find_position(&p->v, branch, p->n_angles ? p->angles : NULL, now, loads);
 }
 
 int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r)
@@ -146,14 +138,6 @@ int picture_has_outputs(const picture *p)
 static int run_out_of_memory(picture *p)
 {
     p->out_of_memory = 1;
-    return 0;
-}
-
-int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
-{
-    memset(mistake, 0, sizeof *mistake);
-    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
-    flk_text_join(mistake->message, sizeof mistake->message, why, word, (char *)NULL);
     return 0;
 }
 

@@ -147,9 +147,6 @@ void picture_choose(const picture *p, char out[PICTURE_NAMES]);
 /* 1 for a column of the kind's list. */
 int picture_draws(const picture *p, const char *column);
 
-/* Returns 0, for the caller to return, and the reason. */
-int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
-
 /* 1 if the picture shows the outputs of the deck's sweep; draw them as `columns`. */
 int picture_has_outputs(const picture *p);
 const char *picture_outputs(picture *p);
@@ -212,9 +209,8 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise the deck's one instant, otherwise
-** after a sixth of the motion, otherwise the first row at which the linkage can be assembled.  `loads` may be
-** null.  Returns a status. */
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the same with all
+** that is drawn there.  `loads` may be null.  Returns a status. */
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
 int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);

@@ -180,12 +180,22 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
                               held, "  |  fourlink ", fourlink_version(), (char *)NULL));
 }
 
+/* Add a range of crank angles to a message. */
+static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *before, double from,
+                      double to)
+{
+    char first[FORMAT_SIZE], last[FORMAT_SIZE];
+    size_t n = strlen(message);
+
+    flk_text_join(message + n, MESSAGE_SIZE - n, before, " from ", format_general(from, 6, first),
+                  " to ", format_general(to, 6, last), " ", p->v.units[QUANTITY_ANGLE].name,
+                  (char *)NULL);
+}
+
 /* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */
 static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
 {
-    const char *unit_name = p->v.units[QUANTITY_ANGLE].name;
     fourlink_reach reach;
-    double from[2], to[2];
     int i, status = FOURLINK_OK;
 
     for (i = 0; i < p->v.n_branches; i++) {
@@ -193,32 +203,20 @@ static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE
         if (status == FOURLINK_OK)
             return 1;
     }
-    if (status == FOURLINK_NO_SUCH_ANGLE && p->v.problem.by_time) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the crank does not pass it", angle,
-                    unit_name);
-        return 0;
-    }
-    if (status == FOURLINK_NO_SUCH_ANGLE) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the motion goes from %.6g to %.6g %s",
-                    angle, unit_name, p->v.problem.motion.from, p->v.end, unit_name);
-        return 0;
-    }
     fourlink_reach_of(p->v.mechanism, &reach);
-    for (i = 0; i < reach.n_ranges; i++) {
-        from[i] = view_value(&p->v, QUANTITY_ANGLE, reach.from[i]);
-        to[i] = view_value(&p->v, QUANTITY_ANGLE, reach.to[i]);
-    }
-    if (reach.n_ranges == 1)
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the links reach from %.6g to %.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name);
-    else if (reach.n_ranges == 2)
-        flk_message(message, MESSAGE_SIZE,
-                    "theta2 = %.6g %s: the links reach from %.6g to %.6g %s, and from %.6g to "
-                    "%.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name, from[1], to[1], unit_name);
-    else
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle, unit_name,
-                    fourlink_status_text(status));
+    flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle,
+                p->v.units[QUANTITY_ANGLE].name,
+                status != FOURLINK_NO_SUCH_ANGLE
+                    ? reach.n_ranges ? "the links reach" : fourlink_status_text(status)
+                : p->v.problem.by_time ? "the crank does not pass it"
+                                       : "the motion goes");
+    if (status != FOURLINK_NO_SUCH_ANGLE)
+        for (i = 0; i < reach.n_ranges; i++)
+            add_range(p, message, i ? ", and" : "",
+                      view_value(&p->v, QUANTITY_ANGLE, reach.from[i]),
+                      view_value(&p->v, QUANTITY_ANGLE, reach.to[i]));
+    else if (!p->v.problem.by_time)
+        add_range(p, message, "", p->v.problem.motion.from, p->v.end);
     return 0;
 }
 
@@ -232,14 +230,14 @@ static int read_angles(picture *p, fourlink_mistake *mistake)
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (p->n_angles == PICTURE_POSITIONS)
-            return picture_refuse(mistake, "--plot-at", "more than 24 positions", "");
+            return view_refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
-            return picture_refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                                  " draws one position, not several");
+            return view_refuse(mistake, "--plot-at", plot_names[p->request->kind],
+                               " draws one position, not several");
         angle = &p->angles[p->n_angles++];
         if (!view_read(&p->v, QUANTITY_ANGLE, item, item, angle, words) ||
             !is_in_range(p, *angle, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
+            return view_refuse(mistake, "--plot-at", words, "");
     }
     return 1;
 }
@@ -348,10 +346,10 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
     char names[PICTURE_NAMES], time_step[100], number[FORMAT_SIZE];
 
     if (why)
-        return picture_refuse(mistake, "--plot-kind", why, "");
+        return view_refuse(mistake, "--plot-kind", why, "");
     if (picture_has_outputs(p) && p->request->x)
-        return picture_refuse(mistake, "--plot-x",
-                              "the outputs of a [sweep] are drawn over what it varies", "");
+        return view_refuse(mistake, "--plot-x",
+                           "the outputs of a [sweep] are drawn over what it varies", "");
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
         if (!picture_choose_columns(p, names, mistake))
             return 0;
@@ -377,7 +375,7 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
     if (p->request->at && !read_angles(p, mistake))
         return 0;
     why = draw(p);
-    return why ? picture_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
+    return why ? view_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 
 int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,

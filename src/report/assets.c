@@ -148,7 +148,7 @@ const char *const assets_script[] = {
     "return {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,\n        makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,",
     "        reached, present, pairs, digits};\n}());\n/* SPDX-License-Identifier: GPL-3.0-or-later\n**\n** drawing.js - the interactive drawing of a report.\n**",
     "** It does no mechanics.  The program computes rows, one for each step, and this script draws them: the\n** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it",
-    "** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in\n** the same data, from scene.c.\n*/\nfourlink.draw = (function () {\n",
+    "** knows tracks: a vector or a number by its name, as view/tracks.c makes them.  What is drawn from which track stands\n** in the same data, from view/scene.c.\n*/\nfourlink.draw = (function () {\n",
     "const {html, svg, unitText, stepText, htmlLabel, add, minus, times, size, middle, direction, hull, tracksOf,\n       makePanel, begin, measure, line, area, circle, arrow, torque, text, scaleBar, fit, roundUp, usual, makeValues,",
     "       reached, present, pairs, digits} = fourlink;\n\n/* ------------------------------------------------------------------------------------------- parts of machines */\n\n/* Hatched ground along a line, on the side of d. */",
     "function ground(panel, from, to, d) {\n    const u = direction(minus(to, from)), count = Math.floor(size(minus(to, from)) / 8);\n    line(panel, \"ground\", from, to);\n    for (let k = 0; k <= count; k++) {",

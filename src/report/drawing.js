@@ -4,8 +4,8 @@
 **
 ** It does no mechanics.  The program computes rows, one for each step, and this script draws them: the
 ** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it
-** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in
-** the same data, from scene.c.
+** knows tracks: a vector or a number by its name, as view/tracks.c makes them.  What is drawn from which track stands
+** in the same data, from view/scene.c.
 */
 fourlink.draw = (function () {
 

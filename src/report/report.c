@@ -43,17 +43,10 @@ static void put_discussion(report *r)
 /* 1 if there is a row to draw. */
 static int has_rows(const report *r)
 {
-    fourlink_instant at;
-    unsigned long i;
-    int b;
+    const char *why;
+    unsigned long n, missing = view_count_missing(&r->v, &n, &why);
 
-    for (b = 0; b < r->v.n_branches; b++)
-        for (i = 0; i < r->v.problem.n_rows; i++)
-            if (fourlink_results_row(r->v.results, r->v.branches[b], i, NULL, &at, NULL) ==
-                    FOURLINK_OK &&
-                at.status == FOURLINK_OK)
-                return 1;
-    return 0;
+    return missing < n;
 }
 
 static void put_page(report *r)
@@ -81,15 +74,6 @@ static void put_page(report *r)
     page_print(&r->page, "</body>\n</html>\n");
 }
 
-/* Returns 0, for the caller to return. */
-static int refuse(fourlink_mistake *mistake, const char *place, const char *why)
-{
-    memset(mistake, 0, sizeof *mistake);
-    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
-    flk_text_join(mistake->message, sizeof mistake->message, why, (char *)NULL);
-    return 0;
-}
-
 /* Read the crank angle of the request. */
 static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
 {
@@ -98,38 +82,28 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
     at_item item;
 
     if (at_next(&r->v, &list, &item, message) != 1)
-        return refuse(mistake, "--plot-at", message);
+        return view_refuse(mistake, "--plot-at", message, "");
     if (item.column)
-        return refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg");
+        return view_refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg",
+                           "");
     *angle = item.value;
-    return !list || refuse(mistake, "--plot-at", "a report shows one position, not several");
+    return !list ||
+           view_refuse(mistake, "--plot-at", "a report shows one position, not several", "");
 }
 
-/* The crank angle that pictures take: of one instant, otherwise after a sixth of the motion. */
-static double usual_angle(const report *r)
-{
-    double from = r->v.problem.motion.from;
-
-    return from + (r->v.end - from) / 6;
-}
-
-/* Find the position of the sample calculation.  Where the linkage cannot be assembled at the usual angle, it is the
-** first row at which it can. */
+/* Find the position of the sample calculation; over time at its crank angle, which pictures have too. */
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
-    double angle = usual_angle(r);
+    const char *at = r->request->at;
     char number[FORMAT_SIZE];
-    unsigned long i;
+    double angle;
 
-    if (r->request->at && !read_angle(r, &angle, mistake))
+    if (at && !read_angle(r, &angle, mistake))
         return 0;
-    if (r->v.problem.by_time && !r->request->at &&
-        fourlink_results_row(r->v.results, r->v.branches[0], r->v.problem.n_rows / 6, NULL, &r->now,
-                             NULL) == FOURLINK_OK)
-        angle = r->now.row.angle;
-    fourlink_results_at(r->v.results, r->v.branches[0], angle, NULL, &r->now, r->loads);
-    for (i = 0; r->now.status != FOURLINK_OK && !r->request->at && i < r->v.problem.n_rows; i++)
-        fourlink_results_row(r->v.results, r->v.branches[0], i, NULL, &r->now, r->loads);
+    view_find_position(&r->v, r->v.branches[0], at ? &angle : NULL, &r->now, r->loads);
+    if (r->v.problem.by_time && r->now.status == FOURLINK_OK)
+        fourlink_results_at(r->v.results, r->v.branches[0], r->now.row.angle, NULL, &r->now,
+                            r->loads);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
                   r->v.units[QUANTITY_ANGLE].name, (char *)NULL);
     r->drawn_at = r->request->at;

@@ -79,6 +79,47 @@ int view_read(const view *v, quantity q, text value, text words, double *number,
     return 1;
 }
 
+int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+                       fourlink_instant *now, fourlink_load *loads)
+{
+    double from = v->problem.motion.from, usual = from + (v->end - from) / 6;
+    unsigned long i;
+    int first, status;
+
+    first = v->problem.by_time && !angle
+                ? fourlink_results_row(v->results, branch, v->range.n_rows / 6, NULL, now, loads)
+                : fourlink_results_at(v->results, branch, angle ? *angle : usual, NULL, now, loads);
+    status = first;
+    for (i = 0; status != FOURLINK_OK && !angle && i < v->range.n_rows; i++)
+        status = fourlink_results_row(v->results, branch, i, NULL, now, loads);
+    return status == FOURLINK_OK ? FOURLINK_OK : first;
+}
+
+unsigned long view_count_missing(const view *v, unsigned long *of, const char **why)
+{
+    unsigned long missing = 0, k;
+    fourlink_instant now;
+    int i, status;
+
+    *why = "";
+    for (i = 0; i < v->n_branches; i++)
+        for (k = 0; k < v->range.n_rows; k++) {
+            status = fourlink_results_row(v->results, v->branches[i], k, NULL, &now, NULL);
+            missing += status != FOURLINK_OK;
+            *why = status != FOURLINK_OK && !**why ? fourlink_status_text(status) : *why;
+        }
+    *of = (unsigned long)v->n_branches * v->range.n_rows;
+    return missing;
+}
+
+int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
+{
+    memset(mistake, 0, sizeof *mistake);
+    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
+    flk_text_join(mistake->message, sizeof mistake->message, why, word, (char *)NULL);
+    return 0;
+}
+
 double view_value(const view *v, quantity q, double si)
 {
     return si * v->units[q].down / v->units[q].up;

@@ -38,6 +38,17 @@ int view_reopen(const fourlink_source *source, const char *origin, const char *c
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
+/* The position to show on a branch: at a crank angle, or if that is null after a sixth of the motion, otherwise at the first
+** row at which the linkage can be assembled.  `loads` may be null.  Returns a status. */
+int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+                       fourlink_instant *now, fourlink_load *loads);
+
+/* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
+unsigned long view_count_missing(const view *v, unsigned long *of, const char **why);
+
+/* Refuse a request, such as an option: returns 0, for the caller to return, and the reason. */
+int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
+
 /* A value in the deck's unit of its quantity, and in SI units. */
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
