@@ -28,8 +28,8 @@ void panel_begin_over(picture *p, panel *q, int x, int n);
 /* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
 void panel_range(const picture *p, panel *q);
 
-/* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are in the panel; what
-** is rounding compared with the curves is 0. */
+/* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are
+** in the panel; what is rounding compared with the curves is 0. */
 void panel_extremes(const picture *p, panel *q, int y, int branch, int i);
 
 #endif

@@ -136,12 +136,12 @@ PLOT_LIST(PLOT_FUNCTION)
 int picture_open(picture *p, const fourlink_source *source, const plot_request *request);
 void picture_close(picture *p);
 
-/* Open its deck with these columns, and with a further assignment, unless these are null; one instant becomes a whole
-** cycle.  1; 0 and its first mistake, or out of memory. */
+/* Open its deck with these columns, and with a further assignment, unless these are null; one instant
+** becomes a whole cycle.  1; 0 and its first mistake, or out of memory. */
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
 
-/* The column to draw over, and those columns of the kind's list, or of all kinds' for a deck that is kept, that the
-** deck has. */
+/* The column to draw over, and those columns of the kind's list, or of all kinds' for a deck that is kept,
+** that the deck has. */
 void picture_choose(const picture *p, char out[PICTURE_NAMES]);
 
 /* 1 for a column of the kind's list. */
@@ -151,7 +151,8 @@ int picture_draws(const picture *p, const char *column);
 int picture_has_outputs(const picture *p);
 const char *picture_outputs(picture *p);
 
-/* The names of the columns to draw: first that of the x axis, then those of the table.  1; 0 and the reason. */
+/* The names of the columns to draw: first that of the x axis, then those of the table.  1; 0 and the
+** reason. */
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake);
 
 /* The number of panels of `columns`. */
@@ -159,15 +160,15 @@ int picture_column_panels(const picture *p);
 
 /* The room that a drawing needs: size.c. */
 
-/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of each
-** link. */
+/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of
+** each link. */
 int size_lines_beside(const picture *p, int each_link);
 
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
-/* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free that.  Returns 0 if
-** it cannot be opened, as without memory. */
+/* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free
+** that.  Returns 0 if it cannot be opened, as without memory. */
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);
 
@@ -200,8 +201,8 @@ int picture_is_over_angle(const picture *p, int column);
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);
 
-/* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time, PICTURE_STEPS
-** is a multiple of `steps`.  As fourlink_results_row. */
+/* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
+** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads);
 
@@ -209,8 +210,8 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the same with all
-** that is drawn there.  `loads` may be null.  Returns a status. */
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the
+** same with all that is drawn there.  `loads` may be null.  Returns a status. */
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
 int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);

@@ -32,6 +32,7 @@ typedef struct polygon {
     quantity q;
     const char *zero; /* if all sides are 0 */
     arrow_list sides;
+    const scene_side *of[SCENE_SIDES]; /* of velocities and accelerations */
     fourlink_vector middle;
 } polygon;
 
@@ -141,55 +142,45 @@ static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
     }
 }
 
-/* The corners of a polygon. */
-typedef struct corners {
-    const char *name[8];
-    fourlink_vector at[8];
-    int n;
-} corners;
-
-/* The number of a corner; that of corners if there is none of this name. */
-static int corner(const corners *c, const char *name)
+/* The first side that ends at a corner; the number of sides if it is the pole. */
+static int side_to(const polygon *g, const char *corner)
 {
     int i;
 
-    for (i = 0; i < c->n && strcmp(c->name[i], name) != 0; i++)
+    for (i = 0; i < g->sides.n && strcmp(g->of[i]->to, corner) != 0; i++)
         ;
     return i;
 }
 
-static void add_corner(corners *c, const char *name, fourlink_vector at)
+static fourlink_vector corner_at(const polygon *g, const char *corner)
 {
-    if (corner(c, name) < c->n)
-        return;
-    c->name[c->n] = name;
-    c->at[c->n++] = at;
+    int i = side_to(g, corner);
+
+    return i < g->sides.n ? end_of(&g->sides.list[i]) : zero;
 }
 
 static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
-    const scene_side *x = d->sides;
+    const scene_side *x;
     char title[80];
-    corners c;
     polygon g;
     int i;
 
     open_polygon(&g, p, d->q, d->zero);
-    c.n = 0;
-    add_corner(&c, x->from, zero);
-    for (; x->name; x++)
-        if (tracks_get(&r->numbers, x->of))
-            add_corner(&c, x->to,
-                       put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link,
-                                x->column, c.at[corner(&c, x->from)],
-                                tracks_vector(&r->numbers, x->of)));
+    for (x = d->sides; x->name; x++)
+        if (tracks_get(&r->numbers, x->of)) {
+            g.of[g.sides.n] = x;
+            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, x->column,
+                     corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
+        }
     draw_sides(&g);
     for (i = 0; i < 2 && d->lines[i][0]; i++)
-        sketch_line(&g.s, PEN_CONSTRUCTION, c.at[corner(&c, d->lines[i][0])],
-                    c.at[corner(&c, d->lines[i][1])]);
-    for (i = 0; i < c.n; i++)
-        if (c.name[i][0] != '_')
-            put_letter(&g, c.at[i], c.name[i]);
+        sketch_line(&g.s, PEN_CONSTRUCTION, corner_at(&g, d->lines[i][0]),
+                    corner_at(&g, d->lines[i][1]));
+    put_letter(&g, zero, d->sides[0].from);
+    for (i = 0; i < g.sides.n; i++)
+        if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
+            put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
     put_images(&g, r, d);
     flk_text_join(title, sizeof title, d->title, " polygon", (char *)NULL);
     title[0] = (char)tolower((unsigned char)title[0]);

@@ -34,9 +34,10 @@ typedef struct rows {
     tracks now;           /* the same */
 } rows;
 
-/* Take the deck that is open, or open it where it is to have other rows or is null, and choose the steps: every row of the deck if there are not too many, with others between them if
-** there are few, and the crank angle `at`, which may be NaN.  Returns 0 without memory, or if the deck has more loads
-** or points than a drawing shows. */
+/* Take the deck that is open, or open it where it is to have other rows or is null, and choose the steps:
+** every row of the deck if there are not too many, with others between them if there are few, and the
+** crank angle `at`, which may be NaN.  Returns 0 without memory, or if the deck has more loads or points
+** than a drawing shows. */
 int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at);
 
 /* Where an instant lies among the steps, in their unit. */

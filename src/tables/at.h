@@ -14,8 +14,8 @@ typedef struct at_item {
     double value;       /* in the unit of the deck */
 } at_item;
 
-/* Take the next item off a list separated by commas: 1; 0 at the end; -1 and a message if it is none, or if the motion does
-** not reach it. */
+/* Take the next item off a list separated by commas: 1; 0 at the end; -1 and a message if it is none, or
+** if the motion does not reach it. */
 int at_next(const view *v, const char **list, at_item *item, char message[400]);
 
 /* Find its crank angles on a branch, in the deck's unit, to be freed: a status. */

@@ -19,8 +19,9 @@ typedef struct style {
     fourlink_value extreme; /* the last one found */
 } style;
 
-/* Find the size of each column, in rows spread evenly over the motion that have at least this transmission angle, rad.  That
-** of a column which is only rounding, compared with others of its quantity, is 0, or theirs if all have one. */
+/* Find the size of each column, in rows spread evenly over the motion that have at least this transmission
+** angle, rad.  That of a column which is only rounding, compared with others of its quantity, is 0, or
+** theirs if all have one. */
 void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles);
 
 /* Find the styles of a deck's columns; `is_at`: of rows at any crank angles.  `values` is room for a row. */

@@ -31,7 +31,8 @@ fourlink_vector geometry_end(const view *v, const fourlink_state *state, int lin
     return geometry_of_link(state, link, &at);
 }
 
-/* Rod and crank are in one line, x^2 + e^2 = (l - r)^2; a crank that does not turn fully has no such position. */
+/* Rod and crank are in one line, x^2 + e^2 = (l - r)^2; a crank that does not turn fully has no such
+** position. */
 static double outer_end(const fourlink_mechanism *mechanism)
 {
     const fourlink_design *d = &mechanism->design;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the names of their tracks.
+** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the names of their
+** tracks.
 **
 ** gnuplot draws it at one instant, the script of a report over the motion.
 */
@@ -18,6 +19,8 @@ typedef struct scene_side {
     const char *from, *to, *of;
     int link; /* whose vector it is; 5: of none */
 } scene_side;
+
+enum { SCENE_SIDES = 8 }; /* at most */
 
 typedef struct scene_polygon {
     const char *title; /* without "polygon" */
@@ -73,7 +76,8 @@ char *scene_words(const scene_force *f, char *out, size_t size);
 
 /* ------------------------------------------------------------------------------------------- springs */
 
-/* The letter of the pin at which a torsional spring is: that of its links, or of the ground and one of them. */
+/* The letter of the pin at which a torsional spring is: that of its links, or of the ground and one of
+** them. */
 const char *scene_pin_of(const view *v, const fourlink_spring *spring);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** tracks.h - the numbers of a mechanism at an instant, by their names: pins, centres of mass, points and ends of
-** springs, velocities and accelerations, forces and torques.
+** tracks.h - the numbers of a mechanism at an instant, by their names: places, velocities, accelerations,
+** forces, torques.
 **
 ** scene.h says what is drawn of them.  Over the motion each is a track.
 */
@@ -29,7 +29,8 @@ typedef struct tracks {
 /* The numbers at an instant; where the linkage cannot be assembled those of the crank alone. */
 void tracks_find(tracks *t, const view *v, const fourlink_instant *now, const fourlink_load *loads);
 
-/* The places alone at a position; 1 for those that a drawing needs room for: pins, points, ends of springs. */
+/* The places alone at a position; 1 for those that a drawing needs room for: pins, points, ends of
+** springs. */
 void tracks_find_places(tracks *t, const view *v, const fourlink_state *state);
 int tracks_is_outline(const track *x);
 

@@ -29,17 +29,19 @@ typedef struct view {
 /* Take the results of a deck, which stay the caller's. */
 void view_take(view *v, fourlink_results *results);
 
-/* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole cycle; `origin`
-** is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
+/* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
+** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
 int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
                 int n, fourlink_results **results, fourlink_mistake *mistake);
 
-/* Read a value in the deck's unit of its quantity, or in one that follows it; 0 and a message, which is about `words`. */
+/* Read a value in the deck's unit of its quantity, or in one that follows it; 0 and a message, which is
+** about `words`. */
 int view_read(const view *v, quantity q, text value, text words, double *number,
               char message[MESSAGE_SIZE]);
 
-/* The position to show on a branch: at a crank angle, or if that is null after a sixth of the motion, otherwise at the first
-** row at which the linkage can be assembled.  `loads` may be null.  Returns a status. */
+/* The position to show on a branch: at a crank angle, or if that is null after a sixth of the motion,
+** otherwise at the first row at which the linkage can be assembled.  `loads` may be null.  Returns a
+** status. */
 int view_find_position(const view *v, fourlink_branch branch, const double *angle,
                        fourlink_instant *now, fourlink_load *loads);
 
@@ -53,7 +55,8 @@ int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, c
 double view_value(const view *v, quantity q, double si);
 double view_si(const view *v, quantity q, double value);
 
-/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is 0. */
+/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is
+** 0. */
 double view_torque_rounding(const view *v, const fourlink_forces *forces);
 
 /* N m, Ts, or 0 if it is rounding. */
