@@ -434,8 +434,9 @@ function polygon(data, panel, described) {
         for (const side of described.sides)
             arrow(panel, "link" + side.pen, place(side.from), times(scale, tracks.vector(side.of, i)));
         for (const key of keys.filter((x) => !/^_|^image/.test(x))) {
-            circle(panel, "dot", place(key), 2.5, key);
-            text(panel, place(key), minus(place(key), heart), [key, "", ""], 4);
+            const letter = key.replace("'", "′").replace("4", "₄");
+            circle(panel, "dot", place(key), 2.5, letter);
+            text(panel, place(key), minus(place(key), heart), [letter, "", ""], 4);
         }
         described.images.forEach((x, k) => {
             circle(panel, "dot", place("image " + k), 2.5);

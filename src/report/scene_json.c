@@ -2,8 +2,6 @@
 **
 ** scene_json.c - what the interactive drawing consists of, as JSON.
 */
-#include <string.h>
-
 #include "base/text.h"
 #include "scene_json.h"
 #include "tables/json_text.h"
@@ -13,7 +11,6 @@
 /* In UTF-8. */
 #define PRIME "\342\200\262"
 #define MINUS "\342\210\222"
-#define SUB_4 "\342\202\204"
 
 /* Put what stands before an entry of a list; `n` counts them. */
 static void put_comma(line *l, int *n)
@@ -88,21 +85,18 @@ static void put_links(line *l, const rows *t)
     line_put(l, "],\n");
 }
 
-/* The tracer points: the track of each and its name. */
-static void put_tracers(line *l, const rows *t)
+/* The tracer points, which are the images without a subscript: the track of each and its name. */
+static void put_tracers(line *l, const scene *s)
 {
-    const char *words;
-    char name[TRACKS_NAME];
-    unsigned long i;
-    fourlink_vector at;
-    int link, n = 0;
+    int i, n = 0;
 
     line_put(l, "\"points\":[");
-    for (i = 0; i < t->v.problem.n_points; i++) {
-        fourlink_deck_point(t->v.deck, i, &words, &link, &at);
+    for (i = 0; i < s->n_images; i++) {
+        if (s->images[i].sub[0])
+            continue;
         put_comma(l, &n);
-        put_label(l, words, "", "");
-        line_put(l, ",\"of\":\"%s\"}", tracks_name("P", i, "", name));
+        put_label(l, s->images[i].name, "", "");
+        line_put(l, ",\"of\":\"%s\"}", s->images[i].of);
     }
     line_put(l, "],\n");
 }
@@ -137,20 +131,6 @@ static void put_springs(line *l, const rows *t)
 
 /* ---------------------------------------------------------------------------------------------- polygons */
 
-/* A corner: o', b4 with the signs of print. */
-static void put_corner(line *l, const char *name)
-{
-    char words[20] = "";
-
-    for (; *name; name++) {
-        char letter[2] = {0, 0};
-
-        letter[0] = *name;
-        strcat(words, *name == '\'' ? PRIME : *name == '4' ? SUB_4 : letter);
-    }
-    put_string(l, words);
-}
-
 /* Those sides that this mechanism has. */
 static void put_sides(line *l, const rows *t, const scene_side *x)
 {
@@ -162,11 +142,8 @@ static void put_sides(line *l, const rows *t, const scene_side *x)
             continue;
         put_comma(l, &n);
         put_label(l, x->name, x->sub, x->super);
-        line_put(l, ",\"from\":");
-        put_corner(l, x->from);
-        line_put(l, ",\"to\":");
-        put_corner(l, x->to);
-        line_put(l, ",\"of\":\"%s\",\"pen\":%lu}", x->of, (unsigned long)x->link);
+        line_put(l, ",\"from\":\"%s\",\"to\":\"%s\",\"of\":\"%s\",\"pen\":%lu}", x->from, x->to,
+                 x->of, (unsigned long)x->link);
     }
     line_put(l, "]");
 }
@@ -189,17 +166,12 @@ static void put_polygon(line *l, const rows *t, const scene *s, const scene_poly
 {
     int i;
 
-    line_put(l, "{\"title\":\"%s polygon\",\"quantity\":\"%s\",\"zero\":\"%s\",\"pole\":", g->title,
-             flk_quantities[g->q].name, g->zero);
-    put_corner(l, g->sides[0].from);
-    line_put(l, ",\"lines\":[");
-    for (i = 0; i < 2 && g->lines[i][0]; i++) {
-        line_put(l, i ? ",[" : "[");
-        put_corner(l, g->lines[i][0]);
-        line_put(l, ",");
-        put_corner(l, g->lines[i][1]);
-        line_put(l, "]");
-    }
+    line_put(
+        l,
+        "{\"title\":\"%s polygon\",\"quantity\":\"%s\",\"zero\":\"%s\",\"pole\":\"%s\",\"lines\":[",
+        g->title, flk_quantities[g->q].name, g->zero, g->sides[0].from);
+    for (i = 0; i < 2 && g->lines[i][0]; i++)
+        line_put(l, "%s[\"%s\",\"%s\"]", i ? "," : "", g->lines[i][0], g->lines[i][1]);
     line_put(l, "]");
     put_sides(l, t, g->sides);
     put_images(l, s, g);
@@ -222,14 +194,14 @@ static void put_polygons(line *l, const rows *t, const scene *s)
 static void put_forces(line *l, const char *name, const scene_force *list, int n_list)
 {
     static const char *const pens[] = {"pin", "load", "inertia"};
-    int is_minus, n = 0, i;
+    int n = 0, i;
 
     line_put(l, "\"%s\":[", name);
     for (i = 0; i < n_list; i++) {
         const scene_force *f = &list[i];
+        int is_minus = f->sort == SCENE_INERTIA;
         char words[80];
 
-        is_minus = f->sort == SCENE_INERTIA;
         flk_text_join(words, sizeof words, MINUS, f->name + is_minus, (char *)NULL);
         put_comma(l, &n);
         put_label(l, is_minus ? words : f->name, f->sub, "");
@@ -275,7 +247,7 @@ void scene_json_write(line *l, const rows *t)
     put_units(l, t);
     put_frame(l, t);
     put_links(l, t);
-    put_tracers(l, t);
+    put_tracers(l, &s);
     put_springs(l, t);
     put_polygons(l, t, &s);
     put_forces(l, "forces", s.forces, s.n_forces);

@@ -7,7 +7,8 @@
 #include "base/text.h"
 #include "scene.h"
 
-#define ALPHA "\316\261" /* in UTF-8 */
+/* In UTF-8. */
+#define ALPHA "\316\261"
 
 /* ------------------------------------------------------------------------------------------ polygons */
 

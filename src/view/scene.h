@@ -42,7 +42,7 @@ typedef enum scene_sort { SCENE_PIN, SCENE_LOAD, SCENE_INERTIA } scene_sort;
 
 /* A force, or a torque, on a link. */
 typedef struct scene_force {
-    const char *name; /* F_12; that of a load is the deck's */
+    const char *name; /* F_12, - m a_G2; that of a load is the deck's */
     char sub[TRACKS_NAME];
     char of[TRACKS_NAME], at[TRACKS_NAME]; /* tracks of its values and of its place */
     int sign;                              /* -1: a reaction to them */
