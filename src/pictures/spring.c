@@ -119,7 +119,7 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
                         const fourlink_spring *spring, const char *name)
 {
     fourlink_vector to = figure_of_link(p, state, spring->to, &spring->to_at);
-    int is_damper = spring->damping > 0, is_both = is_damper && spring->stiffness != 0;
+    int has_coil = scene_has_coil(spring), has_damper = scene_has_damper(spring);
     double length, half = HALF_WIDTH * s->size, end;
     strand x;
 
@@ -135,14 +135,14 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     put_end(&x, p, state, spring->to, 1);
     put_line(&x, 0, 0, LEAD, 0);
     put_line(&x, 1 - LEAD, 0, 1, 0);
-    end = is_both ? 1.4 : 0;
+    end = has_coil && has_damper ? 1.4 : 0; /* side by side */
     put_line(&x, LEAD, -end, LEAD, end);
     put_line(&x, 1 - LEAD, -end, 1 - LEAD, end);
     x.side = end;
-    if (is_both || !is_damper)
+    if (has_coil)
         put_zigzag(&x, teeth_of(s, figure_length(p, spring->free_length)));
     x.side = -end;
-    if (is_damper)
+    if (has_damper)
         put_damper(&x);
     x.side = 0;
     sketch_text(s, place(&x, 0.5, end + 1), x.across.x, x.across.y, name);

@@ -115,9 +115,8 @@ static void put_springs(line *l, const rows *t)
         fourlink_deck_spring(t->v.deck, i, &words, &spring);
         put_comma(l, &n);
         put_label(l, words, "", "");
-        line_put(l, ",\"coil\":%s,\"damper\":%s",
-                 spring.stiffness != 0 || !(spring.damping > 0) ? "true" : "false",
-                 spring.damping > 0 ? "true" : "false");
+        line_put(l, ",\"coil\":%s,\"damper\":%s", scene_has_coil(&spring) ? "true" : "false",
+                 scene_has_damper(&spring) ? "true" : "false");
         if (spring.is_torsional) {
             line_put(l, ",\"pin\":\"%s\"}", scene_pin_of(&t->v, &spring));
             continue;

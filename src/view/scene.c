@@ -231,6 +231,16 @@ char *scene_words(const scene_force *f, char *out, size_t size)
 
 /* ------------------------------------------------------------------------------------------- springs */
 
+int scene_has_damper(const fourlink_spring *spring)
+{
+    return spring->damping > 0;
+}
+
+int scene_has_coil(const fourlink_spring *spring)
+{
+    return spring->stiffness != 0 || !scene_has_damper(spring);
+}
+
 const char *scene_pin_of(const view *v, const fourlink_spring *spring)
 {
     static const int pins[5][5] = {
