@@ -225,21 +225,6 @@ void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_
     }
 }
 
-void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-               graph_extent *e, graph_line *line)
-{
-    int k;
-
-    graph_follow(p, branch, x, y, e, line);
-    fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
-    for (k = 0; k <= PICTURE_STEPS; k++)
-        if (gsl_isnan(line->y[k]))
-            putc('\n', p->on.out);
-        else
-            canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
-    fputs("EOD\n", p->on.out);
-}
-
 static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)
 {
     return gsl_hypot((q.x - p.x) / size.x, (q.y - p.y) / size.y);
@@ -298,10 +283,4 @@ double graph_angle_step(const picture *p, double span)
             if (parts[i] >= least)
                 return least < 2 ? place_round(least) : parts[i];
     return place_round(least);
-}
-
-void graph_plot(picture *p, fourlink_branch branch, const char *name, int line)
-{
-    fprintf(p->on.out, "%s $%s_%s using 1:2 with lines lt %d title ", p->on.curves++ ? "," : "plot",
-            name, fourlink_branch_text(branch), line);
 }
