@@ -10,6 +10,7 @@
 #include "base/quantity.h"
 #include "fourlink.h"
 
+/* Not to be copied: it points into itself. */
 typedef struct view {
     fourlink_results *results;
     const fourlink_deck *deck;
