@@ -47,6 +47,7 @@ labels() {
     case $1 in
     src/pictures/*) echo '^(pictures|report)$' ;;
     src/report/*) echo '^report$' ;;
+    src/view/*) echo '^(tables|pictures|report)$' ;;
     src/tables/*) echo '^(tables|report|command)$' ;;
     src/command/*) echo '^(command|tables|pictures)$' ;;
     *) echo '^(base|mechanics|deck|results|tables)$' ;;

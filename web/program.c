@@ -32,10 +32,7 @@ static size_t answer_length;
 static FILE *out; /* into `answer` */
 static line l;    /* into `out` */
 static fourlink_source source;
-static fourlink_results *results; /* of the deck; null if it has mistakes */
-static fourlink_problem problem;
-static fourlink_branch branches[2];
-static int n_branches;
+static view v;          /* of the deck; its results are null if it has mistakes */
 static double *numbers; /* of web_rows */
 
 /* Room for a text of this length; null if there is none. */
@@ -151,7 +148,7 @@ static void put_names(const char *name, int which)
     const fourlink_value *list;
     unsigned long n, i;
 
-    fourlink_results_list(results, which, &list, &n);
+    fourlink_results_list(v.results, which, &list, &n);
     line_put(&l, ",\n\"%s\":[", name);
     for (i = 0; i < n; i++) {
         line_put(&l, i ? ",\n" : "\n");
@@ -165,33 +162,22 @@ static void put_deck(void)
     int i;
 
     line_put(&l, ",\n");
-    put_string("title", problem.title);
+    put_string("title", v.problem.title);
     line_put(&l, ",");
-    put_string("kind", fourlink_kind_text((int)problem.mechanism.design.kind));
-    put_number("rows", problem.n_rows);
-    put_number("instant", (unsigned long)problem.one_instant);
-    put_number("designs", problem.n_designs);
-    put_number("design", problem.design + 1);
-    put_number("expected", problem.n_expected);
+    put_string("kind", v.kind.words);
+    put_number("rows", v.problem.n_rows);
+    put_number("instant", (unsigned long)v.problem.one_instant);
+    put_number("designs", v.problem.n_designs);
+    put_number("design", v.problem.design + 1);
+    put_number("expected", v.problem.n_expected);
     line_put(&l, ",\"from\":");
-    json_text_number(&l, problem.motion.from, 17);
+    json_text_number(&l, v.problem.motion.from, 17);
     line_put(&l, ",\"branches\":[");
-    for (i = 0; i < n_branches; i++)
-        line_put(&l, "%s\"%s\"", i ? "," : "", fourlink_branch_text((int)branches[i]));
+    for (i = 0; i < v.n_branches; i++)
+        line_put(&l, "%s\"%s\"", i ? "," : "", fourlink_branch_text((int)v.branches[i]));
     line_put(&l, "]");
     put_names("columns", FOURLINK_COLUMNS);
     put_names("all", FOURLINK_ALL_COLUMNS);
-}
-
-static void take_deck(void)
-{
-    fourlink_deck_problem(fourlink_results_deck(results), &problem);
-    source.design = problem.design;
-    n_branches = 0;
-    if (problem.open)
-        branches[n_branches++] = FOURLINK_OPEN;
-    if (problem.crossed)
-        branches[n_branches++] = FOURLINK_CROSSED;
 }
 
 /* Open the deck whose name, of this length and with its final zero, and whose text are in the room.  Answers with its
@@ -200,10 +186,11 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
 {
     fourlink_mistake *list = malloc(MOST_MISTAKES * sizeof *list);
     unsigned long n = 0;
+    fourlink_results *results = NULL;
     int status = FOURLINK_NO_MEMORY;
 
-    fourlink_results_free(results);
-    results = NULL;
+    fourlink_results_free(v.results);
+    v.results = NULL;
     free(deck);
     deck = input;
     input = NULL;
@@ -215,7 +202,8 @@ CALLED(web_open) int web_open(unsigned long name_length, unsigned long length)
     if (list)
         status = fourlink_results_open(&source, MOST_MISTAKES, &results, list, &n);
     if (status == FOURLINK_OK) {
-        take_deck();
+        view_take(&v, results);
+        source.design = v.problem.design;
         fourlink_results_notes(results, MOST_MISTAKES, list, &n);
     }
     if ((status == FOURLINK_OK || status == FOURLINK_BAD_DECK) && begin_answer()) {
@@ -240,8 +228,8 @@ CALLED(web_scene) int web_scene(int branch, double at)
     rows *t = malloc(sizeof *t);
     int done = 0;
 
-    if (t && rows_open(t, &source, at) && begin_answer()) {
-        done = interactive_write(out, t, branch ? &one : branches, branch ? 1 : n_branches, at);
+    if (t && rows_open(t, &source, v.results, at) && begin_answer()) {
+        done = interactive_write(out, t, branch ? &one : v.branches, branch ? 1 : v.n_branches, at);
         done &= end_answer();
     }
     if (t)
@@ -257,7 +245,7 @@ static void put_curve(const rows *t, unsigned long column)
     line_put(&l, "[");
     for (i = 0; i < t->n; i++) {
         line_put(&l, i ? "," : "");
-        json_text_number(&l, t->table[i * t->n_columns + column], CURVE_DIGITS);
+        json_text_number(&l, t->table[i * t->v.n_columns + column], CURVE_DIGITS);
     }
     line_put(&l, "]");
 }
@@ -275,15 +263,15 @@ CALLED(web_curve) int web_curve(void)
     change.assignment = input;
     chosen.changes = &change;
     chosen.n_changes = 1;
-    if (t && rows_open(t, &chosen, problem.one_instant ? problem.motion.from : GSL_NAN) &&
+    if (t && rows_open(t, &chosen, NULL, v.problem.one_instant ? v.problem.motion.from : GSL_NAN) &&
         begin_answer()) {
         done = 1;
         line_put(&l, "[");
-        for (i = 0; i < n_branches; i++) {
-            done &= rows_compute(t, branches[i]);
+        for (i = 0; i < v.n_branches; i++) {
+            done &= rows_compute(t, v.branches[i]);
             line_put(&l, "%s{\"name\":\"%s\",\"columns\":[", i ? "," : "",
-                     fourlink_branch_text((int)branches[i]));
-            for (j = 0; j < t->n_columns; j++) {
+                     fourlink_branch_text((int)v.branches[i]));
+            for (j = 0; j < t->v.n_columns; j++) {
                 line_put(&l, j ? ",\n" : "");
                 put_curve(t, j);
             }
@@ -306,14 +294,14 @@ CALLED(web_rows) const double *web_rows(int branch, unsigned long first, unsigne
     const fourlink_value *list;
     unsigned long width, i;
 
-    fourlink_results_list(results, FOURLINK_COLUMNS, &list, &width);
+    fourlink_results_list(v.results, FOURLINK_COLUMNS, &list, &width);
     free(numbers);
     numbers = malloc((n + 1) * (width + 1) * sizeof *numbers);
     for (i = 0; numbers && i < n; i++) {
         double *row = numbers + i * (width + 1);
 
         row[width] =
-            fourlink_results_row(results, (fourlink_branch)branch, first + i, row, NULL, NULL);
+            fourlink_results_row(v.results, (fourlink_branch)branch, first + i, row, NULL, NULL);
     }
     return numbers;
 }
@@ -336,9 +324,9 @@ CALLED(web_sheet) int web_sheet(int format, int content)
     s->format = formats_all[format];
     s->content = (sheet_content)content;
     s->n_decks = 1;
-    fourlink_results_list(results, FOURLINK_COLUMNS, &s->header, &s->n_header);
+    fourlink_results_list(v.results, FOURLINK_COLUMNS, &s->header, &s->n_header);
     content_begin(s, out, 1);
-    content_write(s, results, source.name, NULL);
+    content_write(s, v.results, source.name, NULL);
     done = !s->out_of_memory;
     free(s);
     return end_answer() && done;
@@ -354,6 +342,7 @@ CALLED(web_report) int web_report(void)
 
     if (!begin_answer())
         return 0;
+    request.opened = v.results;
     request.at = *input ? input : NULL;
     done = report_write(out, &source, &request, &outcome, &mistake);
     return end_answer() && done > 0;
@@ -364,16 +353,8 @@ CALLED(web_quantity) double web_quantity(int is_angle)
 {
     quantity q = is_angle ? QUANTITY_ANGLE : QUANTITY_LENGTH;
     char message[MESSAGE_SIZE];
-    fourlink_unit named;
-    quantity_value value;
     text t = flk_text_of(input);
-    unit bare;
+    double value;
 
-    if (!results)
-        return GSL_NAN;
-    fourlink_deck_unit(fourlink_results_deck(results), flk_quantities[q].name, &named);
-    bare.up = named.up;
-    bare.down = named.down;
-    bare.dim = flk_quantities[q].dim;
-    return flk_quantity_read(t, t, q, bare, &value, message) ? value.si : GSL_NAN;
+    return v.results && view_read(&v, q, t, t, &value, message) ? view_si(&v, q, value) : GSL_NAN;
 }

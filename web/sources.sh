@@ -8,10 +8,9 @@ cd "$(dirname "$0")/.."
 export LC_ALL=C
 
 {
-    find include src/base src/mechanics src/deck src/motion src/results src/tables src/report web data doc/man -type f \
+    find include src/base src/mechanics src/deck src/motion src/results src/view src/tables src/report web data doc/man -type f \
         \( -name '*.[ch]' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o -name '*.sh' -o -name '*.deck' \
         -o -name '*.[15]' \) ! -path web/fourlink.html
-    find src/pictures -name '*.h' -o -name end.c
 } | grep -E -e "${1-.}" | sort | xargs sha256sum | {
     cat
     sed -n '/^project(fourlink /p' CMakeLists.txt # the version

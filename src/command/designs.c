@@ -64,7 +64,7 @@ static void set_up(sheet *s, FILE *out, const input *in)
     s->format = in->o->format;
     s->width = in->o->wide ? 0 : terminal_width(out);
     s->content = has_outputs ? SHEET_DESIGNS : SHEET_ROWS;
-    s->problem = in->problem;
+    view_take(&s->v, in->results);
     fourlink_results_list(in->results, FOURLINK_VARIABLES, &s->variables, &s->n_variables);
     fourlink_results_list(in->results, has_outputs ? FOURLINK_OUTPUTS : FOURLINK_COLUMNS,
                           &s->header, &s->n_header);

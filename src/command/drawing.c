@@ -44,9 +44,12 @@ static int copy(const char *path, FILE *script)
 
 static int write_script(FILE *script, const input *in, plot_caption *caption)
 {
+    plot_request request = in->o->drawing;
     fourlink_mistake mistake;
-    int written = plot_write(script, &in->source, &in->o->drawing, caption, &mistake);
+    int written;
 
+    request.opened = in->results;
+    written = plot_write(script, &in->source, &request, caption, &mistake);
     if (written < 0)
         return command_complain("cannot draw", in->name, "not enough memory");
     if (written > 0)
@@ -71,22 +74,13 @@ static int tell_missing(const input *in, unsigned long missing, unsigned long al
 /* The same for the rows of the deck, or of the first design of its sweep. */
 static int tell_missing_rows(const input *in)
 {
-    static const fourlink_branch branches[] = {FOURLINK_OPEN, FOURLINK_CROSSED};
-    unsigned long missing = 0, all = 0, k;
-    fourlink_range range;
-    fourlink_instant now;
-    const char *why = "";
-    int i, status;
+    unsigned long missing, all;
+    const char *why;
+    view v;
 
-    for (i = 0; i < 2; i++)
-        for (k = 0; (i ? in->problem.crossed : in->problem.open) && k < in->problem.n_rows; k++) {
-            status = fourlink_results_row(in->results, branches[i], k, NULL, &now, NULL);
-            all++;
-            missing += status != FOURLINK_OK;
-            why = status != FOURLINK_OK && !*why ? fourlink_status_text(status) : why;
-        }
-    fourlink_motion_range(&in->problem.motion, &range);
-    if (range.stops && !missing)
+    view_take(&v, in->results);
+    missing = view_count_missing(&v, &all, &why);
+    if (v.range.stops && !missing)
         return tell_missing(in, 1, all + 1, "rows", "the crank comes to rest before the last one");
     return tell_missing(in, missing, all, "rows", why);
 }

@@ -86,8 +86,10 @@ static const char *mistake_in_angles(const input *in, char message[400])
     const char *list = in->o->at;
     at_item item;
     int status;
+    view v;
 
-    while ((status = at_next(in->results, &list, &item, message)) == 1)
+    view_take(&v, in->results);
+    while ((status = at_next(&v, &list, &item, message)) == 1)
         ;
     return status ? message : NULL;
 }

@@ -20,6 +20,7 @@ int reporting_write(const input *in)
 
     if (status)
         return status;
+    request.opened = in->results;
     request.at = in->o->drawing.at;
     written = report_write(file.file, &in->source, &request, &outcome, &mistake);
     if (written < 0) {

@@ -33,59 +33,15 @@ void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
         arrow_put(arrows, kind, name, at, place_at(x, y));
 }
 
-void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on)
+void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
+                     const scene_force *f)
 {
-    const fourlink_forces *f = &r->now.forces;
-    figure_pins pins = figure_place(p, &r->now.state);
+    static const pen pens[] = {PEN_FORCE, PEN_LOAD, PEN_RESULT};
+    fourlink_vector F = tracks_vector(&r->numbers, f->of);
+    char words[40];
 
-    if (by == FOURLINK_GROUND && on == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_2, pins.A, f->F12x, f->F12y);
-    else if (by == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F" SUB_2 SUB_3, pins.B, f->F23x, f->F23y);
-    else if (by == FOURLINK_COUPLER && on == FOURLINK_CRANK)
-        arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_2, pins.B, -f->F23x, -f->F23y);
-    else if (by == FOURLINK_COUPLER)
-        arrow_add(arrows, PEN_FORCE, "F" SUB_3 SUB_4, pins.C, f->F34x, f->F34y);
-    else if (by == FOURLINK_FOLLOWER)
-        arrow_add(arrows, PEN_FORCE, "F" SUB_4 SUB_3, pins.C, -f->F34x, -f->F34y);
-    else if (p->kind.has_stroke) /* F14x is the friction, a load */
-        arrow_add(arrows, PEN_FORCE, "N", pins.C, 0, f->F14y);
-    else
-        arrow_add(arrows, PEN_FORCE, "F" SUB_1 SUB_4, pins.D, f->F14x, f->F14y);
-}
-
-/* F34 has the friction of a slider on its lever; N is without that of a piston. */
-static int is_drawn(const picture *p, const fourlink_load_info *load, int is_free)
-{
-    if (load->sort == FOURLINK_LOAD_FRICTION)
-        return p->kind.has_stroke;
-    return is_free || load->sort != FOURLINK_LOAD_SPRING;
-}
-
-void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link,
-                     int is_free)
-{
-    static const char *const weights[5] = {"", "", "W" SUB_2, "W" SUB_3, "W" SUB_4};
-    const fourlink_link *body = &p->design->link[link];
-    const fourlink_state *state = &r->now.state;
-    const fourlink_vector *axis = &state->link[link].axis;
-    fourlink_load_info info;
-    unsigned long i;
-
-    arrow_add(arrows, PEN_LOAD, weights[link], figure_of_link(p, state, link, &body->cg),
-              body->mass * p->design->gravity.x, body->mass * p->design->gravity.y);
-    for (i = 0; fourlink_deck_load(p->deck, i, &info) == FOURLINK_OK; i++) {
-        const fourlink_load *load = &r->loads[i];
-        fourlink_vector F = load->force;
-
-        if (info.link != link || !is_drawn(p, &info, is_free))
-            continue;
-        if (load->frame == FOURLINK_FRAME_LINK) {
-            F.x = load->force.x * axis->x - load->force.y * axis->y;
-            F.y = load->force.x * axis->y + load->force.y * axis->x;
-        }
-        arrow_add(arrows, PEN_LOAD, info.name, figure_of_link(p, state, link, &load->at), F.x, F.y);
-    }
+    arrow_add(arrows, pens[f->sort], scene_words(f, words, sizeof words), figure_track(p, r, f->at),
+              f->sign * F.x, f->sign * F.y);
 }
 
 double arrow_largest(const arrow_list *arrows)
@@ -135,18 +91,21 @@ void arrow_draw_torque(sketch *s, const picture *p, pen kind, const char *name, 
 void arrow_draw_load_torques(sketch *s, const picture *p, const picture_row *r, int link,
                              int is_free)
 {
-    fourlink_vector at = figure_point(p, r->now.state.link[link].origin);
-    fourlink_load_info load;
-    unsigned long i;
+    int i;
 
-    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
-        if (load.link == link && is_drawn(p, &load, is_free) && load.sort != FOURLINK_LOAD_FRICTION)
-            arrow_draw_torque(s, p, PEN_LOAD, load.name, at, r->loads[i].torque);
+    for (i = 0; i < r->drawn.n_torques; i++) {
+        const scene_force *f = &r->drawn.torques[i];
+
+        if (f->on == link && f->load && f->load != FOURLINK_LOAD_FRICTION &&
+            (is_free || !f->is_inner))
+            arrow_draw_torque(s, p, PEN_LOAD, f->name, figure_track(p, r, f->at),
+                              tracks_vector(&r->numbers, f->of).x);
+    }
 }
 
 void arrow_draw_scale(sketch *s, const picture *p, quantity q, double scale, double largest)
 {
-    double bar = picture_si(p, q, place_round(picture_value(p, q, largest) / 2.5));
+    double bar = view_si(&p->v, q, place_round(view_value(&p->v, q, largest) / 2.5));
     fourlink_vector from = place_at(s->drawn.x_min, s->drawn.y_min - 0.16 * s->size);
     fourlink_vector to = place_beside(from, scale * bar, 0);
     char words[PICTURE_WORDS];

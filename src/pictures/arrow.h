@@ -28,13 +28,9 @@ void arrow_put(arrow_list *arrows, pen kind, const char *name, fourlink_vector a
 void arrow_add(arrow_list *arrows, pen kind, const char *name, fourlink_vector at, double x,
                double y);
 
-/* Add the force of a link on another, at their pin or at the guide: of a piston without its friction. */
-void arrow_add_joint(arrow_list *arrows, const picture *p, const picture_row *r, int by, int on);
-
-/* Add a link's weight and loads, with the friction of a piston.  Those of a link cut free (`is_free`) have springs
-** among them; in a whole mechanism springs are drawn as such. */
-void arrow_add_loads(arrow_list *arrows, const picture *p, const picture_row *r, int link,
-                     int is_free);
+/* Add a force of the scene. */
+void arrow_add_force(arrow_list *arrows, const picture *p, const picture_row *r,
+                     const scene_force *f);
 
 /* The largest force, N. */
 double arrow_largest(const arrow_list *arrows);

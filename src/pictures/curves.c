@@ -1,36 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** curves.c - motion and forces over the crank angle or over time.
+** curves.c - motion and forces over the crank angle or over time; the actual motion: the speed with its mean,
+** the torques over the speed, and the energy.  There the torque of the motor lies on its own curve; that on
+** the crank makes the loop of the cycle.
 */
+#include <gsl/gsl_math.h>
+
 #include "panel.h"
 
-static void put_line(picture *p, panel *q, fourlink_branch branch, int y)
-{
-    graph_put(p, branch, p->columns[y].name, 0, y, &q->e, &q->line[q->n]);
-    graph_extend_x(&q->x, &q->line[q->n++]);
-}
-
 /* Draw a column, for all branches, with its extremes. */
-static void put_panel(picture *p, int y)
+static int put_column(picture *p, int column)
 {
-    const char *name = p->columns[y].name;
-    panel q;
+    panel_plan plan;
     int i;
 
-    panel_begin(p, &q, 1);
-    for (i = 0; i < p->n_branches; i++)
-        put_line(p, &q, p->branches[i], y);
-    canvas_titles(&p->on, "", p->columns[0].name, p->columns[0].unit, name, p->columns[y].unit);
-    panel_range(p, &q);
-    for (i = 0; i < p->n_branches; i++)
-        if (q.line[i].n_points)
-            panel_extremes(p, &q, y, i, i);
-    for (i = 0; i < p->n_branches; i++)
-        if (q.line[i].n_points) {
-            graph_plot(p, p->branches[i], name, i + 1);
-            fprintf(p->on.out, "'%s'", fourlink_branch_text(p->branches[i]));
-        }
-    putc('\n', p->on.out);
+    panel_plan_begin(&plan, 0);
+    plan.by_branch = 1;
+    plan.n = plan.n_extremes = p->v.n_branches;
+    for (i = 0; i < plan.n; i++) {
+        plan.column[i] = column;
+        plan.branch[i] = i;
+    }
+    return panel_draw(p, &plan);
 }
 
 const char *picture_motion(picture *p, fourlink_branch branch)
@@ -38,33 +29,26 @@ const char *picture_motion(picture *p, fourlink_branch branch)
     int i, drawn = 0;
 
     (void)branch;
-    for (i = 1; i < (int)p->n_columns; i++) {
-        put_panel(p, i);
-        drawn += p->on.curves;
-    }
-    return drawn ? NULL : picture_no_rows(p, p->branches[0]);
+    for (i = 1; i < (int)p->v.n_columns; i++)
+        if (picture_draws(p, p->v.columns[i].name))
+            drawn += put_column(p, i);
+    return drawn ? NULL : picture_no_rows(p, p->v.branches[0]);
 }
 
-/* Draw columns of one unit in one panel. */
-static void put_columns(picture *p, fourlink_branch branch, const char *const *names)
+/* Put those columns on a branch into a plan that the deck has. */
+static void plan_columns(const picture *p, panel_plan *plan, const char *over,
+                         fourlink_branch branch, const char *const *names)
 {
-    panel q;
-    int i, y;
+    int i, column;
 
-    panel_begin(p, &q, 1);
+    panel_plan_begin(plan, graph_column(p, over));
+    plan->title = fourlink_branch_text(branch);
     for (i = 0; names[i]; i++)
-        if ((y = graph_column(p, names[i])) > 0) {
-            put_line(p, &q, branch, y);
-            canvas_titles(&p->on, fourlink_branch_text(branch), p->columns[0].name,
-                          p->columns[0].unit, names[1] ? "force" : names[i], p->columns[y].unit);
+        if ((column = graph_column(p, names[i])) > 0) {
+            plan->line[plan->n] = i + 1;
+            plan->branch[plan->n] = branch != p->v.branches[0];
+            plan->column[plan->n++] = column;
         }
-    panel_range(p, &q);
-    for (i = 0; names[i]; i++)
-        if (graph_column(p, names[i]) > 0) {
-            graph_plot(p, branch, names[i], i + 1);
-            canvas_print(&p->on, "%q", names[i]);
-        }
-    putc('\n', p->on.out);
 }
 
 /* Draw the branches that can be assembled somewhere on the motion. */
@@ -72,15 +56,44 @@ const char *picture_forces(picture *p, fourlink_branch branch)
 {
     static const char *const pins[] = {"F12", "F23", "F34", "F14", "N", NULL};
     static const char *const torque[] = {"Ts", NULL};
-    double values[PICTURE_COLUMNS];
-    fourlink_instant now;
-    int k;
+    panel_plan plan;
 
-    for (k = 0; k <= PICTURE_STEPS; k++)
-        if (graph_sample(p, branch, k, values, &now)) {
-            put_columns(p, branch, pins);
-            put_columns(p, branch, torque);
-            return NULL;
-        }
-    return picture_no_rows(p, branch);
+    plan_columns(p, &plan, picture_over(p), branch, pins);
+    plan.y = "force";
+    if (!panel_draw(p, &plan))
+        return picture_no_rows(p, branch);
+    plan_columns(p, &plan, picture_over(p), branch, torque);
+    panel_draw(p, &plan);
+    return NULL;
+}
+
+const char *picture_speed(picture *p, fourlink_branch branch)
+{
+    static const char *const speed[] = {"omega2", NULL}, *const energy[] = {"energy", NULL},
+                             *const torques[] = {"T_motor", "Ts", NULL};
+    const char *branch_name = fourlink_branch_text((int)branch);
+    char words[PICTURE_WORDS], title[PICTURE_WORDS + 20];
+    fourlink_value mean;
+    panel_plan plan;
+
+    plan_columns(p, &plan, picture_over(p), branch, speed);
+    plan.n_key = 2;
+    plan.n_extremes = 1;
+    if (fourlink_results_value(p->v.results, "mean_speed", branch, 0, &mean) == FOURLINK_OK) {
+        plan.mean = mean.value;
+        picture_words(p, "mean", view_si(&p->v, QUANTITY_ANGULAR_SPEED, mean.value),
+                      QUANTITY_ANGULAR_SPEED, words);
+        plan.title = flk_text_join(title, sizeof title, branch_name, ": ", words, (char *)NULL);
+    }
+    if (!panel_draw(p, &plan))
+        return picture_no_rows(p, branch);
+    plan_columns(p, &plan, "omega2", branch, torques);
+    plan.y = "torque";
+    plan.n_key = 2;
+    panel_draw(p, &plan);
+    plan_columns(p, &plan, picture_over(p), branch, energy);
+    plan.n_key = 2;
+    plan.n_extremes = 1;
+    panel_draw(p, &plan);
+    return NULL;
 }

@@ -18,7 +18,7 @@
 
 double figure_length(const picture *p, double si)
 {
-    return picture_value(p, QUANTITY_LENGTH, si);
+    return view_value(&p->v, QUANTITY_LENGTH, si);
 }
 
 fourlink_vector figure_point(const picture *p, fourlink_vector si)
@@ -29,11 +29,12 @@ fourlink_vector figure_point(const picture *p, fourlink_vector si)
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at)
 {
-    fourlink_vector place = *at;
+    return figure_point(p, geometry_of_link(state, link, at));
+}
 
-    if (link != FOURLINK_GROUND)
-        fourlink_point(state, link, at, &place, NULL, NULL);
-    return figure_point(p, place);
+fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name)
+{
+    return figure_point(p, tracks_vector(&r->numbers, name));
 }
 
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at)
@@ -48,63 +49,34 @@ void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourli
     }
 }
 
-/* A link's second pin. */
-static fourlink_vector end_of(const picture *p, const fourlink_state *state, int link)
-{
-    fourlink_vector at = place_at(p->design->link[link].length, 0);
-
-    return figure_of_link(p, state, link, &at);
-}
-
 figure_pins figure_place(const picture *p, const fourlink_state *state)
 {
     figure_pins pins;
 
     pins.A = figure_point(p, state->link[2].origin);
     pins.B = figure_point(p, state->link[3].origin);
-    pins.C = end_of(p, state, 3);
+    pins.C = figure_point(p, geometry_end(&p->v, state, FOURLINK_COUPLER));
     pins.D = figure_point(p, state->link[4].origin);
-    if (p->kind.has_stroke)
+    if (p->v.kind.has_stroke)
         pins.D.y = 0;
     return pins;
 }
 
-/* A point of the slide: so far along it from the foot of the perpendicular from D, and so far to its left. */
-static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along,
-                                double across)
+/* A point of the slide, in the deck's unit: so far along it. */
+static fourlink_vector on_slide(const picture *p, const fourlink_state *state, double along)
 {
-    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis;
-    fourlink_vector B = figure_point(p, state->link[FOURLINK_COUPLER].origin);
-
-    along -= figure_length(p, state->s);
-    return place_beside(B, along * u->x - across * u->y, along * u->y + across * u->x);
+    return figure_point(p, geometry_on_slide(state, view_si(&p->v, QUANTITY_LENGTH, along)));
 }
 
-/* C, or the foot itself: where the lever meets its slide. */
-static double root_of_slide(const picture *p)
+/* The way of what slides, with a margin at both ends. */
+static void find_way(const picture *p, fourlink_branch branch, double margin, double *from,
+                     double *to)
 {
-    return figure_length(p, p->design->link[FOURLINK_FOLLOWER].length * p->mechanism->lever.x);
-}
+    double near, far;
 
-/* The ends of the slot, which the slider needs with the crank at 0 and at 180 deg. */
-static void find_slot(const picture *p, const fourlink_state *state, double margin, double *from,
-                      double *to)
-{
-    const fourlink_link *link = p->design->link;
-    double sum = link[2].length + link[1].length, h = p->mechanism->h;
-    double near = p->mechanism->folded > 0 ? sqrt(p->mechanism->folded) : 0;
-    double far = sqrt(fabs((sum - h) * (sum + h)));
-
-    if (p->mechanism->change_folded)
-        near = -far;
-    *from = figure_length(p, near) - margin;
-    *to = figure_length(p, far) + margin;
-    if (state->branch == FOURLINK_CROSSED) {
-        double swap = -*from;
-
-        *from = -*to;
-        *to = swap;
-    }
+    geometry_find_way(&p->v, branch, &near, &far);
+    *from = figure_length(p, GSL_MIN_DBL(near, far)) - margin;
+    *to = figure_length(p, GSL_MAX_DBL(near, far)) + margin;
 }
 
 /* The place of tracer point i, its name and its link. */
@@ -113,23 +85,8 @@ static fourlink_vector tracer(const picture *p, const fourlink_state *state, uns
 {
     fourlink_vector at = {0, 0};
 
-    fourlink_deck_point(p->deck, i, name, link, &at);
+    fourlink_deck_point(p->v.deck, i, name, link, &at);
     return figure_of_link(p, state, *link, &at);
-}
-
-/* Make room for the ends of the springs. */
-static void include_springs(sketch *s, const picture *p, const fourlink_state *state)
-{
-    fourlink_spring spring;
-    unsigned long i;
-
-    for (i = 0; i < p->problem.n_springs; i++) {
-        fourlink_deck_spring(p->deck, i, NULL, &spring);
-        if (spring.is_torsional)
-            continue;
-        sketch_include(s, figure_of_link(p, state, spring.link, &spring.at));
-        sketch_include(s, figure_of_link(p, state, spring.to, &spring.to_at));
-    }
 }
 
 /* Make room for one position, and for the guide of a piston. */
@@ -137,25 +94,22 @@ static void include_position(sketch *s, const picture *p, const fourlink_state *
                              double margin)
 {
     figure_pins pins = figure_place(p, state);
-    unsigned long i;
-    const char *name;
-    int link;
+    double from, to;
+    tracks places;
+    int i;
 
-    sketch_include(s, pins.A);
-    sketch_include(s, pins.B);
+    tracks_find_places(&places, &p->v, state);
+    for (i = 0; i < places.n; i++)
+        if (tracks_is_outline(&places.list[i]))
+            sketch_include(s, figure_point(p, places.list[i].v));
     sketch_include(s, place_beside(pins.C, -margin, 0));
     sketch_include(s, place_beside(pins.C, margin, 0));
     sketch_include(s, pins.D);
-    if (p->kind.has_slot) {
-        double from, to;
-
-        find_slot(p, state, margin, &from, &to);
-        sketch_include(s, on_slide(p, state, from, 0));
-        sketch_include(s, on_slide(p, state, to, 0));
+    if (p->v.kind.has_slot) {
+        find_way(p, state->branch, margin, &from, &to);
+        sketch_include(s, on_slide(p, state, from));
+        sketch_include(s, on_slide(p, state, to));
     }
-    for (i = 0; i < p->problem.n_points; i++)
-        sketch_include(s, tracer(p, state, i, &name, &link));
-    include_springs(s, p, state);
 }
 
 /* Make room for all positions of a branch. */
@@ -169,8 +123,8 @@ static void include_all(sketch *s, const picture *p, fourlink_branch branch, dou
         if (picture_state(p, branch, k, STEPS, &now) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
     /* of a motion that the samples miss */
-    for (i = 0; i < p->range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
-        if (fourlink_results_row(p->results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
+    for (i = 0; i < p->v.range.n_rows && s->drawn.x_max < s->drawn.x_min; i++)
+        if (fourlink_results_row(p->v.results, branch, i, NULL, &now, NULL) == FOURLINK_OK)
             include_position(s, p, &now.state, margin);
 }
 
@@ -180,7 +134,7 @@ void figure_open(sketch *s, picture *p, fourlink_branch branch, int all_of_it)
     include_all(s, p, branch, 0);
     s->size = GSL_MAX_DBL(s->drawn.x_max - s->drawn.x_min, s->drawn.y_max - s->drawn.y_min);
     if (all_of_it) {
-        if (p->kind.has_stroke || p->kind.has_slot)
+        if (p->v.kind.has_stroke || p->v.kind.has_slot)
             include_all(s, p, branch, 2 * PISTON_X * s->size);
         s->is_fixed = 1;
     } else {
@@ -193,29 +147,27 @@ void figure_frame(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     sketch_support(s, pins.A);
-    if (!p->kind.has_stroke) {
+    if (!p->v.kind.has_stroke) {
         sketch_support(s, pins.D);
         sketch_line(s, PEN_CONSTRUCTION, pins.A, pins.D);
     } else {
-        double reach = figure_length(p, p->mechanism->dead_centre), edge = 1.5 * PISTON_X * s->size;
-        double near = figure_length(p, picture_outer_end(p->mechanism)) - edge;
-        double far = reach + edge, h = PISTON_Y * s->size;
-        double y = figure_length(p, p->design->offset);
-        int is_open = state->branch == FOURLINK_OPEN;
+        double h = PISTON_Y * s->size, y = figure_length(p, p->v.design->offset), from, to;
 
-        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y - h, -1);
-        sketch_ground(s, is_open ? near : -far, is_open ? far : -near, y + h, 1);
+        find_way(p, state->branch, 1.5 * PISTON_X * s->size, &from, &to);
+        sketch_ground(s, from, to, y - h, -1);
+        sketch_ground(s, from, to, y + h, 1);
     }
 }
 
-void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
+/* Draw a rectangle along an axis, from one distance to another, around the line through a place. */
+static void put_rectangle(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis,
+                          double from, double to, double half)
 {
-    double x = PISTON_X * s->size, y = PISTON_Y * s->size;
     fourlink_vector corner[5];
     int i;
 
     for (i = 0; i < 5; i++) {
-        double along = i == 1 || i == 2 ? x : -x, across = i == 2 || i == 3 ? y : -y;
+        double along = i == 1 || i == 2 ? to : from, across = i == 2 || i == 3 ? half : -half;
 
         corner[i] = place_beside(at, along * axis->x - across * axis->y,
                                  along * axis->y + across * axis->x);
@@ -224,22 +176,24 @@ void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vecto
         sketch_line(s, kind, corner[i], corner[i + 1]);
 }
 
+void figure_piston(sketch *s, pen kind, fourlink_vector at, const fourlink_vector *axis)
+{
+    double half = PISTON_X * s->size;
+
+    put_rectangle(s, kind, at, axis, -half, half, PISTON_Y * s->size);
+}
+
 void figure_lever(sketch *s, const picture *p, const fourlink_state *state, pen kind)
 {
-    double half = PISTON_Y * s->size, root = root_of_slide(p), from, to;
-    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin), corner[5];
-    int i;
+    fourlink_vector D = figure_point(p, state->link[FOURLINK_FOLLOWER].origin);
+    double root = figure_length(p, geometry_root(&p->v)), from, to;
 
-    find_slot(p, state, 1.5 * PISTON_X * s->size, &from, &to);
-    for (i = 0; i < 5; i++)
-        corner[i] =
-            on_slide(p, state, i == 1 || i == 2 ? to : from, i == 2 || i == 3 ? half : -half);
-    for (i = 0; i < 4; i++)
-        sketch_line(s, kind, corner[i], corner[i + 1]);
-    sketch_line(s, kind, D, on_slide(p, state, root, 0));
+    find_way(p, state->branch, 1.5 * PISTON_X * s->size, &from, &to);
+    put_rectangle(s, kind, on_slide(p, state, 0), &state->link[FOURLINK_COUPLER].axis, from, to,
+                  PISTON_Y * s->size);
+    sketch_line(s, kind, D, on_slide(p, state, root));
     if (root < from || root > to)
-        sketch_line(s, kind, on_slide(p, state, root, 0),
-                    on_slide(p, state, root < from ? from : to, 0));
+        sketch_line(s, kind, on_slide(p, state, root), on_slide(p, state, root < from ? from : to));
 }
 
 void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pen kind)
@@ -247,13 +201,13 @@ void figure_outline(sketch *s, const picture *p, const fourlink_state *state, pe
     figure_pins pins = figure_place(p, state);
 
     sketch_line(s, kind ? kind : PEN_CRANK, pins.A, pins.B);
-    if (p->kind.has_slot) {
+    if (p->v.kind.has_slot) {
         figure_piston(s, kind ? kind : PEN_COUPLER, pins.B, &state->link[FOURLINK_COUPLER].axis);
         figure_lever(s, p, state, kind ? kind : PEN_FOLLOWER);
         return;
     }
     sketch_line(s, kind ? kind : PEN_COUPLER, pins.B, pins.C);
-    if (p->kind.has_stroke)
+    if (p->v.kind.has_stroke)
         figure_piston(s, kind ? kind : PEN_FOLLOWER, pins.C, &state->link[FOURLINK_FOLLOWER].axis);
     else
         sketch_line(s, kind ? kind : PEN_FOLLOWER, pins.D, pins.C);
@@ -267,7 +221,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     const char *name;
     int n = 0, on;
 
-    for (i = 0; i < p->problem.n_points; i++) {
+    for (i = 0; i < p->v.problem.n_points; i++) {
         at = tracer(p, state, i, &name, &on);
         if (on == link)
             corners[n++] = at;
@@ -275,7 +229,7 @@ static void put_points(sketch *s, const picture *p, const fourlink_state *state,
     if (n == 0)
         return;
     corners[n++] = figure_point(p, state->link[link].origin);
-    corners[n++] = end_of(p, state, link);
+    corners[n++] = figure_point(p, geometry_end(&p->v, state, link));
     sketch_hull(s, (pen)link, corners, n);
 }
 
@@ -289,17 +243,17 @@ static void put_links(sketch *s, const picture *p, const fourlink_state *state)
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         put_points(s, p, state, link);
     figure_outline(s, p, state, PEN_OF_LINK);
-    for (i = 0; i < p->problem.n_points; i++) {
+    for (i = 0; i < p->v.problem.n_points; i++) {
         fourlink_vector at = tracer(p, state, i, &name, &link);
 
         sketch_dot(s, at);
         sketch_text(s, at, 0.8, 0.8, name);
     }
-    if (!p->kind.has_stroke)
+    if (!p->v.kind.has_stroke)
         sketch_pin(s, pins.D);
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (p->design->link[link].mass > 0)
-            sketch_centre(s, figure_of_link(p, state, link, &p->design->link[link].cg));
+        if (p->v.design->link[link].mass > 0)
+            sketch_centre(s, figure_of_link(p, state, link, &p->v.design->link[link].cg));
     sketch_pin(s, pins.A);
     sketch_pin(s, pins.B);
     sketch_pin(s, pins.C);
@@ -328,13 +282,13 @@ static void put_letters(sketch *s, const picture *p, const fourlink_state *state
 
     figure_letter(s, pins.A, pins.B, pins.B, "A");
     figure_letter(s, pins.B, pins.A, pins.C, "B");
-    if (p->kind.has_slot) {
-        fourlink_vector C = on_slide(p, state, root_of_slide(p), 0);
+    if (p->v.kind.has_slot) {
+        fourlink_vector C = figure_point(p, geometry_on_slide(state, geometry_root(&p->v)));
 
-        if (p->design->link[FOURLINK_FOLLOWER].length > 0)
+        if (p->v.design->link[FOURLINK_FOLLOWER].length > 0)
             figure_letter(s, C, pins.D, pins.B, "C");
         figure_letter(s, pins.D, pins.B, pins.B, "D");
-    } else if (p->kind.has_stroke) {
+    } else if (p->v.kind.has_stroke) {
         figure_letter(s, pins.C, pins.B, pins.B, "C");
     } else {
         figure_letter(s, pins.C, pins.B, pins.D, "C");
@@ -353,7 +307,7 @@ static void put_angle(sketch *s, const picture *p, fourlink_vector at, double an
     sketch_line(s, PEN_CONSTRUCTION, at, place_beside(at, 1.5 * radius, 0));
     sketch_arc(s, PEN_CONSTRUCTION, at, radius, GSL_MIN_DBL(angle, 0), GSL_MAX_DBL(angle, 0));
     flk_text_join(words, sizeof words, name, " = ",
-                  picture_mark(p, picture_value(p, QUANTITY_ANGLE, angle), 4, number),
+                  picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, angle), 4, number),
                   (char *)NULL);
     sketch_note(s, words);
     sketch_text(s, place_beside(at, radius * cos(half), radius * sin(half)), 0.5,
@@ -365,9 +319,9 @@ static void put_angles(sketch *s, const picture *p, const fourlink_state *state)
     figure_pins pins = figure_place(p, state);
 
     put_angle(s, p, pins.A, fmod(state->link[2].theta, 2 * M_PI), 0.09, THETA SUB_2);
-    if (!p->kind.has_slot || p->design->angle != 0)
+    if (!p->v.kind.has_slot || p->v.design->angle != 0)
         put_angle(s, p, pins.B, state->link[3].theta, 0.13, THETA SUB_3);
-    if (!p->kind.has_stroke)
+    if (!p->v.kind.has_stroke)
         put_angle(s, p, pins.D, state->link[4].theta, 0.09, THETA SUB_4);
 }
 
@@ -385,19 +339,17 @@ void figure_slope(sketch *s, const picture *p)
 
     if (slope == 0)
         return;
-    picture_mark(p, picture_value(p, QUANTITY_ANGLE, slope), 4, number);
+    picture_mark(p, view_value(&p->v, QUANTITY_ANGLE, slope), 4, number);
     sketch_note(s, flk_text_join(words, sizeof words, "x rises at ", number, (char *)NULL));
 }
 
 void figure_gravity(sketch *s, const picture *p)
 {
-    const fourlink_design *d = p->design;
     double left = s->drawn.x_min - 0.05 * s->size, top = s->drawn.y_max;
     fourlink_vector to = place_at(left, top - 0.12 * s->size), axis;
 
     sketch_turn(s, 0);
-    if ((d->gravity.x != 0 || d->gravity.y != 0) &&
-        (d->link[2].mass > 0 || d->link[3].mass > 0 || d->link[4].mass > 0)) {
+    if (geometry_has_weight(&p->v)) {
         sketch_arrow(s, PEN_LOAD, place_at(left, top), to);
         sketch_text(s, to, -1, 0.5, "g");
     }
@@ -422,7 +374,7 @@ void figure_draw(sketch *s, const picture *p, const fourlink_state *state, int h
 static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsigned long i,
                      int until)
 {
-    int is_tracer = i < p->problem.n_points, link = FOURLINK_FOLLOWER, k;
+    int is_tracer = i < p->v.problem.n_points, link = FOURLINK_FOLLOWER, k;
     fourlink_instant now;
     const char *name = "C";
     fourlink_vector at;
@@ -430,7 +382,7 @@ static void put_path(sketch *s, const picture *p, fourlink_branch branch, unsign
     int p_of = !is_tracer ? PEN_CONSTRUCTION : i == 0 ? PEN_PATH : PEN_COUNT - 1 + (int)i;
 
     if (is_tracer)
-        fourlink_deck_point(p->deck, i, &name, &link, &at);
+        fourlink_deck_point(p->v.deck, i, &name, &link, &at);
     flk_text_join(title, sizeof title, "path of ", name, (char *)NULL);
     sketch_curve(s, (pen)p_of, title);
     for (k = 0; k * (PICTURE_STEPS / STEPS) <= until; k++) {
@@ -448,11 +400,11 @@ void figure_paths(sketch *s, const picture *p, fourlink_branch branch, int until
 {
     unsigned long i;
 
-    if (p->range.n_rows < 2)
+    if (p->v.range.n_rows < 2)
         return;
-    if (!p->kind.has_slot)
-        put_path(s, p, branch, p->problem.n_points, until);
-    for (i = 0; i < p->problem.n_points; i++)
+    if (!p->v.kind.has_slot)
+        put_path(s, p, branch, p->v.problem.n_points, until);
+    for (i = 0; i < p->v.problem.n_points; i++)
         put_path(s, p, branch, i, until);
 }
 
@@ -460,10 +412,10 @@ void figure_close(sketch *s, const picture *p, const fourlink_instant *now, cons
 {
     char title[200 + PICTURE_MARK], number[PICTURE_MARK], time[PICTURE_WORDS] = "";
 
-    if (p->problem.by_time)
+    if (p->v.problem.by_time)
         picture_words(p, "t", now->row.time, QUANTITY_TIME, time);
     flk_text_join(title, sizeof title, before, fourlink_branch_text(now->branch),
                   ", " THETA SUB_2 " = ", picture_mark(p, now->row.angle, 7, number),
                   time[0] ? ", " : "", time, (char *)NULL);
-    sketch_close(s, title, p->units[QUANTITY_LENGTH].name);
+    sketch_close(s, title, p->v.units[QUANTITY_LENGTH].name);
 }

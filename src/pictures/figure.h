@@ -7,6 +7,7 @@
 
 #include "picture.h"
 #include "sketch.h"
+#include "view/geometry.h"
 
 /* The pins: A crankshaft, B crank pin, C, and D, which is the foot of C on the x axis in a slider-crank.  In
 ** an inverted slider-crank C, where links 3 and 4 meet, is B. */
@@ -23,6 +24,9 @@ fourlink_vector figure_point(const picture *p, fourlink_vector si);
 /* The place of a point of a link or of the ground, given in m in the link's own axes. */
 fourlink_vector figure_of_link(const picture *p, const fourlink_state *state, int link,
                                const fourlink_vector *at);
+
+/* The place of a track. */
+fourlink_vector figure_track(const picture *p, const picture_row *r, const char *name);
 
 /* Draw thin lines from the pins of a link to a point that is off their line. */
 void figure_off(sketch *s, fourlink_vector first, fourlink_vector second, fourlink_vector at);

@@ -22,7 +22,7 @@ static double moment_on(const picture *p, const picture_row *r, unsigned long jo
     fourlink_load_info load;
     unsigned long i;
 
-    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
         if (load.sort == FOURLINK_LOAD_FRICTION && load.element == joint && load.link == link)
             return r->loads[i].torque;
     return 0;
@@ -35,7 +35,7 @@ friction_circle friction_circle_of(const picture *p, const picture_row *r, int j
     fourlink_friction friction;
     friction_circle x = {0, 0};
 
-    fourlink_deck_friction(p->deck, &friction);
+    fourlink_deck_friction(p->v.deck, &friction);
     x.radius = figure_length(p, friction.circle[joint]);
     if (size > 0)
         x.arm = figure_length(p, moment_on(p, r, (unsigned long)joint, link) / size);

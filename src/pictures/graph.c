@@ -68,8 +68,8 @@ int graph_column(const picture *p, const char *name)
 {
     unsigned long i;
 
-    for (i = 0; i < p->n_columns; i++)
-        if (strcmp(p->columns[i].name, name) == 0)
+    for (i = 0; i < p->v.n_columns; i++)
+        if (strcmp(p->v.columns[i].name, name) == 0)
             return (int)i;
     return -1;
 }
@@ -96,12 +96,14 @@ static double go_on(double value, double last, double turn)
 /* 1 if the motion is one revolution that ends with the position and speed of its beginning. */
 static int is_periodic(const picture *p)
 {
-    const fourlink_motion *motion = &p->problem.motion;
+    const fourlink_motion *motion = &p->v.problem.motion;
 
-    return p->problem.one_revolution &&
-           (p->problem.mode == FOURLINK_MODE_GIVEN || p->problem.mode == FOURLINK_MODE_STEADY) &&
-           motion->run_up <= 0 && !p->range.stops && (motion->acceleration == 0 || motion->hold) &&
-           p->mechanism->change_stretched == p->mechanism->change_folded;
+    return p->v.problem.one_revolution &&
+           (p->v.problem.mode == FOURLINK_MODE_GIVEN ||
+            p->v.problem.mode == FOURLINK_MODE_STEADY) &&
+           motion->run_up <= 0 && !p->v.range.stops &&
+           (motion->acceleration == 0 || motion->hold) &&
+           p->v.mechanism->change_stretched == p->v.mechanism->change_folded;
 }
 
 /* The sample after the last gap of a revolution, and the value from which an angle continues there, so that
@@ -134,29 +136,29 @@ static double rounding_of_torques(const picture *p, fourlink_branch branch)
     fourlink_instant now;
     int k;
 
-    for (k = 0; k <= PICTURE_STEPS && p->problem.mode != FOURLINK_MODE_GIVEN; k++)
+    for (k = 0; k <= PICTURE_STEPS && p->v.problem.mode != FOURLINK_MODE_GIVEN; k++)
         if (graph_sample(p, branch, k, values, &now))
-            largest = GSL_MAX_DBL(largest, picture_torque_rounding(p, &now.forces));
+            largest = GSL_MAX_DBL(largest, view_torque_rounding(&p->v, &now.forces));
     return largest;
 }
 
 /* What is smaller is rounding: a motion of the crank alone is the measure, and of torques the forces on it. */
 static double rounding_of(const picture *p, fourlink_branch branch, int y)
 {
-    double length = p->design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch);
-    const char *of = p->columns[y].quantity;
+    double length = p->v.design->link[FOURLINK_CRANK].length, omega = picture_speed_of(p, branch);
+    const char *of = p->v.columns[y].quantity;
     double size;
 
     if (strcmp(of, "torque") == 0)
-        return picture_value(p, QUANTITY_TORQUE, rounding_of_torques(p, branch));
+        return view_value(&p->v, QUANTITY_TORQUE, rounding_of_torques(p, branch));
     if (strcmp(of, "angular_speed") == 0)
-        size = picture_value(p, QUANTITY_ANGULAR_SPEED, omega);
+        size = view_value(&p->v, QUANTITY_ANGULAR_SPEED, omega);
     else if (strcmp(of, "angular_acceleration") == 0)
-        size = picture_value(p, QUANTITY_ANGULAR_ACCELERATION, omega * omega);
+        size = view_value(&p->v, QUANTITY_ANGULAR_ACCELERATION, omega * omega);
     else if (strcmp(of, "speed") == 0)
-        size = picture_value(p, QUANTITY_SPEED, omega * length);
+        size = view_value(&p->v, QUANTITY_SPEED, omega * length);
     else if (strcmp(of, "acceleration") == 0)
-        size = picture_value(p, QUANTITY_ACCELERATION, omega * omega * length);
+        size = view_value(&p->v, QUANTITY_ACCELERATION, omega * omega * length);
     else
         return 0;
     return 1e-12 * fabs(size);
@@ -165,10 +167,10 @@ static double rounding_of(const picture *p, fourlink_branch branch, int y)
 /* A full turn of an angle that is followed, in its unit; 0 for another column. */
 static double turn_of(const picture *p, int column)
 {
-    const fourlink_value *c = &p->columns[column];
+    const fourlink_value *c = &p->v.columns[column];
 
     return strcmp(c->quantity, "angle") == 0 && !(c->flags & FOURLINK_CRANK_ANGLE)
-               ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI)
+               ? view_value(&p->v, QUANTITY_ANGLE, 2 * M_PI)
                : 0;
 }
 
@@ -223,21 +225,6 @@ void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_
     }
 }
 
-void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-               graph_extent *e, graph_line *line)
-{
-    int k;
-
-    graph_follow(p, branch, x, y, e, line);
-    fprintf(p->on.out, "$%s_%s << EOD\n", name, fourlink_branch_text(branch));
-    for (k = 0; k <= PICTURE_STEPS; k++)
-        if (gsl_isnan(line->y[k]))
-            putc('\n', p->on.out);
-        else
-            canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
-    fputs("EOD\n", p->on.out);
-}
-
 static double distance(fourlink_vector p, fourlink_vector q, fourlink_vector size)
 {
     return gsl_hypot((q.x - p.x) / size.x, (q.y - p.y) / size.y);
@@ -252,11 +239,11 @@ int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, four
     fourlink_vector at;
     int k;
 
-    if (p->problem.by_time || step < LARGE)
+    if (p->v.problem.by_time || step < LARGE)
         return 0;
     for (k = 0; k < HALVINGS; k++) {
         middle = (low + high) / 2;
-        if (fourlink_results_at(p->results, branch, middle, values, &now, NULL) != FOURLINK_OK ||
+        if (fourlink_results_at(p->v.results, branch, middle, values, &now, NULL) != FOURLINK_OK ||
             now.state.mu < 1e-3)
             return 0;
         at.x = go_on(values[x], from->x, x_turn);
@@ -291,15 +278,9 @@ double graph_angle_step(const picture *p, double span)
     double least = 6 * CANVAS_LETTER * span / p->on.box_width;
     size_t i;
 
-    if (strcmp(p->units[QUANTITY_ANGLE].name, "deg") == 0)
+    if (strcmp(p->v.units[QUANTITY_ANGLE].name, "deg") == 0)
         for (i = 0; i < sizeof parts / sizeof parts[0]; i++)
             if (parts[i] >= least)
                 return least < 2 ? place_round(least) : parts[i];
     return place_round(least);
-}
-
-void graph_plot(picture *p, fourlink_branch branch, const char *name, int line)
-{
-    fprintf(p->on.out, "%s $%s_%s using 1:2 with lines lt %d title ", p->on.curves++ ? "," : "plot",
-            name, fourlink_branch_text(branch), line);
 }

@@ -49,10 +49,6 @@ void graph_extend_x(graph_extent *e, const graph_line *line);
 void graph_follow(const picture *p, fourlink_branch branch, int x, int y, graph_extent *e,
                   graph_line *line);
 
-/* The same, written as $NAME_BRANCH. */
-void graph_put(const picture *p, fourlink_branch branch, const char *name, int x, int y,
-               graph_extent *e, graph_line *line);
-
 /* Look for a jump of column y over column x between two crank angles, where they are at `from` and `to`.  If
 ** there is one, and not over time, returns 1 and the ends of the jump.  `size` is that of the curve. */
 int graph_find_jump(const picture *p, fourlink_branch branch, int x, int y, fourlink_vector size,
@@ -63,8 +59,5 @@ void graph_widen(double *low, double *high, double part);
 
 /* The step of the numbers on the axis of crank angles, which depends on the width of the panel. */
 double graph_angle_step(const picture *p, double span);
-
-/* Plot a curve of the panel, up to its title, with gnuplot's line type `line`. */
-void graph_plot(picture *p, fourlink_branch branch, const char *name, int line);
 
 #endif

@@ -68,7 +68,7 @@ static fourlink_vector foot(fourlink_vector from, fourlink_vector on, fourlink_v
 static void construct_moments(const picture *p, const fourlink_state *state,
                               const fourlink_klein *lengths, construction *k)
 {
-    const fourlink_link *rod = &p->design->link[FOURLINK_COUPLER];
+    const fourlink_link *rod = &p->v.design->link[FOURLINK_COUPLER];
     double along = rod->cg.x / rod->length, across = rod->cg.y / rod->length, size, IY;
     fourlink_vector BN = place_at(k->N.x - k->B.x, k->N.y - k->B.y), gO;
 
@@ -79,7 +79,7 @@ static void construct_moments(const picture *p, const fourlink_state *state,
     k->I = place_at(k->C.x, k->C.x * k->B.y / k->B.x);
     k->is_near = gsl_hypot(k->I.x, k->I.y) < 3 * gsl_hypot(k->C.x, k->C.y);
     k->G = figure_of_link(p, state, FOURLINK_COUPLER, &rod->cg);
-    k->X = foot(k->I, k->G, p->design->gravity);
+    k->X = foot(k->I, k->G, p->v.design->gravity);
     k->g = place_beside(k->B, along * BN.x - across * BN.y, along * BN.y + across * BN.x);
     gO = place_at(k->O.x - k->g.x, k->O.y - k->g.y);
     size = gsl_hypot(gO.x, gO.y);
@@ -91,7 +91,7 @@ static void construct_moments(const picture *p, const fourlink_state *state,
 /* Note a length of the drawing; rounding, compared with the rod's length, is 0. */
 static void put_length(sketch *s, const picture *p, const char *name, double length)
 {
-    int is_rounding = fabs(length) < 1e-12 * p->design->link[FOURLINK_COUPLER].length;
+    int is_rounding = fabs(length) < 1e-12 * p->v.design->link[FOURLINK_COUPLER].length;
 
     figure_note(s, p, name, is_rounding ? 0 : length, QUANTITY_LENGTH);
 }
@@ -157,7 +157,7 @@ static void draw_whole(sketch *s, const picture *p, const fourlink_state *state,
 /* Draw the crank enlarged, with the beginning of the rod. */
 static void put_inset(picture *p, const construction *k, double rod)
 {
-    double crank = figure_length(p, p->design->link[FOURLINK_CRANK].length);
+    double crank = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
     double x = (k->C.x - k->B.x) / rod, y = (k->C.y - k->B.y) / rod;
     sketch s;
 
@@ -169,7 +169,7 @@ static void put_inset(picture *p, const construction *k, double rod)
         sketch_line(&s, PEN_FORCE, k->g, k->O);
         figure_letter(&s, k->g, k->O, k->B, "g");
     }
-    sketch_close(&s, "at the crank, enlarged", p->units[QUANTITY_LENGTH].name);
+    sketch_close(&s, "at the crank, enlarged", p->v.units[QUANTITY_LENGTH].name);
 }
 
 static void draw_moments(sketch *s, const construction *k)
@@ -195,7 +195,7 @@ static void put_readings(sketch *s, const picture *p, const fourlink_state *stat
                          const fourlink_klein *lengths)
 {
     double omega = state->link[FOURLINK_CRANK].omega, square = omega * omega;
-    double rod = p->design->link[FOURLINK_COUPLER].length;
+    double rod = p->v.design->link[FOURLINK_COUPLER].length;
 
     figure_note(s, p, "v = " OMEGA SUB_2 " OM", omega * lengths->OM, QUANTITY_SPEED);
     figure_note(s, p, OMEGA SUB_3 " = " OMEGA SUB_2 " BM / BC", omega * lengths->BM / rod,
@@ -235,11 +235,11 @@ const char *picture_klein(picture *p, fourlink_branch branch)
     fourlink_instant now;
     construction k;
     sketch s;
-    double rod = figure_length(p, p->design->link[FOURLINK_COUPLER].length);
+    double rod = figure_length(p, p->v.design->link[FOURLINK_COUPLER].length);
     int status = picture_position(p, branch, &now, NULL);
 
     if (status == FOURLINK_OK)
-        status = fourlink_klein_construction(p->mechanism, &now.state, &lengths);
+        status = fourlink_klein_construction(p->v.mechanism, &now.state, &lengths);
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     construct(p, &now.state, &lengths, &k);

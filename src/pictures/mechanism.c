@@ -12,6 +12,20 @@
 /* The longest force arrow, as a fraction of the drawing. */
 #define LONGEST 0.22
 
+/* Add the forces of the pins, for the ground, or the loads on a link. */
+static void add_forces(arrow_list *arrows, const picture *p, const picture_row *r, int link)
+{
+    int i;
+
+    for (i = 0; i < r->drawn.n_forces; i++) {
+        const scene_force *f = &r->drawn.forces[i];
+
+        if (link == FOURLINK_GROUND ? f->sort == SCENE_PIN && f->sign > 0
+                                    : f->sort == SCENE_LOAD && f->on == link && !f->is_inner)
+            arrow_add_force(arrows, p, r, f);
+    }
+}
+
 /* Draw loads, weights and pin forces. */
 static void draw_forces(sketch *s, const picture *p, const picture_row *r)
 {
@@ -22,11 +36,8 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     int link, i;
 
     arrows.n = 0;
-    for (link = FOURLINK_GROUND; link < FOURLINK_FOLLOWER; link++)
-        arrow_add_joint(&arrows, p, r, link, link + 1);
-    arrow_add_joint(&arrows, p, r, FOURLINK_GROUND, FOURLINK_FOLLOWER);
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        arrow_add_loads(&arrows, p, r, link, 0);
+    for (link = FOURLINK_GROUND; link <= FOURLINK_FOLLOWER; link++)
+        add_forces(&arrows, p, r, link);
     if (arrows.n) {
         scale = LONGEST * s->size / arrow_largest(&arrows);
         arrow_draw(&arrows, s, p, scale);
@@ -34,26 +45,27 @@ static void draw_forces(sketch *s, const picture *p, const picture_row *r)
     }
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
         arrow_draw_load_torques(s, p, r, link, 0);
-    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft, picture_driving_torque(p, &r->now.forces));
+    arrow_draw_torque(s, p, PEN_FORCE, "Ts", crankshaft,
+                      view_driving_torque(&p->v, &r->now.forces));
     sketch_key(s, PEN_FORCE, "pin force, i on j");
     for (i = 0; i < arrows.n && arrows.list[i].kind != PEN_LOAD; i++)
         ;
     if (i < arrows.n)
         sketch_key(s, PEN_LOAD, "load or weight");
     sketch_note(s, "1 ground, 2 crank,");
-    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->kind.link[FOURLINK_COUPLER], ", 4 ",
-                                 p->kind.link[FOURLINK_FOLLOWER], (char *)NULL));
+    sketch_note(s, flk_text_join(words, sizeof words, "3 ", p->v.kind.link[FOURLINK_COUPLER],
+                                 ", 4 ", p->v.kind.link[FOURLINK_FOLLOWER], (char *)NULL));
 }
 
 /* Draw rows spread over the motion in grey. */
 static void draw_ghosts(sketch *s, const picture *p, fourlink_branch branch)
 {
-    unsigned long n = p->range.n_rows, i, row;
+    unsigned long n = p->v.range.n_rows, i, row;
     fourlink_instant now;
 
     for (i = 0; n > 1 && i < GHOSTS; i++) {
         row = (unsigned long)((double)(n - 1) * (double)i / GHOSTS);
-        if (fourlink_results_row(p->results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
+        if (fourlink_results_row(p->v.results, branch, row, NULL, &now, NULL) == FOURLINK_OK)
             figure_outline(s, p, &now.state, PEN_GHOST);
     }
 }
@@ -66,7 +78,7 @@ static void draw_others(sketch *s, const picture *p, fourlink_branch branch)
     int k;
 
     for (k = 1; k < p->n_angles; k++)
-        if (fourlink_results_at(p->results, branch, p->angles[k], NULL, &now, NULL) ==
+        if (fourlink_results_at(p->v.results, branch, p->angles[k], NULL, &now, NULL) ==
             FOURLINK_OK) {
             figure_pins pins = figure_place(p, &now.state);
 
@@ -83,7 +95,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
 {
     picture_row r;
     sketch s;
-    int status = picture_position(p, branch, &r.now, r.loads);
+    int status = picture_row_find(p, branch, &r);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
@@ -95,7 +107,7 @@ const char *picture_mechanism(picture *p, fourlink_branch branch)
     draw_others(&s, p, branch);
     figure_draw(&s, p, &r.now.state, 1);
     spring_draw(&s, p, &r.now.state, 1);
-    if (p->problem.has_forces)
+    if (p->v.problem.has_forces)
         draw_forces(&s, p, &r);
     figure_gravity(&s, p);
     figure_close(&s, p, &r.now, "");

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include "panel.h"
 
@@ -14,10 +16,15 @@
 #define X_BORDER 0.03 /* of the range, at its ends */
 #define X_LETTERS 7   /* between the numbers of the x axis */
 
+/* The frame of an unbounded value has the part of its samples from SMALL to LARGE, and some of that more. */
+#define SMALL 0.1
+#define LARGE 0.9
+#define MORE 0.25
+
 /* The step of the numbers on the x axis of another column. */
 static double x_step(const picture *p, const panel *q, double span)
 {
-    return strcmp(p->columns[q->x_column].quantity, "angle") == 0
+    return strcmp(p->v.columns[q->x_column].quantity, "angle") == 0
                ? graph_angle_step(p, span)
                : place_round(X_LETTERS * CANVAS_LETTER * span / p->on.box_width);
 }
@@ -25,7 +32,7 @@ static double x_step(const picture *p, const panel *q, double span)
 /* Mark the deck's one instant in a picture of its cycle, over the crank angle. */
 static void put_instant(const picture *p, panel *q)
 {
-    double from = p->problem.motion.from, cycle = p->end - from, angle = p->instant;
+    double from = p->v.problem.motion.from, cycle = p->v.end - from, angle = p->instant;
     char words[PICTURE_MARK + 10], number[PICTURE_MARK];
     double half, x;
 
@@ -46,7 +53,7 @@ static void put_instant(const picture *p, panel *q)
 /* The same on curves over another column. */
 static void put_instants(const picture *p, panel *q)
 {
-    double from = p->problem.motion.from, cycle = p->end - from, part;
+    double from = p->v.problem.motion.from, cycle = p->v.end - from, part;
     int i, k;
 
     if (!p->has_instant || cycle == 0)
@@ -113,9 +120,10 @@ static void keep_clear(panel *q)
     }
 }
 
-void panel_range(const picture *p, panel *q)
+/* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
+static void put_ranges(const picture *p, panel *q)
 {
-    double low, high, from = p->problem.motion.from, to = p->end;
+    double low, high, from = p->v.problem.motion.from, to = p->v.end;
 
     if (q->e.low > q->e.high)
         return;
@@ -142,14 +150,9 @@ void panel_range(const picture *p, panel *q)
         put_instants(p, q);
 }
 
-void panel_begin(picture *p, panel *q, int n)
+static void begin(picture *p, panel *q, int x, int n)
 {
-    panel_begin_over(p, q, 0, n);
-}
-
-void panel_begin_over(picture *p, panel *q, int x, int n)
-{
-    double from = p->problem.motion.from;
+    double from = p->v.problem.motion.from;
 
     q->x_column = x;
     q->e = q->x = graph_nothing;
@@ -159,8 +162,8 @@ void panel_begin_over(picture *p, panel *q, int x, int n)
     canvas_key(&p->on);
     canvas_grid(&p->on);
     if (picture_is_over_angle(p, q->x_column))
-        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->end,
-                     graph_angle_step(p, fabs(p->end - from)));
+        canvas_print(&p->on, "set xrange [%.8g:%.8g]\nset xtics %.6g\n", from, p->v.end,
+                     graph_angle_step(p, fabs(p->v.end - from)));
 }
 
 /* The value on a curve at an angle that is the same but for whole turns. */
@@ -192,17 +195,20 @@ static void put_extreme(const picture *p, panel *q, double value, double angle, 
                      middle.y, line);
 }
 
-void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
+/* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are
+** in the panel; what is rounding compared with the curves is 0. */
+static void put_extremes(const picture *p, panel *q, int y, int branch, int i)
 {
-    const fourlink_value *column = &p->columns[y];
+    const fourlink_value *column = &p->v.columns[y];
     int is_cut = graph_is_cut(&q->e), k, is_angle = strcmp(column->quantity, "angle") == 0;
-    double turn = is_angle ? picture_value(p, QUANTITY_ANGLE, 2 * M_PI) : 0, value, first = GSL_NAN;
+    double turn = is_angle ? view_value(&p->v, QUANTITY_ANGLE, 2 * M_PI) : 0, value,
+           first = GSL_NAN;
     double size = GSL_MAX_DBL(fabs(q->e.low), fabs(q->e.high));
     fourlink_value found;
 
     for (k = 0; k < 2 && picture_is_over_angle(p, q->x_column); k++) {
-        if (fourlink_results_get(p->results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
-                                 p->branches[branch], 0, &found) != FOURLINK_OK ||
+        if (fourlink_results_get(p->v.results, column->handle + (k ? FOURLINK_MIN : FOURLINK_MAX),
+                                 p->v.branches[branch], 0, &found) != FOURLINK_OK ||
             !gsl_finite(found.value) ||
             (is_cut && (found.value < q->e.sound_low || found.value > q->e.sound_high)))
             continue;
@@ -213,4 +219,160 @@ void panel_extremes(const picture *p, panel *q, int y, int branch, int i)
             put_extreme(p, q, value, found.angle, k, i + 1);
         first = value;
     }
+}
+
+/* ------------------------------------------------------------------------------------------- panels */
+
+/* 1 for x or y of a point, such as P.x or I13y. */
+static int is_coordinate(const fourlink_value *column)
+{
+    size_t n = strlen(column->name);
+
+    return strcmp(column->quantity, "length") == 0 && n > 2 &&
+           (column->name[n - 1] == 'x' || column->name[n - 1] == 'y');
+}
+
+static int is_unbounded(const picture *p, int column, int i)
+{
+    fourlink_value found;
+    int which;
+
+    for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++)
+        if (fourlink_results_get(p->v.results, p->v.columns[column].handle + which,
+                                 p->v.branches[i], 0, &found) == FOURLINK_OK &&
+            gsl_isinf(found.value))
+            return 1;
+    return 0;
+}
+
+/* Cut an axis where its values are unbounded. */
+static void cut(panel *q, graph_extent *e, int of_x)
+{
+    double values[PANEL_CURVES * (PICTURE_STEPS + 1)], low, high;
+    size_t n = 0;
+    int i, k;
+
+    for (i = 0; i < q->n; i++)
+        for (k = 0; k <= PICTURE_STEPS; k++)
+            if (!gsl_isnan(q->line[i].y[k]))
+                values[n++] = of_x ? q->line[i].x[k] : q->line[i].y[k];
+    if (n == 0 || graph_is_cut(e))
+        return;
+    gsl_sort(values, 1, n);
+    low = gsl_stats_quantile_from_sorted_data(values, 1, n, SMALL);
+    high = gsl_stats_quantile_from_sorted_data(values, 1, n, LARGE);
+    graph_cut(e, low - MORE * (high - low), high + MORE * (high - low));
+    q->is_unbounded = 1;
+}
+
+#define PANEL_NAME 40
+
+/* The name of a curve's data, and of its column in the key. */
+static const char *name_of(const picture *p, const panel_plan *plan, int i, char out[PANEL_NAME])
+{
+    char number[FORMAT_SIZE];
+
+    if (!plan->is_free)
+        return p->v.columns[plan->column[i]].name;
+    return flk_text_join(out, PANEL_NAME, "c", format_general(plan->column[i], 9, number),
+                         (char *)NULL);
+}
+
+static const char *short_name(const picture *p, int column, char out[200])
+{
+    return canvas_shorten(p->v.columns[column].name, PANEL_LETTERS, 0, out, 200);
+}
+
+/* Write a curve, with breaks at its jumps. */
+static void put_curve(const picture *p, const panel *q, const panel_plan *plan, int i)
+{
+    fourlink_branch branch = p->v.branches[plan->branch[i]];
+    char name[PANEL_NAME];
+    const graph_line *line = &q->line[i];
+    fourlink_vector size = place_at(graph_span(&q->x), graph_span(&q->e)), from, to;
+    int k;
+
+    canvas_print(&p->on, "$%s_%s << EOD\n", name_of(p, plan, i, name),
+                 fourlink_branch_text((int)branch));
+    for (k = 0; k <= PICTURE_STEPS; k++) {
+        if (gsl_isnan(line->y[k])) {
+            canvas_print(&p->on, "\n");
+            continue;
+        }
+        to = place_at(line->x[k], line->y[k]);
+        if (plan->is_free && k > 0 && !gsl_isnan(line->y[k - 1])) {
+            from = place_at(line->x[k - 1], line->y[k - 1]);
+            if (graph_find_jump(p, branch, plan->x, plan->column[i], size,
+                                picture_angle(p, k - 1, PICTURE_STEPS),
+                                picture_angle(p, k, PICTURE_STEPS), &from, &to))
+                canvas_print(&p->on, "%.8g %.8g\n\n%.8g %.8g\n", from.x, from.y, to.x, to.y);
+        }
+        canvas_print(&p->on, "%.8g %.8g\n", line->x[k], line->y[k]);
+    }
+    canvas_print(&p->on, "EOD\n");
+}
+
+/* Sample the curves and find their frame. */
+static void sample(picture *p, panel *q, const panel_plan *plan)
+{
+    int unbounded = 0, x_unbounded = 0, i;
+
+    q->to_scale = plan->is_free && is_coordinate(&p->v.columns[plan->x]);
+    for (i = 0; i < plan->n; i++) {
+        int branch = plan->branch[i], column = plan->column[i];
+
+        graph_follow(p, p->v.branches[branch], plan->x, column, &q->e, &q->line[i]);
+        graph_extend_x(&q->x, &q->line[i]);
+        q->n = i + 1;
+        unbounded = unbounded || (plan->is_free && is_unbounded(p, column, branch));
+        x_unbounded = x_unbounded || (plan->is_free && is_unbounded(p, plan->x, branch));
+        q->to_scale = q->to_scale && is_coordinate(&p->v.columns[column]);
+    }
+    if (unbounded)
+        cut(q, &q->e, 0);
+    if (x_unbounded)
+        cut(q, &q->x, 1);
+}
+
+void panel_plan_begin(panel_plan *plan, int x)
+{
+    memset(plan, 0, sizeof *plan);
+    plan->x = x;
+    plan->n_key = 1;
+    plan->title = "";
+    plan->mean = GSL_NAN;
+}
+
+int panel_draw(picture *p, const panel_plan *plan)
+{
+    char x[200], words[200], name[PANEL_NAME];
+    int i;
+    panel q;
+
+    begin(p, &q, plan->x, plan->n_key);
+    if (plan->n == 0)
+        return 0;
+    sample(p, &q, plan);
+    for (i = 0; i < plan->n; i++)
+        put_curve(p, &q, plan, i);
+    canvas_titles(&p->on, plan->title, short_name(p, plan->x, x), p->v.columns[plan->x].unit,
+                  plan->y ? plan->y : short_name(p, plan->column[0], words),
+                  p->v.columns[plan->column[0]].unit);
+    put_ranges(p, &q);
+    for (i = 0; i < plan->n_extremes; i++)
+        if (q.line[i].n_points)
+            put_extremes(p, &q, plan->column[i], plan->branch[i], i);
+    for (i = 0; i < plan->n; i++)
+        if (q.line[i].n_points) {
+            const char *branch = fourlink_branch_text((int)p->v.branches[plan->branch[i]]);
+
+            canvas_print(&p->on, "%s $%s_%s using 1:2 with lines lt %d title %q",
+                         p->on.curves++ ? "," : "plot", name_of(p, plan, i, name), branch,
+                         plan->line[i] ? plan->line[i] : i + 1,
+                         plan->by_branch ? branch : short_name(p, plan->column[i], words));
+        }
+    if (!gsl_isnan(plan->mean))
+        canvas_print(&p->on, ", %.8g with lines lt 2 title 'mean'", plan->mean);
+    canvas_print(&p->on, "\n");
+    return p->on.curves > 0;
 }

@@ -21,15 +21,26 @@ typedef struct panel {
     room r;
 } panel;
 
-/* Go on to the next panel, with a key of n curves; the same over another column than the first. */
-void panel_begin(picture *p, panel *q, int n);
-void panel_begin_over(picture *p, panel *q, int x, int n);
+#define PANEL_LETTERS 24 /* the longest name, in a key or beside an axis */
 
-/* Set the ranges, after the curves; mark the instant of a picture of its cycle. */
-void panel_range(const picture *p, panel *q);
+/* What a panel shows: columns on a branch, or one column on all branches. */
+typedef struct panel_plan {
+    int x; /* the column on the x axis */
+    int n, column[PANEL_CURVES], branch[PANEL_CURVES];
+    int line[PANEL_CURVES]; /* their line types, of gnuplot; 0: by their numbers */
+    int by_branch;          /* 1: the key names branches, otherwise columns */
+    int n_key;              /* so many curves are named in its key */
+    const char *title,
+        *y;         /* above the panel, "": nothing; beside the y axis, null: the column's name */
+    int n_extremes; /* of the first so many curves */
+    double mean;    /* a line; NaN: none */
+    int is_free;    /* 1: any columns, with their jumps; cut where a value is unbounded */
+} panel_plan;
 
-/* Over the crank angle, put the extremes of column y on this of the picture's branches, curve i, that are in the panel; what
-** is rounding compared with the curves is 0. */
-void panel_extremes(const picture *p, panel *q, int y, int branch, int i);
+/* Begin a plan over a column. */
+void panel_plan_begin(panel_plan *plan, int x);
+
+/* Draw the next panel; returns 0 if it has nothing to draw. */
+int panel_draw(picture *p, const panel_plan *plan);
 
 #endif

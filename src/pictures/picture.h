@@ -6,9 +6,8 @@
 #define FOURLINK_PICTURE_H
 
 #include "base/format.h"
-#include "base/units.h"
 #include "canvas.h"
-#include "fourlink.h"
+#include "view/scene.h"
 
 /* name; columns and rows of panels, 0: one for each branch; width and height of a panel in pixels; what it
 ** needs from the deck; the function that draws it; the columns it draws over the crank angle or over time, if
@@ -58,6 +57,9 @@ enum {
 #define PLOT_CODE(code, name, columns, rows, width, height, needs, draw, values, shows) PLOT_##code,
 typedef enum plot_kind { PLOT_LIST(PLOT_CODE) PLOT_COUNT } plot_kind;
 
+/* The columns of each kind, as in the list; null: none. */
+extern const char *const plot_values[];
+
 /* The kind of a file, by its name: .svg .png .pdf .txt .gif, and - for the terminal. */
 typedef enum plot_file {
     PLOT_SVG,
@@ -71,11 +73,12 @@ typedef enum plot_file {
 typedef struct plot_request {
     plot_kind kind;
     plot_file file;
-    const char *picture; /* the file that the script writes; null: to standard output */
-    const char *at;      /* the crank angles of --plot-at; null: it was not given */
-    const char *x;       /* the column of --plot-x; null: it was not given */
-    fourlink_results
-        *opened; /* of the deck, if its caller has opened it; null: it is opened here */
+    const char *picture;      /* the file that the script writes; null: to standard output */
+    const char *at;           /* the crank angles of --plot-at; null: it was not given */
+    const char *x;            /* the column of --plot-x; null: it was not given */
+    fourlink_results *opened; /* of the deck */
+    /* where the deck is kept, open with the columns of all kinds, for the next picture; null: it is not */
+    fourlink_results **kept;
 } plot_request;
 
 /* What a picture is called, and in a sentence what it shows; UTF-8, or not: whatever the deck has. */
@@ -94,43 +97,33 @@ typedef struct plot_caption {
 
 #define PICTURE_STEPS 720 /* of a motion */
 
-#define PICTURE_COLUMNS 25
+#define PICTURE_CURVES 24  /* of any columns */
+#define PICTURE_COLUMNS 40 /* of a picture; all kinds together have fewer */
 #define PICTURE_NAMES 2000 /* of columns */
 
 /* A picture in the making. */
 typedef struct picture {
     const plot_request *request;
     const fourlink_source *source;
-    const char
-        *values; /* the columns of its kind, of A|B the first that the deck has; null: none */
     canvas on;
-    fourlink_results *results;
-    const fourlink_deck *deck;
-    fourlink_problem problem;
-    const fourlink_mechanism *mechanism; /* of the problem */
-    const fourlink_design *design;
-    fourlink_kind_facts kind;
+    fourlink_results *own; /* opened for this picture; null: none */
+    view v;                /* its columns are those of the kind that the deck has */
     int has_inset; /* 1: in a picture of Klein's construction, the crank is drawn enlarged as well */
-    fourlink_branch branches[2];
-    int n_branches;
-    fourlink_range range;
-    int has_instant; /* 1: the deck asks for one instant, and the picture shows its cycle */
-    double instant;  /* its crank angle, in the deck's unit */
-    double end;      /* the last crank angle of the motion, in the deck's unit */
-    fourlink_unit units[QUANTITY_COUNT];
-    const fourlink_value *columns; /* the columns of its kind that the deck has */
-    unsigned long n_columns;
-    fourlink_load *loads;             /* room for the loads at one crank angle */
+    int has_instant;      /* 1: the deck asks for one instant, and the picture shows its cycle */
+    double instant;       /* its crank angle, in the deck's unit */
+    fourlink_load *loads; /* room for the loads at one crank angle */
     unsigned long n_lines, n_missing; /* of a sweep's outputs */
     double angles[PICTURE_POSITIONS]; /* of --plot-at, in the deck's unit */
     int n_angles;
     int out_of_memory;
 } picture;
 
-/* One crank angle, with its loads. */
+/* One crank angle, with its loads and all that is drawn there. */
 typedef struct picture_row {
     fourlink_instant now;
     fourlink_load loads[PICTURE_LOADS + 2];
+    tracks numbers;
+    scene drawn;
 } picture_row;
 
 /* The functions of the kinds.  Those with a panel for each branch are called for each, the others for the
@@ -139,27 +132,27 @@ typedef struct picture_row {
     const char *draw(picture *p, fourlink_branch branch);
 PLOT_LIST(PLOT_FUNCTION)
 
-/* Open a deck for a picture that draws some of these columns; null: none.  1; 0 and its first mistake, or out
-** of memory.  Close it whatever came of it. */
-int picture_open(picture *p, const fourlink_source *source, const plot_request *request,
-                 const char *values, fourlink_mistake *mistake);
+/* Begin a picture; 0: out of memory.  Close it whatever came of it. */
+int picture_open(picture *p, const fourlink_source *source, const plot_request *request);
 void picture_close(picture *p);
 
-/* Open it again with these columns, and with a further assignment, unless these are null; one instant becomes
-** a whole cycle.  Returns the same. */
+/* Open its deck with these columns, and with a further assignment, unless these are null; one instant
+** becomes a whole cycle.  1; 0 and its first mistake, or out of memory. */
 int picture_reopen(picture *p, const char *columns, const char *further, fourlink_mistake *mistake);
 
-/* The column to draw over, and those columns of the kind's list that the deck has. */
+/* The column to draw over, and those columns of the kind's list, or of all kinds' for a deck that is kept,
+** that the deck has. */
 void picture_choose(const picture *p, char out[PICTURE_NAMES]);
 
-/* Returns 0, for the caller to return, and the reason. */
-int picture_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
+/* 1 for a column of the kind's list. */
+int picture_draws(const picture *p, const char *column);
 
 /* 1 if the picture shows the outputs of the deck's sweep; draw them as `columns`. */
 int picture_has_outputs(const picture *p);
 const char *picture_outputs(picture *p);
 
-/* The names of the columns to draw: first that of the x axis, then those of the table.  1; 0 and the reason. */
+/* The names of the columns to draw: first that of the x axis, then those of the table.  1; 0 and the
+** reason. */
 int picture_choose_columns(const picture *p, char out[PICTURE_NAMES], fourlink_mistake *mistake);
 
 /* The number of panels of `columns`. */
@@ -167,31 +160,23 @@ int picture_column_panels(const picture *p);
 
 /* The room that a drawing needs: size.c. */
 
-/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of each
-** link. */
+/* The largest number of lines beside a drawing: angles, forces, torques, and the key; for free bodies, of
+** each link. */
 int size_lines_beside(const picture *p, int each_link);
-
-/* The angle by which the x axis rises, rad: drawings are turned by it. */
-double size_turn(const picture *p);
 
 /* The height of a panel of this width, in which the mechanism fills the axes on all branches. */
 double size_height(const picture *p, double width);
 
-/* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free that.  Returns 0 if
-** it cannot be opened, as without memory. */
+/* 1 if the deck has counterweights at a radius; open it again with them or without, by an assignment; free
+** that.  Returns 0 if it cannot be opened, as without memory. */
 int picture_has_balance(const picture *p);
 int picture_open_balance(picture *p, const char *apply, picture *other);
-
-/* A value in the deck's unit of its quantity, and in SI units. */
-double picture_value(const picture *p, quantity q, double si);
-double picture_si(const picture *p, quantity q, double value);
 
 /* A crank angle, in the deck's unit: 60 and the degree sign, or 1.047 rad. */
 #define PICTURE_MARK (FORMAT_SIZE + 64)
 char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_MARK]);
 
 /* Subscripts, in UTF-8. */
-#define SUB_1 "\342\202\201"
 #define SUB_2 "\342\202\202"
 #define SUB_3 "\342\202\203"
 #define SUB_4 "\342\202\204"
@@ -201,23 +186,11 @@ char *picture_mark(const picture *p, double angle, int digits, char out[PICTURE_
 char *picture_words(const picture *p, const char *name, double si, quantity q,
                     char out[PICTURE_WORDS]);
 
-/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is 0. */
-double picture_torque_rounding(const picture *p, const fourlink_forces *forces);
-
-/* N m, Ts, or 0 if it is rounding. */
-double picture_driving_torque(const picture *p, const fourlink_forces *forces);
-
 /* rad/s, of the crank at the first row; of the actual motion its mean over a cycle, if it has one. */
 double picture_speed_of(const picture *p, fourlink_branch branch);
 
 /* Why there is nothing to draw: no row of the motion can be computed on a branch. */
 const char *picture_no_rows(const picture *p, fourlink_branch branch);
-
-/* The last crank angle of a motion, in its unit. */
-double picture_end(const fourlink_motion *motion);
-
-/* How near the piston comes to the crankshaft, along x, in m; of a crank that does not turn fully, a guess. */
-double picture_outer_end(const fourlink_mechanism *mechanism);
 
 /* The column over which the motion is drawn: theta2, or time if the deck has rows by time. */
 const char *picture_over(const picture *p);
@@ -228,8 +201,8 @@ int picture_is_over_angle(const picture *p, int column);
 /* The crank angle after k of so many equal steps of the motion, in the deck's unit.  Not of rows by time. */
 double picture_angle(const picture *p, int k, int steps);
 
-/* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time, PICTURE_STEPS
-** is a multiple of `steps`.  As fourlink_results_row. */
+/* All that is known after k of so many equal steps of the motion, by angle or by time; of rows by time,
+** PICTURE_STEPS is a multiple of `steps`.  As fourlink_results_row. */
 int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, double *values,
                    fourlink_instant *now, fourlink_load *loads);
 
@@ -237,10 +210,10 @@ int picture_sample(const picture *p, fourlink_branch branch, int k, int steps, d
 int picture_state(const picture *p, fourlink_branch branch, int k, int steps,
                   fourlink_instant *now);
 
-/* The position to draw on a branch: the first of the request, otherwise the deck's one instant, otherwise
-** after a sixth of the motion, otherwise the first row at which the linkage can be assembled.  `loads` may be
-** null.  Returns a status. */
+/* The position to draw on a branch: the first of the request, otherwise as view_find_position has it; the
+** same with all that is drawn there.  `loads` may be null.  Returns a status. */
 int picture_position(const picture *p, fourlink_branch branch, fourlink_instant *now,
                      fourlink_load *loads);
+int picture_row_find(const picture *p, fourlink_branch branch, picture_row *r);
 
 #endif

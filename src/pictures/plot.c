@@ -10,6 +10,7 @@
 #include "base/quantity.h"
 #include "plot.h"
 #include "sketch.h"
+#include "view/geometry.h"
 
 #define PLOT_NAME(code, name, columns, rows, width, height, needs, draw, values, shows) name,
 const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
@@ -18,11 +19,10 @@ const char *const plot_names[] = {PLOT_LIST(PLOT_NAME) NULL};
 const char *const plot_shows[] = {PLOT_LIST(PLOT_SHOWS) NULL};
 
 #define PLOT_INFO(code, name, columns, rows, width, height, needs, draw, values, shows) \
-    {columns, rows, width, height, needs, draw, values},
+    {columns, rows, width, height, needs, draw},
 static const struct plot_info {
     int columns, rows, width, height, needs;
     const char *(*draw)(picture *p, fourlink_branch branch);
-    const char *values;
 } plot_table[] = {PLOT_LIST(PLOT_INFO)};
 
 #define SMALL_CRANK 0.7 /* of the rod: Klein's construction is small beside it */
@@ -58,35 +58,36 @@ static void lay_out(picture *p, FILE *out)
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     int is_text = p->request->file == PLOT_TXT, is_vectors = p->request->kind == PLOT_VECTORS;
-    int rows = info->rows ? info->rows : p->n_branches, columns = info->columns;
+    int rows = info->rows ? info->rows : p->v.n_branches, columns = info->columns;
     const fourlink_value *outputs;
     unsigned long n = 0;
     double height = is_text ? TEXT_HEIGHT * CANVAS_LINE : info->height, beside = 0, lines;
     double width = info->width;
 
-    if (is_vectors && !p->problem.has_forces)
+    if (is_vectors && !p->v.problem.has_forces)
         rows = 1;
-    if (is_vectors && !is_text && (p->problem.has_friction || p->problem.n_springs)) {
+    if (is_vectors && !is_text && (p->v.problem.has_friction || p->v.problem.n_springs)) {
         width *= CROWDED;
         height *= CROWDED;
     }
     if (p->request->kind == PLOT_COLUMNS)
         n = (unsigned long)picture_column_panels(p);
     if (picture_has_outputs(p))
-        fourlink_results_list(p->results, FOURLINK_OUTPUTS, &outputs, &n);
+        fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &outputs, &n);
     if (n) {
         columns = n > 1 ? info->columns : 1;
         rows = ((int)n + columns - 1) / columns;
     }
-    p->has_inset = p->kind.has_stroke && p->design->link[FOURLINK_CRANK].length <
-                                             SMALL_CRANK * p->design->link[FOURLINK_COUPLER].length;
+    p->has_inset =
+        p->v.kind.has_stroke && p->v.design->link[FOURLINK_CRANK].length <
+                                    SMALL_CRANK * p->v.design->link[FOURLINK_COUPLER].length;
     if (p->request->kind == PLOT_KLEIN && p->has_inset)
         rows = 2;
     if (p->request->kind == PLOT_POLAR && picture_has_balance(p)) /* of each branch one more */
-        rows = ((p->kind.has_slot     ? 4
-                 : p->kind.has_stroke ? 5
-                                      : 6) +
-                (p->problem.asks_for_both ? p->n_branches : 1) + 2) /
+        rows = ((p->v.kind.has_slot     ? 4
+                 : p->v.kind.has_stroke ? 5
+                                        : 6) +
+                (p->v.problem.asks_for_both ? p->v.n_branches : 1) + 2) /
                3;
     lines = info->needs & PLOT_DRAWING ? size_lines_beside(p, is_vectors) : 0;
     if (info->needs & PLOT_FILLED && !is_text)
@@ -94,7 +95,7 @@ static void lay_out(picture *p, FILE *out)
     else if (info->needs & PLOT_DRAWING)
         beside = (lines + 5) * (is_text ? CANVAS_LINE : 1.2 * CANVAS_LINE) - height;
     canvas_open(&p->on, out, is_text, columns, rows, width, height, beside > 0 ? beside : 0);
-    p->on.turn = size_turn(p);
+    p->on.turn = geometry_turn(&p->v);
 }
 
 static void put_terminal(const canvas *c, const plot_request *request)
@@ -171,82 +172,72 @@ static void put_head(const picture *p, const char *deck_name, const char *held)
           "set key noautotitle\n"
           "set style textbox opaque margins 0.3,0.3 noborder\n",
           c->out);
-    canvas_name(c, p->problem.title[0] ? p->problem.title : deck_name, deck_name,
+    canvas_name(c, p->v.problem.title[0] ? p->v.problem.title : deck_name, deck_name,
                 flk_text_join(rest, sizeof rest,
-                              picture_has_outputs(p) ? ", all designs of its sweep"
-                              : p->problem.n_designs ? ", first design of its sweep"
-                                                     : "",
+                              picture_has_outputs(p)   ? ", all designs of its sweep"
+                              : p->v.problem.n_designs ? ", first design of its sweep"
+                                                       : "",
                               held, "  |  fourlink ", fourlink_version(), (char *)NULL));
+}
+
+/* Add a range of crank angles to a message. */
+static void add_range(const picture *p, char message[MESSAGE_SIZE], const char *before, double from,
+                      double to)
+{
+    char first[FORMAT_SIZE], last[FORMAT_SIZE];
+    size_t n = strlen(message);
+
+    flk_text_join(message + n, MESSAGE_SIZE - n, before, " from ", format_general(from, 6, first),
+                  " to ", format_general(to, 6, last), " ", p->v.units[QUANTITY_ANGLE].name,
+                  (char *)NULL);
 }
 
 /* 1 if the motion goes to this crank angle and the links reach it on some branch; else 0 and the range. */
 static int is_in_range(const picture *p, double angle, char message[MESSAGE_SIZE])
 {
-    const char *unit_name = p->units[QUANTITY_ANGLE].name;
     fourlink_reach reach;
-    double from[2], to[2];
     int i, status = FOURLINK_OK;
 
-    for (i = 0; i < p->n_branches; i++) {
-        status = fourlink_results_at(p->results, p->branches[i], angle, NULL, NULL, NULL);
+    for (i = 0; i < p->v.n_branches; i++) {
+        status = fourlink_results_at(p->v.results, p->v.branches[i], angle, NULL, NULL, NULL);
         if (status == FOURLINK_OK)
             return 1;
     }
-    if (status == FOURLINK_NO_SUCH_ANGLE && p->problem.by_time) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the crank does not pass it", angle,
-                    unit_name);
-        return 0;
-    }
-    if (status == FOURLINK_NO_SUCH_ANGLE) {
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the motion goes from %.6g to %.6g %s",
-                    angle, unit_name, p->problem.motion.from, p->end, unit_name);
-        return 0;
-    }
-    fourlink_reach_of(p->mechanism, &reach);
-    for (i = 0; i < reach.n_ranges; i++) {
-        from[i] = picture_value(p, QUANTITY_ANGLE, reach.from[i]);
-        to[i] = picture_value(p, QUANTITY_ANGLE, reach.to[i]);
-    }
-    if (reach.n_ranges == 1)
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: the links reach from %.6g to %.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name);
-    else if (reach.n_ranges == 2)
-        flk_message(message, MESSAGE_SIZE,
-                    "theta2 = %.6g %s: the links reach from %.6g to %.6g %s, and from %.6g to "
-                    "%.6g %s",
-                    angle, unit_name, from[0], to[0], unit_name, from[1], to[1], unit_name);
-    else
-        flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle, unit_name,
-                    fourlink_status_text(status));
+    fourlink_reach_of(p->v.mechanism, &reach);
+    flk_message(message, MESSAGE_SIZE, "theta2 = %.6g %s: %s", angle,
+                p->v.units[QUANTITY_ANGLE].name,
+                status != FOURLINK_NO_SUCH_ANGLE
+                    ? reach.n_ranges ? "the links reach" : fourlink_status_text(status)
+                : p->v.problem.by_time ? "the crank does not pass it"
+                                       : "the motion goes");
+    if (status != FOURLINK_NO_SUCH_ANGLE)
+        for (i = 0; i < reach.n_ranges; i++)
+            add_range(p, message, i ? ", and" : "",
+                      view_value(&p->v, QUANTITY_ANGLE, reach.from[i]),
+                      view_value(&p->v, QUANTITY_ANGLE, reach.to[i]));
+    else if (!p->v.problem.by_time)
+        add_range(p, message, "", p->v.problem.motion.from, p->v.end);
     return 0;
 }
 
 /* The crank angles of --plot-at, separated by commas. */
 static int read_angles(picture *p, fourlink_mistake *mistake)
 {
-    const fourlink_unit *own = &p->units[QUANTITY_ANGLE];
     text rest = flk_text_of(p->request->at), item;
-    unit bare;
     char words[MESSAGE_SIZE];
-    quantity_value value;
     double *angle;
 
-    bare.up = own->up;
-    bare.down = own->down;
-    bare.dim = flk_quantities[QUANTITY_ANGLE].dim;
     while (flk_text_split(&rest, ',', &item)) {
         item = flk_text_trim(item);
         if (p->n_angles == PICTURE_POSITIONS)
-            return picture_refuse(mistake, "--plot-at", "more than 24 positions", "");
+            return view_refuse(mistake, "--plot-at", "more than 24 positions", "");
         if (p->n_angles == 1 && p->request->kind != PLOT_MECHANISM)
-            return picture_refuse(mistake, "--plot-at", plot_names[p->request->kind],
-                                  " draws one position, not several");
-        if (!flk_quantity_read(item, item, QUANTITY_ANGLE, bare, &value, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
+            return view_refuse(mistake, "--plot-at", plot_names[p->request->kind],
+                               " draws one position, not several");
         angle = &p->angles[p->n_angles++];
-        *angle = picture_value(p, QUANTITY_ANGLE, value.si);
-        if (!is_in_range(p, *angle, words))
-            return picture_refuse(mistake, "--plot-at", words, "");
+        if (!view_read(&p->v, QUANTITY_ANGLE, item, item, angle, words) ||
+            !is_in_range(p, *angle, words))
+            return view_refuse(mistake, "--plot-at", words, "");
     }
     return 1;
 }
@@ -256,7 +247,7 @@ static int has_too_many_loads(const picture *p)
 {
     fourlink_load_info next;
 
-    return fourlink_deck_load(p->deck, PICTURE_LOADS, &next) == FOURLINK_OK &&
+    return fourlink_deck_load(p->v.deck, PICTURE_LOADS, &next) == FOURLINK_OK &&
            next.sort != FOURLINK_LOAD_GAS;
 }
 
@@ -264,20 +255,20 @@ static const char *missing(const picture *p)
 {
     int needs = plot_table[p->request->kind].needs;
 
-    if ((needs & PLOT_BY_ANGLE) && p->problem.by_time)
+    if ((needs & PLOT_BY_ANGLE) && p->v.problem.by_time)
         return "this picture needs [motion] rows = angle; the deck has rows by time";
-    if ((needs & PLOT_FORCES_OF_DECK) && !p->problem.has_forces)
+    if ((needs & PLOT_FORCES_OF_DECK) && !p->v.problem.has_forces)
         return "no forces to draw: the deck has no masses and no loads";
-    if ((needs & PLOT_ACTUAL) && p->problem.mode == FOURLINK_MODE_GIVEN)
+    if ((needs & PLOT_ACTUAL) && p->v.problem.mode == FOURLINK_MODE_GIVEN)
         return "this picture needs [motion] mode = free, run-up or steady; the motion is given";
-    if ((needs & PLOT_SLIDER_CRANK) && !p->kind.has_stroke)
+    if ((needs & PLOT_SLIDER_CRANK) && !p->v.kind.has_stroke)
         return "Klein's construction needs a slider-crank";
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p) &&
-        p->n_columns > PICTURE_COLUMNS - 1)
+        p->v.n_columns > PICTURE_CURVES)
         return "a picture shows at most 24 columns; name those to draw with --columns";
-    if ((needs & PLOT_SWEEP) && (!p->problem.n_designs || !p->problem.has_outputs))
+    if ((needs & PLOT_SWEEP) && (!p->v.problem.n_designs || !p->v.problem.has_outputs))
         return "this picture needs a [sweep] with outputs; the deck has none";
-    if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->problem.n_points > PICTURE_POINTS))
+    if ((needs & PLOT_DRAWING) && (has_too_many_loads(p) || p->v.problem.n_points > PICTURE_POINTS))
         return "a drawing shows at most 40 loads and 24 points";
     return NULL;
 }
@@ -293,8 +284,8 @@ static const char *draw(picture *p)
         fputs("set multiplot title title . \"\\n\" . source\n", p->on.out);
     if (info->needs & PLOT_ANGLE_AXIS)
         fputs("set format '%g'\n", p->on.out);
-    for (i = 0; i < (info->rows ? 1 : p->n_branches); i++)
-        if ((here = info->draw(p, p->branches[i])) != NULL)
+    for (i = 0; i < (info->rows ? 1 : p->v.n_branches); i++)
+        if ((here = info->draw(p, p->v.branches[i])) != NULL)
             why = here;
         else
             drawn++;
@@ -308,7 +299,7 @@ static int shows_all_branches(const picture *p)
 {
     plot_kind kind = p->request->kind;
 
-    return kind == PLOT_POLAR ? p->problem.asks_for_both
+    return kind == PLOT_POLAR ? p->v.problem.asks_for_both
                               : kind != PLOT_VECTORS && kind != PLOT_KLEIN;
 }
 
@@ -318,10 +309,10 @@ static void name_columns(const picture *p, char *out, size_t size)
     unsigned long i;
 
     out[0] = '\0';
-    for (i = 1; i < p->n_columns; i++)
-        flk_text_join(out + strlen(out), size - strlen(out), i > 1 ? ", " : "", p->columns[i].name,
-                      (char *)NULL);
-    flk_text_join(out + strlen(out), size - strlen(out), " over ", p->columns[0].name,
+    for (i = 1; i < p->v.n_columns; i++)
+        flk_text_join(out + strlen(out), size - strlen(out), i > 1 ? ", " : "",
+                      p->v.columns[i].name, (char *)NULL);
+    flk_text_join(out + strlen(out), size - strlen(out), " over ", p->v.columns[0].name,
                   (char *)NULL);
 }
 
@@ -329,21 +320,21 @@ static void write_caption(const picture *p, const char *deck_name, plot_caption 
 {
     const struct plot_info *info = &plot_table[p->request->kind];
     const char *shows = plot_shows[p->request->kind], *over = "";
-    int all = p->n_branches > 1 && shows_all_branches(p);
+    int all = p->v.n_branches > 1 && shows_all_branches(p);
     char names[PICTURE_NAMES];
 
     if (p->request->kind == PLOT_COLUMNS) {
         name_columns(p, names, sizeof names);
         shows = picture_has_outputs(p) ? "outputs of the sweep" : names;
     } else if (info->needs & PLOT_OVER) {
-        over = p->problem.by_time ? " over time" : " over the crank angle";
+        over = p->v.problem.by_time ? " over time" : " over the crank angle";
     }
     caption->n_lines = p->n_lines;
     caption->n_missing = p->n_missing;
     flk_text_join(caption->title, sizeof caption->title,
-                  p->problem.title[0] ? p->problem.title : deck_name, (char *)NULL);
+                  p->v.problem.title[0] ? p->v.problem.title : deck_name, (char *)NULL);
     flk_text_join(caption->words, sizeof caption->words, deck_name, ", ",
-                  all ? "open and crossed branches" : fourlink_branch_text((int)p->branches[0]),
+                  all ? "open and crossed branches" : fourlink_branch_text((int)p->v.branches[0]),
                   all ? ": " : " branch: ", shows, over, (char *)NULL);
 }
 
@@ -355,28 +346,28 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
     char names[PICTURE_NAMES], time_step[100], number[FORMAT_SIZE];
 
     if (why)
-        return picture_refuse(mistake, "--plot-kind", why, "");
+        return view_refuse(mistake, "--plot-kind", why, "");
     if (picture_has_outputs(p) && p->request->x)
-        return picture_refuse(mistake, "--plot-x",
-                              "the outputs of a [sweep] are drawn over what it varies", "");
+        return view_refuse(mistake, "--plot-x",
+                           "the outputs of a [sweep] are drawn over what it varies", "");
     if (p->request->kind == PLOT_COLUMNS && !picture_has_outputs(p)) {
         if (!picture_choose_columns(p, names, mistake))
             return 0;
         chosen = names;
-    } else if (p->values) {
+    } else if (plot_values[p->request->kind]) {
         picture_choose(p, names);
         chosen = names;
     }
-    p->instant = p->problem.motion.from;
+    p->instant = p->v.problem.motion.from;
     p->has_instant =
-        p->problem.one_instant && (info->needs & PLOT_RANGE) && !picture_has_outputs(p);
+        p->v.problem.one_instant && (info->needs & PLOT_RANGE) && !picture_has_outputs(p);
     if (p->has_instant)
-        held =
-            p->problem.motion.acceleration != 0 ? ", speed and acceleration held" : ", speed held";
-    if (p->problem.by_time && !picture_has_outputs(p))
+        held = p->v.problem.motion.acceleration != 0 ? ", speed and acceleration held"
+                                                     : ", speed held";
+    if (p->v.problem.by_time && !picture_has_outputs(p))
         steps = flk_text_join(time_step, sizeof time_step, "motion.time_step=",
-                              format_general(p->problem.duration / PICTURE_STEPS, 17, number), " s",
-                              (char *)NULL);
+                              format_general(p->v.problem.duration / PICTURE_STEPS, 17, number),
+                              " s", (char *)NULL);
     if ((chosen || held[0] || steps) && !picture_reopen(p, chosen, steps, mistake))
         return 0;
     lay_out(p, out);
@@ -384,7 +375,7 @@ static int write_script(picture *p, FILE *out, fourlink_mistake *mistake)
     if (p->request->at && !read_angles(p, mistake))
         return 0;
     why = draw(p);
-    return why ? picture_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
+    return why ? view_refuse(mistake, p->n_angles ? "--plot-at" : "--plot-kind", why, "") : 1;
 }
 
 int plot_write(FILE *out, const fourlink_source *source, const plot_request *request,
@@ -393,8 +384,7 @@ int plot_write(FILE *out, const fourlink_source *source, const plot_request *req
     int written;
     picture p;
 
-    written = picture_open(&p, source, request, plot_table[request->kind].values, mistake) &&
-              write_script(&p, out, mistake);
+    written = picture_open(&p, source, request) && write_script(&p, out, mistake);
     if (written)
         write_caption(&p, source->name, caption);
     picture_close(&p);

@@ -58,7 +58,7 @@ static int force_at(const bearing *b, int i, double angle, fourlink_vector *F)
     double values[PICTURE_COLUMNS];
     fourlink_instant now;
 
-    if (fourlink_results_at(b->of[i].p->results, b->of[i].branch, angle, values, &now, NULL) !=
+    if (fourlink_results_at(b->of[i].p->v.results, b->of[i].branch, angle, values, &now, NULL) !=
             FOURLINK_OK ||
         now.state.mu < 1e-3)
         return 0;
@@ -207,7 +207,7 @@ static void put_jumps(bearing *b, const course *c)
 static int step_of_dots(const picture *p)
 {
     double span =
-        fabs(p->end - p->problem.motion.from) / picture_value(p, QUANTITY_ANGLE, M_PI / 180);
+        fabs(p->v.end - p->v.problem.motion.from) / view_value(&p->v, QUANTITY_ANGLE, M_PI / 180);
 
     return span > 90.0001 ? 30 : span > 30.0001 ? 10 : 2;
 }
@@ -229,14 +229,14 @@ static void put_angle(bearing *b, double angle, fourlink_vector F, int line)
 static void put_dots(bearing *b, int i)
 {
     const picture *p = b->p;
-    double from = p->problem.motion.from, sense = p->end < from ? -1 : 1;
-    double step = sense * picture_value(p, QUANTITY_ANGLE, step_of_dots(p) * M_PI / 180);
+    double from = p->v.problem.motion.from, sense = p->v.end < from ? -1 : 1;
+    double step = sense * view_value(&p->v, QUANTITY_ANGLE, step_of_dots(p) * M_PI / 180);
     double first = step * ceil(from / step - 1e-9), angles[MOST_DOTS];
     fourlink_vector F[MOST_DOTS];
     int k, n = 0, n_dots = 0;
 
     fprintf(p->on.out, "$%s_%s_dots << EOD\n", b->name, b->of[i].title);
-    for (k = 0; k < MOST_DOTS && (first + k * step - p->end) * sense < 1e-9 * fabs(step); k++)
+    for (k = 0; k < MOST_DOTS && (first + k * step - p->v.end) * sense < 1e-9 * fabs(step); k++)
         if (force_at(b, i, first + k * step, &F[n_dots])) {
             canvas_print(&p->on, "%.8g %.8g\n", F[n_dots].x, F[n_dots].y);
             angles[n_dots++] = first + k * step;
@@ -282,8 +282,8 @@ static int put_polar(picture *p, bearing *b, const char *title)
     canvas_panel(&p->on, 3, 4 * CANVAS_LETTER);
     canvas_key(&p->on);
     fputs("set key samplen 2 width -1\n", p->on.out);
-    canvas_titles(&p->on, title, p->columns[b->x].name, p->columns[b->x].unit,
-                  p->columns[b->y].name, p->columns[b->y].unit);
+    canvas_titles(&p->on, title, p->v.columns[b->x].name, p->v.columns[b->x].unit,
+                  p->v.columns[b->y].name, p->v.columns[b->y].unit);
     b->p = p;
     find_box(b);
     put_axes(b);
@@ -321,24 +321,24 @@ static void set_source(source *x, const picture *p, fourlink_branch branch, cons
 ** slides. */
 static int put_bearing(picture *p, int by, int on)
 {
-    int is_piston = p->kind.slides_on[on] == FOURLINK_GROUND;
-    const char *link = p->kind.link[on];
+    int is_piston = p->v.kind.slides_on[on] == FOURLINK_GROUND;
+    const char *link = p->v.kind.link[on];
     char title[120];
     bearing b;
     int i;
 
-    if (p->kind.slides_on[on] == by || p->kind.slides_on[by] == on)
+    if (p->v.kind.slides_on[on] == by || p->v.kind.slides_on[by] == on)
         return 0; /* always across the slide */
     sprintf(b.name, "F%d%d", by, on);
     b.x = component(p, &b, is_piston ? "x" : "_along");
     b.y = component(p, &b, is_piston ? "y" : "_across");
     if (b.x < 0 || b.y < 0)
         return 0;
-    flk_text_join(title, sizeof title, b.name, ", ", p->kind.link[by], " on ", link, ", in the ",
+    flk_text_join(title, sizeof title, b.name, ", ", p->v.kind.link[by], " on ", link, ", in the ",
                   link, "'s axes", (char *)NULL);
-    b.n = p->n_branches;
+    b.n = p->v.n_branches;
     for (i = 0; i < b.n; i++)
-        set_source(&b.of[i], p, p->branches[i], fourlink_branch_text(p->branches[i]));
+        set_source(&b.of[i], p, p->v.branches[i], fourlink_branch_text(p->v.branches[i]));
     return put_polar(p, &b, title);
 }
 
@@ -366,8 +366,8 @@ static int put_balance(picture *p)
     int drawn = 0, i, is_open = picture_open_balance(p, "balance.apply=no", &before);
 
     is_open = picture_open_balance(p, "balance.apply=yes", &after) && is_open;
-    for (i = 0; i < p->n_branches && is_open; i++)
-        drawn += put_shaking(p, &before, &after, p->branches[i]);
+    for (i = 0; i < p->v.n_branches && is_open; i++)
+        drawn += put_shaking(p, &before, &after, p->v.branches[i]);
     picture_close(&before);
     picture_close(&after);
     return drawn;
@@ -380,8 +380,8 @@ const char *picture_polar(picture *p, fourlink_branch branch)
     size_t i;
 
     (void)branch;
-    if (!p->problem.asks_for_both)
-        p->n_branches = 1;
+    if (!p->v.problem.asks_for_both)
+        p->v.n_branches = 1;
     canvas_grid(&p->on);
     fprintf(p->on.out,
             "set format '%%g'; set size ratio -1\n"
@@ -391,5 +391,5 @@ const char *picture_polar(picture *p, fourlink_branch branch)
         drawn += put_bearing(p, joints[i][0], joints[i][1]);
     if (picture_has_balance(p))
         drawn += put_balance(p);
-    return drawn ? NULL : picture_no_rows(p, p->branches[0]);
+    return drawn ? NULL : picture_no_rows(p, p->v.branches[0]);
 }

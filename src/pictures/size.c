@@ -8,6 +8,7 @@
 
 #include "picture.h"
 #include "place.h"
+#include "view/geometry.h"
 
 /* Of a panel that its drawing fills, in pixels: what is beside the axes, what is above and below them, and
 ** its limits; and the steps in which the motion is measured. */
@@ -23,7 +24,7 @@ int size_lines_beside(const picture *p, int each_link)
     fourlink_load_info load;
     unsigned long i;
 
-    for (i = 0; fourlink_deck_load(p->deck, i, &load) == FOURLINK_OK; i++)
+    for (i = 0; fourlink_deck_load(p->v.deck, i, &load) == FOURLINK_OK; i++)
         if (load.sort == FOURLINK_LOAD_OWN)
             lines[load.link] += load.has_torque ? 2 : 1;
         else if (load.sort == FOURLINK_LOAD_SPRING && each_link)
@@ -31,63 +32,36 @@ int size_lines_beside(const picture *p, int each_link)
         else if (load.sort == FOURLINK_LOAD_GAS)
             lines[FOURLINK_FOLLOWER]++;
     if (!each_link)
-        lines[FOURLINK_FOLLOWER] += (int)p->problem.n_springs;
-    if (p->problem.has_friction) /* of the guide, and the circles of the pins */
+        lines[FOURLINK_FOLLOWER] += (int)p->v.problem.n_springs;
+    if (p->v.problem.has_friction) /* of the guide, and the circles of the pins */
         lines[FOURLINK_FOLLOWER] += 2;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
-        sum += lines[link] + (p->design->link[link].mass > 0);
+        sum += lines[link] + (p->v.design->link[link].mass > 0);
         most = lines[link] > most ? lines[link] : most;
     }
-    if (p->problem.has_forces)
+    if (p->v.problem.has_forces)
         sum += 9; /* pin forces, torque, and what the arrows mean */
-    return each_link ? 7 + most : 8 + sum + (int)p->problem.n_points;
-}
-
-double size_turn(const picture *p)
-{
-    fourlink_vector g = p->design->gravity;
-    double slope = g.x != 0 || g.y != 0 ? atan2(-g.x, -g.y) : 0;
-
-    return fabs(slope) < 1e-9 ? 0 : slope;
-}
-
-static void grow(place_box *b, double turn, int link, const fourlink_vector *at,
-                 const fourlink_state *state)
-{
-    fourlink_vector place = *at;
-
-    if (link != FOURLINK_GROUND)
-        fourlink_point(state, link, at, &place, NULL, NULL);
-    place_grow(b, cos(turn) * place.x - sin(turn) * place.y,
-               sin(turn) * place.x + cos(turn) * place.y);
+    return each_link ? 7 + most : 8 + sum + (int)p->v.problem.n_points;
 }
 
 /* The room that the mechanism needs on a branch. */
 static place_box box_of_motion(const picture *p, fourlink_branch branch)
 {
-    fourlink_vector origin = {0, 0}, C = place_at(p->design->link[3].length, 0), at;
+    double c = cos(geometry_turn(&p->v)), s = sin(geometry_turn(&p->v));
     place_box b = place_nothing;
     fourlink_instant now;
-    fourlink_spring spring;
-    double turn = size_turn(p);
-    const char *name;
-    unsigned long i;
-    int k, link;
+    tracks places;
+    int k, i;
 
     for (k = 0; k <= OUTLINE_STEPS; k++) {
         if (picture_state(p, branch, k, OUTLINE_STEPS, &now) != FOURLINK_OK)
             continue;
-        for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-            grow(&b, turn, link, &origin, &now.state);
-        grow(&b, turn, FOURLINK_COUPLER, &C, &now.state);
-        for (i = 0; i < p->problem.n_points; i++) {
-            fourlink_deck_point(p->deck, i, &name, &link, &at);
-            grow(&b, turn, link, &at, &now.state);
-        }
-        for (i = 0; i < p->problem.n_springs; i++) {
-            fourlink_deck_spring(p->deck, i, NULL, &spring);
-            grow(&b, turn, spring.link, spring.is_torsional ? &origin : &spring.at, &now.state);
-            grow(&b, turn, spring.to, spring.is_torsional ? &origin : &spring.to_at, &now.state);
+        tracks_find_places(&places, &p->v, &now.state);
+        for (i = 0; i < places.n; i++) {
+            const fourlink_vector *at = &places.list[i].v;
+
+            if (tracks_is_outline(&places.list[i]))
+                place_grow(&b, c * at->x - s * at->y, s * at->x + c * at->y);
         }
     }
     return b;
@@ -98,8 +72,8 @@ double size_height(const picture *p, double width)
     double highest = LOWEST, x, y, border;
     int i;
 
-    for (i = 0; i < p->n_branches; i++) {
-        place_box b = box_of_motion(p, p->branches[i]);
+    for (i = 0; i < p->v.n_branches; i++) {
+        place_box b = box_of_motion(p, p->v.branches[i]);
 
         x = b.x_max - b.x_min;
         y = b.y_max - b.y_min;

@@ -215,12 +215,19 @@ void sketch_support(sketch *s, fourlink_vector at)
     sketch_ground(s, at.x - r, at.x + r, at.y - r, -1);
 }
 
+static void add_entry(sketch *s, pen p, int is_curve, const char *title)
+{
+    sketch_entry *new = &s->entries[s->n_entries++];
+
+    new->p = p;
+    new->is_curve = is_curve;
+    flk_text_join(new->title, sizeof new->title, title, (char *)NULL);
+}
+
 void sketch_curve(sketch *s, pen p, const char *title)
 {
-    s->curve_pen[s->n_curves] = p;
-    if (s->n_curves < MOST_TITLES)
-        flk_text_join(s->curve_title[s->n_curves], sizeof s->curve_title[0], title, (char *)NULL);
-    fprintf(s->c->out, "$curve%d << EOD\n", s->n_curves++);
+    fprintf(s->c->out, "$curve%d << EOD\n", s->n_entries);
+    add_entry(s, p, 1, s->n_entries < MOST_TITLES ? title : "");
     s->n_points = 0;
     s->is_empty = 1;
 }
@@ -250,15 +257,12 @@ void sketch_end(sketch *s)
 {
     fputs("EOD\n", s->c->out);
     if (s->is_empty) /* gnuplot needs a word for an empty curve */
-        s->n_curves--;
+        s->n_entries--;
 }
 
 void sketch_key(sketch *s, pen p, const char *meaning)
 {
-    if (s->n_meanings == SKETCH_MEANINGS)
-        return;
-    s->meaning_pen[s->n_meanings] = p;
-    s->meanings[s->n_meanings++] = meaning;
+    add_entry(s, p, 0, meaning);
 }
 
 /* Values and key are to the right of the axes. */
@@ -269,22 +273,20 @@ static double width_of_margin(const sketch *s)
 
     for (i = 0; i < s->n_notes; i++)
         width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->notes[i]) + 3 * CANVAS_LETTER);
-    for (i = 0; i < s->n_curves; i++)
-        if (s->curve_title[i][0])
-            width =
-                GSL_MAX_DBL(width, narrow * canvas_width_of(s->curve_title[i]) + 7 * CANVAS_LETTER);
-    for (i = 0; i < s->n_meanings; i++)
-        width = GSL_MAX_DBL(width, narrow * canvas_width_of(s->meanings[i]) + 7 * CANVAS_LETTER);
+    for (i = 0; i < s->n_entries; i++)
+        if (s->entries[i].title[0])
+            width = GSL_MAX_DBL(width,
+                                narrow * canvas_width_of(s->entries[i].title) + 7 * CANVAS_LETTER);
     return width;
 }
 
 /* Put the key, and the notes below it. */
 static void put_margin(const sketch *s)
 {
-    int in_key = s->n_meanings, i;
+    int in_key = 0, i;
 
-    for (i = 0; i < s->n_curves; i++)
-        in_key += s->curve_title[i][0] != '\0';
+    for (i = 0; i < s->n_entries; i++)
+        in_key += s->entries[i].title[0] != '\0';
     for (i = 0; i < s->n_notes; i++)
         canvas_note(s->c, i + (in_key ? in_key + 1 : 0), s->notes[i]);
     fputs("set key at graph 1.02, graph 1 left top Left reverse samplen 2\n", s->c->out);
@@ -339,15 +341,18 @@ static void put_curves(const sketch *s)
     int i;
 
     fputs("plot ", s->c->out);
-    for (i = 0; i < s->n_curves; i++) {
-        fprintf(s->c->out, "%s$curve%d using 1:2 with lines ls %d ", i ? ", \\\n     " : "", i,
-                (int)s->curve_pen[i]);
-        canvas_print(s->c, s->curve_title[i][0] ? "title %q" : "notitle", s->curve_title[i]);
+    for (i = 0; i < s->n_entries; i++) {
+        const sketch_entry *x = &s->entries[i];
+
+        fputs(i ? ", \\\n     " : "", s->c->out);
+        if (x->is_curve)
+            fprintf(s->c->out, "$curve%d using 1:2", i);
+        else
+            fputs("NaN", s->c->out);
+        canvas_print(s->c, x->title[0] ? " with lines ls %d title %q" : " with lines ls %d notitle",
+                     (int)x->p, x->title);
     }
-    for (i = 0; i < s->n_meanings; i++)
-        canvas_print(s->c, "%sNaN with lines ls %d title %q", s->n_curves + i ? ", \\\n     " : "",
-                     (int)s->meaning_pen[i], s->meanings[i]);
-    fputs(s->n_curves + s->n_meanings ? "\n" : "NaN notitle\n", s->c->out);
+    fputs(s->n_entries ? "\n" : "NaN notitle\n", s->c->out);
 }
 
 void sketch_close(sketch *s, const char *title, const char *unit_name)

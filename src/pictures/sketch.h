@@ -31,6 +31,13 @@ typedef enum pen {
 #define SKETCH_NOTES 120
 #define SKETCH_MEANINGS 4
 
+/* A curve, or the meaning of a line, in the key; title "": it is not there. */
+typedef struct sketch_entry {
+    pen p;
+    int is_curve;
+    char title[80];
+} sketch_entry;
+
 typedef struct sketch {
     canvas *c;
     place_box drawn;     /* the drawing so far */
@@ -38,16 +45,13 @@ typedef struct sketch {
     double size;         /* of the whole */
     double letter;       /* height of a letter, a fraction of the size */
     double cosine, sine; /* of the angle by which it is turned */
-    int n_notes, n_curves;
+    int n_notes;
     char notes[SKETCH_NOTES][LABELS_WORDS];
     labels texts;
-    fourlink_vector last;   /* of a curve */
-    int n_points, is_empty; /* of the present curve */
-    pen curve_pen[SKETCH_CURVES];
-    char curve_title[SKETCH_CURVES][80]; /* in the key; "": not in it */
-    pen meaning_pen[SKETCH_MEANINGS];
-    const char *meanings[SKETCH_MEANINGS]; /* in the key, of lines that are no curves */
-    int n_meanings;
+    fourlink_vector last;                                  /* of a curve */
+    int n_points, is_empty;                                /* of the present curve */
+    sketch_entry entries[SKETCH_CURVES + SKETCH_MEANINGS]; /* curves first */
+    int n_entries;
 } sketch;
 
 /* Begin a drawing of about this size in the next panel. */
@@ -98,7 +102,7 @@ void sketch_point(sketch *s, fourlink_vector at);
 void sketch_break(sketch *s);
 void sketch_end(sketch *s);
 
-/* Put a line of this pen and its meaning into the key. */
+/* Put a line of this pen and its meaning into the key, after the curves. */
 void sketch_key(sketch *s, pen p, const char *meaning);
 
 /* Finish the drawing, with axes of equal scale around it. */

@@ -110,7 +110,7 @@ static void put_end(const strand *x, const picture *p, const fourlink_state *sta
     }
     if (link == FOURLINK_CRANK)
         figure_off(x->s, pins.A, pins.B, end);
-    else if (!p->kind.slides_on[link])
+    else if (!p->v.kind.slides_on[link])
         figure_off(x->s, link == FOURLINK_COUPLER ? pins.B : pins.D, pins.C, end);
     sketch_dot(x->s, end);
 }
@@ -119,7 +119,7 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
                         const fourlink_spring *spring, const char *name)
 {
     fourlink_vector to = figure_of_link(p, state, spring->to, &spring->to_at);
-    int is_damper = spring->damping > 0, is_both = is_damper && spring->stiffness != 0;
+    int has_coil = scene_has_coil(spring), has_damper = scene_has_damper(spring);
     double length, half = HALF_WIDTH * s->size, end;
     strand x;
 
@@ -135,29 +135,27 @@ static void draw_linear(sketch *s, const picture *p, const fourlink_state *state
     put_end(&x, p, state, spring->to, 1);
     put_line(&x, 0, 0, LEAD, 0);
     put_line(&x, 1 - LEAD, 0, 1, 0);
-    end = is_both ? 1.4 : 0;
+    end = has_coil && has_damper ? 1.4 : 0; /* side by side */
     put_line(&x, LEAD, -end, LEAD, end);
     put_line(&x, 1 - LEAD, -end, 1 - LEAD, end);
     x.side = end;
-    if (is_both || !is_damper)
+    if (has_coil)
         put_zigzag(&x, teeth_of(s, figure_length(p, spring->free_length)));
     x.side = -end;
-    if (is_damper)
+    if (has_damper)
         put_damper(&x);
     x.side = 0;
     sketch_text(s, place(&x, 0.5, end + 1), x.across.x, x.across.y, name);
 }
 
-/* The pin of two links, in any order; A of a pair that has none. */
+/* The pin of a torsional spring. */
 static fourlink_vector pin_of(const picture *p, const fourlink_state *state,
                               const fourlink_spring *spring)
 {
     figure_pins pins = figure_place(p, state);
-    int low = GSL_MIN_INT(spring->link, spring->to), high = GSL_MAX_INT(spring->link, spring->to);
+    const char *letter = scene_pin_of(&p->v, spring);
 
-    if (high == FOURLINK_FOLLOWER)
-        return low == FOURLINK_COUPLER || p->kind.has_stroke ? pins.C : pins.D;
-    return low == FOURLINK_CRANK ? pins.B : high == FOURLINK_CRANK ? pins.A : pins.B;
+    return *letter == 'A' ? pins.A : *letter == 'B' ? pins.B : *letter == 'C' ? pins.C : pins.D;
 }
 
 /* The direction of a link from a pin; of the ground downwards. */
@@ -172,7 +170,7 @@ static double direction_from(const picture *p, const fourlink_state *state, int 
     origin = figure_point(p, state->link[link].origin);
     theta = state->link[link].theta;
     return gsl_hypot(origin.x - pin.x, origin.y - pin.y) <
-                   0.5 * figure_length(p, p->design->link[link].length)
+                   0.5 * figure_length(p, p->v.design->link[link].length)
                ? theta
                : theta + M_PI;
 }
@@ -208,10 +206,10 @@ void spring_draw(sketch *s, const picture *p, const fourlink_state *state, int h
     const char *name = "";
     unsigned long i;
 
-    for (i = 0; i < p->problem.n_springs; i++) {
-        fourlink_deck_spring(p->deck, i, &name, &spring);
+    for (i = 0; i < p->v.problem.n_springs; i++) {
+        fourlink_deck_spring(p->v.deck, i, &name, &spring);
         (spring.is_torsional ? draw_torsional : draw_linear)(s, p, state, &spring, name);
-        if (has_values && fourlink_spring_at(p->mechanism, state, &spring, &at) == FOURLINK_OK)
+        if (has_values && fourlink_spring_at(p->v.mechanism, state, &spring, &at) == FOURLINK_OK)
             figure_note(s, p, name, at.force,
                         spring.is_torsional ? QUANTITY_TORQUE : QUANTITY_FORCE);
     }

@@ -30,17 +30,17 @@ typedef struct designs {
 
 static double *values_of(const designs *d, const picture *p, unsigned long i, int branch)
 {
-    return d->values + (i * (unsigned long)p->n_branches + (unsigned long)branch) * d->n_outputs;
+    return d->values + (i * (unsigned long)p->v.n_branches + (unsigned long)branch) * d->n_outputs;
 }
 
 static int open_designs(picture *p, designs *d)
 {
-    size_t n = p->problem.n_designs, lines = n * (size_t)p->n_branches, i;
+    size_t n = p->v.problem.n_designs, lines = n * (size_t)p->v.n_branches, i;
 
     memset(d, 0, sizeof *d);
-    d->n = p->problem.n_designs;
-    fourlink_results_list(p->results, FOURLINK_OUTPUTS, &d->outputs, &d->n_outputs);
-    fourlink_results_list(p->results, FOURLINK_VARIABLES, &d->variables, &d->n_variables);
+    d->n = p->v.problem.n_designs;
+    fourlink_results_list(p->v.results, FOURLINK_OUTPUTS, &d->outputs, &d->n_outputs);
+    fourlink_results_list(p->v.results, FOURLINK_VARIABLES, &d->variables, &d->n_variables);
     d->x = malloc(n * sizeof *d->x);
     d->begins = calloc(n, 1);
     d->values = malloc((lines * d->n_outputs + 1) * sizeof *d->values);
@@ -83,7 +83,7 @@ static int keep_outputs(const picture *p, designs *d, unsigned long i, int branc
     int status, good = 1;
 
     for (k = 0; k < d->n_outputs; k++) {
-        status = fourlink_results_get(r, d->outputs[k].handle, p->branches[branch], from, &v);
+        status = fourlink_results_get(r, d->outputs[k].handle, p->v.branches[branch], from, &v);
         if (status == FOURLINK_OK && !v.words && gsl_finite(v.value))
             values_of(d, p, i, branch)[k] = v.value;
         good = good && (status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT);
@@ -95,23 +95,18 @@ static int keep_outputs(const picture *p, designs *d, unsigned long i, int branc
 static int compute(picture *p, designs *d, unsigned long i, double *variables)
 {
     fourlink_results *r = NULL;
-    const fourlink_value *list;
     fourlink_problem problem;
-    unsigned long n, k;
     int status, b;
 
-    p->n_lines += (unsigned long)p->n_branches;
-    status = fourlink_results_design(p->results, i, 0, &r, NULL, NULL);
+    p->n_lines += (unsigned long)p->v.n_branches;
+    fourlink_results_variables(p->v.results, i, d->n_variables, variables, NULL, NULL);
+    status = fourlink_results_design(p->v.results, i, 0, &r, NULL, NULL);
     if (status == FOURLINK_OK) {
-        fourlink_results_list(r, FOURLINK_VARIABLES, &list, &n);
-        for (k = 0; k < n; k++)
-            variables[k] = list[k].value;
         fourlink_deck_problem(fourlink_results_deck(r), &problem);
-        for (b = 0; b < p->n_branches; b++)
+        for (b = 0; b < p->v.n_branches; b++)
             p->n_missing += !keep_outputs(p, d, i, b, r, problem.motion.from);
     } else {
-        p->n_missing += (unsigned long)p->n_branches;
-        fourlink_results_variables(p->results, i, d->n_variables, variables, NULL, NULL);
+        p->n_missing += (unsigned long)p->v.n_branches;
     }
     fourlink_results_free(r);
     return status != FOURLINK_NO_MEMORY;
@@ -151,7 +146,7 @@ static int find_range(const picture *p, const designs *d, unsigned long output, 
     *low = GSL_POSINF;
     *high = GSL_NEGINF;
     for (i = 0; i < d->n; i++)
-        for (b = 0; b < p->n_branches; b++) {
+        for (b = 0; b < p->v.n_branches; b++) {
             double value = values_of(d, p, i, b)[output];
 
             if (gsl_isnan(value))
@@ -184,8 +179,8 @@ static void plot(picture *p, unsigned long output, int branch, const char *style
 {
     canvas_print(&p->on, "%s $o%d_%s using 1:2 with %s lt %d title '%s'",
                  p->on.curves++ ? "," : "plot", (int)output,
-                 fourlink_branch_text((int)p->branches[branch]), style, line,
-                 fourlink_branch_text((int)p->branches[branch]));
+                 fourlink_branch_text((int)p->v.branches[branch]), style, line,
+                 fourlink_branch_text((int)p->v.branches[branch]));
 }
 
 /* ------------------------------------------------------------------------------------- histograms */
@@ -219,7 +214,7 @@ static unsigned long put_bins(const picture *p, const designs *d, unsigned long 
             most = counts[k];
     }
     canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
-                 fourlink_branch_text((int)p->branches[branch]));
+                 fourlink_branch_text((int)p->v.branches[branch]));
     for (k = 0; k < bins; k++)
         canvas_print(&p->on, "%.12g %.12g\n", low + (k + 0.5) * width, (double)counts[k]);
     canvas_print(&p->on, "EOD\n");
@@ -229,7 +224,7 @@ static unsigned long put_bins(const picture *p, const designs *d, unsigned long 
 /* Draw the histogram of an output; 0 if it has no number, -1 if out of memory. */
 static int put_histogram(picture *p, const designs *d, unsigned long output)
 {
-    double *sorted = malloc(d->n * (size_t)p->n_branches * sizeof *sorted), low, high, width;
+    double *sorted = malloc(d->n * (size_t)p->v.n_branches * sizeof *sorted), low, high, width;
     unsigned long i, most = 0, here;
     size_t n = 0;
     int b, bins;
@@ -239,7 +234,7 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
         return sorted ? 0 : -1;
     }
     for (i = 0; i < d->n; i++)
-        for (b = 0; b < p->n_branches; b++)
+        for (b = 0; b < p->v.n_branches; b++)
             if (!gsl_isnan(values_of(d, p, i, b)[output]))
                 sorted[n++] = values_of(d, p, i, b)[output];
     gsl_sort(sorted, 1, n);
@@ -250,14 +245,14 @@ static int put_histogram(picture *p, const designs *d, unsigned long output)
     begin_panel(p);
     canvas_titles(&p->on, "", d->outputs[output].name, d->outputs[output].unit, "designs",
                   "number");
-    for (b = 0; b < p->n_branches; b++) {
+    for (b = 0; b < p->v.n_branches; b++) {
         here = put_bins(p, d, output, b, bins, low, width);
         most = here > most ? here : most;
     }
     put_range(&p->on, 'x', low, low + bins * width, 0.02);
     canvas_print(&p->on, "set yrange [0:%.8g]\nset boxwidth %.12g\nset style fill solid 0.4\n",
                  1.1 * (double)most, width);
-    for (b = 0; b < p->n_branches; b++)
+    for (b = 0; b < p->v.n_branches; b++)
         plot(p, output, b, b ? "histeps" : "boxes", b + 1);
     canvas_print(&p->on, "\n");
     return 1;
@@ -298,9 +293,9 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
         return 0;
     begin_panel(p);
     canvas_titles(&p->on, "", x->name, x->unit, d->outputs[output].name, d->outputs[output].unit);
-    for (b = 0; b < p->n_branches; b++) {
+    for (b = 0; b < p->v.n_branches; b++) {
         canvas_print(&p->on, "$o%d_%s << EOD\n", (int)output,
-                     fourlink_branch_text((int)p->branches[b]));
+                     fourlink_branch_text((int)p->v.branches[b]));
         for (i = 0; i < d->n; i++) {
             double value = values_of(d, p, i, b)[output];
 
@@ -314,7 +309,7 @@ static int put_curve(picture *p, const designs *d, unsigned long output, const c
     put_range(&p->on, 'y', low, high, 0.08);
     gsl_stats_minmax(&low, &high, d->x, 1, d->n);
     put_range(&p->on, 'x', low, high, 0.02);
-    for (b = 0; b < p->n_branches; b++)
+    for (b = 0; b < p->v.n_branches; b++)
         plot(p, output, b, style, b + 1);
     canvas_print(&p->on, "\n");
     return 1;
@@ -330,7 +325,7 @@ static const char *draw_outputs(picture *p, int is_histogram)
     int drawn = 0, status = 0;
     designs d;
 
-    if (p->problem.n_designs > MOST_DESIGNS)
+    if (p->v.problem.n_designs > MOST_DESIGNS)
         return "a picture shows at most 1000000 designs";
     if (!open_designs(p, &d) || !compute_all(p, &d))
         status = -1;
@@ -352,5 +347,5 @@ const char *picture_histogram(picture *p, fourlink_branch branch)
 
 const char *picture_outputs(picture *p)
 {
-    return p->problem.n_designs < 2 ? "the [sweep] has a single design" : draw_outputs(p, 0);
+    return p->v.problem.n_designs < 2 ? "the [sweep] has a single design" : draw_outputs(p, 0);
 }

@@ -30,9 +30,9 @@ typedef struct diagram {
 /* The crank angle in rad at an angle of the diagram. */
 static double theta2_at(const diagram *d, double angle)
 {
-    double si = picture_si(d->p, QUANTITY_ANGLE, angle);
+    double si = view_si(&d->p->v, QUANTITY_ANGLE, angle);
 
-    return d->sense > 0 ? si : d->p->problem.cycle - si;
+    return d->sense > 0 ? si : d->p->v.problem.cycle - si;
 }
 
 static double moment_at(const diagram *d, double angle)
@@ -47,24 +47,24 @@ static double moment_at(const diagram *d, double angle)
     crank.theta2 = theta2_at(d, angle);
     crank.omega2 = picture_speed_of(p, d->branch);
     crank.alpha2 = 0;
-    if (fourlink_deck_analyse(p->deck, d->branch, &crank, 0, p->loads, &state, &forces, &losses,
+    if (fourlink_deck_analyse(p->v.deck, d->branch, &crank, 0, p->loads, &state, &forces, &losses,
                               &gas_force) != FOURLINK_OK)
         return GSL_NAN;
-    return picture_value(p, QUANTITY_TORQUE, -d->sense * forces.Ts);
+    return view_value(&p->v, QUANTITY_TORQUE, -d->sense * forces.Ts);
 }
 
 /* Area k in the order of the motion, with its ends as drawn; its energy in J. */
 static double find_area(const diagram *d, int k, double *from, double *to)
 {
     const fourlink_area *area = &d->t.area[d->sense > 0 ? k : d->t.n_areas - 1 - k];
-    double cycle = d->p->problem.cycle, first = area->from, last = area->to;
+    double cycle = d->p->v.problem.cycle, first = area->from, last = area->to;
 
     if (d->sense < 0) {
         first = cycle - area->to;
         last = cycle - area->from;
     }
-    *from = picture_value(d->p, QUANTITY_ANGLE, first);
-    *to = picture_value(d->p, QUANTITY_ANGLE, last);
+    *from = view_value(&d->p->v, QUANTITY_ANGLE, first);
+    *to = view_value(&d->p->v, QUANTITY_ANGLE, last);
     return area->energy;
 }
 
@@ -238,9 +238,9 @@ static void put_titles(const diagram *d)
     flk_text_join(title, sizeof title, fourlink_branch_text(d->branch), ": ", words, ", ", other,
                   (char *)NULL);
     canvas_titles(&p->on, title, d->sense > 0 ? "theta2" : "-theta2, turned clockwise",
-                  p->units[QUANTITY_ANGLE].name,
+                  p->v.units[QUANTITY_ANGLE].name,
                   d->sense > 0 ? "turning moment -Ts" : "turning moment Ts, clockwise",
-                  p->units[QUANTITY_TORQUE].name);
+                  p->v.units[QUANTITY_TORQUE].name);
 }
 
 /* Fill the areas, except on a text terminal. */
@@ -272,13 +272,13 @@ const char *picture_turning(picture *p, fourlink_branch branch)
 {
     diagram d;
 
-    if (fourlink_results_turning(p->results, branch, &d.t) != FOURLINK_OK)
+    if (fourlink_results_turning(p->v.results, branch, &d.t) != FOURLINK_OK)
         return "the turning moment needs a crank that turns fully, at constant speed";
     d.p = p;
     d.branch = branch;
     d.sense = picture_speed_of(p, branch) < 0 ? -1 : 1;
-    d.cycle = picture_value(p, QUANTITY_ANGLE, p->problem.cycle);
-    d.mean = picture_value(p, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
+    d.cycle = view_value(&p->v, QUANTITY_ANGLE, p->v.problem.cycle);
+    d.mean = view_value(&p->v, QUANTITY_TORQUE, d.sense * d.t.mean_torque);
     fputs("unset label; unset arrow\n", p->on.out);
     canvas_panel(&p->on, 3, MARGIN * CANVAS_LETTER);
     canvas_key(&p->on);

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
 ** vectors.c - the graphical method at one position: velocity and acceleration polygons, free
-** bodies and their polygons of forces, which close.
-**
-**    v_C = v_B + v_CB,   of a slider on a lever  v_B = v_B4 + slide_v u
-**    a_C = a_B + a_CB^n + a_CB^t,  a^n = -omega^2 r, a^t = alpha x r
-**    a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u,   B4 the point of the lever at B
-**    sum F - m a_G = 0
+** bodies and their polygons of forces, which close:  sum F - m a_G = 0
 */
+#include <ctype.h>
 #include <math.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
@@ -24,6 +21,8 @@
 /* The couple of a guide is rounding if it is this fraction of the largest force times the crank's length. */
 #define ROUNDING 1e-12
 
+#define NO_FORCES "all forces are zero"
+
 static const fourlink_vector zero = {0, 0};
 
 /* A polygon of vectors of one quantity; its sides in the deck's unit. */
@@ -31,14 +30,17 @@ typedef struct polygon {
     sketch s;
     const picture *p;
     quantity q;
+    const char *zero; /* if all sides are 0 */
     arrow_list sides;
+    const scene_side *of[SCENE_SIDES]; /* of velocities and accelerations */
     fourlink_vector middle;
 } polygon;
 
-static void open_polygon(polygon *g, picture *p, quantity q)
+static void open_polygon(polygon *g, picture *p, quantity q, const char *zero_words)
 {
     g->p = p;
     g->q = q;
+    g->zero = zero_words;
     g->sides.n = 0;
     sketch_open(&g->s, &p->on, 1);
     g->s.letter = LETTER;
@@ -53,17 +55,10 @@ static fourlink_vector end_of(const arrow *x)
 static fourlink_vector put_side(polygon *g, pen kind, const char *name, fourlink_vector from,
                                 fourlink_vector v)
 {
-    v.x = picture_value(g->p, g->q, v.x);
-    v.y = picture_value(g->p, g->q, v.y);
+    v.x = view_value(&g->p->v, g->q, v.x);
+    v.y = view_value(&g->p->v, g->q, v.y);
     arrow_put(&g->sides, kind, name, from, v);
     return place_beside(from, v.x, v.y);
-}
-
-static const char *all_zero(quantity q)
-{
-    return q == QUANTITY_SPEED          ? "all velocities are zero"
-           : q == QUANTITY_ACCELERATION ? "all accelerations are zero"
-                                        : "all forces are zero";
 }
 
 static void find_size(polygon *g)
@@ -90,7 +85,7 @@ static void draw_sides(polygon *g)
 
     find_size(g);
     if (arrow_largest(&g->sides) == 0)
-        sketch_text(&g->s, zero, 0, 1, all_zero(g->q));
+        sketch_text(&g->s, zero, 0, 1, g->zero);
     for (i = 0; i < g->sides.n; i++) {
         const arrow *x = &g->sides.list[i];
         fourlink_vector to = end_of(x);
@@ -98,7 +93,7 @@ static void draw_sides(polygon *g)
 
         if (length <= 1e-12 * g->s.size)
             continue; /* rounding */
-        figure_note(&g->s, g->p, x->name, picture_si(g->p, g->q, length), g->q);
+        figure_note(&g->s, g->p, x->name, view_si(&g->p->v, g->q, length), g->q);
         if (length < SHORTEST * g->s.size) {
             sketch_line(&g->s, x->kind, x->at, to);
             continue;
@@ -120,157 +115,76 @@ static void put_letter(polygon *g, fourlink_vector at, const char *letter)
 }
 
 /* Put the image of a point of a link, which ends its velocity or acceleration from the pole. */
-static void put_image(polygon *g, const fourlink_state *state, int link, const fourlink_vector *at,
-                      const char *letter)
+static void put_image(polygon *g, fourlink_vector v, const char *letter)
 {
-    fourlink_vector v, a, end;
+    fourlink_vector end =
+        place_at(view_value(&g->p->v, g->q, v.x), view_value(&g->p->v, g->q, v.y));
 
-    fourlink_point(state, link, at, NULL, &v, &a);
-    end = g->q == QUANTITY_SPEED ? v : a;
-    end = place_at(picture_value(g->p, g->q, end.x), picture_value(g->p, g->q, end.y));
     sketch_line(&g->s, PEN_CONSTRUCTION, zero, end);
     sketch_dot(&g->s, end);
     put_letter(g, end, letter);
 }
 
 /* Put the images of centres of mass and of tracer points. */
-static void put_images(polygon *g, const fourlink_state *state)
+static void put_images(polygon *g, const picture_row *r, const scene_polygon *d)
 {
-    static const char *const letters[][5] = {{"", "", "g" SUB_2, "g" SUB_3, "g" SUB_4},
-                                             {"", "", "g'" SUB_2, "g'" SUB_3, "g'" SUB_4}};
-    const char *name, *mark = g->q == QUANTITY_SPEED ? "" : "'";
-    fourlink_vector at;
-    unsigned long i;
-    char letter[80];
-    int link;
+    static const char *const subscripts[] = {"", "", SUB_2, SUB_3, SUB_4};
+    char letter[80], of[TRACKS_NAME];
+    int i;
 
-    if (arrow_largest(&g->sides) == 0)
-        return;
-    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
-        if (g->p->design->link[link].mass > 0)
-            put_image(g, state, link, &g->p->design->link[link].cg,
-                      letters[g->q != QUANTITY_SPEED][link]);
-    for (i = 0; i < g->p->problem.n_points; i++) {
-        fourlink_deck_point(g->p->deck, i, &name, &link, &at);
-        put_image(g, state, link, &at,
-                  flk_text_join(letter, sizeof letter, name, mark, (char *)NULL));
+    for (i = 0; i < r->drawn.n_images && arrow_largest(&g->sides) > 0; i++) {
+        const scene_image *x = &r->drawn.images[i];
+
+        flk_text_join(letter, sizeof letter, x->name, d->mark,
+                      x->sub[0] ? subscripts[x->sub[0] - '0'] : "", (char *)NULL);
+        flk_text_join(of, sizeof of, d->of, x->of, (char *)NULL);
+        put_image(g, tracks_vector(&r->numbers, of), letter);
     }
 }
 
-/* The motion of pin C, the end of link 3. */
-static void motion_of_C(const picture *p, const fourlink_state *state, fourlink_vector *v,
-                        fourlink_vector *a)
+/* The first side that ends at a corner; the number of sides if it is the pole. */
+static int side_to(const polygon *g, const char *corner)
 {
-    fourlink_vector at = place_at(p->design->link[FOURLINK_COUPLER].length, 0);
+    int i;
 
-    fourlink_point(state, FOURLINK_COUPLER, &at, NULL, v, a);
+    for (i = 0; i < g->sides.n && strcmp(g->of[i]->to, corner) != 0; i++)
+        ;
+    return i;
 }
 
-/* The arm from D to the point of the lever at B. */
-static fourlink_vector arm_of_lever(const fourlink_state *state)
+static fourlink_vector corner_at(const polygon *g, const char *corner)
 {
-    const fourlink_vector *B = &state->link[FOURLINK_COUPLER].origin,
-                          *D = &state->link[FOURLINK_FOLLOWER].origin;
+    int i = side_to(g, corner);
 
-    return place_at(B->x - D->x, B->y - D->y);
+    return i < g->sides.n ? end_of(&g->sides.list[i]) : zero;
 }
 
-/* Of a slider: the velocity of the lever's point at B, and along the slide. */
-static void put_sliding(picture *p, const fourlink_state *state)
+static void put_polygon(picture *p, const picture_row *r, const scene_polygon *d)
 {
-    const fourlink_link_state *slider = &state->link[FOURLINK_COUPLER];
-    fourlink_vector u = slider->axis, r = arm_of_lever(state), b, b4;
-    double w = state->link[FOURLINK_FOLLOWER].omega;
+    const scene_side *x;
+    char title[80];
     polygon g;
+    int i;
 
-    open_polygon(&g, p, QUANTITY_SPEED);
-    b = put_side(&g, PEN_CRANK, "vB", zero, slider->velocity);
-    b4 = put_side(&g, PEN_FOLLOWER, "vB4", zero, place_at(-w * r.y, w * r.x));
-    put_side(&g, PEN_COUPLER, "slide_v", b4, place_at(state->slide_v * u.x, state->slide_v * u.y));
+    open_polygon(&g, p, d->q, d->zero);
+    for (x = d->sides; x->name; x++)
+        if (tracks_get(&r->numbers, x->of)) {
+            g.of[g.sides.n] = x;
+            put_side(&g, x->link > FOURLINK_FOLLOWER ? PEN_RESULT : (pen)x->link, x->column,
+                     corner_at(&g, x->from), tracks_vector(&r->numbers, x->of));
+        }
     draw_sides(&g);
-    put_letter(&g, zero, "o");
-    put_letter(&g, b, "b");
-    put_letter(&g, b4, "b4");
-    put_images(&g, state);
-    sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
-}
-
-static void put_velocities(picture *p, const fourlink_state *state)
-{
-    fourlink_vector v_B = state->link[FOURLINK_COUPLER].velocity, v_C, b, c;
-    polygon g;
-
-    motion_of_C(p, state, &v_C, NULL);
-    open_polygon(&g, p, QUANTITY_SPEED);
-    b = put_side(&g, PEN_CRANK, "vB", zero, v_B);
-    put_side(&g, PEN_FOLLOWER, "vC", zero, v_C);
-    c = put_side(&g, PEN_COUPLER, "vCB", b, place_beside(v_C, -v_B.x, -v_B.y));
-    draw_sides(&g);
-    put_letter(&g, zero, "o");
-    put_letter(&g, b, "b");
-    put_letter(&g, c, "c");
-    put_images(&g, state);
-    sketch_close(&g.s, "velocity polygon", p->units[g.q].name);
-}
-
-/* Add the normal and the tangential acceleration of a link's end about its origin. */
-static fourlink_vector put_parts(polygon *g, const fourlink_state *state, int link,
-                                 const char *normal, const char *tangential, fourlink_vector from)
-{
-    const fourlink_link_state *l = &state->link[link];
-    double length = g->p->design->link[link].length, n = -l->omega * l->omega * length,
-           t = l->alpha * length;
-
-    from = put_side(g, (pen)link, normal, from, place_at(n * l->axis.x, n * l->axis.y));
-    return put_side(g, (pen)link, tangential, from, place_at(-t * l->axis.y, t * l->axis.x));
-}
-
-/* Of a slider: the accelerations of the lever's point at B, that of Coriolis, and along the slide. */
-static void put_coriolis(picture *p, const fourlink_state *state)
-{
-    const fourlink_link_state *lever = &state->link[FOURLINK_FOLLOWER];
-    fourlink_vector u = state->link[FOURLINK_COUPLER].axis, r = arm_of_lever(state), b, b4;
-    double n = -lever->omega * lever->omega, c = state->coriolis, a = state->slide_a;
-    polygon g;
-
-    open_polygon(&g, p, QUANTITY_ACCELERATION);
-    b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
-    b4 = put_side(&g, PEN_FOLLOWER, "aB4n", zero, place_at(n * r.x, n * r.y));
-    b4 = put_side(&g, PEN_FOLLOWER, "aB4t", b4, place_at(-lever->alpha * r.y, lever->alpha * r.x));
-    put_side(&g, PEN_COUPLER, "slide_a",
-             put_side(&g, PEN_RESULT, "coriolis", b4, place_at(-c * u.y, c * u.x)),
-             place_at(a * u.x, a * u.y));
-    draw_sides(&g);
-    sketch_line(&g.s, PEN_CONSTRUCTION, zero, b);
-    sketch_line(&g.s, PEN_CONSTRUCTION, zero, b4);
-    put_letter(&g, zero, "o'");
-    put_letter(&g, b, "b'");
-    put_letter(&g, b4, "b4'");
-    put_images(&g, state);
-    sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
-}
-
-static void put_accelerations(picture *p, const fourlink_state *state)
-{
-    fourlink_vector a_C, b, c;
-    polygon g;
-
-    motion_of_C(p, state, NULL, &a_C);
-    open_polygon(&g, p, QUANTITY_ACCELERATION);
-    b = put_parts(&g, state, FOURLINK_CRANK, "aBn", "aBt", zero);
-    c = put_parts(&g, state, FOURLINK_COUPLER, "aCBn", "aCBt", b);
-    if (p->kind.has_stroke)
-        put_side(&g, PEN_FOLLOWER, "aC", zero, a_C);
-    else
-        put_parts(&g, state, FOURLINK_FOLLOWER, "aCn", "aCt", zero);
-    draw_sides(&g);
-    sketch_line(&g.s, PEN_CONSTRUCTION, zero, c);
-    sketch_line(&g.s, PEN_CONSTRUCTION, b, c);
-    put_letter(&g, zero, "o'");
-    put_letter(&g, b, "b'");
-    put_letter(&g, c, "c'");
-    put_images(&g, state);
-    sketch_close(&g.s, "acceleration polygon", p->units[g.q].name);
+    for (i = 0; i < 2 && d->lines[i][0]; i++)
+        sketch_line(&g.s, PEN_CONSTRUCTION, corner_at(&g, d->lines[i][0]),
+                    corner_at(&g, d->lines[i][1]));
+    put_letter(&g, zero, d->sides[0].from);
+    for (i = 0; i < g.sides.n; i++)
+        if (g.of[i]->to[0] != '_' && side_to(&g, g.of[i]->to) == i)
+            put_letter(&g, end_of(&g.sides.list[i]), g.of[i]->to);
+    put_images(&g, r, d);
+    flk_text_join(title, sizeof title, d->title, " polygon", (char *)NULL);
+    title[0] = (char)tolower((unsigned char)title[0]);
+    sketch_close(&g.s, title, p->v.units[g.q].name);
 }
 
 /* A link with the forces on it: from its two neighbours, weight, loads, and -m a_G, which balances them. */
@@ -279,24 +193,36 @@ typedef struct free_body {
     fourlink_vector first, second, G; /* its pins, and its centre of mass */
     double length;
     friction_circle circle[2]; /* of the pins */
+    int of_pin[2];             /* their forces in the list; -1: it is 0 */
     double circle_scale;
     arrow_list forces;
 } free_body;
 
-/* Add the force at a pin, 0 or 1, by a neighbour; returns its place in the list, -1 if it is 0. */
-static int add_pin(free_body *b, const picture *p, const picture_row *r, int pin, int by)
+/* Add the forces of a sort; the first two, those of the pins, have circles. */
+static void add_forces(free_body *b, const picture *p, const picture_row *r, scene_sort sort)
 {
-    int n = b->forces.n;
+    int pin = 0, i, n;
 
-    arrow_add_joint(&b->forces, p, r, by, b->link);
-    b->circle[pin] = friction_circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
-                                        n < b->forces.n ? b->forces.list[n].F : zero);
-    return n < b->forces.n ? n : -1;
+    for (i = 0; i < r->drawn.n_forces; i++) {
+        const scene_force *f = &r->drawn.forces[i];
+
+        if (f->on != b->link || f->sort != sort)
+            continue;
+        n = b->forces.n;
+        arrow_add_force(&b->forces, p, r, f);
+        if (sort != SCENE_PIN)
+            continue;
+        b->circle[pin] = friction_circle_of(p, r, b->link - FOURLINK_CRANK + pin, b->link,
+                                            n < b->forces.n ? b->forces.list[n].F : zero);
+        b->of_pin[pin++] = n < b->forces.n ? n : -1;
+    }
 }
 
 /* Move the force of a pin to where it touches the friction circle. */
-static void touch(free_body *b, int pin, int i)
+static void touch(free_body *b, int pin)
 {
+    int i = b->of_pin[pin];
+
     if (i >= 0)
         b->forces.list[i].at = friction_circle_touch(&b->circle[pin], b->circle_scale,
                                                      b->forces.list[i].at, b->forces.list[i].F);
@@ -304,31 +230,23 @@ static void touch(free_body *b, int pin, int i)
 
 static void open_body(free_body *b, const picture *p, const picture_row *r, int link)
 {
-    const fourlink_link *body = &p->design->link[link];
-    const fourlink_state *state = &r->now.state;
-    figure_pins pins = figure_place(p, state);
-    int first, second;
-    fourlink_vector a_G;
+    const fourlink_joint *ends = &p->v.kind.joint[link - FOURLINK_CRANK];
 
     b->link = link;
-    b->is_slider = p->kind.slides_on[link];
-    b->first = link == FOURLINK_CRANK ? pins.A : link == FOURLINK_COUPLER ? pins.B : pins.C;
-    b->second = link == FOURLINK_CRANK                     ? pins.B
-                : link == FOURLINK_COUPLER || b->is_slider ? pins.C
-                                                           : pins.D;
-    b->G = figure_of_link(p, state, link, &body->cg);
+    b->is_slider = p->v.kind.slides_on[link];
+    b->first = figure_track(p, r, ends[0].letter);
+    b->second = figure_track(p, r, ends[1].letter);
+    b->G = figure_of_link(p, &r->now.state, link, &p->v.design->link[link].cg);
     b->length = gsl_hypot(b->second.x - b->first.x, b->second.y - b->first.y);
     if (b->length == 0)
-        b->length = figure_length(p, p->design->link[FOURLINK_CRANK].length);
+        b->length = figure_length(p, p->v.design->link[FOURLINK_CRANK].length);
     b->forces.n = 0;
-    first = add_pin(b, p, r, 0, link - 1);
-    second = add_pin(b, p, r, 1, link == FOURLINK_FOLLOWER ? FOURLINK_GROUND : link + 1);
+    add_forces(b, p, r, SCENE_PIN);
     b->circle_scale = friction_circle_scale(b->length, &b->circle[0], &b->circle[1]);
-    touch(b, 0, first);
-    touch(b, 1, second);
-    arrow_add_loads(&b->forces, p, r, link, 1);
-    fourlink_point(state, link, &body->cg, NULL, NULL, &a_G);
-    arrow_add(&b->forces, PEN_RESULT, "-m aG", b->G, -body->mass * a_G.x, -body->mass * a_G.y);
+    touch(b, 0);
+    touch(b, 1);
+    add_forces(b, p, r, SCENE_LOAD);
+    add_forces(b, p, r, SCENE_INERTIA);
 }
 
 /* Draw a pin, in the middle of its friction circle if it has one. */
@@ -342,7 +260,7 @@ static void draw_pin(sketch *s, const picture *p, const free_body *b, int pin)
     } else {
         sketch_pin(s, at);
     }
-    figure_letter(s, at, other, other, p->kind.joint[b->link - FOURLINK_CRANK + pin].letter);
+    figure_letter(s, at, other, other, p->v.kind.joint[b->link - FOURLINK_CRANK + pin].letter);
 }
 
 /* Draw the body between its pins, out to its loads, with its centre of mass. */
@@ -352,15 +270,15 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
 
     if (b->is_slider)
         figure_piston(s, (pen)b->link, b->first, &r->now.state.link[b->link].axis);
-    else if (p->kind.has_slot && b->link == FOURLINK_FOLLOWER)
+    else if (p->v.kind.has_slot && b->link == FOURLINK_FOLLOWER)
         figure_lever(s, p, &r->now.state, PEN_FOLLOWER);
     else
         sketch_line(s, (pen)b->link, b->first, b->second);
-    for (i = 0; i < p->problem.n_loads; i++)
+    for (i = 0; i < p->v.problem.n_loads; i++)
         if (r->loads[i].link == b->link)
             figure_off(s, b->first, b->second,
                        figure_of_link(p, &r->now.state, b->link, &r->loads[i].at));
-    if (p->design->link[b->link].mass > 0) {
+    if (p->v.design->link[b->link].mass > 0) {
         figure_off(s, b->first, b->second, b->G);
         sketch_centre(s, b->G);
     }
@@ -369,11 +287,29 @@ static void draw_body(sketch *s, const picture *p, const picture_row *r, const f
         draw_pin(s, p, b, 1);
 }
 
+/* Draw the torques of the pins, but for rounding, and of inertia. */
+static void put_torques(sketch *s, const picture *p, const picture_row *r, const free_body *b)
+{
+    double rounding =
+        ROUNDING * arrow_largest(&b->forces) * p->v.design->link[FOURLINK_CRANK].length;
+    char words[80];
+    int i;
+
+    for (i = 0; i < r->drawn.n_torques; i++) {
+        const scene_force *f = &r->drawn.torques[i];
+        double value = f->sign * tracks_vector(&r->numbers, f->of).x;
+
+        if (f->on == b->link && !f->load && (f->sort != SCENE_PIN || fabs(value) > rounding))
+            arrow_draw_torque(s, p, f->sort == SCENE_PIN ? PEN_FORCE : PEN_RESULT,
+                              scene_words(f, words, sizeof words), figure_track(p, r, f->at),
+                              value);
+    }
+}
+
 /* Draw the body with forces and torques. */
 static void put_free_body(picture *p, const picture_row *r, const free_body *b)
 {
-    double inertia = p->design->link[b->link].inertia, alpha = r->now.state.link[b->link].alpha;
-    double largest = arrow_largest(&b->forces), crank = p->design->link[FOURLINK_CRANK].length;
+    double largest = arrow_largest(&b->forces);
     char words[80];
     sketch s;
 
@@ -384,22 +320,14 @@ static void put_free_body(picture *p, const picture_row *r, const free_body *b)
         arrow_draw(&b->forces, &s, p, 0.8 * b->length / largest);
         arrow_draw_scale(&s, p, QUANTITY_FORCE, 0.8 * b->length / largest, largest);
     } else {
-        sketch_note(&s, all_zero(QUANTITY_FORCE));
+        sketch_note(&s, NO_FORCES);
     }
     arrow_draw_load_torques(&s, p, r, b->link, 1);
-    if (b->link == FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, "Ts", zero, picture_driving_torque(p, &r->now.forces));
-    if (p->kind.has_slot && b->link != FOURLINK_CRANK)
-        arrow_draw_torque(&s, p, PEN_FORCE, b->is_slider ? "M" SUB_4 SUB_3 : "M" SUB_3 SUB_4,
-                          b->first, b->is_slider ? -r->now.forces.M34 : r->now.forces.M34);
-    if (p->kind.has_stroke && b->is_slider && fabs(r->now.forces.M14) > ROUNDING * largest * crank)
-        arrow_draw_torque(&s, p, PEN_FORCE, "M" SUB_1 SUB_4, b->first, r->now.forces.M14);
-    if (alpha != 0 && inertia > 0)
-        arrow_draw_torque(&s, p, PEN_RESULT, "-I\316\261", b->G, -inertia * alpha);
+    put_torques(&s, p, r, b);
     if (b->circle[0].radius > 0 || b->circle[1].radius > 0)
         friction_circle_note(&s, b->circle_scale);
-    flk_text_join(words, sizeof words, "free body of the ", p->kind.link[b->link], (char *)NULL);
-    sketch_close(&s, words, p->units[QUANTITY_LENGTH].name);
+    flk_text_join(words, sizeof words, "free body of the ", p->v.kind.link[b->link], (char *)NULL);
+    sketch_close(&s, words, p->v.units[QUANTITY_LENGTH].name);
 }
 
 /* Draw the same forces in sequence: the polygon closes. */
@@ -410,12 +338,12 @@ static void put_force_polygon(picture *p, const free_body *b)
     polygon g;
     int i;
 
-    open_polygon(&g, p, QUANTITY_FORCE);
+    open_polygon(&g, p, QUANTITY_FORCE, NO_FORCES);
     for (i = 0; i < b->forces.n; i++)
         at = put_side(&g, b->forces.list[i].kind, b->forces.list[i].name, at, b->forces.list[i].F);
     draw_sides(&g);
-    flk_text_join(words, sizeof words, "forces on the ", p->kind.link[b->link], (char *)NULL);
-    sketch_close(&g.s, words, p->units[QUANTITY_FORCE].name);
+    flk_text_join(words, sizeof words, "forces on the ", p->v.kind.link[b->link], (char *)NULL);
+    sketch_close(&g.s, words, p->v.units[QUANTITY_FORCE].name);
 }
 
 static void put_mechanism(picture *p, const fourlink_instant *now)
@@ -434,14 +362,15 @@ const char *picture_vectors(picture *p, fourlink_branch branch)
 {
     picture_row r;
     free_body bodies[FOURLINK_FOLLOWER + 1];
-    int link, status = picture_position(p, branch, &r.now, r.loads);
+    const scene_polygon *polygons = scene_polygons(&p->v);
+    int link, status = picture_row_find(p, branch, &r);
 
     if (status != FOURLINK_OK)
         return fourlink_status_text(status);
     put_mechanism(p, &r.now);
-    (p->kind.has_slot ? put_sliding : put_velocities)(p, &r.now.state);
-    (p->kind.has_slot ? put_coriolis : put_accelerations)(p, &r.now.state);
-    if (!p->problem.has_forces)
+    put_polygon(p, &r, &polygons[0]);
+    put_polygon(p, &r, &polygons[1]);
+    if (!p->v.problem.has_forces)
         return NULL;
     for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
         open_body(&bodies[link], p, &r, link);

@@ -4,8 +4,8 @@
 **
 ** It does no mechanics.  The program computes rows, one for each step, and this script draws them: the
 ** mechanism, the polygons of velocity and acceleration, the free bodies, and the row of the table.  Of a row it
-** knows tracks: a vector or a number by its name, as rows.c makes them.  What is drawn from which track stands in
-** the same data, from scene.c.
+** knows tracks: a vector or a number by its name, as view/tracks.c makes them.  What is drawn from which track stands
+** in the same data, from view/scene.c.
 */
 fourlink.draw = (function () {
 
@@ -434,8 +434,9 @@ function polygon(data, panel, described) {
         for (const side of described.sides)
             arrow(panel, "link" + side.pen, place(side.from), times(scale, tracks.vector(side.of, i)));
         for (const key of keys.filter((x) => !/^_|^image/.test(x))) {
-            circle(panel, "dot", place(key), 2.5, key);
-            text(panel, place(key), minus(place(key), heart), [key, "", ""], 4);
+            const letter = key.replace("'", "′").replace("4", "₄");
+            circle(panel, "dot", place(key), 2.5, letter);
+            text(panel, place(key), minus(place(key), heart), [letter, "", ""], 4);
         }
         described.images.forEach((x, k) => {
             circle(panel, "dot", place("image " + k), 2.5);

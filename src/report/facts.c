@@ -15,7 +15,7 @@ static void put_value(report *r, const fourlink_value *v, int cells)
     if (v->words)
         page_print(p, "<td colspan=\"%d\">%s</td>", cells, v->words);
     else
-        cell_put(p, v->value, r->problem.digits);
+        cell_put(p, v->value, r->v.problem.digits);
     page_print(p, v->words ? "" : "<td>%s</td>", cell_unit(v->unit));
 }
 
@@ -24,8 +24,8 @@ static void put_angle(report *r, const fourlink_value *v)
 {
     page_print(&r->page, "<td>");
     if (v->has_angle) {
-        cell_number(&r->page, v->angle, r->problem.digits);
-        page_print(&r->page, " %s", r->units[QUANTITY_ANGLE].name);
+        cell_number(&r->page, v->angle, r->v.problem.digits);
+        page_print(&r->page, " %s", r->v.units[QUANTITY_ANGLE].name);
     }
     page_print(&r->page, "</td>");
 }
@@ -35,7 +35,7 @@ static void put_inputs(report *r)
     const fourlink_value *inputs;
     unsigned long n, i;
 
-    fourlink_results_list(r->results, FOURLINK_INPUTS, &inputs, &n);
+    fourlink_results_list(r->v.results, FOURLINK_INPUTS, &inputs, &n);
     cell_begin(&r->page, "Inputs as understood",
                CELL_HEAD("Name") CELL_HEAD("Value") CELL_HEAD("Unit") CELL_HEAD("Meaning"));
     for (i = 0; i < n; i++) {
@@ -51,7 +51,7 @@ static void put_facts(report *r, const char *heading, int group)
     const fourlink_value *facts;
     unsigned long n, i;
 
-    fourlink_results_facts(r->results, 0, group, &facts, &n);
+    fourlink_results_facts(r->v.results, 0, group, &facts, &n);
     if (!n)
         return;
     cell_begin(&r->page, heading,
@@ -79,11 +79,11 @@ static void put_extreme(report *r, int handle, fourlink_branch branch)
 {
     fourlink_value v;
 
-    if (fourlink_results_get(r->results, handle, branch, 0, &v) != FOURLINK_OK) {
+    if (fourlink_results_get(r->v.results, handle, branch, 0, &v) != FOURLINK_OK) {
         page_print(&r->page, "<td></td><td></td>");
         return;
     }
-    cell_put(&r->page, v.value, r->problem.digits);
+    cell_put(&r->page, v.value, r->v.problem.digits);
     put_angle(r, &v);
 }
 
@@ -93,8 +93,8 @@ static void put_extremes(report *r, fourlink_branch branch)
     unsigned long n, i;
     int status;
 
-    fourlink_results_list(r->results, FOURLINK_COLUMNS, &columns, &n);
-    status = sheet_find_extremes(r->results, branch);
+    fourlink_results_list(r->v.results, FOURLINK_COLUMNS, &columns, &n);
+    status = sheet_find_extremes(r->v.results, branch);
     if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) {
         page_print(&r->page, "<p class=\"missing\">No smallest and largest values, %s: %s.</p>\n",
                    branch == FOURLINK_OPEN ? "open branch" : "crossed branch",
@@ -128,7 +128,7 @@ void report_put_facts(report *r)
     put_facts(r, "Type and key facts", FOURLINK_FACTS_LIMITS);
     put_facts(r, "Turning moment", FOURLINK_FACTS_TURNING);
     put_facts(r, "Actual motion", FOURLINK_FACTS_MOTION);
-    for (i = 0; i < r->n_branches && r->problem.n_rows > 1; i++)
-        put_extremes(r, r->branches[i]);
+    for (i = 0; i < r->v.n_branches && r->v.problem.n_rows > 1; i++)
+        put_extremes(r, r->v.branches[i]);
     page_print(&r->page, "</section>\n");
 }

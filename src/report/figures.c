@@ -32,7 +32,8 @@ static int draw(report *r, FILE *drawing, plot_kind kind, const char *at)
     request.kind = kind;
     request.file = PLOT_SVG;
     request.at = at;
-    request.opened = r->results;
+    request.opened = r->v.results;
+    request.kept = &r->drawn;
     if (!script) {
         miss(r, strerror(errno));
     } else if ((is_written = plot_write(script, r->source, &request, &caption, &mistake)) > 0) {
@@ -99,9 +100,9 @@ void report_put_mechanism(report *r)
 
     page_section(&r->page, "mechanism", "Mechanism");
     at_angle(r, "The mechanism, with loads and pin forces,", caption);
-    if (!r->problem.has_forces)
+    if (!r->v.problem.has_forces)
         at_angle(r, "The mechanism", caption);
-    flk_text_join(alt, sizeof alt, "Drawing to scale of the ", r->kind.words,
+    flk_text_join(alt, sizeof alt, "Drawing to scale of the ", r->v.kind.words,
                   ": its links, pins and points", (char *)NULL);
     put_figure(r, PLOT_MECHANISM, at, alt, caption);
     if (r->gnuplot)
@@ -114,7 +115,7 @@ void report_put_mechanism(report *r)
 void report_put_curves(report *r)
 {
     const char *at = r->drawn_at;
-    const char *over = r->problem.by_time ? "over time." : "over the crank angle.";
+    const char *over = r->v.problem.by_time ? "over time." : "over the crank angle.";
     char caption[200];
 
     page_section(&r->page, "curves", "Polygons and curves");

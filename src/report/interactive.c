@@ -13,7 +13,7 @@
 #include "assets.h"
 #include "interactive.h"
 #include "report.h"
-#include "scene.h"
+#include "scene_json.h"
 #include "tables/json_text.h"
 #include "tables/style.h"
 
@@ -58,29 +58,17 @@ static void put_column(line *l, const fourlink_value *c, const style *x)
 }
 
 /* Write the columns, with the style that the format table gives them. */
-static int put_columns(line *l, const rows *t, style *styles)
+static void put_columns(line *l, const rows *t, style *styles)
 {
     unsigned long j;
-    sheet s;
 
-    memset(&s, 0, sizeof s);
-    s.results = t->results;
-    s.problem = t->problem;
-    s.columns = t->columns;
-    s.n_columns = t->n_columns;
-    fourlink_motion_range(&s.problem.motion, &s.range);
-    s.values = malloc((s.n_columns + 1) * sizeof *s.values);
-    if (!s.values)
-        return 0;
-    style_find(&s, styles);
-    free(s.values);
+    style_find(&t->v, 0, t->table, styles);
     line_put(l, "\"columns\":[");
-    for (j = 0; j < t->n_columns; j++) {
+    for (j = 0; j < t->v.n_columns; j++) {
         line_put(l, j ? ",\n" : "\n");
-        put_column(l, &t->columns[j], &styles[j]);
+        put_column(l, &t->v.columns[j], &styles[j]);
     }
     line_put(l, "],\n");
-    return 1;
 }
 
 static void put_cell(line *l, double x, const fourlink_value *c, const style *how)
@@ -104,9 +92,9 @@ static void put_table(line *l, const rows *t, const style *styles)
     line_put(l, "\"table\":[");
     for (i = 0; i < t->n; i++) {
         line_put(l, i ? ",\n[" : "\n[");
-        for (j = 0; j < t->n_columns; j++) {
+        for (j = 0; j < t->v.n_columns; j++) {
             line_put(l, j ? "," : "");
-            put_cell(l, t->table[i * t->n_columns + j], &t->columns[j], &styles[j]);
+            put_cell(l, t->table[i * t->v.n_columns + j], &t->v.columns[j], &styles[j]);
         }
         line_put(l, "]");
     }
@@ -196,7 +184,7 @@ static void put_steps(line *l, const rows *t, double start)
 {
     unsigned long i, first = 0;
 
-    line_put(l, "\"over\":\"%s\",\n\"steps\":[", t->problem.by_time ? "time" : "theta2");
+    line_put(l, "\"over\":\"%s\",\n\"steps\":[", t->v.problem.by_time ? "time" : "theta2");
     for (i = 0; i < t->n; i++) {
         line_put(l, i ? "," : "");
         line_number(l, t->steps[i], STEP_DIGITS);
@@ -209,14 +197,16 @@ static void put_steps(line *l, const rows *t, double start)
 /* Write the rows of branches; 0 without memory. */
 static int put_rows(line *l, rows *t, const fourlink_branch *branches, int n, double start)
 {
-    style *styles = malloc((t->n_columns + 1) * sizeof *styles);
-    int i, done = styles && put_columns(l, t, styles);
+    style *styles = malloc((t->v.n_columns + 1) * sizeof *styles);
+    int i, done = styles != NULL;
 
+    if (done)
+        put_columns(l, t, styles);
     for (i = 0; done && i < n; i++) {
         done = rows_compute(t, branches[i]);
         if (done && i == 0) {
             put_steps(l, t, start);
-            scene_write(l, t);
+            scene_json_write(l, t);
             line_put(l, "\"branches\":[\n");
         }
         line_put(l, i ? ",\n" : "");
@@ -264,7 +254,7 @@ void report_put_interactive(report *r)
         r->out_of_memory = 1;
         return;
     }
-    if (rows_open(t, r->source, start)) {
+    if (rows_open(t, r->source, r->v.results, start)) {
         if (r->now.status == FOURLINK_OK)
             start = rows_step_of(t, &r->now);
         page_print(p, "<div id=\"fourlink-drawing\" class=\"drawing\" hidden=\"hidden\">\n");
@@ -272,7 +262,7 @@ void report_put_interactive(report *r)
         page_print(p, "<div id=\"fourlink-panels\"></div>\n"
                       "<p id=\"fourlink-status\" role=\"status\" class=\"reader\"></p>\n</div>\n"
                       "<script type=\"application/json\" id=\"fourlink-rows\">");
-        r->out_of_memory |= !interactive_write(p->out, t, r->branches, r->n_branches, start);
+        r->out_of_memory |= !interactive_write(p->out, t, r->v.branches, r->v.n_branches, start);
         page_print(p, "</script>\n");
     }
     r->out_of_memory |= t->out_of_memory;

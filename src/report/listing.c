@@ -24,8 +24,8 @@ static void put_notes(report *r)
 
     if (!r->n_notes)
         return;
-    page_print(&r->page, r->results ? "<h3>Notes on the deck</h3>\n<ul>\n"
-                                    : "<h3>Mistakes in the deck</h3>\n<ul class=\"mistakes\">\n");
+    page_print(&r->page, r->v.results ? "<h3>Notes on the deck</h3>\n<ul>\n"
+                                      : "<h3>Mistakes in the deck</h3>\n<ul class=\"mistakes\">\n");
     for (i = 0; i < r->n_notes && i < REPORT_MISTAKES; i++) {
         const fourlink_mistake *note = &r->notes[i];
 
@@ -41,7 +41,7 @@ static void put_notes(report *r)
     if (r->n_notes > REPORT_MISTAKES)
         page_print(&r->page, "<li>and %lu more</li>\n", r->n_notes - REPORT_MISTAKES);
     page_print(&r->page, "</ul>\n");
-    if (!r->results)
+    if (!r->v.results)
         page_print(&r->page, "<p>Nothing was computed.</p>\n");
 }
 
@@ -83,10 +83,10 @@ static void put_changes(report *r)
 void report_put_deck(report *r)
 {
     page_section(&r->page, "deck", "Deck");
-    if (r->problem.n_designs)
+    if (r->v.problem.n_designs)
         page_print(&r->page,
                    "<p>The deck has a sweep of %lu designs; this report is of design %lu.</p>\n",
-                   r->problem.n_designs, r->problem.design + 1);
+                   r->v.problem.n_designs, r->v.problem.design + 1);
     put_notes(r);
     put_text(r);
     put_changes(r);

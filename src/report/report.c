@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "pictures/picture.h"
 #include "report.h"
 #include "tables/at.h"
 #include "tables/sheet.h"
@@ -44,27 +43,20 @@ static void put_discussion(report *r)
 /* 1 if there is a row to draw. */
 static int has_rows(const report *r)
 {
-    fourlink_instant at;
-    unsigned long i;
-    int b;
+    const char *why;
+    unsigned long n, missing = view_count_missing(&r->v, &n, &why);
 
-    for (b = 0; b < r->n_branches; b++)
-        for (i = 0; i < r->problem.n_rows; i++)
-            if (fourlink_results_row(r->results, r->branches[b], i, NULL, &at, NULL) ==
-                    FOURLINK_OK &&
-                at.status == FOURLINK_OK)
-                return 1;
-    return 0;
+    return missing < n;
 }
 
 static void put_page(report *r)
 {
-    const char *title = r->problem.title[0] ? r->problem.title : r->source->name;
-    int is_drawn = r->results && has_rows(r);
+    const char *title = r->v.problem.title[0] ? r->v.problem.title : r->source->name;
+    int is_drawn = r->v.results && has_rows(r);
 
     put_head(r, title);
     report_put_deck(r);
-    if (r->results) {
+    if (r->v.results) {
         report_put_facts(r);
         if (is_drawn)
             report_put_mechanism(r);
@@ -77,18 +69,9 @@ static void put_page(report *r)
     }
     page_print(&r->page, "<footer><p>Made by fourlink %s.</p></footer>\n</main>\n",
                fourlink_version());
-    if (r->results)
+    if (r->v.results)
         report_put_script(&r->page);
     page_print(&r->page, "</body>\n</html>\n");
-}
-
-/* Returns 0, for the caller to return. */
-static int refuse(fourlink_mistake *mistake, const char *place, const char *why)
-{
-    memset(mistake, 0, sizeof *mistake);
-    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
-    flk_text_join(mistake->message, sizeof mistake->message, why, (char *)NULL);
-    return 0;
 }
 
 /* Read the crank angle of the request. */
@@ -98,101 +81,79 @@ static int read_angle(report *r, double *angle, fourlink_mistake *mistake)
     char message[400];
     at_item item;
 
-    if (at_next(r->results, &list, &item, message) != 1)
-        return refuse(mistake, "--plot-at", message);
+    if (at_next(&r->v, &list, &item, message) != 1)
+        return view_refuse(mistake, "--plot-at", message, "");
     if (item.column)
-        return refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg");
+        return view_refuse(mistake, "--plot-at", "a report needs a crank angle, such as 30 deg",
+                           "");
     *angle = item.value;
-    return !list || refuse(mistake, "--plot-at", "a report shows one position, not several");
+    return !list ||
+           view_refuse(mistake, "--plot-at", "a report shows one position, not several", "");
 }
 
-/* The crank angle that pictures take: of one instant, otherwise after a sixth of the motion. */
-static double usual_angle(const report *r)
-{
-    const fourlink_motion *motion = &r->problem.motion;
-
-    return motion->from + (picture_end(motion) - motion->from) / 6;
-}
-
-/* Find the position of the sample calculation.  Where the linkage cannot be assembled at the usual angle, it is the
-** first row at which it can. */
+/* Find the position of the sample calculation; over time at its crank angle, which pictures have too. */
 static int find_sample(report *r, fourlink_mistake *mistake)
 {
-    double angle = usual_angle(r);
+    const char *at = r->request->at;
     char number[FORMAT_SIZE];
-    unsigned long i;
+    double angle;
 
-    if (r->request->at && !read_angle(r, &angle, mistake))
+    if (at && !read_angle(r, &angle, mistake))
         return 0;
-    if (r->problem.by_time && !r->request->at &&
-        fourlink_results_row(r->results, r->branches[0], r->problem.n_rows / 6, NULL, &r->now,
-                             NULL) == FOURLINK_OK)
-        angle = r->now.row.angle;
-    fourlink_results_at(r->results, r->branches[0], angle, NULL, &r->now, r->loads);
-    for (i = 0; r->now.status != FOURLINK_OK && !r->request->at && i < r->problem.n_rows; i++)
-        fourlink_results_row(r->results, r->branches[0], i, NULL, &r->now, r->loads);
+    view_find_position(&r->v, r->v.branches[0], at ? &angle : NULL, &r->now, r->loads);
+    if (r->v.problem.by_time && r->now.status == FOURLINK_OK)
+        fourlink_results_at(r->v.results, r->v.branches[0], r->now.row.angle, NULL, &r->now,
+                            r->loads);
     flk_text_join(r->at, sizeof r->at, format_general(r->now.row.angle, 6, number), " ",
-                  r->units[QUANTITY_ANGLE].name, (char *)NULL);
+                  r->v.units[QUANTITY_ANGLE].name, (char *)NULL);
     r->drawn_at = r->request->at;
-    if (r->problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
+    if (r->v.problem.by_time && !r->request->at && r->now.status == FOURLINK_OK)
         r->drawn_at =
             flk_text_join(r->exact, sizeof r->exact, format_general(r->now.row.angle, 17, number),
-                          " ", r->units[QUANTITY_ANGLE].name, (char *)NULL);
+                          " ", r->v.units[QUANTITY_ANGLE].name, (char *)NULL);
     return 1;
 }
 
 /* 1; 0 and the reason why not; -1 if out of memory. */
 static int open_deck(report *r, fourlink_mistake *mistake)
 {
-    int q;
-
-    r->deck = fourlink_results_deck(r->results);
-    fourlink_deck_problem(r->deck, &r->problem);
-    r->design = &r->problem.mechanism.design;
-    fourlink_kind_of((int)r->design->kind, &r->kind);
-    for (q = 0; q < QUANTITY_COUNT; q++)
-        fourlink_deck_unit(r->deck, flk_quantities[q].name, &r->units[q]);
-    if (r->problem.open)
-        r->branches[r->n_branches++] = FOURLINK_OPEN;
-    if (r->problem.crossed)
-        r->branches[r->n_branches++] = FOURLINK_CROSSED;
-    fourlink_results_notes(r->results, REPORT_MISTAKES, r->notes, &r->n_notes);
-    r->loads = malloc((r->problem.n_loads + 1) * sizeof *r->loads);
-    r->row_loads = malloc((r->problem.n_loads + 1) * sizeof *r->row_loads);
+    view_take(&r->v, r->request->opened);
+    fourlink_results_notes(r->v.results, REPORT_MISTAKES, r->notes, &r->n_notes);
+    r->loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->loads);
+    r->row_loads = malloc((r->v.problem.n_loads + 1) * sizeof *r->row_loads);
     return r->loads && r->row_loads ? find_sample(r, mistake) : -1;
 }
 
-static int open_results(report *r, fourlink_mistake *mistake)
+/* Read a deck with mistakes again, for these.  The same. */
+static int find_mistakes(report *r)
 {
-    int status = FOURLINK_NO_MEMORY;
+    fourlink_results *results = NULL;
+    int status = fourlink_results_open(r->source, REPORT_MISTAKES, &results, r->notes, &r->n_notes);
 
-    r->notes = malloc(REPORT_MISTAKES * sizeof *r->notes);
-    if (r->notes)
-        status =
-            fourlink_results_open(r->source, REPORT_MISTAKES, &r->results, r->notes, &r->n_notes);
-    if (status == FOURLINK_BAD_DECK)
-        return 1;
-    return status == FOURLINK_OK ? open_deck(r, mistake) : -1;
+    fourlink_results_free(results);
+    return status == FOURLINK_NO_MEMORY ? -1 : 1;
 }
 
 int report_write(FILE *out, const fourlink_source *source, const report_request *request,
                  report_outcome *outcome, fourlink_mistake *mistake)
 {
-    int opened;
+    int opened = -1;
     report r;
 
     memset(&r, 0, sizeof r);
     r.page.out = out;
     r.source = source;
     r.request = request;
-    opened = open_results(&r, mistake);
+    r.notes = malloc(REPORT_MISTAKES * sizeof *r.notes);
+    if (r.notes)
+        opened = request->opened ? open_deck(&r, mistake) : find_mistakes(&r);
     if (opened > 0)
         put_page(&r);
     if (r.out_of_memory)
         opened = -1;
     outcome->gnuplot = r.gnuplot;
     outcome->has_failed = r.failed > 0;
-    fourlink_results_free(r.results);
+    fourlink_results_free(r.drawn);
     free(r.loads);
     free(r.row_loads);
     free(r.notes);

@@ -8,12 +8,12 @@
 #define FOURLINK_REPORT_H
 
 #include "base/format.h"
-#include "base/units.h"
-#include "fourlink.h"
 #include "page.h"
+#include "view/view.h"
 
 /* What the caller knows beside the deck. */
 typedef struct report_request {
+    fourlink_results *opened; /* of the deck; null: it has mistakes */
     const char
         *at; /* the crank angle of the sample calculation, as in --plot-at; null: not given */
 } report_request;
@@ -27,14 +27,8 @@ typedef struct report {
     const report_request *request;
     fourlink_mistake *notes; /* on the deck, or its mistakes */
     unsigned long n_notes;
-    fourlink_results *results; /* null: the deck has mistakes */
-    const fourlink_deck *deck;
-    fourlink_problem problem;
-    const fourlink_design *design; /* of the problem */
-    fourlink_kind_facts kind;
-    fourlink_unit units[QUANTITY_COUNT];
-    fourlink_branch branches[2];
-    int n_branches;
+    fourlink_results *drawn;  /* for the figures; null: not opened yet */
+    view v;                   /* its results are null if the deck has mistakes */
     fourlink_load *row_loads; /* room for the loads of a row */
     int out_of_memory;
     const char *gnuplot;  /* null; or the reason why there are no pictures */

@@ -6,13 +6,12 @@
 #ifndef FOURLINK_ROWS_H
 #define FOURLINK_ROWS_H
 
-#include "base/units.h"
-#include "fourlink.h"
+#include "view/tracks.h"
 
-enum { ROWS_TRACKS = 504, ROWS_NAME = 16, ROWS_LOADS = 42, ROWS_POINTS = 24 };
+enum { ROWS_LOADS = 42, ROWS_POINTS = 24 };
 
 typedef struct rows_track {
-    char name[ROWS_NAME];
+    char name[TRACKS_NAME];
     int is_number;           /* 1: only x is used */
     fourlink_vector *values; /* by row; NaN where the linkage cannot be assembled */
     double size;             /* the largest magnitude */
@@ -20,14 +19,8 @@ typedef struct rows_track {
 
 typedef struct rows {
     int out_of_memory;
-    fourlink_results *results; /* of the deck; one instant has become a cycle */
-    fourlink_problem problem;
-    const fourlink_deck *deck;
-    const fourlink_design *design;
-    fourlink_unit units[QUANTITY_COUNT];
-    fourlink_kind_facts kind;
-    const fourlink_value *columns;
-    unsigned long n_columns;
+    fourlink_results *own; /* opened here; null: none */
+    view v;                /* of the deck; one instant has become a cycle */
     unsigned long n;
     double *steps; /* crank angles or times, in the deck's unit */
 
@@ -35,15 +28,17 @@ typedef struct rows {
     fourlink_branch branch;
     int *status;
     double *table; /* by row and column */
-    rows_track tracks[ROWS_TRACKS];
+    rows_track tracks[TRACKS_MOST];
     int n_tracks;
     fourlink_load *loads; /* at one crank angle */
+    tracks now;           /* the same */
 } rows;
 
-/* Open the deck and choose the steps: every row of the deck if there are not too many, with others between them if
-** there are few, and the crank angle `at`, which may be NaN.  Returns 0 without memory, or if the deck has more loads
-** or points than a drawing shows. */
-int rows_open(rows *t, const fourlink_source *source, double at);
+/* Take the deck that is open, or open it where it is to have other rows or is null, and choose the steps:
+** every row of the deck if there are not too many, with others between them if there are few, and the
+** crank angle `at`, which may be NaN.  Returns 0 without memory, or if the deck has more loads or points
+** than a drawing shows. */
+int rows_open(rows *t, const fourlink_source *source, fourlink_results *opened, double at);
 
 /* Where an instant lies among the steps, in their unit. */
 double rows_step_of(const rows *t, const fourlink_instant *now);
@@ -54,11 +49,5 @@ int rows_compute(rows *t, fourlink_branch branch);
 
 /* The track of a name; null if there is none. */
 const rows_track *rows_find(const rows *t, const char *name);
-
-/* A value in the deck's unit of its quantity. */
-double rows_value(const rows *t, quantity q, double si);
-
-/* The name of a track with a number: G2, P0. */
-char *rows_name(const char *before, unsigned long i, const char *after, char name[ROWS_NAME]);
 
 #endif

@@ -25,7 +25,7 @@ void report_put_sample(report *r)
                "%d, angles with four decimals.</p>\n",
                r->at, fourlink_branch_text((int)r->now.branch), MATH_DIGITS);
     sample_put_motion(r, &m);
-    if (r->problem.has_forces)
+    if (r->v.problem.has_forces)
         sample_put_forces(r, &m);
     else
         page_print(p, "<p>The deck has no masses and no loads, so there are no forces.</p>\n");

@@ -9,6 +9,7 @@
 #include <gsl/gsl_math.h>
 
 #include "sample.h"
+#include "view/geometry.h"
 
 /* A moving link at this position, in the axes of the ground. */
 typedef struct body {
@@ -55,7 +56,7 @@ static body cut_free(const report *r, int link)
     body b;
 
     memset(&b, 0, sizeof b);
-    b.data = &r->design->link[link];
+    b.data = &r->v.design->link[link];
     b.now = &r->now.state.link[link];
     fourlink_point(&r->now.state, link, &b.data->cg, &G, NULL, &b.a);
     b.rho = from(b.now->origin, G);
@@ -72,16 +73,10 @@ typedef struct applied {
 static applied apply(const report *r, const fourlink_load *load)
 {
     const fourlink_link_state *link = &r->now.state.link[load->link];
-    fourlink_vector P;
     applied x;
 
-    fourlink_point(&r->now.state, load->link, &load->at, &P, NULL, NULL);
-    x.arm = from(link->origin, P);
-    x.force = load->force;
-    if (load->frame == FOURLINK_FRAME_LINK) {
-        x.force.x = link->axis.x * load->force.x - link->axis.y * load->force.y;
-        x.force.y = link->axis.y * load->force.x + link->axis.x * load->force.y;
-    }
+    x.arm = from(link->origin, geometry_of_link(&r->now.state, load->link, &load->at));
+    x.force = geometry_force(load, &r->now.state);
     x.work = dot(x.force, velocity_of(link, x.arm)) + load->torque * link->k;
     return x;
 }
@@ -90,7 +85,7 @@ static void add_loads(const report *r, body bodies[5])
 {
     unsigned long i;
 
-    for (i = 0; i < r->problem.n_loads; i++) {
+    for (i = 0; i < r->v.problem.n_loads; i++) {
         applied x = apply(r, &r->loads[i]);
         body *b = &bodies[r->loads[i].link];
 
@@ -122,7 +117,7 @@ static void put_centre(report *r, math *m, const body *b, int link)
 {
     math_set(m, names[link][0], b->rho.x);
     math_set(m, names[link][1], b->rho.y);
-    page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->kind.link[link]);
+    page_print(m->p, "<p>The %s:</p>\n<ul class=\"given\">\n", r->v.kind.link[link]);
     math_given(m, names[link][0], "m");
     math_given(m, names[link][1], "m");
     page_print(m->p, "</ul>\n");
@@ -134,7 +129,7 @@ static void put_centre(report *r, math *m, const body *b, int link)
 static void put_crank_pin(report *r, math *m)
 {
     const fourlink_vector *a = &r->now.state.link[3].acceleration;
-    int is_r = r->kind.has_stroke;
+    int is_r = r->v.kind.has_stroke;
 
     page_print(m->p, "<p>Pin B:</p>\n");
     math_let(m, "aBx",
@@ -160,7 +155,7 @@ static void put_centres(report *r, math *m, const body bodies[5])
             continue;
         if (link == 3)
             put_crank_pin(r, m);
-        if (link == 4 && r->kind.has_stroke)
+        if (link == 4 && r->v.kind.has_stroke)
             math_let(m, "aG4x", "aC", bodies[4].a.x, SAMPLE_M_S2);
         else
             put_centre(r, m, &bodies[link], link);
@@ -188,7 +183,7 @@ static void put_side(page *p, const char *link, const char *what, double inertia
 
 static void put_sides(report *r, const body bodies[5], const double b[9])
 {
-    const fourlink_vector *g = &r->design->gravity;
+    const fourlink_vector *g = &r->v.design->gravity;
     page *p = &r->page;
     int link;
 
@@ -204,7 +199,7 @@ static void put_sides(report *r, const body bodies[5], const double b[9])
                   "</th></tr></thead>\n<tbody>\n");
     for (link = 2; link <= 4; link++) {
         const body *x = &bodies[link];
-        const char *name = r->kind.link[link];
+        const char *name = r->v.kind.link[link];
         double m = x->data->mass;
         const double *side = b + 3 * (link - 2);
 
@@ -236,7 +231,7 @@ static void put_matrix(report *r, double A[9][9], const double b[9])
         for (j = 0; j < 9; j++)
             put_entry(p, A[i][j]);
         page_print(p, "<mtd>");
-        math_symbol(p, fourlink_unknown_text((int)r->design->kind, i));
+        math_symbol(p, fourlink_unknown_text((int)r->v.design->kind, i));
         page_print(p, "</mtd><mtd>%m</mtd>", i == 4 ? "<mo>=</mo>" : "");
         put_entry(p, b[i]);
         page_print(p, "</mtr>\n");
@@ -257,10 +252,10 @@ static void put_solution(report *r, math *m)
     int i;
     double x[9];
 
-    fourlink_unknowns(&r->problem.mechanism, &r->now.forces, x);
+    fourlink_unknowns(&r->v.problem.mechanism, &r->now.forces, x);
     page_print(m->p, "<p>The solution:</p>\n<ul class=\"given solution\">\n");
     for (i = 0; i < 9; i++) {
-        const char *name = fourlink_unknown_text((int)r->kind.kind, i);
+        const char *name = fourlink_unknown_text((int)r->v.kind.kind, i);
 
         math_set(m, name, x[i]);
         math_given(m, name, unit_of(name));
@@ -268,9 +263,9 @@ static void put_solution(report *r, math *m)
     page_print(m->p, "</ul>\n<p>The resultants of the pins:</p>\n");
     math_let(m, "F12", "[ F12x ^2 + F12y ^2 ]", gsl_hypot(x[0], x[1]), "N");
     math_let(m, "F23", "[ F23x ^2 + F23y ^2 ]", gsl_hypot(x[2], x[3]), "N");
-    if (!r->kind.has_slot)
+    if (!r->v.kind.has_slot)
         math_let(m, "F34", "[ F34x ^2 + F34y ^2 ]", gsl_hypot(x[4], x[5]), "N");
-    if (!r->kind.has_stroke)
+    if (!r->v.kind.has_stroke)
         math_let(m, "F14", "[ F14x ^2 + F14y ^2 ]", gsl_hypot(x[6], x[7]), "N");
 }
 
@@ -312,9 +307,9 @@ static void put_virtual_work(report *r, math *m, const body bodies[5])
         const body *b = &bodies[link];
 
         work[0] = b->data->mass * dot(b->a, b->v) + b->data->inertia * b->now->alpha * b->now->k;
-        work[1] = -b->data->mass * dot(r->design->gravity, b->v);
+        work[1] = -b->data->mass * dot(r->v.design->gravity, b->v);
         work[2] = -b->work;
-        put_works(p, r->kind.link[link], work, sum);
+        put_works(p, r->v.kind.link[link], work, sum);
     }
     put_works(p, "sum", sum, NULL);
     page_print(p, "</tbody>\n</table></div>\n");
@@ -337,7 +332,7 @@ void sample_put_forces(report *r, math *m)
     for (link = 2; link <= 4; link++)
         bodies[link] = cut_free(r, link);
     add_loads(r, bodies);
-    fourlink_system(&r->problem.mechanism, &r->now.state, r->loads, r->problem.n_loads, A, b);
+    fourlink_system(&r->v.problem.mechanism, &r->now.state, r->loads, r->v.problem.n_loads, A, b);
     put_centres(r, m, bodies);
     put_sides(r, bodies, b);
     put_matrix(r, A, b);

@@ -21,7 +21,7 @@ static const struct {
 /* 1 if a pin is there: C and D may be sliders. */
 static int is_pin(const report *r, int i)
 {
-    return !r->kind.joint[i].slider;
+    return !r->v.kind.joint[i].slider;
 }
 
 /* A pin has the moment y = rho |F|, rho = mu r the radius of the friction circle (see mechanics/friction.c). */
@@ -44,7 +44,7 @@ static void put_guide(const report *r, math *m, const fourlink_friction *frictio
 {
     static const char *const products[2][2] = {{"mu * N", "mu * { 2 * M14 | lguide }"},
                                                {"mu * N34", "mu * { 2 * M34 | lguide }"}};
-    int is_slot = r->kind.has_slot;
+    int is_slot = r->v.kind.has_slot;
     const fourlink_forces *f = &r->now.forces;
     double N = is_slot ? f->N34 : f->F14y, M = is_slot ? f->M34 : f->M14;
     double l = friction->guide_length;
@@ -68,7 +68,7 @@ static void put_loads_of_joint(report *r, unsigned long joint)
     fourlink_load_info info;
     unsigned long i;
 
-    for (i = 0; fourlink_deck_load(r->deck, i, &info) == FOURLINK_OK; i++) {
+    for (i = 0; fourlink_deck_load(r->v.deck, i, &info) == FOURLINK_OK; i++) {
         const fourlink_load *load = &r->loads[i];
 
         if (info.sort != FOURLINK_LOAD_FRICTION || info.element != joint ||
@@ -77,7 +77,7 @@ static void put_loads_of_joint(report *r, unsigned long joint)
         page_print(&r->page,
                    "<tr><th scope=\"row\">%s, on the %s</th><td>%.6g</td><td>%.6g</td>"
                    "<td>%.6g</td></tr>\n",
-                   load->torque != 0 ? pins[joint].pin : "guide", r->kind.link[info.link],
+                   load->torque != 0 ? pins[joint].pin : "guide", r->v.kind.link[info.link],
                    load->force.x, load->force.y, load->torque);
     }
 }
@@ -91,7 +91,7 @@ static void put_loads(report *r)
 
     page_print(p, "<p>These are the loads, on each link against its motion relative to the other");
     if (r->now.losses.guide > 0)
-        page_print(p, "; the force of the guide acts at %s", r->kind.has_slot ? "B" : "C");
+        page_print(p, "; the force of the guide acts at %s", r->v.kind.has_slot ? "B" : "C");
     page_print(p, ":</p>\n<div class=\"wide\"><table class=\"facts friction\">\n<thead><tr>"
                   "<th scope=\"col\">Load</th><th scope=\"col\">x (N)</th>"
                   "<th scope=\"col\">y (N)</th><th scope=\"col\">moment (N\302\267m)</th>"
@@ -106,7 +106,7 @@ void sample_put_friction(report *r, math *m)
     fourlink_friction friction;
     int i;
 
-    if (!r->problem.has_friction || fourlink_deck_friction(r->deck, &friction) != FOURLINK_OK)
+    if (!r->v.problem.has_friction || fourlink_deck_friction(r->v.deck, &friction) != FOURLINK_OK)
         return;
     page_print(m->p,
                "<h3>Friction</h3>\n<p>Friction is among the loads above, and depends on the "

@@ -67,8 +67,8 @@ static void put_four_bar_position(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
     const fourlink_vector *B = &now->link[3].origin;
-    double a = r->design->link[2].length, b = r->design->link[3].length;
-    double c = r->design->link[4].length, d = r->design->link[1].length;
+    double a = r->v.design->link[2].length, b = r->v.design->link[3].length;
+    double c = r->v.design->link[4].length, d = r->v.design->link[1].length;
     double f = gsl_hypot(d - B->x, B->y), psi = atan2(-B->y, d - B->x),
            side = now->sine > 0 ? 1 : -1;
     double theta3 = now->link[3].theta, theta4 = now->link[4].theta;
@@ -101,10 +101,10 @@ static void put_four_bar(report *r, math *m)
     const fourlink_link_state *link = r->now.state.link;
 
     page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "a", r->design->link[2].length, "m");
-    give(m, "b", r->design->link[3].length, "m");
-    give(m, "c", r->design->link[4].length, "m");
-    give(m, "d", r->design->link[1].length, "m");
+    give(m, "a", r->v.design->link[2].length, "m");
+    give(m, "b", r->v.design->link[3].length, "m");
+    give(m, "c", r->v.design->link[4].length, "m");
+    give(m, "d", r->v.design->link[1].length, "m");
     give_crank(r, m);
     page_print(m->p, "</ul>\n");
     put_heading(m, "Position");
@@ -137,7 +137,8 @@ static void put_four_bar(report *r, math *m)
 static void put_slider_crank_position(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
-    double a = r->design->link[2].length, l = r->design->link[3].length, e = r->design->offset;
+    double a = r->v.design->link[2].length, l = r->v.design->link[3].length,
+           e = r->v.design->offset;
     double theta2 = r->now.row.crank.theta2, theta3 = now->link[3].theta;
     double phi = asin(GSL_MAX_DBL(-1, GSL_MIN_DBL(1, (e - a * sin(theta2)) / l)));
 
@@ -158,9 +159,9 @@ static void put_slider_crank(report *r, math *m)
     const fourlink_link_state *link = r->now.state.link;
 
     page_print(m->p, "<ul class=\"given\">\n");
-    give(m, "r", r->design->link[2].length, "m");
-    give(m, "l", r->design->link[3].length, "m");
-    give(m, "e", r->design->offset, "m");
+    give(m, "r", r->v.design->link[2].length, "m");
+    give(m, "l", r->v.design->link[3].length, "m");
+    give(m, "e", r->v.design->offset, "m");
     give_crank(r, m);
     page_print(m->p, "</ul>\n");
     put_heading(m, "Position");
@@ -195,7 +196,8 @@ static void put_slider_crank(report *r, math *m)
 static void put_inverted_position(report *r, math *m)
 {
     const fourlink_state *now = &r->now.state;
-    double a = r->design->link[2].length, d = r->design->link[1].length, h = r->problem.mechanism.h;
+    double a = r->v.design->link[2].length, d = r->v.design->link[1].length,
+           h = r->v.problem.mechanism.h;
     double theta2 = r->now.row.crank.theta2, theta3 = now->link[3].theta, s = now->s;
     const fourlink_vector *B = &now->link[3].origin;
 
@@ -207,7 +209,7 @@ static void put_inverted_position(report *r, math *m)
                  "is h; \316\270\342\202\203 is the angle of the slide:");
     math_let(m, "s", s > 0 ? "[ f ^2 - h ^2 ]" : "- [ f ^2 - h ^2 ]", s, "m");
     math_let_angle(m, "theta3", "atan2 ( s * ry <h - h * rx > , s * rx <h + h * ry > )", theta3);
-    let_turned(m, "theta4", "theta3 <gamma - gamma >", theta3 - r->design->angle,
+    let_turned(m, "theta4", "theta3 <gamma - gamma >", theta3 - r->v.design->angle,
                now->link[4].theta);
     put_words(m, "The loop A, B, D closes along x and along y:");
     math_zero(m, "a * cos theta2 - d - s * cos theta3 <h + h * sin theta3 >",
@@ -218,11 +220,11 @@ static void put_inverted_position(report *r, math *m)
 
 static void give_slide(report *r, math *m)
 {
-    double c = r->design->link[4].length, h = r->problem.mechanism.h;
+    double c = r->v.design->link[4].length, h = r->v.problem.mechanism.h;
 
-    give(m, "a", r->design->link[2].length, "m");
-    give(m, "d", r->design->link[1].length, "m");
-    math_set_angle(m, "gamma", c > 0 ? r->design->angle : 0);
+    give(m, "a", r->v.design->link[2].length, "m");
+    give(m, "d", r->v.design->link[1].length, "m");
+    math_set_angle(m, "gamma", c > 0 ? r->v.design->angle : 0);
     if (c > 0) {
         give(m, "c", c, "m");
         math_given(m, "gamma", "");
@@ -265,7 +267,7 @@ static void put_inverted(report *r, math *m)
 void sample_put_motion(report *r, math *m)
 {
     put_heading(m, "Given");
-    switch (r->design->kind) {
+    switch (r->v.design->kind) {
     case FOURLINK_FOUR_BAR:
         put_four_bar(r, m);
         break;

@@ -33,7 +33,7 @@ static page *page_of(sheet *s)
 static void open_deck(sheet *s)
 {
     if (s->content == SHEET_ROWS)
-        style_find(s, s->layout);
+        style_find(&s->v, 0, s->values, s->layout);
 }
 
 /* The letters in a line tell the style how small a table is on paper. */
@@ -43,19 +43,19 @@ static void open_block(sheet *s, fourlink_branch branch)
     page *p = page_of(s);
     unsigned long letters = 0, j;
 
-    for (j = 0; j < s->n_columns; j++)
+    for (j = 0; j < s->v.n_columns; j++)
         letters += (unsigned long)styles[j].width;
     page_print(p,
                "<details class=\"table%s\">\n"
                "<summary>Table %d. Rows of the %s branch (%lu)</summary>\n"
                "<div class=\"wide\"><table class=\"rows\" style=\"--letters: %lu\">\n"
                "<caption>%s branch</caption>\n<thead><tr>",
-               s->problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
-               fourlink_branch_text((int)branch), s->problem.n_rows, letters,
+               s->v.problem.n_rows > MOST_ON_PAPER ? " long" : "", ++p->n_tables,
+               fourlink_branch_text((int)branch), s->v.problem.n_rows, letters,
                branch == FOURLINK_OPEN ? "Open" : "Crossed");
-    for (j = 0; j < s->n_columns; j++)
-        page_print(p, "<th scope=\"col\" title=\"%s\">%s<br/>%s</th>", s->columns[j].meaning,
-                   s->columns[j].name, s->columns[j].unit);
+    for (j = 0; j < s->v.n_columns; j++)
+        page_print(p, "<th scope=\"col\" title=\"%s\">%s<br/>%s</th>", s->v.columns[j].meaning,
+                   s->v.columns[j].name, s->v.columns[j].unit);
     page_print(p, "</tr></thead>\n<tbody>\n");
 }
 
@@ -80,7 +80,7 @@ static void put_row(sheet *s, const sheet_row *row)
 
     page_print(p, "<tr>");
     if (row->at && row->at->status == FOURLINK_OK)
-        for (j = 0; j < s->n_columns; j++)
+        for (j = 0; j < s->v.n_columns; j++)
             put_styled(p, row->values[j], &styles[j]);
     if (row->is_ordinary) {
         page_print(p, "</tr>\n");
@@ -88,11 +88,12 @@ static void put_row(sheet *s, const sheet_row *row)
     }
     if (row->at && row->at->status == FOURLINK_OK)
         page_print(p, "</tr>\n<tr>");
-    page_print(p, "<td colspan=\"%lu\">", s->n_columns);
+    page_print(p, "<td colspan=\"%lu\">", s->v.n_columns);
     if (row->at && row->last != row->at->row.angle)
-        page_print(p, "%.9g to %.9g %s: ", row->at->row.angle, row->last, s->angle_unit);
+        page_print(p, "%.9g to %.9g %s: ", row->at->row.angle, row->last,
+                   s->v.units[QUANTITY_ANGLE].name);
     else if (row->at)
-        page_print(p, "%.9g %s: ", row->at->row.angle, s->angle_unit);
+        page_print(p, "%.9g %s: ", row->at->row.angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "%s</td></tr>\n", row->status);
 }
 
@@ -134,7 +135,7 @@ static void put_check(sheet *s, const fourlink_check *c)
                                                                                 : "differs",
                c->name);
     if (c->has_angle)
-        page_print(p, "%.9g %s", c->angle, s->angle_unit);
+        page_print(p, "%.9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
     page_print(p, "</td><td>%s</td><td>%s</td>", fourlink_branch_text((int)c->branch),
                c->printed_text);
     if (is_number)
@@ -184,9 +185,9 @@ static void write_sheet(report *r, sheet_content content, const sheet_format *fo
     h.s.format = format;
     h.s.content = content;
     h.s.n_decks = 1;
-    fourlink_results_list(r->results, FOURLINK_COLUMNS, &h.s.header, &h.s.n_header);
+    fourlink_results_list(r->v.results, FOURLINK_COLUMNS, &h.s.header, &h.s.n_header);
     content_begin(&h.s, out, 1);
-    content_write(&h.s, r->results, r->source->name, NULL);
+    content_write(&h.s, r->v.results, r->source->name, NULL);
     if (format == &html_format)
         r->failed += h.s.failed + h.s.checks[FOURLINK_DIFFERS] + h.s.checks[FOURLINK_NO_MISPRINT] +
                      h.s.checks[FOURLINK_NO_VALUE];
@@ -240,10 +241,10 @@ static double difference(const report *r, const fourlink_forces *f, const fourli
     double x[9], y[9], most = 0, size = 0;
     int i;
 
-    fourlink_unknowns(&r->problem.mechanism, f, x);
-    fourlink_unknowns(&r->problem.mechanism, g, y);
+    fourlink_unknowns(&r->v.problem.mechanism, f, x);
+    fourlink_unknowns(&r->v.problem.mechanism, g, y);
     for (i = 0; i < 9; i++) {
-        char letter = fourlink_unknown_text((int)r->design->kind, i)[0];
+        char letter = fourlink_unknown_text((int)r->v.design->kind, i)[0];
 
         if (letter == 'M' || letter == 'T')
             continue; /* a couple */
@@ -262,10 +263,11 @@ static void put_agreement(report *r, fourlink_branch branch)
     fourlink_forces forces;
     fourlink_state state;
 
-    for (i = 0; i < r->problem.n_rows; i++) {
-        if (fourlink_results_row(r->results, branch, i, NULL, &now, r->row_loads) != FOURLINK_OK ||
-            fourlink_analyse_dyad(&r->problem.mechanism, branch, &now.row.crank, r->row_loads,
-                                  r->problem.n_loads, &state, &forces) != FOURLINK_OK)
+    for (i = 0; i < r->v.problem.n_rows; i++) {
+        if (fourlink_results_row(r->v.results, branch, i, NULL, &now, r->row_loads) !=
+                FOURLINK_OK ||
+            fourlink_analyse_dyad(&r->v.problem.mechanism, branch, &now.row.crank, r->row_loads,
+                                  r->v.problem.n_loads, &state, &forces) != FOURLINK_OK)
             continue;
         residual = GSL_MAX_DBL(residual, fabs(now.forces.residual));
         differs = GSL_MAX_DBL(differs, difference(r, &now.forces, &forces));
@@ -282,7 +284,7 @@ void report_put_checks(report *r)
     int i;
 
     page_section(p, "checks", "Checks");
-    if (r->problem.has_forces) {
+    if (r->v.problem.has_forces) {
         page_print(p,
                    "<h3>Balance of power, and two solutions of the nine equations</h3>\n"
                    "<p>The residual is the driving torque of the nine equations less that of "
@@ -293,11 +295,11 @@ void report_put_checks(report *r)
                       "<th scope=\"col\">Branch</th><th scope=\"col\">Rows</th>"
                       "<th scope=\"col\">Largest residual</th>"
                       "<th scope=\"col\">Largest difference</th></tr></thead>\n<tbody>\n");
-        for (i = 0; i < r->n_branches; i++)
-            put_agreement(r, r->branches[i]);
+        for (i = 0; i < r->v.n_branches; i++)
+            put_agreement(r, r->v.branches[i]);
         page_print(p, "</tbody>\n</table></div>\n");
     }
-    if (r->problem.n_expected)
+    if (r->v.problem.n_expected)
         write_sheet(r, SHEET_CHECK, &html_format, p->out);
     else
         page_print(p, "<p>The deck has no expected values.</p>\n");

@@ -7,26 +7,6 @@
 
 #include "at.h"
 #include "base/message.h"
-#include "base/quantity.h"
-
-/* Read a value in the unit that the deck has for a quantity. */
-static int read_value(fourlink_results *results, text value, text words, const char *quantity_name,
-                      double *number, char message[400])
-{
-    quantity_value read;
-    quantity q = flk_quantity_find(quantity_name);
-    fourlink_unit own;
-    unit bare;
-
-    fourlink_deck_unit(fourlink_results_deck(results), quantity_name, &own);
-    bare.up = own.up;
-    bare.down = own.down;
-    bare.dim = flk_quantities[q].dim;
-    if (!flk_quantity_read(value, words, q, bare, &read, message))
-        return 0;
-    *number = flk_unit_from_si(read.si, bare);
-    return 1;
-}
 
 /* The column of this name; null and a message if there is none. */
 static const fourlink_value *find_column(fourlink_results *results, text name, char message[400])
@@ -50,25 +30,24 @@ static const fourlink_value *find_column(fourlink_results *results, text name, c
     return NULL;
 }
 
-static int take_column(fourlink_results *results, text name, text value, at_item *item,
-                       char message[400])
+static int take_column(const view *v, text name, text value, at_item *item, char message[400])
 {
-    const fourlink_value *column = find_column(results, name, message);
-    fourlink_problem problem;
+    const fourlink_value *column = find_column(v->results, name, message);
 
     if (!column)
         return -1;
-    fourlink_deck_problem(fourlink_results_deck(results), &problem);
-    if (problem.by_time) {
+    if (v->problem.by_time) {
         flk_message(message, 400, "'%t' needs rows by angle; these are rows by time", item->words);
         return -1;
     }
     item->column = column->name;
-    return read_value(results, value, item->words, column->quantity, &item->value, message) ? 1
-                                                                                            : -1;
+    return view_read(v, flk_quantity_find(column->quantity), value, item->words, &item->value,
+                     message)
+               ? 1
+               : -1;
 }
 
-int at_next(fourlink_results *results, const char **list, at_item *item, char message[400])
+int at_next(const view *v, const char **list, at_item *item, char message[400])
 {
     text rest, name;
 
@@ -82,11 +61,11 @@ int at_next(fourlink_results *results, const char **list, at_item *item, char me
     rest = item->words;
     flk_text_split(&rest, '=', &name);
     if (rest.start && !flk_text_equal(flk_text_trim(name), "theta2"))
-        return take_column(results, flk_text_trim(name), flk_text_trim(rest), item, message);
-    if (!read_value(results, rest.start ? flk_text_trim(rest) : item->words, item->words, "angle",
-                    &item->value, message))
+        return take_column(v, flk_text_trim(name), flk_text_trim(rest), item, message);
+    if (!view_read(v, QUANTITY_ANGLE, rest.start ? flk_text_trim(rest) : item->words, item->words,
+                   &item->value, message))
         return -1;
-    if (fourlink_results_at(results, FOURLINK_OPEN, item->value, NULL, NULL, NULL) !=
+    if (fourlink_results_at(v->results, FOURLINK_OPEN, item->value, NULL, NULL, NULL) !=
         FOURLINK_NO_SUCH_ANGLE)
         return 1;
     flk_message(message, 400, "the motion does not reach theta2 = %t", item->words);

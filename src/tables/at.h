@@ -5,8 +5,7 @@
 #ifndef FOURLINK_AT_H
 #define FOURLINK_AT_H
 
-#include "base/text.h"
-#include "fourlink.h"
+#include "view/view.h"
 
 /* One item of the list: a crank angle, or a value of a column. */
 typedef struct at_item {
@@ -15,9 +14,9 @@ typedef struct at_item {
     double value;       /* in the unit of the deck */
 } at_item;
 
-/* Take the next item off a list separated by commas: 1; 0 at the end; -1 and a message if it is none, or if the motion does
-** not reach it. */
-int at_next(fourlink_results *results, const char **list, at_item *item, char message[400]);
+/* Take the next item off a list separated by commas: 1; 0 at the end; -1 and a message if it is none, or
+** if the motion does not reach it. */
+int at_next(const view *v, const char **list, at_item *item, char message[400]);
 
 /* Find its crank angles on a branch, in the deck's unit, to be freed: a status. */
 int at_find(fourlink_results *results, const at_item *item, fourlink_branch branch, double **angles,

@@ -40,7 +40,7 @@ static void take_row(sheet *s, fourlink_branch branch, const fourlink_instant *a
 static void find_row(sheet *s, fourlink_branch branch, unsigned long k, fourlink_instant *at,
                      sheet_row *row)
 {
-    fourlink_results_row(s->results, branch, k, s->values, at, NULL);
+    fourlink_results_row(s->v.results, branch, k, s->values, at, NULL);
     take_row(s, branch, at, row);
 }
 
@@ -65,7 +65,7 @@ static void write_rows_briefly(sheet *s, fourlink_branch branch)
     int is_open = 0; /* a stretch, not written yet */
     unsigned long k;
 
-    for (k = 0; k < s->problem.n_rows; k++) {
+    for (k = 0; k < s->v.problem.n_rows; k++) {
         find_row(s, branch, k, &at, &row);
         if (sheet_is_over(s, &at))
             break;
@@ -93,7 +93,7 @@ static void write_row_at(sheet *s, fourlink_branch branch, double angle)
     fourlink_instant at;
     sheet_row row;
 
-    fourlink_results_at(s->results, branch, angle, s->values, &at, NULL);
+    fourlink_results_at(s->v.results, branch, angle, s->values, &at, NULL);
     take_row(s, branch, &at, &row);
     s->format->row(s, &row);
 }
@@ -116,29 +116,28 @@ static void write_words(sheet *s, const char *name, const char *meaning, fourlin
 /* The same in a summary, of a motion that is not given. */
 static void write_ends(sheet *s)
 {
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
     char words[SHEET_STOP_SIZE];
     const char *stop;
     double angle;
 
-    for (i = 0; i < n && s->problem.mode != FOURLINK_MODE_GIVEN; i++) {
-        stop = sheet_stop(s, branches[i], words);
+    for (i = 0; i < s->v.n_branches && s->v.problem.mode != FOURLINK_MODE_GIVEN; i++) {
+        stop = sheet_stop(s, s->v.branches[i], words);
         if (stop)
-            write_words(s, "end", "why the machine goes no further", branches[i], stop);
-        s->failed += fourlink_results_end(s->results, branches[i], &angle) == FOURLINK_TOO_LONG;
+            write_words(s, "end", "why the machine goes no further", s->v.branches[i], stop);
+        s->failed +=
+            fourlink_results_end(s->v.results, s->v.branches[i], &angle) == FOURLINK_TOO_LONG;
     }
 }
 
 /* In a summary, why it has no extremes. */
 static void write_missing_extremes(sheet *s)
 {
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
 
-    for (i = 0; i < n; i++)
-        if (sheet_find_extremes(s->results, branches[i]) == FOURLINK_LONG_SEARCH) {
-            write_words(s, "extremes", "why there are none", branches[i],
+    for (i = 0; i < s->v.n_branches; i++)
+        if (sheet_find_extremes(s->v.results, s->v.branches[i]) == FOURLINK_LONG_SEARCH) {
+            write_words(s, "extremes", "why there are none", s->v.branches[i],
                         fourlink_status_text(FOURLINK_LONG_SEARCH));
             s->failed++;
         }
@@ -151,7 +150,7 @@ static void write_facts(sheet *s, int branch, int groups)
 
     if (!s->format->fact)
         return;
-    fourlink_results_facts(s->results, branch, groups, &facts, &n);
+    fourlink_results_facts(s->v.results, branch, groups, &facts, &n);
     for (i = 0; i < n; i++) {
         fourlink_value f = facts[i];
 
@@ -171,7 +170,7 @@ static void write_all_rows(sheet *s, fourlink_branch branch)
 
     if (s->format->is_brief)
         write_rows_briefly(s, branch);
-    for (k = 0; k < s->problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
+    for (k = 0; k < s->v.problem.n_rows && !s->format->is_brief && write_row(s, branch, k); k++)
         ;
     sheet_write_stop(s, branch);
 }
@@ -194,31 +193,30 @@ static void write_block(sheet *s, fourlink_branch branch)
     }
 }
 
-static void write_by_angle(sheet *s, const fourlink_branch *branches, int n)
+static void write_by_angle(sheet *s)
 {
-    unsigned long n_rows = s->problem.n_rows, k;
+    unsigned long n_rows = s->v.problem.n_rows, k;
     int i;
 
-    if (s->problem.one_revolution && s->problem.mode == FOURLINK_MODE_GIVEN && !s->range.stops &&
-        n_rows > 1)
+    if (s->v.problem.one_revolution && s->v.problem.mode == FOURLINK_MODE_GIVEN &&
+        !s->v.range.stops && n_rows > 1)
         n_rows--;
     for (k = 0; k < n_rows; k++)
-        for (i = n - 1; i >= 0; i--)
-            write_row(s, branches[i], k);
-    for (i = 0; i < n && (i == 0 || s->problem.mode != FOURLINK_MODE_GIVEN); i++)
-        sheet_write_stop(s, branches[i]);
+        for (i = s->v.n_branches - 1; i >= 0; i--)
+            write_row(s, s->v.branches[i], k);
+    for (i = 0; i < s->v.n_branches && (i == 0 || s->v.problem.mode != FOURLINK_MODE_GIVEN); i++)
+        sheet_write_stop(s, s->v.branches[i]);
 }
 
 static void write_rows(sheet *s)
 {
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
 
     write_facts(s, 0, FOURLINK_FACTS_LIMITS);
     if (s->format->is_by_angle)
-        write_by_angle(s, branches, n);
-    for (i = 0; i < n && !s->format->is_by_angle; i++)
-        write_block(s, branches[i]);
+        write_by_angle(s);
+    for (i = 0; i < s->v.n_branches && !s->format->is_by_angle; i++)
+        write_block(s, s->v.branches[i]);
 }
 
 static void write_checks(sheet *s)
@@ -226,8 +224,8 @@ static void write_checks(sheet *s)
     fourlink_check check;
     unsigned long i;
 
-    for (i = 0; i < s->problem.n_expected; i++) {
-        fourlink_results_check(s->results, i, &check);
+    for (i = 0; i < s->v.problem.n_expected; i++) {
+        fourlink_results_check(s->v.results, i, &check);
         s->checks[check.verdict]++;
         s->format->check(s, &check);
         if (check.verdict == FOURLINK_NO_VALUE && s->no_value &&
@@ -248,10 +246,10 @@ static void write_list(sheet *s)
     fourlink_value statistic;
     unsigned long n, i, k;
 
-    fourlink_results_list(s->results, FOURLINK_ALL_COLUMNS, &list, &n);
+    fourlink_results_list(s->v.results, FOURLINK_ALL_COLUMNS, &list, &n);
     for (i = 0; i < n; i++)
         s->format->column(s, &list[i]);
-    fourlink_results_facts(s->results, FOURLINK_OPEN,
+    fourlink_results_facts(s->v.results, FOURLINK_OPEN,
                            FOURLINK_FACTS_LIMITS | FOURLINK_FACTS_TURNING | FOURLINK_FACTS_MOTION,
                            &list, &n);
     for (i = 0; i < n; i++) {
@@ -285,16 +283,12 @@ static int open_results(sheet *s, fourlink_results *results)
     const fourlink_value *list;
     unsigned long n;
 
-    s->results = results;
-    fourlink_deck_problem(fourlink_results_deck(results), &s->problem);
-    fourlink_motion_range(&s->problem.motion, &s->range);
-    s->angle_unit = sheet_unit(s, "angle").name;
-    fourlink_results_list(results, FOURLINK_COLUMNS, &s->columns, &s->n_columns);
+    view_take(&s->v, results);
     if (!s->design && fourlink_results_list(results, FOURLINK_VARIABLES, &list, &n) == FOURLINK_OK)
         s->variables = list;
-    s->values = malloc((s->n_columns + 1) * sizeof *s->values);
-    s->loads = malloc((s->problem.n_loads + 1) * sizeof *s->loads);
-    s->layout = malloc((s->n_columns + s->n_header + 1) * (s->format->layout_size + 1));
+    s->values = malloc((s->v.n_columns + 1) * sizeof *s->values);
+    s->loads = malloc((s->v.problem.n_loads + 1) * sizeof *s->loads);
+    s->layout = malloc((s->v.n_columns + s->n_header + 1) * (s->format->layout_size + 1));
     s->list = NULL;
     s->n_pages = 1;
     memset(s->checks, 0, sizeof s->checks);
@@ -363,7 +357,7 @@ void content_write(sheet *s, fourlink_results *results, const char *deck_name, c
 static const char *find_output(sheet *s, fourlink_branch branch, int handle, sheet_output *output)
 {
     int status =
-        fourlink_results_get(s->results, handle, branch, s->problem.motion.from, &output->v);
+        fourlink_results_get(s->v.results, handle, branch, s->v.problem.motion.from, &output->v);
 
     output->has_value = status == FOURLINK_OK;
     return status == FOURLINK_OK || status == FOURLINK_NO_SUCH_FACT ? NULL
@@ -375,23 +369,22 @@ static const char *find_output(sheet *s, fourlink_branch branch, int handle, she
 static void write_lines(sheet *s)
 {
     sheet_output outputs[SHEET_OUTPUTS];
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
     unsigned long k;
 
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < s->v.n_branches; i++) {
         const char *why = NULL;
 
         for (k = 0; k < s->n_header; k++) {
-            const char *reason = find_output(s, branches[i], s->header[k].handle, &outputs[k]);
+            const char *reason = find_output(s, s->v.branches[i], s->header[k].handle, &outputs[k]);
 
             why = why ? why : reason;
         }
         s->failed += why != NULL;
         if (s->statistics)
-            statistics_add(s, branches[i], outputs);
+            statistics_add(s, s->v.branches[i], outputs);
         else
-            s->format->design(s, branches[i], outputs, why);
+            s->format->design(s, s->v.branches[i], outputs, why);
     }
 }
 

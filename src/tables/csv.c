@@ -203,8 +203,7 @@ static void close_deck(sheet *s)
 /* A deck with mistakes has one line that says so; a design has one with the reason for each branch. */
 static void refuse(sheet *s, const char *why)
 {
-    fourlink_branch branches[2];
-    int n = s->design ? sheet_branches(s, branches) : 0, i;
+    int n = s->design ? s->v.n_branches : 0, i;
 
     if (!s->design) {
         put_labels(s);
@@ -213,7 +212,7 @@ static void refuse(sheet *s, const char *why)
         line_text(&s->l, "\r\n", 2);
     }
     for (i = 0; i < n; i++)
-        put_design(s, branches[i], NULL, why);
+        put_design(s, s->v.branches[i], NULL, why);
 }
 
 /* A comma and a number; nothing after it if it is not defined. */

@@ -11,19 +11,11 @@
 
 #include <gsl/gsl_math.h>
 
-#include "base/quantity.h"
 #include "expect.h"
-
-/* How the values of a column are written. */
-typedef struct style {
-    double size;  /* the column's largest magnitude */
-    int decimals; /* of value / 10^exponent */
-    int exponent;
-} style;
+#include "style.h"
 
 /* rad: nearer to a dead position values say nothing about the size of a column. */
 #define SOUND 0.17
-#define SAMPLES 200
 
 /* Not the crank angle, which is `at`; not the time, which an angle can have twice; not rounding. */
 static int is_asked(const fourlink_value *column)
@@ -32,48 +24,7 @@ static int is_asked(const fourlink_value *column)
            strcmp(column->quantity, "time") != 0;
 }
 
-/* The largest magnitude of each column in rows spread over the motion, away from dead positions. */
-static void find_sizes(sheet *s, style *styles)
-{
-    unsigned long n = s->problem.n_rows, samples = n < SAMPLES ? n : SAMPLES, k, j;
-    fourlink_branch branches[2];
-    int n_branches = sheet_branches(s, branches), i;
-    fourlink_instant now;
-
-    for (i = 0; i < n_branches; i++)
-        for (k = 0; k < samples; k++) {
-            unsigned long row =
-                samples > 1 ? (unsigned long)((double)k * (double)(n - 1) / (double)(samples - 1))
-                            : 0;
-
-            if (fourlink_results_row(s->results, branches[i], row, s->values, &now, NULL) ||
-                now.state.mu < SOUND)
-                continue;
-            for (j = 0; j < s->n_columns; j++)
-                if (gsl_finite(s->values[j]))
-                    styles[j].size = GSL_MAX_DBL(styles[j].size, fabs(s->values[j]));
-        }
-}
-
-/* A column that is 0 but for rounding has the size of the others of its quantity. */
-static void level_sizes(const sheet *s, style *styles)
-{
-    double of_quantity[QUANTITY_COUNT] = {0};
-    unsigned long j;
-
-    for (j = 0; j < s->n_columns; j++) {
-        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
-
-        *largest = GSL_MAX_DBL(*largest, styles[j].size);
-    }
-    for (j = 0; j < s->n_columns; j++) {
-        double largest = of_quantity[flk_quantity_find(s->columns[j].quantity)];
-
-        if (styles[j].size <= 1e-12 * largest)
-            styles[j].size = largest;
-    }
-}
-
+/* A value is divided by 10^exponent. */
 static void find_style(style *x)
 {
     double size = x->size > 0 ? x->size : 1;
@@ -105,21 +56,21 @@ static void put_section(sheet *s, fourlink_branch branch, double angle, int stat
     unsigned long j;
 
     if (status != FOURLINK_OK) {
-        line_put(&s->l, "\n# at %15g %s, %s: %s\n", angle, s->angle_unit,
+        line_put(&s->l, "\n# at %15g %s, %s: %s\n", angle, s->v.units[QUANTITY_ANGLE].name,
                  fourlink_branch_text((int)branch), fourlink_status_text(status));
         s->failed++;
         return;
     }
-    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", angle, s->angle_unit,
-             fourlink_branch_text((int)branch));
-    for (j = 0; j < s->n_columns; j++)
-        if (is_asked(&s->columns[j]))
-            put_value(s, &s->columns[j], &styles[j], s->values[j]);
+    line_put(&s->l, "\n[expect]\nat = %15g %s\nbranch = %s\n", angle,
+             s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)branch));
+    for (j = 0; j < s->v.n_columns; j++)
+        if (is_asked(&s->v.columns[j]))
+            put_value(s, &s->v.columns[j], &styles[j], s->values[j]);
 }
 
 static void put_at(sheet *s, fourlink_branch branch, double angle)
 {
-    int status = fourlink_results_at(s->results, branch, angle, s->values, NULL, NULL);
+    int status = fourlink_results_at(s->v.results, branch, angle, s->values, NULL, NULL);
 
     put_section(s, branch, angle, status);
 }
@@ -127,16 +78,16 @@ static void put_at(sheet *s, fourlink_branch branch, double angle)
 /* A revolution at constant speed ends with its first row again. */
 static void write_rows(sheet *s, fourlink_branch branch)
 {
-    const fourlink_motion *motion = &s->problem.motion;
-    int ends_meet = s->problem.one_revolution && s->problem.mode == FOURLINK_MODE_GIVEN &&
-                    !s->range.stops && motion->run_up <= 0 &&
+    const fourlink_motion *motion = &s->v.problem.motion;
+    int ends_meet = s->v.problem.one_revolution && s->v.problem.mode == FOURLINK_MODE_GIVEN &&
+                    !s->v.range.stops && motion->run_up <= 0 &&
                     (motion->acceleration == 0 || motion->hold);
-    unsigned long n = s->problem.n_rows, k;
+    unsigned long n = s->v.problem.n_rows, k;
     fourlink_instant now;
     int status;
 
     for (k = 0; k < (ends_meet && n > 1 ? n - 1 : n); k++) {
-        status = fourlink_results_row(s->results, branch, k, s->values, &now, NULL);
+        status = fourlink_results_row(s->v.results, branch, k, s->values, &now, NULL);
         put_section(s, branch, now.row.angle, status);
         if (sheet_is_over(s, &now))
             break;
@@ -146,22 +97,19 @@ static void write_rows(sheet *s, fourlink_branch branch)
 void expect_write(sheet *s)
 {
     style *styles = s->layout;
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
     unsigned long j;
 
-    memset(styles, 0, s->n_columns * sizeof *styles);
-    find_sizes(s, styles);
-    level_sizes(s, styles);
-    for (j = 0; j < s->n_columns; j++)
+    style_find_sizes(&s->v, SOUND, 1, s->values, styles);
+    for (j = 0; j < s->v.n_columns; j++)
         find_style(&styles[j]);
     line_put(&s->l,
              "# Values agree within half of their last digit.  For another tolerance add a line "
              "such as\n# 'tolerance = 1 %s' to a section.\n",
              "%");
-    for (i = 0; i < n; i++)
+    for (i = 0; i < s->v.n_branches; i++)
         if (s->at)
-            sheet_for_each_at(s, branches[i], put_at);
+            sheet_for_each_at(s, s->v.branches[i], put_at);
         else
-            write_rows(s, branches[i]);
+            write_rows(s, s->v.branches[i]);
 }

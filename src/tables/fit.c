@@ -33,16 +33,16 @@ static int is_pair(const fourlink_value *x, const fourlink_value *y)
 
 static int is_angle(const sheet *s, unsigned long j)
 {
-    return (s->columns[j].flags & FOURLINK_CRANK_ANGLE) != 0;
+    return (s->v.columns[j].flags & FOURLINK_CRANK_ANGLE) != 0;
 }
 
 unsigned long fit_column(const sheet *s, unsigned long k)
 {
     unsigned long angle = 0;
 
-    while (angle < s->n_columns && !is_angle(s, angle))
+    while (angle < s->v.n_columns && !is_angle(s, angle))
         angle++;
-    if (s->n_pages == 1 || angle == s->n_columns || k > angle)
+    if (s->n_pages == 1 || angle == s->v.n_columns || k > angle)
         return k;
     return k == 0 ? angle : k - 1;
 }
@@ -80,8 +80,8 @@ static size_t width_of(const filling *f, int subject)
     size_t width = 0;
     unsigned long j;
 
-    for (j = 0; j < f->s->n_columns; j++)
-        if (subject_of(&f->s->columns[j]) == subject && !is_angle(f->s, j))
+    for (j = 0; j < f->s->v.n_columns; j++)
+        if (subject_of(&f->s->v.columns[j]) == subject && !is_angle(f->s, j))
             width += f->styles[j].width;
     return width;
 }
@@ -89,8 +89,8 @@ static size_t width_of(const filling *f, int subject)
 /* Place the columns of a subject; x and y of a vector stay together. */
 static void place(filling *f, int subject)
 {
-    const fourlink_value *columns = f->s->columns;
-    unsigned long n = f->s->n_columns, j;
+    const fourlink_value *columns = f->s->v.columns;
+    unsigned long n = f->s->v.n_columns, j;
 
     make_room(f, width_of(f, subject));
     for (j = 0; j < n; j++) {
@@ -111,7 +111,7 @@ static size_t width_of_lead(const sheet *s, const style *styles)
 {
     unsigned long j;
 
-    for (j = 0; j < s->n_columns; j++)
+    for (j = 0; j < s->v.n_columns; j++)
         if (is_angle(s, j))
             return styles[j].width;
     return sizeof "  at theta2" - 1;
@@ -124,7 +124,7 @@ int fit_columns(const sheet *s, style *styles)
     unsigned long j;
     int subject;
 
-    for (j = 0; j < s->n_columns; j++) {
+    for (j = 0; j < s->v.n_columns; j++) {
         styles[j].page = 0;
         total += styles[j].width;
     }

@@ -8,23 +8,23 @@
 
 void head_put_title(sheet *s)
 {
-    if (s->problem.title[0])
-        line_put(&s->l, "# %s\n", s->problem.title);
+    if (s->v.problem.title[0])
+        line_put(&s->l, "# %s\n", s->v.problem.title);
 }
 
 void head_put_kind(sheet *s)
 {
-    line_put(&s->l, "# %s\n", fourlink_kind_text((int)s->problem.mechanism.design.kind));
+    line_put(&s->l, "# %s\n", s->v.kind.words);
 }
 
 /* The kind and its type, as in "four-bar linkage: crank-rocker".  The name of a type may begin with that of the
 ** kind, which then comes once. */
 static void put_type(sheet *s)
 {
-    const char *kind = fourlink_kind_text((int)s->problem.mechanism.design.kind), *words;
+    const char *kind = s->v.kind.words, *words;
     fourlink_type type = FOURLINK_TYPE_END_;
 
-    fourlink_type_of(&s->problem.mechanism, &type);
+    fourlink_type_of(s->v.mechanism, &type);
     words = fourlink_type_text((int)type);
     if (strncmp(words, kind, strlen(kind)) == 0)
         line_put(&s->l, "# %s\n", words);
@@ -32,61 +32,56 @@ static void put_type(sheet *s)
         line_put(&s->l, "# %s: %s\n", kind, words);
 }
 
-static double in_unit(double si, const fourlink_unit *u)
+/* Put a value and its unit: the format has %9g %s, or fewer digits. */
+static void put_value(sheet *s, const char *format, double si, quantity q)
 {
-    return si * u->down / u->up;
+    line_put(&s->l, format, view_value(&s->v, q, si), s->v.units[q].name);
 }
 
 static const int order[] = {FOURLINK_CRANK, FOURLINK_COUPLER, FOURLINK_FOLLOWER, FOURLINK_GROUND};
 
 static void put_lengths(sheet *s)
 {
-    const fourlink_design *design = &s->problem.mechanism.design;
-    fourlink_unit u = sheet_unit(s, "length"), angle = sheet_unit(s, "angle");
-    const char *before = "# ";
-    int i;
+    const fourlink_design *design = s->v.design;
+    int i, n = 0;
 
     for (i = 0; i < 4; i++)
         if (design->link[order[i]].length > 0) {
-            line_put(&s->l, "%s%s %9g %s", before, fourlink_link_text((int)design->kind, order[i]),
-                     in_unit(design->link[order[i]].length, &u), u.name);
-            before = ", ";
+            line_put(&s->l, "%s%s", n++ ? ", " : "# ", s->v.kind.link[order[i]]);
+            put_value(s, " %9g %s", design->link[order[i]].length, QUANTITY_LENGTH);
         }
     if (design->offset != 0)
-        line_put(&s->l, ", offset %9g %s", in_unit(design->offset, &u), u.name);
+        put_value(s, ", offset %9g %s", design->offset, QUANTITY_LENGTH);
     if (design->angle != 0)
-        line_put(&s->l, ", angle %9g %s", in_unit(design->angle, &angle), angle.name);
+        put_value(s, ", angle %9g %s", design->angle, QUANTITY_ANGLE);
     line_put(&s->l, "\n");
 }
 
 static void put_speed(sheet *s)
 {
-    const fourlink_motion *motion = &s->problem.motion;
-    fourlink_unit u = sheet_unit(s, "angular_speed");
+    const fourlink_motion *motion = &s->v.problem.motion;
+    int mode = s->v.problem.mode;
 
-    if (s->problem.mode == FOURLINK_MODE_FREE)
-        line_put(&s->l, "# free motion from %6g %s", in_unit(motion->speed, &u), u.name);
-    else if (s->problem.mode != FOURLINK_MODE_GIVEN)
-        line_put(&s->l, s->problem.mode == FOURLINK_MODE_STEADY ? "# steady motion"
-                                                                : "# run-up from rest");
+    if (mode == FOURLINK_MODE_FREE)
+        put_value(s, "# free motion from %6g %s", motion->speed, QUANTITY_ANGULAR_SPEED);
+    else if (mode != FOURLINK_MODE_GIVEN)
+        line_put(&s->l, mode == FOURLINK_MODE_STEADY ? "# steady motion" : "# run-up from rest");
     else if (motion->run_up > 0)
         line_put(&s->l, "# crank from rest");
     else
-        line_put(&s->l, "# crank at %6g %s", in_unit(motion->speed, &u), u.name);
-    u = sheet_unit(s, "angular_acceleration");
+        put_value(s, "# crank at %6g %s", motion->speed, QUANTITY_ANGULAR_SPEED);
     if (motion->acceleration != 0)
-        line_put(&s->l, ", acceleration %6g %s", in_unit(motion->acceleration, &u), u.name);
+        put_value(s, ", acceleration %6g %s", motion->acceleration, QUANTITY_ANGULAR_ACCELERATION);
 }
 
 static void put_masses(sheet *s)
 {
-    const fourlink_design *design = &s->problem.mechanism.design;
     const char *names[3];
     int n = 0, i;
 
     for (i = 0; i < 3; i++)
-        if (design->link[order[i]].mass > 0)
-            names[n++] = fourlink_link_text((int)design->kind, order[i]);
+        if (s->v.design->link[order[i]].mass > 0)
+            names[n++] = s->v.kind.link[order[i]];
     if (n == 3)
         line_put(&s->l, "; masses of all links");
     else if (n == 2)
@@ -99,14 +94,14 @@ static void put_masses(sheet *s)
 
 static void put_loads(sheet *s)
 {
-    const fourlink_deck *deck = fourlink_results_deck(s->results);
-    const fourlink_problem *p = &s->problem;
+    const fourlink_problem *p = &s->v.problem;
     fourlink_load_info load;
     unsigned long n = 0, i;
     size_t length = 0;
     const char *name = "";
 
-    while (fourlink_deck_load(deck, n, &load) == FOURLINK_OK && load.sort == FOURLINK_LOAD_OWN) {
+    while (fourlink_deck_load(s->v.deck, n, &load) == FOURLINK_OK &&
+           load.sort == FOURLINK_LOAD_OWN) {
         name = load.name;
         length += strlen(name) + 2;
         n++;
@@ -116,7 +111,7 @@ static void put_loads(sheet *s)
     else if (n > 0 && length > NAMES)
         line_put(&s->l, n > 1 ? "; %lu loads" : "; a load", n);
     else
-        for (i = 0; i < n && fourlink_deck_load(deck, i, &load) == FOURLINK_OK; i++)
+        for (i = 0; i < n && fourlink_deck_load(s->v.deck, i, &load) == FOURLINK_OK; i++)
             line_put(&s->l, "%s %s", i ? "," : n > 1 ? "; loads" : "; load", load.name);
     if (p->n_springs)
         line_put(&s->l, p->n_springs > 1 ? "; %lu springs" : "; a spring", p->n_springs);

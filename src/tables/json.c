@@ -36,6 +36,20 @@ static void put_text(line *l, const char *name, const char *words)
     put_string(l, words);
 }
 
+static void put_named_number(line *l, const char *name, double value)
+{
+    put_name(l, name, 0);
+    put_number(l, value);
+}
+
+/* Begin an object with a text. */
+static void begin_object(line *l, const char *name, const char *words)
+{
+    line_text(l, "{", 1);
+    put_name(l, name, 1);
+    put_string(l, words);
+}
+
 static void put_value(line *l, const fourlink_value *v)
 {
     if (v->words)
@@ -79,9 +93,7 @@ static void put_item(sheet *s, const char *list)
 /* Begin an object with name, unit and meaning. */
 static void put_described(sheet *s, const fourlink_value *v)
 {
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "name", 1);
-    put_string(&s->l, v->name);
+    begin_object(&s->l, "name", v->name);
     put_text(&s->l, "unit", v->unit);
     put_text(&s->l, "meaning", v->meaning);
 }
@@ -131,15 +143,15 @@ static void open_deck(sheet *s)
     unsigned long i;
 
     put_labels(s);
-    put_text(&s->l, "title", s->problem.title);
+    put_text(&s->l, "title", s->v.problem.title);
     if (s->content == SHEET_STATISTICS)
         return;
-    put_text(&s->l, "mechanism", fourlink_kind_text((int)s->problem.mechanism.design.kind));
+    put_text(&s->l, "mechanism", s->v.kind.words);
     if (s->content == SHEET_LIST)
         return;
     sheet_write_inputs(s, put_input);
-    for (i = 0; s->content == SHEET_ROWS && i < s->n_columns; i++)
-        put_column(s, &s->columns[i]);
+    for (i = 0; s->content == SHEET_ROWS && i < s->v.n_columns; i++)
+        put_column(s, &s->v.columns[i]);
 }
 
 static void put_fact(sheet *s, const fourlink_value *fact)
@@ -149,8 +161,7 @@ static void put_fact(sheet *s, const fourlink_value *fact)
     if (s->content != SHEET_LIST) {
         put_name(&s->l, "value", 0);
         put_value(&s->l, fact);
-        put_name(&s->l, "theta2", 0);
-        put_number(&s->l, fact->has_angle ? fact->angle : GSL_NAN);
+        put_named_number(&s->l, "theta2", fact->has_angle ? fact->angle : GSL_NAN);
         put_name(&s->l, "branch", 0);
         if (fact->branch)
             put_string(&s->l, fourlink_branch_text(fact->branch));
@@ -171,9 +182,7 @@ static void put_block(sheet *s, fourlink_branch branch)
         put_newline(s);
         line_put(&s->l, "\"branches\":[");
     }
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "branch", 1);
-    put_string(&s->l, fourlink_branch_text((int)branch));
+    begin_object(&s->l, "branch", fourlink_branch_text((int)branch));
     line_put(&s->l, ",\"rows\":[");
     s->list = "branches";
 }
@@ -185,11 +194,9 @@ static void put_row(sheet *s, const sheet_row *row)
     line_text(&s->l, ",", strcmp(s->list, "rows") == 0);
     s->list = "rows";
     put_newline(s);
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "status", 1);
-    put_string(&s->l, row->status);
+    begin_object(&s->l, "status", row->status);
     line_put(&s->l, ",\"values\":");
-    for (i = 0; row->values && i < s->n_columns; i++) {
+    for (i = 0; row->values && i < s->v.n_columns; i++) {
         line_text(&s->l, i ? "," : "[", 1);
         put_number(&s->l, row->values[i]);
     }
@@ -201,15 +208,11 @@ static void put_check(sheet *s, const fourlink_check *c)
     int is_number = !c->words[0] && c->verdict != FOURLINK_NO_VALUE;
 
     put_item(s, "checks");
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "result", 1);
-    put_string(&s->l, sheet_verdicts[c->verdict]);
+    begin_object(&s->l, "result", sheet_verdicts[c->verdict]);
     put_text(&s->l, "file", c->file);
-    put_name(&s->l, "line", 0);
-    put_number(&s->l, (double)c->line);
+    put_named_number(&s->l, "line", (double)c->line);
     put_text(&s->l, "name", c->name);
-    put_name(&s->l, "theta2", 0);
-    put_number(&s->l, c->has_angle ? c->angle : GSL_NAN);
+    put_named_number(&s->l, "theta2", c->has_angle ? c->angle : GSL_NAN);
     put_text(&s->l, "branch", fourlink_branch_text((int)c->branch));
     put_text(&s->l, "unit", c->unit);
     put_text(&s->l, "printed", c->printed_text);
@@ -218,19 +221,12 @@ static void put_check(sheet *s, const fourlink_check *c)
         put_string(&s->l, c->words);
     else
         put_number(&s->l, is_number ? c->computed : GSL_NAN);
-    put_name(&s->l, "tolerance", 0);
-    put_number(&s->l, is_number ? c->tolerance : GSL_NAN);
+    put_named_number(&s->l, "tolerance", is_number ? c->tolerance : GSL_NAN);
     if (c->message[0])
         put_text(&s->l, "message", c->message);
     if (c->hint[0])
         put_text(&s->l, "hint", c->hint);
     line_text(&s->l, "}", 1);
-}
-
-static void put_score(sheet *s, unsigned long score)
-{
-    put_name(&s->l, "score", 0);
-    put_number(&s->l, (double)score);
 }
 
 /* The first line of a sheet of designs describes its variables and outputs. */
@@ -240,9 +236,7 @@ static void begin(sheet *s)
 
     if (s->content != SHEET_DESIGNS)
         return;
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "title", 1);
-    put_string(&s->l, s->problem.title);
+    begin_object(&s->l, "title", s->v.problem.title);
     s->design = 1; /* one line */
     for (i = 0; i < s->n_variables; i++)
         put_column(s, &s->variables[i]);
@@ -273,11 +267,10 @@ static void put_design(sheet *s, fourlink_branch branch, const sheet_output *out
 /* Written instead of a deck, or instead of a design, on a line for each branch. */
 static void refuse(sheet *s, const char *why)
 {
-    fourlink_branch branches[2];
-    int n = s->content == SHEET_DESIGNS ? sheet_branches(s, branches) : 0, i;
+    int n = s->content == SHEET_DESIGNS ? s->v.n_branches : 0, i;
 
     for (i = 0; i < n; i++)
-        put_design(s, branches[i], NULL, why);
+        put_design(s, s->v.branches[i], NULL, why);
     if (n)
         return;
     put_labels(s);
@@ -285,7 +278,7 @@ static void refuse(sheet *s, const char *why)
         put_text(&s->l, "status", why);
     } else {
         put_text(&s->l, "status", "bad deck");
-        put_score(s, 0);
+        put_named_number(&s->l, "score", 0);
         put_text(&s->l, "message", why);
     }
     line_put(&s->l, "}\n");
@@ -300,18 +293,11 @@ static void close_deck(sheet *s)
     if (s->content == SHEET_CHECK) {
         end_list(s);
         score = sheet_score(s, &of);
-        put_score(s, score);
-        put_name(&s->l, "of", 0);
-        put_number(&s->l, (double)of);
+        put_named_number(&s->l, "score", (double)score);
+        put_named_number(&s->l, "of", (double)of);
     }
     line_put(&s->l, is_in_rows ? "]}" : "");
     line_put(&s->l, s->list ? "]}\n" : "}\n");
-}
-
-static void put_named_number(line *l, const char *name, double value)
-{
-    put_name(l, name, 0);
-    put_number(l, value);
 }
 
 static void put_statistic(sheet *s, const sheet_statistic *x)
@@ -320,9 +306,7 @@ static void put_statistic(sheet *s, const sheet_statistic *x)
     int i;
 
     put_item(s, "statistics");
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "name", 1);
-    put_string(&s->l, x->output->name);
+    begin_object(&s->l, "name", x->output->name);
     put_text(&s->l, "unit", x->output->unit);
     put_text(&s->l, "branch", fourlink_branch_text((int)x->branch));
     put_named_number(&s->l, "count", (double)x->count);
@@ -338,9 +322,7 @@ static void put_statistic(sheet *s, const sheet_statistic *x)
 static void put_yield(sheet *s, const sheet_yield *y)
 {
     put_item(s, "yield");
-    line_text(&s->l, "{", 1);
-    put_name(&s->l, "condition", 1);
-    put_string(&s->l, y->condition);
+    begin_object(&s->l, "condition", y->condition);
     put_text(&s->l, "branch", fourlink_branch_text((int)y->branch));
     put_named_number(&s->l, "designs", (double)y->designs);
     put_named_number(&s->l, "passed", (double)y->passed);

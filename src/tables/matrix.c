@@ -14,18 +14,19 @@ static void put_number(line *l, double x, int digits, size_t width)
 /* theta2 = ANGLE UNIT, branch: BRANCH, and the reason if there are no equations. */
 static void put_title(sheet *s, const fourlink_instant *at)
 {
-    line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle, s->angle_unit,
-             fourlink_branch_text((int)at->branch), at->status == FOURLINK_OK ? "" : ": ",
+    line_put(&s->l, "# theta2 = %12g %s, branch: %s%s%s\n", at->row.angle,
+             s->v.units[QUANTITY_ANGLE].name, fourlink_branch_text((int)at->branch),
+             at->status == FOURLINK_OK ? "" : ": ",
              at->status == FOURLINK_OK ? "" : fourlink_status_text(at->status));
 }
 
 static void put_system(sheet *s, const fourlink_instant *at)
 {
-    const fourlink_mechanism *mechanism = &s->problem.mechanism;
+    const fourlink_mechanism *mechanism = &s->v.problem.mechanism;
     double A[9][9], b[9], x[9];
     int i, j;
 
-    fourlink_system(mechanism, &at->state, s->loads, s->problem.n_loads, A, b);
+    fourlink_system(mechanism, &at->state, s->loads, s->v.problem.n_loads, A, b);
     fourlink_unknowns(mechanism, &at->forces, x);
     line_put(&s->l, "# ");
     for (j = 0; j < 9; j++)
@@ -42,17 +43,17 @@ static void put_system(sheet *s, const fourlink_instant *at)
 
 void matrix_write(sheet *s)
 {
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i, blocks = 0;
+    int i, blocks = 0;
     fourlink_instant at;
     unsigned long k;
 
     line_put(&s->l, "# A x = b in SI units: the columns of A under their unknowns, then the "
                     "solution x and the right-hand side b.\n# Rows: for each of the links 2, 3, 4 "
                     "the forces along x, along y, and the moments about the centre of mass.\n");
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < s->problem.n_rows; k++) {
-            int status = fourlink_results_row(s->results, branches[i], k, NULL, &at, s->loads);
+    for (i = 0; i < s->v.n_branches; i++) {
+        for (k = 0; k < s->v.problem.n_rows; k++) {
+            int status =
+                fourlink_results_row(s->v.results, s->v.branches[i], k, NULL, &at, s->loads);
 
             if (sheet_is_over(s, &at))
                 break;
@@ -62,6 +63,6 @@ void matrix_write(sheet *s)
                 put_system(s, &at);
             s->failed += status != FOURLINK_OK;
         }
-        sheet_write_stop(s, branches[i]);
+        sheet_write_stop(s, s->v.branches[i]);
     }
 }

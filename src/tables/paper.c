@@ -49,7 +49,7 @@ static void put_row(sheet *s, const sheet_row *row)
     else if (row->at->status == FOURLINK_OK)
         put_numbers(&s->l, row->at);
     else
-        line_put(&s->l, "# %12g %s, %s: %s", row->at->row.angle, s->angle_unit,
+        line_put(&s->l, "# %12g %s, %s: %s", row->at->row.angle, s->v.units[QUANTITY_ANGLE].name,
                  fourlink_branch_text((int)row->branch), row->status);
     line_put(&s->l, "\n");
 }

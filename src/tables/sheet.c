@@ -15,34 +15,15 @@
 const char *const sheet_verdicts[] = {"ok", "differs", "misprint confirmed", "not a misprint",
                                       "no value"};
 
-int sheet_branches(const sheet *s, fourlink_branch branches[2])
-{
-    int n = 0;
-
-    if (s->problem.open)
-        branches[n++] = FOURLINK_OPEN;
-    if (s->problem.crossed)
-        branches[n++] = FOURLINK_CROSSED;
-    return n;
-}
-
 long sheet_column_under(const sheet *s, unsigned long i)
 {
     unsigned long j;
 
-    for (j = 0; j < s->n_columns; j++)
-        if (strcmp(s->header[i].name, s->columns[j].name) == 0 &&
-            strcmp(s->header[i].unit, s->columns[j].unit) == 0)
+    for (j = 0; j < s->v.n_columns; j++)
+        if (strcmp(s->header[i].name, s->v.columns[j].name) == 0 &&
+            strcmp(s->header[i].unit, s->v.columns[j].unit) == 0)
             return (long)j;
     return -1;
-}
-
-fourlink_unit sheet_unit(const sheet *s, const char *quantity)
-{
-    fourlink_unit u = {"", 1, 1};
-
-    fourlink_deck_unit(fourlink_results_deck(s->results), quantity, &u);
-    return u;
 }
 
 void sheet_write_gap(sheet *s)
@@ -60,8 +41,8 @@ int sheet_is_over(const sheet *s, const fourlink_instant *at)
 {
     double angle;
 
-    return s->problem.mode != FOURLINK_MODE_GIVEN && at->status != FOURLINK_OK &&
-           at->status == fourlink_results_end(s->results, at->branch, &angle);
+    return s->v.problem.mode != FOURLINK_MODE_GIVEN && at->status != FOURLINK_OK &&
+           at->status == fourlink_results_end(s->v.results, at->branch, &angle);
 }
 
 /* Say in a line why an item of --at has no row. */
@@ -90,8 +71,8 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
     at_item item;
     int status;
 
-    while (at_next(s->results, &list, &item, message) == 1) {
-        status = at_find(s->results, &item, branch, &angles, &n);
+    while (at_next(&s->v, &list, &item, message) == 1) {
+        status = at_find(s->v.results, &item, branch, &angles, &n);
         s->out_of_memory |= status == FOURLINK_NO_MEMORY;
         if (status != FOURLINK_OK || n == 0)
             write_missing(s, branch, &item, status);
@@ -103,19 +84,20 @@ void sheet_for_each_at(sheet *s, fourlink_branch branch,
 
 const char *sheet_stop(const sheet *s, fourlink_branch branch, char words[SHEET_STOP_SIZE])
 {
-    int is_given = s->problem.mode == FOURLINK_MODE_GIVEN, status = FOURLINK_OK;
-    double angle = s->range.stop_angle;
+    int is_given = s->v.problem.mode == FOURLINK_MODE_GIVEN, status = FOURLINK_OK;
+    double angle = s->v.range.stop_angle;
     char number[FORMAT_SIZE];
 
     if (!is_given)
-        status = fourlink_results_end(s->results, branch, &angle);
-    if (is_given ? !s->range.stops : status == FOURLINK_OK)
+        status = fourlink_results_end(s->v.results, branch, &angle);
+    if (is_given ? !s->v.range.stops : status == FOURLINK_OK)
         return NULL;
     if (!is_given && status != FOURLINK_STALLS)
         return fourlink_status_text(status);
-    return flk_text_join(
-        words, SHEET_STOP_SIZE, is_given ? "the crank comes to rest at " : "stalls at ",
-        format_general(angle, is_given ? 12 : 6, number), " ", s->angle_unit, (char *)NULL);
+    return flk_text_join(words, SHEET_STOP_SIZE,
+                         is_given ? "the crank comes to rest at " : "stalls at ",
+                         format_general(angle, is_given ? 12 : 6, number), " ",
+                         s->v.units[QUANTITY_ANGLE].name, (char *)NULL);
 }
 
 void sheet_write_stop(sheet *s, fourlink_branch branch)
@@ -150,7 +132,7 @@ void sheet_write_inputs(sheet *s, void (*put)(sheet *s, const fourlink_value *in
     const fourlink_value *inputs;
     unsigned long n, i;
 
-    fourlink_results_list(s->results, FOURLINK_INPUTS, &inputs, &n);
+    fourlink_results_list(s->v.results, FOURLINK_INPUTS, &inputs, &n);
     for (i = 0; i < n; i++)
         put(s, &inputs[i]);
 }

@@ -8,8 +8,8 @@
 #ifndef FOURLINK_SHEET_H
 #define FOURLINK_SHEET_H
 
-#include "fourlink.h"
 #include "line.h"
+#include "view/view.h"
 
 #define SHEET_OUTPUTS 64 /* of a sweep, at most */
 
@@ -42,17 +42,14 @@ typedef struct sheet {
 
     /* the deck, or design, that is being written */
     const char *deck_name; /* null: it is the only one */
-    fourlink_results *results;
-    fourlink_problem problem;
-    fourlink_range range;
-    const char *angle_unit;
-    const fourlink_value *columns, *variables;
-    unsigned long n_columns, n_variables;
+    view v;
+    double *values;       /* of a row */
+    fourlink_load *loads; /* of a row */
+    const fourlink_value *variables;
+    unsigned long n_variables;
     unsigned long design;          /* of a sweep, from 1; 0: not a sweep */
     const double *varied;          /* the values of its variables */
     struct statistics *statistics; /* collects the designs, which are not written; null: none */
-    double *values;                /* of a row */
-    fourlink_load *loads;          /* of a row */
     void *layout;                  /* of the format */
     int page, n_pages;       /* of a table that fits the width, from 0: rows come once for each */
     unsigned long n_written; /* decks or designs */
@@ -132,9 +129,6 @@ typedef struct sheet_format {
 #define SHEET_FORMAT(name) extern const sheet_format name##_format;
 SHEET_FORMATS(SHEET_FORMAT)
 
-/* The branches that the deck asks for; returns their number. */
-int sheet_branches(const sheet *s, fourlink_branch branches[2]);
-
 /* The deck's column that belongs under column i of the header; -1 if there is none. */
 long sheet_column_under(const sheet *s, unsigned long i);
 
@@ -167,9 +161,6 @@ void sheet_write_stop(sheet *s, fourlink_branch branch);
 /* Call a function for each crank angle of s->at on a branch; why there is none is a line where the format is brief. */
 void sheet_for_each_at(sheet *s, fourlink_branch branch,
                        void (*put)(sheet *s, fourlink_branch branch, double angle));
-
-/* The deck's unit of a quantity. */
-fourlink_unit sheet_unit(const sheet *s, const char *quantity);
 
 /* The results of a comparison in words. */
 extern const char *const sheet_verdicts[];

@@ -114,11 +114,10 @@ void statistics_add(sheet *s, fourlink_branch branch, const sheet_output *output
 
 void statistics_refuse(sheet *s)
 {
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    int i;
 
-    for (i = 0; i < n; i++)
-        add_values(s->statistics, branches[i], NULL);
+    for (i = 0; i < s->v.n_branches; i++)
+        add_values(s->statistics, s->v.branches[i], NULL);
 }
 
 /* ------------------------------------------------------------------------------------- results */
@@ -224,7 +223,7 @@ void statistics_write(sheet *s, fourlink_results *results, statistics *x)
 {
     s->content = SHEET_STATISTICS;
     s->statistics = x;
-    s->results = results;
+    view_take(&s->v, results);
     s->design = 0;
     s->n_written = 0;
     s->list = NULL;

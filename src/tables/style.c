@@ -12,49 +12,52 @@
 
 #define SAMPLES 200
 
-/* The largest magnitude of each column, in rows spread evenly over the motion; 0 if it is only rounding
-** compared with other columns of the same quantity. */
-static void find_sizes(sheet *s, style *styles)
+void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles)
 {
-    unsigned long n_rows = s->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
+    unsigned long n_rows = v->problem.n_rows, samples = n_rows < SAMPLES ? n_rows : SAMPLES, k, j;
     double of_quantity[QUANTITY_COUNT] = {0};
-    fourlink_branch branches[2];
-    int n = sheet_branches(s, branches), i;
+    fourlink_instant now;
+    int i;
 
-    for (j = 0; j < s->n_columns; j++)
+    for (j = 0; j < v->n_columns; j++)
         styles[j].size = 0;
-    for (i = 0; i < n; i++)
+    for (i = 0; i < v->n_branches; i++)
         for (k = 0; k < samples; k++) {
             double share = samples > 1 ? (double)k / (double)(samples - 1) : 0;
+            unsigned long row = (unsigned long)(share * (double)(n_rows - 1) + 0.5);
 
-            fourlink_results_row(s->results, branches[i],
-                                 (unsigned long)(share * (double)(n_rows - 1) + 0.5), s->values,
-                                 NULL, NULL);
-            for (j = 0; j < s->n_columns; j++)
-                if (fabs(s->values[j]) > styles[j].size)
-                    styles[j].size = fabs(s->values[j]);
+            if (fourlink_results_row(v->results, v->branches[i], row, values,
+                                     sound > 0 ? &now : NULL, NULL) == FOURLINK_OK &&
+                sound > 0 && now.state.mu < sound)
+                continue;
+            for (j = 0; j < v->n_columns; j++)
+                if (gsl_finite(values[j]))
+                    styles[j].size = GSL_MAX_DBL(styles[j].size, fabs(values[j]));
         }
-    for (j = 0; j < s->n_columns; j++) {
-        double *largest = &of_quantity[flk_quantity_find(s->columns[j].quantity)];
+    for (j = 0; j < v->n_columns; j++) {
+        double *largest = &of_quantity[flk_quantity_find(v->columns[j].quantity)];
 
         *largest = GSL_MAX_DBL(*largest, styles[j].size);
     }
-    for (j = 0; j < s->n_columns; j++)
-        if (styles[j].size <= 1e-12 * of_quantity[flk_quantity_find(s->columns[j].quantity)])
-            styles[j].size = 0;
+    for (j = 0; j < v->n_columns; j++) {
+        double largest = of_quantity[flk_quantity_find(v->columns[j].quantity)];
+
+        if (styles[j].size <= 1e-12 * largest)
+            styles[j].size = has_all ? largest : 0;
+    }
 }
 
 /* The number of decimals that writes every crank angle exactly, if it is small. */
-static int decimals_of_angle(const sheet *s, int otherwise)
+static int decimals_of_angle(const view *v, int is_at, int otherwise)
 {
-    const fourlink_motion *motion = &s->problem.motion;
+    const fourlink_motion *motion = &v->problem.motion;
     double last = motion->from, step = 1;
     fourlink_row row;
     int decimals;
 
-    if (s->problem.by_time || s->at)
+    if (v->problem.by_time || is_at)
         return otherwise;
-    if (!s->range.stops && fourlink_motion_row(motion, &s->range, s->range.n_rows - 1, &row) == 0)
+    if (!v->range.stops && fourlink_motion_row(motion, &v->range, v->range.n_rows - 1, &row) == 0)
         last = row.angle;
     for (decimals = 0; decimals < otherwise; decimals++, step *= 10) {
         double x = motion->from * step, y = last * step, z = motion->interval * step;
@@ -66,13 +69,13 @@ static int decimals_of_angle(const sheet *s, int otherwise)
     return otherwise;
 }
 
-static void find_style(const sheet *s, const fourlink_value *c, style *x)
+static void find_style(const view *v, int is_at, const fourlink_value *c, style *x)
 {
     char number[FORMAT_SIZE];
     size_t width;
 
     x->exponent = x->size > 0 && (x->size < 1e-6 || x->size >= 1e9);
-    x->decimals = s->problem.digits - 1;
+    x->decimals = v->problem.digits - 1;
     if (c->flags & FOURLINK_OF_ROUNDING) {
         x->exponent = 1;
         x->decimals = 1;
@@ -81,7 +84,7 @@ static void find_style(const sheet *s, const fourlink_value *c, style *x)
         if (x->decimals < 0)
             x->decimals = 0;
         if (c->flags & FOURLINK_CRANK_ANGLE)
-            x->decimals = decimals_of_angle(s, x->decimals);
+            x->decimals = decimals_of_angle(v, is_at, x->decimals);
     }
     if (x->exponent)
         width = strlen(format_exponent(-1, x->decimals, number));
@@ -107,11 +110,11 @@ void style_put(line *l, double value, const style *x, size_t width)
     line_right(l, number, (size_t)(style_text(value, x, number) - number), width);
 }
 
-void style_find(sheet *s, style *styles)
+void style_find(const view *v, int is_at, double *values, style *styles)
 {
     unsigned long j;
 
-    find_sizes(s, styles);
-    for (j = 0; j < s->n_columns; j++)
-        find_style(s, &s->columns[j], &styles[j]);
+    style_find_sizes(v, 0, 0, values, styles);
+    for (j = 0; j < v->n_columns; j++)
+        find_style(v, is_at, &v->columns[j], &styles[j]);
 }

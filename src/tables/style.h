@@ -13,14 +13,19 @@ typedef struct style {
     int exponent; /* 1: as 1.2e-16 */
     size_t width;
     double limit; /* numbers below it fit the width, with a sign and a blank */
-    double size;  /* the largest magnitude of the column */
+    double size;  /* the largest finite magnitude of the column */
     int page;     /* from fit_columns */
     int has_extreme;
     fourlink_value extreme; /* the last one found */
 } style;
 
-/* Find the styles of a deck's columns. */
-void style_find(sheet *s, style *styles);
+/* Find the size of each column, in rows spread evenly over the motion that have at least this transmission
+** angle, rad.  That of a column which is only rounding, compared with others of its quantity, is 0, or
+** theirs if all have one. */
+void style_find_sizes(const view *v, double sound, int has_all, double *values, style *styles);
+
+/* Find the styles of a deck's columns; `is_at`: of rows at any crank angles.  `values` is room for a row. */
+void style_find(const view *v, int is_at, double *values, style *styles);
 
 /* Write a number with the decimals of its column; returns its end.  The same right-aligned in a field. */
 char *style_text(double value, const style *x, char out[FORMAT_SIZE]);

@@ -18,7 +18,7 @@
 /* The columns that a number may take: sign, point and exponent beside its digits. */
 static size_t width_of_value(const sheet *s)
 {
-    return (size_t)s->problem.digits + 7;
+    return (size_t)s->v.problem.digits + 7;
 }
 
 static void put_left(sheet *s, const char *words, size_t width)
@@ -34,16 +34,16 @@ static void put_left(sheet *s, const char *words, size_t width)
 static size_t put_value(sheet *s, const fourlink_value *f)
 {
     char number[FORMAT_SIZE];
-    size_t name = strlen(f->name), width = width_of_value(s), unit = strlen(f->unit);
+    size_t name = strlen(f->name), width = width_of_value(s), unit_name = strlen(f->unit);
     size_t excess = name > NAME ? name - NAME : 0;
 
-    format_general(f->value, s->problem.digits, number);
+    format_general(f->value, s->v.problem.digits, number);
     put_left(s, f->name, NAME);
     width = GSL_MAX(width > excess ? width - excess : 0, strlen(number) + 1);
     line_field(&s->l, number, width);
     line_put(&s->l, " ");
     put_left(s, f->unit, UNIT);
-    return NAME + excess + width + 1 + GSL_MAX(unit, UNIT);
+    return NAME + excess + width + 1 + GSL_MAX(unit_name, UNIT);
 }
 
 /* Words follow the name, and end the line. */
@@ -88,7 +88,7 @@ void summary_put_inputs(sheet *s)
     line_put(&s->l, " meaning\n");
     sheet_write_inputs(s, put_input);
     put_heading(s, "# result");
-    line_field(&s->l, strncat(at, s->angle_unit, sizeof at - 4), ANGLE);
+    line_field(&s->l, strncat(at, s->v.units[QUANTITY_ANGLE].name, sizeof at - 4), ANGLE);
     line_put(&s->l, " branch  meaning\n");
 }
 
@@ -103,7 +103,7 @@ void summary_put_fact(sheet *s, const fourlink_value *f)
     }
     used = put_value(s, f) + ANGLE + BRANCH;
     if (f->has_angle)
-        format_general(f->angle, s->problem.digits, angle);
+        format_general(f->angle, s->v.problem.digits, angle);
     line_field(&s->l, angle, ANGLE);
     line_put(&s->l, " ");
     put_left(s, f->branch ? fourlink_branch_text(f->branch) : "", BRANCH - 1);

@@ -15,7 +15,7 @@ static void open_deck(sheet *s)
     if (s->design)
         table_put_design_comment(s);
     if (s->content == SHEET_ROWS) {
-        style_find(s, s->layout);
+        style_find(&s->v, s->at != NULL, s->values, s->layout);
         s->n_pages = fit_columns(s, s->layout);
     }
     table_put_head(s);
@@ -29,9 +29,9 @@ static void put_names(sheet *s, int units)
     unsigned long j, k;
 
     line_put(&s->l, "#");
-    for (k = 0; k < s->n_columns; k++)
+    for (k = 0; k < s->v.n_columns; k++)
         if (fit_has(s, styles, j = fit_column(s, k))) {
-            line_field(&s->l, units ? s->columns[j].unit : s->columns[j].name,
+            line_field(&s->l, units ? s->v.columns[j].unit : s->v.columns[j].name,
                        styles[j].width - hash);
             hash = 0;
         }
@@ -53,9 +53,9 @@ static void block_begins(sheet *s, fourlink_branch branch)
 static void find_extreme(sheet *s, fourlink_branch branch, int which, const fourlink_value *c,
                          style *x)
 {
-    x->has_extreme =
-        !(c->flags & FOURLINK_CRANK_ANGLE) &&
-        fourlink_results_get(s->results, c->handle + which, branch, 0, &x->extreme) == FOURLINK_OK;
+    x->has_extreme = !(c->flags & FOURLINK_CRANK_ANGLE) &&
+                     fourlink_results_get(s->v.results, c->handle + which, branch, 0,
+                                          &x->extreme) == FOURLINK_OK;
 }
 
 /* The field of an extreme, or of its crank angle. */
@@ -80,7 +80,7 @@ static void put_extremes(sheet *s, const char *label, int at_angle)
     unsigned long j, k;
 
     line_put(&s->l, "#");
-    for (k = 0; k < s->n_columns; k++) {
+    for (k = 0; k < s->v.n_columns; k++) {
         if (!fit_has(s, styles, j = fit_column(s, k)))
             continue;
         if (has_lead && k == 0)
@@ -101,9 +101,9 @@ static void block_ends(sheet *s, fourlink_branch branch)
     unsigned long j;
     int which, status;
 
-    if (s->problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
+    if (s->v.problem.n_rows < 2 || s->design) /* a sweep prints max() and min() only on request */
         return;
-    status = sheet_find_extremes(s->results, branch);
+    status = sheet_find_extremes(s->v.results, branch);
     if (status == FOURLINK_LONG_SEARCH) {
         line_put(&s->l, "# max, min: %s\n", fourlink_status_text(status));
         s->failed++;
@@ -111,9 +111,9 @@ static void block_ends(sheet *s, fourlink_branch branch)
     if (status == FOURLINK_LONG_SEARCH || status == FOURLINK_TOO_LONG) /* which is written */
         return;
     for (which = FOURLINK_MAX; which <= FOURLINK_MIN; which++) {
-        for (j = 0; j < s->n_columns; j++)
+        for (j = 0; j < s->v.n_columns; j++)
             if (fit_has(s, styles, j))
-                find_extreme(s, branch, which, &s->columns[j], &styles[j]);
+                find_extreme(s, branch, which, &s->v.columns[j], &styles[j]);
         put_extremes(s, which == FOURLINK_MAX ? "max" : "min", 0);
         put_extremes(s, "", 1);
     }
@@ -136,7 +136,7 @@ static void put_reason(sheet *s, const sheet_row *row)
         line_put(&s->l, "%12g ", row->at->row.angle);
         if (row->last != row->at->row.angle)
             line_put(&s->l, "to %12g ", row->last);
-        line_put(&s->l, "%s: %s", s->angle_unit,
+        line_put(&s->l, "%s: %s", s->v.units[QUANTITY_ANGLE].name,
                  is_not_reached(row->at->status) ? "not reached: " : "");
     }
     if (strncmp(why, cannot, sizeof cannot - 1) == 0)
@@ -150,7 +150,7 @@ static void put_numbers(sheet *s, const double *values)
     const style *styles = s->layout;
     unsigned long k;
 
-    for (k = 0; k < s->n_columns; k++) {
+    for (k = 0; k < s->v.n_columns; k++) {
         unsigned long j = s->n_pages > 1 ? fit_column(s, k) : k;
         const style *x = &styles[j];
 

@@ -10,14 +10,14 @@
 #include "table.h"
 
 /* The text after a value: a blank and the unit, or nothing for a plain number. */
-static const char *blank(const char *unit)
+static const char *blank(const char *name)
 {
-    return strcmp(unit, "1") == 0 ? "" : " ";
+    return strcmp(name, "1") == 0 ? "" : " ";
 }
 
-static const char *unit_after(const char *unit)
+static const char *unit_after(const char *name)
 {
-    return strcmp(unit, "1") == 0 ? "" : unit;
+    return strcmp(name, "1") == 0 ? "" : name;
 }
 
 void table_put_head(sheet *s)
@@ -67,7 +67,7 @@ void table_put_check(sheet *s, const fourlink_check *c)
     else if (c->verdict != FOURLINK_NO_VALUE)
         line_put(&s->l, ", computed %12g%s%s", c->computed, blank(c->unit), unit_after(c->unit));
     if (c->has_angle)
-        line_put(&s->l, " at %9g %s", c->angle, s->angle_unit);
+        line_put(&s->l, " at %9g %s", c->angle, s->v.units[QUANTITY_ANGLE].name);
     line_put(&s->l, c->hint[0] ? ", %s; hint: %s\n" : ", %s\n",
              fourlink_branch_text((int)c->branch), c->hint);
 }
@@ -114,10 +114,10 @@ static void put_types(sheet *s)
 {
     char type[FORMAT_SIZE], number[FORMAT_SIZE];
     size_t used = 0;
-    int i, kind = (int)s->problem.mechanism.design.kind;
+    int i;
 
     for (i = FOURLINK_CRANK_ROCKER; i < FOURLINK_TYPE_END_; i++) {
-        if (!fourlink_has_type(kind, i))
+        if (!fourlink_has_type((int)s->v.kind.kind, i))
             continue;
         flk_text_join(type, sizeof type, " ", format_fixed(i, 0, number), " ",
                       fourlink_type_text(i), (char *)NULL);
@@ -171,7 +171,7 @@ static void put_number(sheet *s, double value)
 {
     char number[FORMAT_SIZE];
 
-    line_field(&s->l, format_general(value, s->problem.digits, number), WIDTH);
+    line_field(&s->l, format_general(value, s->v.problem.digits, number), WIDTH);
 }
 
 void table_put_design(sheet *s, fourlink_branch branch, const sheet_output *outputs,

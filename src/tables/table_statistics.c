@@ -16,14 +16,14 @@
 /* The columns of more digits than usual are as wide as these can be, with sign, point and exponent. */
 static size_t width_of(const sheet *s)
 {
-    return s->problem.digits > USUAL_DIGITS ? (size_t)s->problem.digits + 8 : WIDTH;
+    return s->v.problem.digits > USUAL_DIGITS ? (size_t)s->v.problem.digits + 8 : WIDTH;
 }
 
 /* A number has fewer digits if the column then has room for it, but not fewer than 4; if that is not enough, it
 ** has all, and the line is longer. */
 static void put_number(sheet *s, double value)
 {
-    int all = s->problem.digits, digits = all;
+    int all = s->v.problem.digits, digits = all;
     char number[FORMAT_SIZE];
 
     format_general(value, digits, number);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
 **
-** scene.h - what the interactive drawing consists of, as JSON: links, polygons, forces by the names of their
+** scene_json.h - what the interactive drawing consists of, as JSON: links, polygons, forces by the names of their
 ** tracks.
 */
-#ifndef FOURLINK_SCENE_H
-#define FOURLINK_SCENE_H
+#ifndef FOURLINK_SCENE_JSON_H
+#define FOURLINK_SCENE_JSON_H
 
 #include "rows.h"
 #include "tables/line.h"
@@ -13,6 +13,6 @@
 #define SCENE_ESCAPED "<>&"
 
 /* Write the members of an object, with a comma after the last. */
-void scene_write(line *l, const rows *t);
+void scene_json_write(line *l, const rows *t);
 
 #endif

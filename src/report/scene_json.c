@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** scene_json.c - what the interactive drawing consists of, as JSON.
+*/
+#include "base/text.h"
+#include "scene_json.h"
+#include "tables/json_text.h"
+#include "view/geometry.h"
+#include "view/scene.h"
+
+/* In UTF-8. */
+#define PRIME "\342\200\262"
+#define MINUS "\342\210\222"
+
+/* Put what stands before an entry of a list; `n` counts them. */
+static void put_comma(line *l, int *n)
+{
+    line_put(l, (*n)++ ? ",\n" : "\n");
+}
+
+static void put_string(line *l, const char *s)
+{
+    json_text_put(l, s, SCENE_ESCAPED);
+}
+
+static void put_text(line *l, const char *name, const char *s)
+{
+    line_put(l, ",\"%s\":", name);
+    put_string(l, s);
+}
+
+/* Begin an object with a label: a name, its subscript and its superscript. */
+static void put_label(line *l, const char *name, const char *sub, const char *super)
+{
+    line_put(l, "{\"label\":[");
+    put_string(l, name);
+    line_put(l, ",");
+    put_string(l, sub);
+    line_put(l, ",");
+    put_string(l, super);
+    line_put(l, "]");
+}
+
+/* ------------------------------------------------------------------------------------------------- links */
+
+static void put_link(line *l, const rows *t, int link)
+{
+    const fourlink_joint *ends = &t->v.kind.joint[link - FOURLINK_CRANK];
+    int slides = t->v.kind.slides_on[link], n = 0, on;
+    const char *shape = slides                                            ? "block"
+                        : t->v.kind.has_slot && link == FOURLINK_FOLLOWER ? "slot"
+                                                                          : "bar";
+    unsigned long i;
+    char name[TRACKS_NAME];
+
+    line_put(l, "{\"link\":%lu", (unsigned long)link);
+    put_text(l, "name", t->v.kind.link[link]);
+    put_text(l, "shape", shape);
+    line_put(l, ",\"pins\":[\"%s\"", ends[0].letter);
+    if (!slides)
+        line_put(l, ",\"%s\"", ends[1].letter);
+    line_put(l, "],\"points\":[");
+    for (i = 0; i < t->v.problem.n_points; i++) {
+        fourlink_vector at;
+
+        fourlink_deck_point(t->v.deck, i, NULL, &on, &at);
+        if (on == link)
+            line_put(l, "%s\"%s\"", n++ ? "," : "", tracks_name("P", i, "", name));
+    }
+    line_put(l, "]");
+    if (t->v.design->link[link].mass > 0)
+        line_put(l, ",\"centre\":\"%s\"", tracks_name("G", (unsigned long)link, "", name));
+    line_put(l, "}");
+}
+
+static void put_links(line *l, const rows *t)
+{
+    int link, n = 0;
+
+    line_put(l, "\"links\":[");
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        put_comma(l, &n);
+        put_link(l, t, link);
+    }
+    line_put(l, "],\n");
+}
+
+/* The tracer points, which are the images without a subscript: the track of each and its name. */
+static void put_tracers(line *l, const scene *s)
+{
+    int i, n = 0;
+
+    line_put(l, "\"points\":[");
+    for (i = 0; i < s->n_images; i++) {
+        if (s->images[i].sub[0])
+            continue;
+        put_comma(l, &n);
+        put_label(l, s->images[i].name, "", "");
+        line_put(l, ",\"of\":\"%s\"}", s->images[i].of);
+    }
+    line_put(l, "],\n");
+}
+
+/* A spring: its name and what it is, its pin, or its ends on two links. */
+static void put_springs(line *l, const rows *t)
+{
+    fourlink_spring spring;
+    char name[TRACKS_NAME];
+    const char *words;
+    unsigned long i;
+    int n = 0;
+
+    line_put(l, "\"springs\":[");
+    for (i = 0; i < t->v.problem.n_springs; i++) {
+        fourlink_deck_spring(t->v.deck, i, &words, &spring);
+        put_comma(l, &n);
+        put_label(l, words, "", "");
+        line_put(l, ",\"coil\":%s,\"damper\":%s", scene_has_coil(&spring) ? "true" : "false",
+                 scene_has_damper(&spring) ? "true" : "false");
+        if (spring.is_torsional) {
+            line_put(l, ",\"pin\":\"%s\"}", scene_pin_of(&t->v, &spring));
+            continue;
+        }
+        line_put(l, ",\"ends\":[\"%s\",", tracks_name("K", i, "P", name));
+        line_put(l, "\"%s\"],\"on\":[%lu,%lu]}", tracks_name("K", i, "Q", name),
+                 (unsigned long)spring.link, (unsigned long)spring.to);
+    }
+    line_put(l, "],\n");
+}
+
+/* ---------------------------------------------------------------------------------------------- polygons */
+
+/* Those sides that this mechanism has. */
+static void put_sides(line *l, const rows *t, const scene_side *x)
+{
+    int n = 0;
+
+    line_put(l, ",\"sides\":[");
+    for (; x->name; x++) {
+        if (!rows_find(t, x->of))
+            continue;
+        put_comma(l, &n);
+        put_label(l, x->name, x->sub, x->super);
+        line_put(l, ",\"from\":\"%s\",\"to\":\"%s\",\"of\":\"%s\",\"pen\":%lu}", x->from, x->to,
+                 x->of, (unsigned long)x->link);
+    }
+    line_put(l, "]");
+}
+
+/* The images of the centres of mass and of the tracer points. */
+static void put_images(line *l, const scene *s, const scene_polygon *g)
+{
+    int n = 0, i;
+
+    line_put(l, ",\"images\":[");
+    for (i = 0; i < s->n_images; i++) {
+        put_comma(l, &n);
+        put_label(l, s->images[i].name, s->images[i].sub, *g->mark ? PRIME : "");
+        line_put(l, ",\"of\":\"%s%s\"}", g->of, s->images[i].of);
+    }
+    line_put(l, "]");
+}
+
+static void put_polygon(line *l, const rows *t, const scene *s, const scene_polygon *g)
+{
+    int i;
+
+    line_put(
+        l,
+        "{\"title\":\"%s polygon\",\"quantity\":\"%s\",\"zero\":\"%s\",\"pole\":\"%s\",\"lines\":[",
+        g->title, flk_quantities[g->q].name, g->zero, g->sides[0].from);
+    for (i = 0; i < 2 && g->lines[i][0]; i++)
+        line_put(l, "%s[\"%s\",\"%s\"]", i ? "," : "", g->lines[i][0], g->lines[i][1]);
+    line_put(l, "]");
+    put_sides(l, t, g->sides);
+    put_images(l, s, g);
+    line_put(l, "}");
+}
+
+static void put_polygons(line *l, const rows *t, const scene *s)
+{
+    const scene_polygon *g = scene_polygons(&t->v);
+
+    line_put(l, "\"polygons\":[\n");
+    put_polygon(l, t, s, &g[0]);
+    line_put(l, ",\n");
+    put_polygon(l, t, s, &g[1]);
+    line_put(l, "],\n");
+}
+
+/* ------------------------------------------------------------------------------------------------ forces */
+
+static void put_forces(line *l, const char *name, const scene_force *list, int n_list)
+{
+    static const char *const pens[] = {"pin", "load", "inertia"};
+    int n = 0, i;
+
+    line_put(l, "\"%s\":[", name);
+    for (i = 0; i < n_list; i++) {
+        const scene_force *f = &list[i];
+        int is_minus = f->sort == SCENE_INERTIA;
+        char words[80];
+
+        flk_text_join(words, sizeof words, MINUS, f->name + is_minus, (char *)NULL);
+        put_comma(l, &n);
+        put_label(l, is_minus ? words : f->name, f->sub, "");
+        line_put(l, ",\"of\":\"%s\",\"sign\":%s1,\"at\":\"%s\",\"on\":%lu,\"pen\":\"%s\"%s}", f->of,
+                 f->sign < 0 ? "-" : "", f->at, (unsigned long)f->on, pens[f->sort],
+                 f->is_inner ? ",\"inner\":true" : "");
+    }
+    line_put(l, "],\n");
+}
+
+/* ----------------------------------------------------------------------------------------------- the rest */
+
+static void put_units(line *l, const rows *t)
+{
+    static const quantity used[] = {QUANTITY_LENGTH, QUANTITY_SPEED,  QUANTITY_ACCELERATION,
+                                    QUANTITY_FORCE,  QUANTITY_TORQUE, QUANTITY_ANGLE,
+                                    QUANTITY_TIME};
+    int i;
+
+    line_put(l, "\"units\":{");
+    for (i = 0; i < (int)(sizeof used / sizeof used[0]); i++) {
+        line_put(l, "%s\"%s\":", i ? "," : "", flk_quantities[used[i]].name);
+        put_string(l, t->v.units[used[i]].name);
+    }
+    line_put(l, "},\n");
+}
+
+/* The x axis rises by the angle `turn`, in rad; a drawing is turned by it. */
+static void put_frame(line *l, const rows *t)
+{
+    line_put(l, "\"turn\":");
+    json_text_number(l, geometry_turn(&t->v), 17);
+    line_put(l, ",\"gravity\":%s,\"forced\":%s,\"supports\":[\"A\"%s],\n",
+             geometry_has_weight(&t->v) ? "true" : "false",
+             t->v.problem.has_forces ? "true" : "false", t->v.kind.has_stroke ? "" : ",\"D\"");
+}
+
+void scene_json_write(line *l, const rows *t)
+{
+    scene s;
+
+    scene_find(&s, &t->v);
+    put_units(l, t);
+    put_frame(l, t);
+    put_links(l, t);
+    put_tracers(l, &s);
+    put_springs(l, t);
+    put_polygons(l, t, &s);
+    put_forces(l, "forces", s.forces, s.n_forces);
+    put_forces(l, "torques", s.torques, s.n_torques);
+}

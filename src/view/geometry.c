@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** geometry.c - where the parts of a mechanism are at a position.
+*/
+#include <math.h>
+
+#include "geometry.h"
+
+fourlink_vector geometry_vector(double x, double y)
+{
+    fourlink_vector v;
+
+    v.x = x;
+    v.y = y;
+    return v;
+}
+
+fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at)
+{
+    fourlink_vector place = *at;
+
+    if (link != FOURLINK_GROUND)
+        fourlink_point(state, link, at, &place, NULL, NULL);
+    return place;
+}
+
+fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link)
+{
+    fourlink_vector at = geometry_vector(v->design->link[link].length, 0);
+
+    return geometry_of_link(state, link, &at);
+}
+
+/* Rod and crank are in one line, x^2 + e^2 = (l - r)^2; a crank that does not turn fully has no such
+** position. */
+static double outer_end(const fourlink_mechanism *mechanism)
+{
+    const fourlink_design *d = &mechanism->design;
+    double difference = d->link[FOURLINK_COUPLER].length - d->link[FOURLINK_CRANK].length;
+
+    return difference >= fabs(d->offset)
+               ? sqrt((difference - d->offset) * (difference + d->offset))
+               : mechanism->dead_centre - 2 * d->link[FOURLINK_CRANK].length;
+}
+
+/* A slider is at its ends with the crank at 0 and at 180 deg. */
+void geometry_find_way(const view *v, fourlink_branch branch, double *near, double *far)
+{
+    const fourlink_mechanism *m = v->mechanism;
+    double sum = v->design->link[FOURLINK_CRANK].length + v->design->link[FOURLINK_GROUND].length;
+
+    if (v->kind.has_stroke) {
+        *near = branch * outer_end(m);
+        *far = branch * m->dead_centre;
+        return;
+    }
+    *far = branch * sqrt(fabs((sum - m->h) * (sum + m->h)));
+    *near = m->change_folded ? -*far : m->folded > 0 ? branch * sqrt(m->folded) : 0;
+}
+
+fourlink_vector geometry_on_slide(const fourlink_state *state, double along)
+{
+    const fourlink_vector *u = &state->link[FOURLINK_COUPLER].axis,
+                          *B = &state->link[FOURLINK_COUPLER].origin;
+
+    return geometry_vector(B->x + (along - state->s) * u->x, B->y + (along - state->s) * u->y);
+}
+
+double geometry_root(const view *v)
+{
+    return v->design->link[FOURLINK_FOLLOWER].length * v->mechanism->lever.x;
+}
+
+fourlink_vector geometry_force(const fourlink_load *load, const fourlink_state *state)
+{
+    const fourlink_vector *axis = &state->link[load->link].axis, *F = &load->force;
+
+    if (load->frame == FOURLINK_FRAME_GROUND)
+        return *F;
+    return geometry_vector(F->x * axis->x - F->y * axis->y, F->x * axis->y + F->y * axis->x);
+}
+
+double geometry_turn(const view *v)
+{
+    const fourlink_vector *g = &v->design->gravity;
+    double turn = g->x != 0 || g->y != 0 ? atan2(-g->x, -g->y) : 0;
+
+    return fabs(turn) < 1e-9 ? 0 : turn;
+}
+
+int geometry_has_weight(const view *v)
+{
+    const fourlink_design *d = v->design;
+
+    return (d->gravity.x != 0 || d->gravity.y != 0) &&
+           (d->link[2].mass > 0 || d->link[3].mass > 0 || d->link[4].mass > 0);
+}

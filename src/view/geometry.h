@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** geometry.h - where the parts of a mechanism are at a position, in m, in the frame of link 1.
+*/
+#ifndef FOURLINK_GEOMETRY_H
+#define FOURLINK_GEOMETRY_H
+
+#include "view.h"
+
+fourlink_vector geometry_vector(double x, double y);
+
+/* The place of a point of a link or of the ground, given in the link's own axes. */
+fourlink_vector geometry_of_link(const fourlink_state *state, int link, const fourlink_vector *at);
+
+/* A link's second pin. */
+fourlink_vector geometry_end(const view *v, const fourlink_state *state, int link);
+
+/* The way of what slides on a branch, from its end near the crankshaft or the foot of the perpendicular
+** from D to the other: of a piston, x; of a slider, along its slide from that foot. */
+void geometry_find_way(const view *v, fourlink_branch branch, double *near, double *far);
+
+/* A point of the slide: so far along it from the foot of the perpendicular from D. */
+fourlink_vector geometry_on_slide(const fourlink_state *state, double along);
+
+/* How far along it the lever meets its slide: C, or the foot itself. */
+double geometry_root(const view *v);
+
+/* The force of a load in the frame of link 1, N. */
+fourlink_vector geometry_force(const fourlink_load *load, const fourlink_state *state);
+
+/* The angle by which the x axis rises, rad: drawings are turned by it. */
+double geometry_turn(const view *v);
+
+/* 1 if a link has weight. */
+int geometry_has_weight(const view *v);
+
+#endif

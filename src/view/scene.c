@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** scene.c - what a drawing of a mechanism consists of.
+*/
+#include <string.h>
+
+#include "base/text.h"
+#include "scene.h"
+
+/* In UTF-8. */
+#define ALPHA "\316\261"
+
+/* ------------------------------------------------------------------------------------------ polygons */
+
+/* v_C = v_B + v_CB */
+static const scene_side velocities[] = {{"v", "B", "", "vB", "o", "b", "vB", 2},
+                                        {"v", "C", "", "vC", "o", "c", "vC", 4},
+                                        {"v", "CB", "", "vCB", "b", "c", "vCB", 3},
+                                        {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+
+/* v_B = v_B4 + slide_v u, B4 the point of the lever at B */
+static const scene_side sliding[] = {{"v", "B", "", "vB", "o", "b", "vB", 2},
+                                     {"v", "B4", "", "vB4", "o", "b4", "vB4", 4},
+                                     {"v", "BB4", "", "slide_v", "b4", "b", "vS", 3},
+                                     {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+
+/* a_C = a_B + a_CB^n + a_CB^t,  a^n = -omega^2 r, a^t = alpha x r */
+static const scene_side accelerations[] = {{"a", "B", "n", "aBn", "o'", "_b", "aBn", 2},
+                                           {"a", "B", "t", "aBt", "_b", "b'", "aBt", 2},
+                                           {"a", "CB", "n", "aCBn", "b'", "_c", "aCBn", 3},
+                                           {"a", "CB", "t", "aCBt", "_c", "c'", "aCBt", 3},
+                                           {"a", "C", "n", "aCn", "o'", "_d", "aCn", 4},
+                                           {"a", "C", "t", "aCt", "_d", "c'", "aCt", 4},
+                                           {"a", "C", "", "aC", "o'", "c'", "aC", 4},
+                                           {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+
+/* a_B = a_B4^n + a_B4^t + 2 omega4 x slide_v u + slide_a u */
+static const scene_side coriolis[] = {{"a", "B", "n", "aBn", "o'", "_b", "aBn", 2},
+                                      {"a", "B", "t", "aBt", "_b", "b'", "aBt", 2},
+                                      {"a", "B4", "n", "aB4n", "o'", "_n", "aB4n", 4},
+                                      {"a", "B4", "t", "aB4t", "_n", "b4'", "aB4t", 4},
+                                      {"a", "Cor", "", "coriolis", "b4'", "_k", "aK", 5},
+                                      {"a", "BB4", "", "slide_a", "_k", "b'", "aS", 3},
+                                      {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0}};
+
+#define VELOCITY "Velocity", QUANTITY_SPEED, "all velocities are zero"
+#define ACCELERATION "Acceleration", QUANTITY_ACCELERATION, "all accelerations are zero"
+
+const scene_polygon *scene_polygons(const view *v)
+{
+    static const scene_polygon of_rod[] = {
+        {VELOCITY, velocities, {{NULL, NULL}, {NULL, NULL}}, "", "v"},
+        {ACCELERATION, accelerations, {{"o'", "c'"}, {"b'", "c'"}}, "'", "a"}};
+    static const scene_polygon of_slider[] = {
+        {VELOCITY, sliding, {{NULL, NULL}, {NULL, NULL}}, "", "v"},
+        {ACCELERATION, coriolis, {{"o'", "b'"}, {"o'", "b4'"}}, "'", "a"}};
+
+    return v->kind.has_slot ? of_slider : of_rod;
+}
+
+/* ----------------------------------------------------------------------------------- forces, torques */
+
+enum { JOINT_C = 2, JOINT_D };
+
+/* Add an entry of the sort to a list; returns it. */
+static scene_force *add(scene_force *list, int *n, scene_sort sort, const char *name,
+                        const char *sub, const char *of, int sign, const char *at, int on)
+{
+    scene_force *f = &list[*n < SCENE_FORCES ? (*n)++ : SCENE_FORCES - 1];
+
+    memset(f, 0, sizeof *f);
+    f->sort = sort;
+    f->name = name;
+    strcpy(f->sub, sub);
+    strcpy(f->of, of);
+    f->sign = sign;
+    strcpy(f->at, at);
+    f->on = on;
+    return f;
+}
+
+static void add_pin(scene *s, const char *name, const char *sub, const char *of, int sign,
+                    const char *at, int on)
+{
+    add(s->forces, &s->n_forces, SCENE_PIN, name, sub, of, sign, at, on);
+}
+
+static void add_couple(scene *s, const char *name, const char *sub, const char *of, int sign,
+                       const char *at, int on)
+{
+    add(s->torques, &s->n_torques, SCENE_PIN, name, sub, of, sign, at, on);
+}
+
+static void add_pins(scene *s, const fourlink_kind_facts *kind)
+{
+    const char *C = kind->joint[JOINT_C].letter, *D = kind->joint[JOINT_D].letter;
+
+    add_pin(s, "F", "12", "F12", 1, "A", 2);
+    add_pin(s, "F", "32", "F23", -1, "B", 2);
+    add_pin(s, "F", "23", "F23", 1, "B", 3);
+    add_pin(s, "F", "43", "F34", -1, C, 3);
+    add_pin(s, "F", "34", "F34", 1, C, 4);
+    add_pin(s, kind->has_stroke ? "N" : "F", kind->has_stroke ? "" : "14", "F14", 1, D, 4);
+    add_couple(s, "T", "s", "Ts", 1, "A", 2);
+    if (kind->has_slot) {
+        add_couple(s, "M", "43", "M34", -1, "B", 3);
+        add_couple(s, "M", "34", "M34", 1, "B", 4);
+    }
+    if (kind->has_stroke)
+        add_couple(s, "M", "14", "M14", 1, "C", 4);
+}
+
+static void add_bodies(scene *s, const fourlink_design *design)
+{
+    char at[TRACKS_NAME], of[TRACKS_NAME];
+    int link;
+
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++) {
+        if (design->link[link].mass <= 0)
+            continue;
+        tracks_name("G", (unsigned long)link, "", at);
+        tracks_name("W", (unsigned long)link, "", of);
+        add(s->forces, &s->n_forces, SCENE_LOAD, "W", at + 1, of, 1, at, link);
+        tracks_name("I", (unsigned long)link, "F", of);
+        add(s->forces, &s->n_forces, SCENE_INERTIA, "-m a", at, of, 1, at, link);
+        tracks_name("I", (unsigned long)link, "T", of);
+        if (design->link[link].inertia > 0)
+            add(s->torques, &s->n_torques, SCENE_INERTIA, "-I" ALPHA, at + 1, of, 1, at, link);
+    }
+}
+
+/* Springs are drawn as such; friction acts between links, but for that of a piston in its guide. */
+static int is_inner(const fourlink_kind_facts *kind, const fourlink_load_info *load)
+{
+    if (load->sort == FOURLINK_LOAD_FRICTION)
+        return !(kind->has_stroke && load->element == JOINT_D);
+    return load->sort == FOURLINK_LOAD_SPRING;
+}
+
+/* The friction of a slider on its lever is in F34. */
+static void add_loads(scene *s, const view *v)
+{
+    static const int origins[] = {0, 0, 0, 1, JOINT_D}; /* of the links */
+    char at[TRACKS_NAME], of[TRACKS_NAME];
+    fourlink_load_info load;
+    scene_force *f;
+    unsigned long i;
+
+    for (i = 0; fourlink_deck_load(v->deck, i, &load) == FOURLINK_OK; i++) {
+        int is_friction = load.sort == FOURLINK_LOAD_FRICTION;
+
+        tracks_name("L", i, "", at);
+        tracks_name("L", i, "F", of);
+        if (!(is_friction && v->kind.has_slot && load.element == JOINT_C)) {
+            f = add(s->forces, &s->n_forces, SCENE_LOAD, load.name, "", of, 1, at, load.link);
+            f->is_inner = is_inner(&v->kind, &load);
+            f->load = load.sort;
+        }
+        tracks_name("L", i, "T", of);
+        f = add(s->torques, &s->n_torques, SCENE_LOAD, load.name, "", of, 1,
+                v->kind.joint[origins[load.link]].letter, load.link);
+        f->is_inner = is_friction || is_inner(&v->kind, &load);
+        f->load = load.sort;
+        if (is_friction) {
+            static const char *const joints[] = {"A", "B", "C", "D"};
+
+            f->name = "M";
+            strcpy(f->sub, joints[load.element]);
+            strcpy(f->at, joints[load.element]);
+        }
+    }
+}
+
+static void add_image(scene *s, const char *name, const char *sub, const char *of)
+{
+    scene_image *x = &s->images[s->n_images < SCENE_IMAGES ? s->n_images++ : SCENE_IMAGES - 1];
+
+    x->name = name;
+    strcpy(x->sub, sub);
+    strcpy(x->of, of);
+}
+
+static void add_images(scene *s, const view *v)
+{
+    char of[TRACKS_NAME];
+    fourlink_vector at;
+    const char *name;
+    unsigned long i;
+    int link;
+
+    for (link = FOURLINK_CRANK; link <= FOURLINK_FOLLOWER; link++)
+        if (v->design->link[link].mass > 0) {
+            tracks_name("G", (unsigned long)link, "", of);
+            add_image(s, "g", of + 1, of);
+        }
+    for (i = 0; i < v->problem.n_points; i++) {
+        fourlink_deck_point(v->deck, i, &name, &link, &at);
+        add_image(s, name, "", tracks_name("P", i, "", of));
+    }
+}
+
+void scene_find(scene *s, const view *v)
+{
+    s->n_images = 0;
+    add_images(s, v);
+    s->n_forces = s->n_torques = 0;
+    if (v->problem.has_forces) {
+        add_pins(s, &v->kind);
+        add_bodies(s, v->design);
+    }
+    add_loads(s, v);
+}
+
+char *scene_words(const scene_force *f, char *out, size_t size)
+{
+    static const char *const subscripts[] = {"", "\342\202\201", "\342\202\202", "\342\202\203",
+                                             "\342\202\204"};
+    const char *c;
+
+    flk_text_join(out, size, f->name, (char *)NULL);
+    for (c = f->sub; *c; c++) {
+        char letter[2] = {0, 0};
+
+        letter[0] = *c;
+        if (f->sort != SCENE_INERTIA || *c > '4')
+            flk_text_join(out + strlen(out), size - strlen(out),
+                          *c > '4' ? letter : subscripts[*c - '0'], (char *)NULL);
+    }
+    return out;
+}
+
+/* ------------------------------------------------------------------------------------------- springs */
+
+int scene_has_damper(const fourlink_spring *spring)
+{
+    return spring->damping > 0;
+}
+
+int scene_has_coil(const fourlink_spring *spring)
+{
+    return spring->stiffness != 0 || !scene_has_damper(spring);
+}
+
+const char *scene_pin_of(const view *v, const fourlink_spring *spring)
+{
+    static const int pins[5][5] = {
+        {0, 0, 0, 0, 0}, {0, 0, 0, 1, 3}, {0, 0, 0, 1, 3}, {0, 1, 1, 0, 2}, {0, 3, 3, 2, 0}};
+
+    return v->kind.joint[pins[spring->link][spring->to]].letter;
+}

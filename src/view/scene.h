@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** scene.h - what a drawing of a mechanism consists of: polygons, forces and torques, by the names of their
+** tracks.
+**
+** gnuplot draws it at one instant, the script of a report over the motion.
+*/
+#ifndef FOURLINK_SCENE_H
+#define FOURLINK_SCENE_H
+
+#include "tracks.h"
+
+/* ------------------------------------------------------------------------------------------ polygons */
+
+/* A side from one corner to another; corners whose names begin with _ have no letter. */
+typedef struct scene_side {
+    const char *name, *sub, *super; /* v_CB, a_B^n */
+    const char *column;             /* its name in words */
+    const char *from, *to, *of;
+    int link; /* whose vector it is; 5: of none */
+} scene_side;
+
+enum { SCENE_SIDES = 8 }; /* at most */
+
+typedef struct scene_polygon {
+    const char *title; /* without "polygon" */
+    quantity q;
+    const char *zero; /* if all sides are 0 */
+    const scene_side
+        *sides; /* the last has no name; those without a track are not of this mechanism */
+    const char *lines[2][2]; /* from corner to corner; null: none */
+    const char *mark, *of; /* on the letters of the images, and the first letter of their tracks */
+} scene_polygon;
+
+/* Those of velocities and of accelerations. */
+const scene_polygon *scene_polygons(const view *v);
+
+/* ----------------------------------------------------------------------------------- forces, torques */
+
+/* What a force or a torque is. */
+typedef enum scene_sort { SCENE_PIN, SCENE_LOAD, SCENE_INERTIA } scene_sort;
+
+/* A force, or a torque, on a link. */
+typedef struct scene_force {
+    const char *name; /* F_12, - m a_G2; that of a load is the deck's */
+    char sub[TRACKS_NAME];
+    char of[TRACKS_NAME], at[TRACKS_NAME]; /* tracks of its values and of its place */
+    int sign;                              /* -1: a reaction to them */
+    int on;                                /* the link */
+    scene_sort sort;
+    int is_inner; /* 1: it is not in the drawing of the whole mechanism */
+    int load;     /* FOURLINK_LOAD_OWN ...; 0: none */
+} scene_force;
+
+/* The image of a centre of mass, g_2, or of a tracer point in a polygon. */
+typedef struct scene_image {
+    const char *name;
+    char sub[2];
+    char of[TRACKS_NAME]; /* its track, without the first letter of the polygon */
+} scene_image;
+
+enum { SCENE_FORCES = 64, SCENE_IMAGES = 28 };
+
+typedef struct scene {
+    scene_image images[SCENE_IMAGES];
+    int n_images;
+    scene_force forces[SCENE_FORCES], torques[SCENE_FORCES];
+    int n_forces, n_torques;
+} scene;
+
+/* The scene of a deck with at most so many loads and points as a drawing shows. */
+void scene_find(scene *s, const view *v);
+
+/* Its name in words: F and its links as subscripts; -m aG, without the link. */
+char *scene_words(const scene_force *f, char *out, size_t size);
+
+/* ------------------------------------------------------------------------------------------- springs */
+
+/* 1 for a spring that has a coil, or a damper; it has one of them at least. */
+int scene_has_coil(const fourlink_spring *spring);
+int scene_has_damper(const fourlink_spring *spring);
+
+/* The letter of the pin at which a torsional spring is: that of its links, or of the ground and one of
+** them. */
+const char *scene_pin_of(const view *v, const fourlink_spring *spring);
+
+#endif

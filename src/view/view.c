@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** view.c - what of a deck is to be shown.
+*/
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_math.h>
+
+#include "view.h"
+
+/* The last crank angle of a motion, in its unit. */
+static double end_of(const fourlink_motion *motion, const fourlink_range *range)
+{
+    fourlink_row last;
+
+    fourlink_motion_row(motion, range, range->n_rows - 1, &last);
+    return range->stops ? range->stop_angle : last.angle;
+}
+
+void view_take(view *v, fourlink_results *results)
+{
+    int q;
+
+    memset(v, 0, sizeof *v);
+    v->results = results;
+    v->deck = fourlink_results_deck(results);
+    fourlink_deck_problem(v->deck, &v->problem);
+    v->mechanism = &v->problem.mechanism;
+    v->design = &v->mechanism->design;
+    fourlink_kind_of((int)v->design->kind, &v->kind);
+    if (v->problem.open)
+        v->branches[v->n_branches++] = FOURLINK_OPEN;
+    if (v->problem.crossed)
+        v->branches[v->n_branches++] = FOURLINK_CROSSED;
+    fourlink_motion_range(&v->problem.motion, &v->range);
+    v->end = end_of(&v->problem.motion, &v->range);
+    v->range.n_rows = v->problem.n_rows;
+    for (q = 0; q < QUANTITY_COUNT; q++)
+        fourlink_deck_unit(v->deck, flk_quantities[q].name, &v->units[q]);
+    fourlink_results_list(results, FOURLINK_COLUMNS, &v->columns, &v->n_columns);
+}
+
+int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
+                int n, fourlink_results **results, fourlink_mistake *mistake)
+{
+    fourlink_change *changes = malloc((source->n_changes + 2) * sizeof *changes);
+    fourlink_source other = *source;
+    int status, i;
+
+    if (!changes)
+        return FOURLINK_NO_MEMORY;
+    if (source->n_changes)
+        memcpy(changes, source->changes, source->n_changes * sizeof *changes);
+    for (i = 0; i < n; i++) {
+        changes[other.n_changes].origin = origin;
+        changes[other.n_changes++].assignment = further[i];
+    }
+    other.changes = changes;
+    other.whole_cycle = 1;
+    status = fourlink_results_open(&other, 1, results, mistake, NULL);
+    free(changes);
+    return status;
+}
+
+int view_read(const view *v, quantity q, text value, text words, double *number,
+              char message[MESSAGE_SIZE])
+{
+    quantity_value read;
+    unit own;
+
+    own.up = v->units[q].up;
+    own.down = v->units[q].down;
+    own.dim = flk_quantities[q].dim;
+    if (!flk_quantity_read(value, words, q, own, &read, message))
+        return 0;
+    *number = flk_unit_from_si(read.si, own);
+    return 1;
+}
+
+int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+                       fourlink_instant *now, fourlink_load *loads)
+{
+    double from = v->problem.motion.from, usual = from + (v->end - from) / 6;
+    unsigned long i;
+    int first, status;
+
+    first = v->problem.by_time && !angle
+                ? fourlink_results_row(v->results, branch, v->range.n_rows / 6, NULL, now, loads)
+                : fourlink_results_at(v->results, branch, angle ? *angle : usual, NULL, now, loads);
+    status = first;
+    for (i = 0; status != FOURLINK_OK && !angle && i < v->range.n_rows; i++)
+        status = fourlink_results_row(v->results, branch, i, NULL, now, loads);
+    return status == FOURLINK_OK ? FOURLINK_OK : first;
+}
+
+unsigned long view_count_missing(const view *v, unsigned long *of, const char **why)
+{
+    unsigned long missing = 0, k;
+    fourlink_instant now;
+    int i, status;
+
+    *why = "";
+    for (i = 0; i < v->n_branches; i++)
+        for (k = 0; k < v->range.n_rows; k++) {
+            status = fourlink_results_row(v->results, v->branches[i], k, NULL, &now, NULL);
+            missing += status != FOURLINK_OK;
+            *why = status != FOURLINK_OK && !**why ? fourlink_status_text(status) : *why;
+        }
+    *of = (unsigned long)v->n_branches * v->range.n_rows;
+    return missing;
+}
+
+int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word)
+{
+    memset(mistake, 0, sizeof *mistake);
+    flk_text_join(mistake->file, sizeof mistake->file, place, (char *)NULL);
+    flk_text_join(mistake->message, sizeof mistake->message, why, word, (char *)NULL);
+    return 0;
+}
+
+double view_value(const view *v, quantity q, double si)
+{
+    return si * v->units[q].down / v->units[q].up;
+}
+
+double view_si(const view *v, quantity q, double value)
+{
+    return value * v->units[q].up / v->units[q].down;
+}
+
+double view_torque_rounding(const view *v, const fourlink_forces *forces)
+{
+    if (v->problem.mode == FOURLINK_MODE_GIVEN)
+        return 0;
+    return 1e-12 * v->design->link[FOURLINK_CRANK].length * gsl_hypot(forces->F12x, forces->F12y);
+}
+
+double view_driving_torque(const view *v, const fourlink_forces *forces)
+{
+    return fabs(forces->Ts) < view_torque_rounding(v, forces) ? 0 : forces->Ts;
+}

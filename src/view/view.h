@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+**
+** view.h - what of a deck is to be shown: its branches, columns, units, and what its kind of mechanism has.
+**
+** Tables, pictures, report and page take a deck's results once, as a view.
+*/
+#ifndef FOURLINK_VIEW_H
+#define FOURLINK_VIEW_H
+
+#include "base/quantity.h"
+#include "fourlink.h"
+
+/* Not to be copied: it points into itself. */
+typedef struct view {
+    fourlink_results *results;
+    const fourlink_deck *deck;
+    fourlink_problem problem;
+    const fourlink_mechanism *mechanism; /* of the problem */
+    const fourlink_design *design;
+    fourlink_kind_facts kind;
+    fourlink_branch branches[2]; /* that the deck asks for */
+    int n_branches;
+    fourlink_range range; /* by time, with the number of its rows */
+    double end;           /* the last crank angle of the motion, in the deck's unit */
+    fourlink_unit units[QUANTITY_COUNT];
+    const fourlink_value *columns; /* of its table */
+    unsigned long n_columns;
+} view;
+
+/* Take the results of a deck, which stay the caller's. */
+void view_take(view *v, fourlink_results *results);
+
+/* Open the deck of a source with so many further assignments, at most 2, and with one instant as a whole
+** cycle; `origin` is named in messages.  A status, as from fourlink_results_open, and the first mistake. */
+int view_reopen(const fourlink_source *source, const char *origin, const char *const *further,
+                int n, fourlink_results **results, fourlink_mistake *mistake);
+
+/* Read a value in the deck's unit of its quantity, or in one that follows it; 0 and a message, which is
+** about `words`. */
+int view_read(const view *v, quantity q, text value, text words, double *number,
+              char message[MESSAGE_SIZE]);
+
+/* The position to show on a branch: at a crank angle, or if that is null after a sixth of the motion,
+** otherwise at the first row at which the linkage can be assembled.  `loads` may be null.  Returns a
+** status. */
+int view_find_position(const view *v, fourlink_branch branch, const double *angle,
+                       fourlink_instant *now, fourlink_load *loads);
+
+/* The number of rows that cannot be computed, and why, "" for none; of how many on the branches. */
+unsigned long view_count_missing(const view *v, unsigned long *of, const char **why);
+
+/* Refuse a request, such as an option: returns 0, for the caller to return, and the reason. */
+int view_refuse(fourlink_mistake *mistake, const char *place, const char *why, const char *word);
+
+/* A value in the deck's unit of its quantity, and in SI units. */
+double view_value(const view *v, quantity q, double si);
+double view_si(const view *v, quantity q, double value);
+
+/* N m: smaller torques are rounding, in a motion that is not given; there without motor and flywheel Ts is
+** 0. */
+double view_torque_rounding(const view *v, const fourlink_forces *forces);
+
+/* N m, Ts, or 0 if it is rounding. */
+double view_driving_torque(const view *v, const fourlink_forces *forces);
+
+#endif
