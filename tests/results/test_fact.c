@@ -67,6 +67,14 @@ TEST(test_reach_of_link_4)
                 find_fact(&list, "theta4_min", FOURLINK_OPEN)->value, 1e-11);
     assert_near(find_fact(&list, "theta4_to", FOURLINK_CROSSED)->value,
                 find_fact(&list, "theta4_max", FOURLINK_CROSSED)->value, 1e-11);
+    /* a branch has its own range only */
+    assert_int_equal(fourlink_results_facts(list.results, FOURLINK_CROSSED, FOURLINK_FACTS_LIMITS,
+                                            &list.list, &list.n),
+                     FOURLINK_OK);
+    for (n_from = 0, i = 0; i < list.n; i++)
+        n_from += strcmp(list.list[i].name, "theta4_from") == 0;
+    assert_int_equal(n_from, 1);
+    assert_near(turned(value_of(&list, "theta4_from", FOURLINK_CROSSED), 360), -high, 1e-11);
     /* of a double rocker none does */
     facts_of(four_bar(0.066, 0.020, 0.056, 0.080, ""), &list);
     n_from = 0;

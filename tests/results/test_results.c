@@ -303,35 +303,21 @@ TEST(test_lists_that_are_not_there)
     fourlink_results_free(r);
 }
 
-/* The inputs of a deck in its units, each with the value that the deck gives it. */
-TEST(test_inputs)
+typedef struct input {
+    const char *name;
+    double value;
+    const char *unit, *words;
+} input;
+
+/* The deck has these inputs in its units, each with the value that the deck gives it. */
+static void check_inputs(const char *deck, const input *inputs, size_t n_inputs)
 {
-    static const char deck[] =
-        "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
-        "[crank]\nlength = 15 cm\n[rod]\nlength = 450\nmass = 2 kg\ncg = 150\n[piston]\n"
-        "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
-        "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
-        "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
-    static const struct {
-        const char *name;
-        double value;
-        const char *unit, *words;
-    } inputs[] = {{"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
-                  {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
-                  {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
-                  {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
-                  {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
-                  {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
-                  {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
-                  {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
-                  {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
-                  {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
     fourlink_results *r = opened(deck);
     const fourlink_value *list, *again;
     unsigned long n, i;
 
     assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
-    for (i = 0; i < n && i < COUNT(inputs); i++) {
+    for (i = 0; i < n && i < n_inputs; i++) {
         assert_string_equal(list[i].name, inputs[i].name);
         assert_string_equal(list[i].unit, inputs[i].unit);
         assert_near(list[i].value, inputs[i].value, 1e-14 * fabs(inputs[i].value));
@@ -340,10 +326,85 @@ TEST(test_inputs)
             assert_string_equal(list[i].words, inputs[i].words);
         assert_true(*list[i].meaning && list[i].source);
     }
-    assert_int_equal(n, COUNT(inputs));
+    assert_int_equal(n, n_inputs);
     assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &again, &n), FOURLINK_OK);
-    assert_true(again == list && n == COUNT(inputs)); /* once and for all */
+    assert_true(again == list && n == n_inputs); /* once and for all */
     fourlink_results_free(r);
+}
+
+TEST(test_inputs)
+{
+    static const char deck[] =
+        "mechanism = slider-crank\n[units]\nlength = mm\nmass = g\nangular_speed = rpm\n"
+        "[crank]\nlength = 15 cm\n[rod]\nlength = 450\nmass = 2 kg\ncg = 150\n[piston]\n"
+        "mass = 2.5 kg\n[ground]\noffset = -3 mm\n[gas]\nbore = 200 mm\nindicator = 0 deg 2 bar, "
+        "90 deg 1 bar\n[load push]\nlink = piston\nforce = (3, 0) N\nfrom = 10 deg\nto = 50 deg\n"
+        "[motion]\nspeed = 300\ninterval = 10 deg\n[flywheel]\nfluctuation = 0.02\n";
+    static const input inputs[] = {
+        {"crank.length", 150, "mm", NULL},   {"rod.length", 450, "mm", NULL},
+        {"rod.mass", 2000, "g", NULL},       {"rod.cg.x", 150, "mm", NULL},
+        {"piston.mass", 2500, "g", NULL},    {"ground.offset", -3, "mm", NULL},
+        {"gravity.x", 0, "m/s2", NULL},      {"gravity.y", -9.81, "m/s2", NULL},
+        {"motion.speed", 300, "rpm", NULL},  {"motion.from", 0, "deg", NULL},
+        {"motion.to", 360, "deg", NULL},     {"motion.interval", 10, "deg", NULL},
+        {"motion.cycle", 360, "deg", NULL},  {"load push.link", 0, "", "piston"},
+        {"load push.force.x", 3, "N", NULL}, {"load push.from", 10, "deg", NULL},
+        {"load push.to", 50, "deg", NULL},   {"gas.area", 1e4 * PI, "mm2", NULL},
+        {"gas.indicator", 0, "", "a curve"}, {"flywheel.fluctuation", 0.02, "1", NULL}};
+
+    check_inputs(deck, inputs, COUNT(inputs));
+}
+
+TEST(test_inputs_of_springs_friction_and_motor)
+{
+    static const char deck[] =
+        "mechanism = four-bar\n[units]\nlength = mm\n[ground]\nlength = 80\n[crank]\nlength = 20\n"
+        "[coupler]\nlength = 66\n[rocker]\nlength = 56\n[motion]\nmode = steady\n"
+        "[motor]\nstall_torque = 9 N m\nno_load_speed = 90 rad/s\nratio = 5\ninertia = 2 kg m2\n"
+        "[load F]\nlink = rocker\ntorque = -2 N m\nover = omega4\nat_speed = 3 rad/s\n"
+        "exponent = 2\n"
+        "[spring S]\nlink = rocker\nat = (40, 10)\nto = ground\nto_at = (100, 90)\n"
+        "stiffness = 2 N/mm\nfree_length = 7 cm\npreload = 3 N\ndamping = 5 N s/m\nonly = pulls\n"
+        "[spring T]\nlink = rocker\nto = crank\nstiffness = 1.5 N m/rad\nfree_angle = 100 deg\n"
+        "[friction]\nA = 0.75\nradius_A = 15\n";
+    static const input inputs[] = {{"ground.length", 80, "mm", NULL},
+                                   {"crank.length", 20, "mm", NULL},
+                                   {"coupler.length", 66, "mm", NULL},
+                                   {"rocker.length", 56, "mm", NULL},
+                                   {"gravity.x", 0, "m/s2", NULL},
+                                   {"gravity.y", -9.81, "m/s2", NULL},
+                                   {"motion.mode", 0, "", "steady"},
+                                   {"motion.from", 0, "deg", NULL},
+                                   {"motion.to", 360, "deg", NULL},
+                                   {"motion.interval", 10, "deg", NULL},
+                                   {"motion.cycle", 360, "deg", NULL},
+                                   {"motor.stall_torque", 9, "N.m", NULL},
+                                   {"motor.no_load_speed", 90, "rad/s", NULL},
+                                   {"motor.inertia", 2, "kg.m2", NULL},
+                                   {"motor.ratio", 5, "1", NULL},
+                                   {"load F.link", 0, "", "rocker"},
+                                   {"load F.torque", -2, "N.m", NULL},
+                                   {"load F.over", 0, "", "omega4"},
+                                   {"load F.at_speed", 3, "rad/s", NULL},
+                                   {"load F.exponent", 2, "1", NULL},
+                                   {"spring S.link", 0, "", "rocker"},
+                                   {"spring S.at.x", 40, "mm", NULL},
+                                   {"spring S.at.y", 10, "mm", NULL},
+                                   {"spring S.to", 0, "", "ground"},
+                                   {"spring S.to_at.x", 100, "mm", NULL},
+                                   {"spring S.to_at.y", 90, "mm", NULL},
+                                   {"spring S.stiffness", 2000, "N/m", NULL},
+                                   {"spring S.free_length", 70, "mm", NULL},
+                                   {"spring S.preload", 3, "N", NULL},
+                                   {"spring S.damping", 5, "N.s/m", NULL},
+                                   {"spring S.only", 0, "", "pulls"},
+                                   {"spring T.link", 0, "", "rocker"},
+                                   {"spring T.to", 0, "", "crank"},
+                                   {"spring T.stiffness", 1.5, "N.m/rad", NULL},
+                                   {"spring T.free_angle", 100, "deg", NULL},
+                                   {"friction.circle_A", 11.25, "mm", NULL}};
+
+    check_inputs(deck, inputs, COUNT(inputs));
 }
 
 /* ---------------------------------------------------------------------------------------------

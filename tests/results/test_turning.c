@@ -558,6 +558,41 @@ TEST(test_no_turning_moment)
     check_no_turning_moment(four_bar(0.3, 0.4, 0.5, 0.6 * (1 + 1e-9), good));
 }
 
+/* A cycle has at least a degree, rounded, and at most 100,000. */
+TEST(test_cycles_without_turning_moment)
+{
+    const char *load_ = "[load]\nlink = crank\ntorque = 5 N m\n[motion]\nspeed = 10 rad/s\n";
+    static fact_list list;
+
+    check_no_turning_moment(four_bar(0.020, 0.066, 0.056, 0.080,
+                                     print("%sinterval = 0.1 deg\ncycle = 0.4 deg\n", load_)));
+    check_no_turning_moment(
+        four_bar(0.020, 0.066, 0.056, 0.080, print("%scycle = 100080 deg\n", load_)));
+    facts_of(four_bar(0.020, 0.066, 0.056, 0.080,
+                      print("%sinterval = 0.1 deg\ncycle = 0.6 deg\n", load_)),
+             &list);
+    check_fact(&list, "mean_torque", FOURLINK_OPEN, 5, 5e-9);
+}
+
+/* A torque of 1 N m drives the crank; friction in A, with at least the crank's weight on it, takes more. */
+TEST(test_load_that_cannot_drive)
+{
+    static fact_list list;
+    double turns;
+
+    for (turns = 1; turns >= -1; turns -= 2) {
+        facts_of(print("mechanism = slider-crank\n[crank]\nlength = 50 mm\nmass = 100 kg\n"
+                       "cg = 0 mm\n[rod]\nlength = 200 mm\n[load]\nlink = crank\n"
+                       "torque = %g N m\n[friction]\nA = 0.1\nradius_A = 20 mm\n"
+                       "[motion]\nspeed = %g rad/s\n",
+                       turns, 3 * turns),
+                 &list);
+        /* 981 N on a friction circle of 2 mm */
+        check_fact(&list, "mean_torque", FOURLINK_OPEN, turns * (1 - 1.962), 1e-6);
+        check_fact(&list, "efficiency_cycle", FOURLINK_OPEN, 0, 0);
+    }
+}
+
 /* The areas of a cycle add up to nothing, and the greatest sum of some that follow each other is the
 ** fluctuation; the deck's facts are those of the turning moment. */
 TEST(test_areas_add_up_to_the_fluctuation)
