@@ -101,9 +101,8 @@ static void search_turn(crossings *k, const sample *a, const sample *b, const sa
     flk_sample p[3], top;
     sample near;
 
-    if (gsl_isnan(a->off) || gsl_isnan(b->off) || gsl_isnan(c->off) || turns_over(k, a, b) ||
-        turns_over(k, b, c) || sign * a->off < 0 || sign * c->off < 0 ||
-        !(fabs(b->off) < fabs(a->off)) || fabs(b->off) > fabs(c->off))
+    if (sign * a->off < 0 || sign * c->off < 0 || !(fabs(b->off) < fabs(a->off)) ||
+        !(fabs(b->off) <= fabs(c->off))) /* or one of them is NaN */
         return;
     k->side = sign;
     p[0].x = a->s;

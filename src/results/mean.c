@@ -42,6 +42,7 @@ typedef struct means {
     int poles;       /* UP, DOWN */
     int halvings;
     moments total, here; /* before, and since an angle started anew */
+    moments opening;     /* until it did so first */
     double size[3];      /* integrals of magnitudes so far */
 } means;
 
@@ -100,6 +101,8 @@ static void repeat(moments *m, double n, double by)
 
 static void start_anew(means *m, double value)
 {
+    if (!m->t.restarts)
+        m->opening = m->here;
     add(&m->total, &m->here);
     memset(&m->here, 0, sizeof m->here);
     m->t.restarts |= !gsl_isnan(m->t.last);
@@ -191,8 +194,8 @@ static void integrate_piece(means *m)
         integrate(m, i / n, (i + 1) / n, NULL);
 }
 
-/* Of a motion that repeats, the first period counts for all that are skipped.  Angles have turned as often in
-** each of them; time and the crank angle go on. */
+/* Of a motion that repeats, the first period counts for all that are skipped.  Angles turn as often in each of them;
+** time and the crank angle go on.  An angle that starts anew in each period goes on until then from the period before. */
 static void count_skipped(means *m)
 {
     const flk_follower *x = &m->x;
@@ -203,9 +206,20 @@ static void count_skipped(means *m)
         flk_follow_row(x, 0, 0, &from);
         flk_follow_row(x, 0, x->motion.period, &to);
         by = flk_column_value(m->t.c, &to) - flk_column_value(m->t.c, &from);
-    } else if (m->t.turn > 0 && !m->t.restarts && !gsl_isnan(m->t.first + m->t.last))
+    } else if (m->t.turn > 0 && !gsl_isnan(m->t.first + m->t.last)) {
         by = flk_followed_turns(&m->t, m->t.first, m->t.last);
+    }
     repeat(&m->total, n, 0);
+    if (m->t.restarts) {
+        moments later = m->opening;
+
+        shift(&later, by);
+        repeat(&later, n - 1, 0);
+        repeat(&m->opening, 1 - n, 0);
+        add(&m->total, &later);
+        add(&m->total, &m->opening);
+        by = 0;
+    }
     repeat(&m->here, n, by);
     m->t.last += by * (n - 1);
 }
