@@ -201,20 +201,16 @@ static int is_asked(const deck *d, int branch, int called)
     return called ? branch == called : branch == FOURLINK_OPEN ? d->open : d->crossed;
 }
 
-/* The branch of one of two ranges of link 4, if the crank turns fully: each range belongs to one of them. */
-static int branch_of_rocker(const fourlink_mechanism *mechanism, double from, double to)
+/* The branch of one of two ranges of link 4; 0 if both have it.  The rocker of a crank-rocker does not reach the line of
+** the ground: on the open branch it is above it. */
+static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
 {
-    fourlink_reach reach;
-    fourlink_state state;
-    double passed;
+    fourlink_type type = FOURLINK_TYPE_END_;
 
-    fourlink_reach_of(mechanism, &reach);
-    if (reach.n_ranges != 1 || reach.to[0] - reach.from[0] < 2 * M_PI * (1 - 1e-15) ||
-        fourlink_position(mechanism, FOURLINK_OPEN, M_PI_2, &state) != FOURLINK_OK)
+    fourlink_type_of(mechanism, &type);
+    if (type != FOURLINK_CRANK_ROCKER)
         return 0;
-    passed = state.link[FOURLINK_FOLLOWER].theta - from;
-    passed -= 2 * M_PI * floor(passed / (2 * M_PI));
-    return passed < to - from ? FOURLINK_OPEN : FOURLINK_CROSSED;
+    return sin(theta4) > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 }
 
 /* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
@@ -233,8 +229,8 @@ static void add_reach_of_rocker(listing *t, int branch)
     fourlink_reach_of(&mechanism, &reach);
     for (i = 0; i < reach.n_ranges; i++) {
         if (reach.n_ranges == 2)
-            t->branch = branch_of_rocker(&t->d->machine.mechanism, M_PI - reach.to[i],
-                                         M_PI - reach.from[i]);
+            t->branch = branch_of_range(&t->d->machine.mechanism,
+                                        M_PI - 0.5 * (reach.from[i] + reach.to[i]));
         if (!is_asked(t->d, t->branch, branch))
             continue;
         add(t, FACT_THETA4_FROM, M_PI - reach.to[i]);
