@@ -407,6 +407,34 @@ TEST(test_inputs_of_springs_friction_and_motor)
     check_inputs(deck, inputs, COUNT(inputs));
 }
 
+/* Forty springs with all that a spring can have. */
+TEST(test_inputs_of_many_springs)
+{
+    enum { SPRINGS = 40, OF_EACH = 11 };
+    static char deck[SPRINGS * 200 + 400];
+    const fourlink_value *list;
+    fourlink_results *r;
+    unsigned long n, i;
+
+    strcpy(deck, linkage(""));
+    for (i = 1; i <= SPRINGS; i++)
+        sprintf(deck + strlen(deck),
+                "[spring S%lu]\nlink = crank\nat = (1, 2) mm\nto = ground\nto_at = (3, 4) m\n"
+                "stiffness = 5 N/m\nfree_length = 6 m\npreload = 7 N\ndamping = %lu N s/m\n"
+                "only = pulls\n",
+                i, i);
+    r = opened(deck);
+    assert_int_equal(fourlink_results_list(r, FOURLINK_INPUTS, &list, &n), FOURLINK_OK);
+    assert_true(n > SPRINGS * OF_EACH);
+    for (i = 0; i < n; i++)
+        if (strcmp(list[i].name, "spring S1.link") == 0)
+            break;
+    assert_int_equal(n - i, SPRINGS * OF_EACH);
+    assert_string_equal(list[n - 2].name, "spring S40.damping");
+    assert_near(list[n - 2].value, 40, 0);
+    fourlink_results_free(r);
+}
+
 /* ---------------------------------------------------------------------------------------------
 ** Rows
 ** ------------------------------------------------------------------------------------------- */
@@ -667,6 +695,10 @@ TEST(test_groups_of_facts)
             assert_true(v.value == list[j].value && v.angle == list[j].angle);
             assert_string_equal(v.unit, list[j].unit);
         }
+        assert_int_equal(fourlink_results_facts(r, 0, FOURLINK_FACTS_EXTREMES, &list, &n),
+                         FOURLINK_OK);
+        for (j = 1; j < n; j++) /* the open branch first */
+            assert_true(list[j].branch <= list[j - 1].branch);
         assert_int_equal(fourlink_results_facts(r, 0, 0, &list, &n), FOURLINK_OK);
         assert_int_equal(n, 0);
         n = 77;
