@@ -11,8 +11,8 @@
 #include "expected.h"
 #include "fact.h"
 
-/* Of more values than people write, an unknown name is reported without a similar one, so that a large file does
-** not take long. */
+/* Beyond so many values, more than people write, an unknown name is reported without a similar name, so
+** that a large file does not take long. */
 #define HINTED 1000
 
 /* Report a name that is neither a column nor a fact. */
@@ -43,8 +43,8 @@ static const char *find_nearest(fourlink_results *r, const deck_expectation *e, 
     return flk_column_nearest(&r->a, e->name);
 }
 
-/* Find what a name means; the first of r->facts are those of this name, such as the ends of two ranges.
-** Returns 0 and a message if the deck has none. */
+/* Find what a name means.  The facts of this name, such as the ends of two ranges, come first in
+** r->facts.  Returns 0 and a message if the deck has none. */
 static int find_name(fourlink_results *r, const deck_expectation *e, fourlink_check *c, flk_name *n,
                      unsigned long *n_facts)
 {

@@ -9,8 +9,7 @@
 
 typedef struct flk_extreme {
     int is_there; /* 0: the linkage cannot be assembled at any angle of the motion */
-    double
-        value; /* in the column's unit; infinite: unbounded, such as a speed at a dead position */
+    double value; /* in the column's unit; infinite at a pole */
     double angle; /* crank angle at which it occurs, in the deck's unit of angle */
 } flk_extreme;
 
@@ -21,24 +20,24 @@ typedef struct flk_extreme_pair {
     int status; /* FOURLINK_OK; FOURLINK_LONG_SEARCH, FOURLINK_TOO_LONG: they are not known */
 } flk_extreme_pair;
 
-/* The extremes that a deck asks for.  The first that is wanted is found alone, unless all are wanted or they are few; with the second all
-** are found, in one search. */
+/* The extremes that a deck asks for.  The first one wanted is found alone, unless all are wanted or there
+** are few.  With the second, all are found in one search. */
 typedef struct flk_extremes {
-    flk_extreme_pair *pairs[2]; /* open, crossed; behind them one for any other column */
+    flk_extreme_pair *pairs[2]; /* open, crossed; the last one is for any other column */
     size_t n;
     int is_together;  /* 1: all are wanted */
-    int has_other[2]; /* 1: that is known; */
-    int is_begun[2];  /* 1: one of the n has been found so, */
-    int is_known[2];  /* ... all have */
+    int has_other[2]; /* 1: the extremes of that column are known */
+    int is_begun[2];  /* 1: one of the n has been found alone */
+    int is_known[2];  /* 1: all n are known */
     flk_samples_room room;
     struct flk_bests *bests; /* of each column, in a search */
 } flk_extremes;
 
-/* Take the memory for at most so many columns, and give it back.  0 when out of memory. */
+/* Allocate memory for at most so many columns, and free it.  0 when out of memory. */
 int flk_extremes_open(flk_extremes *x, size_t most);
 void flk_extremes_close(flk_extremes *x);
 
-/* Ask for the extremes of a column, before the first of all is found. */
+/* Ask for the extremes of a column; to be called before flk_extremes_of. */
 void flk_extremes_ask(flk_extremes *x, const flk_column *c);
 
 /* The extremes of any column; valid until the next call. */

@@ -100,7 +100,7 @@ static const char *meaning_of(const deck *d, fact_code code)
     return fact_table[code].meaning;
 }
 
-/* A handle and a fact: each of the other. */
+/* The handle of a fact, or the fact of a handle. */
 #define OTHER(i) (-1 - (int)(i))
 
 int flk_fact_find(text name)
@@ -193,7 +193,7 @@ static void add_reach(listing *t)
     }
 }
 
-/* 1 if a branch, 0 for both, is among those of a call of flk_fact_list. */
+/* 1 if flk_fact_list, asked for the branch `called`, lists this one; each 0 for both. */
 static int is_asked(const deck *d, int branch, int called)
 {
     if (branch == 0)
@@ -213,8 +213,8 @@ static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
     return sin(theta4) > 0 ? FOURLINK_OPEN : FOURLINK_CROSSED;
 }
 
-/* The angles that link 4 can have, if all joints are pins.  By symmetry it is the crank, with the angle 180 deg - theta4, of the
-** linkage read from D to A. */
+/* The angles that link 4 can have if all joints are pins.  Read from D to A, the linkage has link 4 as its
+** crank, at the angle 180 deg - theta4. */
 static void add_reach_of_rocker(listing *t, int branch)
 {
     fourlink_design mirrored = t->d->design;
@@ -312,7 +312,7 @@ static int end_of_motion(flk_analysis *a, fourlink_branch branch)
     return f ? f->status : FOURLINK_OK;
 }
 
-/* 1 if the motion of a deck, as it is asked for, can have a fact. */
+/* 1 if the kind of motion that a deck asks for can have a fact. */
 static int is_of_motion(const deck *d, int i)
 {
     switch (i) {
@@ -407,13 +407,13 @@ static void add_turning(listing *t, flk_analysis *a)
     add(t, FACT_ENERGY_FLUCTUATION, m->energy_fluctuation);
     if (m->has_coefficient)
         add(t, FACT_ENERGY_COEFFICIENT, m->energy_coefficient);
-    if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: it fluctuates less without one */
+    if (m->inertia > 0 || t->d->flywheel_fluctuation > 0) /* 0: no flywheel is needed */
         add(t, FACT_FLYWHEEL_INERTIA, m->inertia);
     if ((actual ? actual->inertia : m->inertia) > 0)
         add(t, FACT_FLYWHEEL_FLUCTUATION, m->fluctuation);
 }
 
-/* What is defined for this motion. */
+/* Add a fact if it is defined for this motion. */
 static void add_if(listing *t, fact_code code, double si)
 {
     if (gsl_finite(si))

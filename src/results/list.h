@@ -13,11 +13,11 @@ typedef struct flk_list {
     unsigned long n;
 } flk_list;
 
-/* The handle of a variable, and behind all of them of an input.  Those of facts are between these and 0,
-** those of columns greater than 0. */
+/* The handles of variables, followed by those of inputs.  Handles of facts lie between these and 0;
+** handles of columns are positive. */
 #define FLK_LIST_HANDLE(i) (-1000 - (int)(i))
 
-/* A value of a deck without its name and number; of a column, with its name. */
+/* Describe a value of a deck without its name and number; a column with its name. */
 void flk_list_describe(const deck *d, quantity q, const char *meaning, fourlink_value *v);
 void flk_list_column(const deck *d, const flk_column *c, fourlink_value *v);
 

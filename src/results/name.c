@@ -12,7 +12,7 @@
 #include "fact.h"
 #include "name.h"
 
-/* Find the variable or input of this name, or with a handle that of this handle. */
+/* Find the variable or input of n->handle or, if that is 0, of this name. */
 static void find_given(fourlink_results *r, text name, flk_name *n)
 {
     static const int which[] = {FOURLINK_VARIABLES, FOURLINK_INPUTS};

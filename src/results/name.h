@@ -19,15 +19,15 @@ typedef struct flk_name {
     flk_name_kind kind;
     int handle;              /* for fourlink_results_get; 0: unknown */
     text of;                 /* the name, or that of the column of a statistic */
-    flk_statistic statistic; /* FLK_NONE: of no statistic */
-    flk_column c;            /* a column, or that of a statistic */
+    flk_statistic statistic; /* FLK_NONE: not a statistic */
+    flk_column c;            /* the column, or that of the statistic */
     const fourlink_value *given;
 } flk_name;
 
-/* What a name means.  An unknown one has a statistic and `of` too. */
+/* Find what a name means.  An unknown one has a statistic and `of` too. */
 void flk_name_find(fourlink_results *r, text name, flk_name *n);
 
-/* What a handle stands for in this design; `of` is empty. */
+/* Find what a handle stands for in this design; `of` is empty. */
 void flk_name_of_handle(fourlink_results *r, int handle, flk_name *n);
 
 /* Describe what a name means, without its value; all 0 if it is unknown. */
