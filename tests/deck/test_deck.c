@@ -216,6 +216,7 @@ static const mistaken all_mistaken[] = {
     {FOUR_BAR "mass = nan kg\n", 10, "'nan kg' is not a finite number"},
     {FOUR_BAR "mass = 1e999 kg\n", 10, "'1e999 kg' is not a finite number"},
     {FOUR_BAR "mass = 0x10 kg\n", 10, "'0x10 kg' is not a decimal number"},
+    {FOUR_BAR "[table]\ndigits = 18\n", 11, "digits must be 1 to 17, not 18"},
     {FOUR_BAR "mass = 1e31 kg\n", 10, "'1e31 kg' is out of range"},
     {FOUR_BAR "mass = 1e300 t\n", 10, "'1e300 t' is out of range"},
     {FOUR_BAR "[motion]\nspeed = 25 Hz\n", 11, "'25 Hz' is not an angular speed, such as 1000 rpm"},
@@ -238,6 +239,8 @@ static const mistaken all_mistaken[] = {
      "the length must be positive, not 0"},
     {"mechanism = slider-crank\n[rod]\nlength = 1e-16 m\n[crank]\nlength = 1 m\n", 3,
      "'1e-16 m' is out of range"},
+    {"mechanism = slider-crank\n[rod]\nlength = 1.01e15 m\n[crank]\nlength = 1 m\n", 3,
+     "'1.01e15 m' is out of range"},
     {FOUR_BAR "mass = -1 g\n", 10, "the mass must not be negative: -1 g"},
     {FOUR_BAR "inertia = -1 kg m2\n", 10, "the inertia must not be negative: -1 kg m2"},
     {FOUR_BAR "mass = 1 kg\ngyration = -1 mm\n", 11, "the gyration must not be negative: -1 mm"},
@@ -752,6 +755,17 @@ TEST(test_defaults)
     flk_deck_free(&d);
     read_good(FOUR_BAR "mass = 1 g\n", &d);
     assert_int_equal(d.has_forces, 1);
+    flk_deck_free(&d);
+}
+
+/* The smallest and the largest length are in range. */
+TEST(test_range_of_lengths)
+{
+    deck d;
+
+    read_good("mechanism = slider-crank\n[rod]\nlength = 1e15 m\n[crank]\nlength = 1e-15 m\n", &d);
+    assert_true(d.design.link[3].length == FOURLINK_LENGTH_MAX);
+    assert_true(d.design.link[2].length == FOURLINK_LENGTH_MIN);
     flk_deck_free(&d);
 }
 

@@ -38,6 +38,21 @@ TEST(test_full_turns)
     check(fast, FOURLINK_OPEN, "min(F23_dir)", -142.085310157, 1e-6);
 }
 
+/* Where both cranks turn fully an angle gains a turn in each period, of which most are skipped. */
+TEST(test_many_turns)
+{
+    static const char deck[] = "mechanism = four-bar\n[ground]\nlength = 30 mm\n[crank]\n"
+                               "length = 60 mm\n[coupler]\nlength = 70 mm\n[rocker]\n"
+                               "length = 65 mm\n[motion]\nspeed = 10 rad/s\nto = 7200 deg\n"
+                               "[table]\ncolumns = theta4\n";
+    fourlink_results *r = opened(deck);
+    double first = value_at(r, "theta4", 0);
+
+    assert_near(value_at(r, "min(theta4)", 0), first, 1e-9);
+    assert_near(value_at(r, "max(theta4)", 0), first + 7200, 1e-9);
+    fourlink_results_free(r);
+}
+
 /* The corners of a load move no direction that has nothing to do with it. */
 TEST(test_corners)
 {
