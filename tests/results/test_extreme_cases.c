@@ -53,6 +53,21 @@ TEST(test_many_turns)
     fourlink_results_free(r);
 }
 
+/* A hundred thousand periods have the extremes and the mean of one. */
+TEST(test_many_periods)
+{
+    static const char *const names[] = {"max(F12)", "min(Ts)", "mean(F12)", "rms(Ts)"};
+    fourlink_results *one = opened(CRANK_ROCKER "speed = 10.5 rad/s\n");
+    fourlink_results *many = opened(ROCKER "[motion]\nspeed = 10.5 rad/s\nto = 36000000 deg\n"
+                                           "interval = 3600 deg\n");
+    size_t i;
+
+    for (i = 0; i < COUNT(names); i++)
+        assert_close(value_at(many, names[i], 0), value_at(one, names[i], 0), 1e-9);
+    fourlink_results_free(one);
+    fourlink_results_free(many);
+}
+
 /* The corners of a load move no direction that has nothing to do with it. */
 TEST(test_corners)
 {
