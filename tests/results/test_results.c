@@ -264,6 +264,20 @@ TEST(test_designs)
     }
 }
 
+/* Of 5001 designs the first 2501 have no length above 0: after a thousand each fifth is tried. */
+TEST(test_any_of_many_designs)
+{
+    fourlink_source source =
+        deck_source(linkage("[sweep]\ncrank.length = -100 mm to 100 mm in 5001\n"));
+    fourlink_results *r = NULL;
+
+    source.design = FOURLINK_ANY_DESIGN;
+    assert_int_equal(fourlink_results_open(&source, 0, &r, NULL, NULL), FOURLINK_OK);
+    assert_int_equal(problem_of(r).n_designs, 5001);
+    assert_int_equal(problem_of(r).design, 2505);
+    fourlink_results_free(r);
+}
+
 /* None of the designs is in order: the mistakes are those of the first. */
 TEST(test_no_design_in_order)
 {
@@ -513,6 +527,38 @@ static void check_rows(const char *contents)
                 if (status != FOURLINK_OK)
                     assert_int_equal(!isnan(values[j]), list[j].flags & FOURLINK_OF_CRANK);
         }
+    fourlink_results_free(r);
+}
+
+/* A position of a deck is that of its rows, with all loads. */
+TEST(test_deck_analyse)
+{
+    fourlink_results *r =
+        opened(linkage("[spring S]\nlink = rocker\nat = 20 mm\nto = ground\nto_at = (50, 90) "
+                       "mm\nstiffness = 2 N/mm\n"
+                       "damping = 3 N s/m\n[friction]\nA = 0.1\nradius_A = 5 mm\n"));
+    const fourlink_deck *d = fourlink_results_deck(r);
+    fourlink_load loads[MOST_LOADS], own_loads[MOST_LOADS];
+    fourlink_losses losses;
+    fourlink_forces forces;
+    fourlink_state state;
+    fourlink_instant x;
+    double gas = 7;
+
+    assert_true(problem_of(r).n_loads <= MOST_LOADS);
+    assert_int_equal(fourlink_results_row(r, FOURLINK_OPEN, 3, NULL, &x, loads), FOURLINK_OK);
+    assert_int_equal(fourlink_deck_analyse(d, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           &forces, &losses, &gas),
+                     FOURLINK_OK);
+    assert_close(forces.Ts, x.forces.Ts, 1e-12);
+    assert_close(losses.Ts0, x.losses.Ts0, 1e-12);
+    assert_true(losses.power > 0 && gas == 0);
+    assert_int_equal(fourlink_deck_analyse(d, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           NULL, &losses, &gas),
+                     FOURLINK_NULL);
+    assert_int_equal(fourlink_deck_analyse(NULL, FOURLINK_OPEN, &x.row.crank, 0, own_loads, &state,
+                                           &forces, &losses, &gas),
+                     FOURLINK_NULL);
     fourlink_results_free(r);
 }
 
