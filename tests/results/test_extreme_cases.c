@@ -80,19 +80,58 @@ TEST(test_corners)
 }
 
 /* The force in a massless coupler has its direction, also where that ends: at a dead position coupler and rocker are in
-** one line, from B to D. */
+** one line, from B to D.  Its size does not matter. */
 TEST(test_direction_at_dead_position)
 {
-    static const char deck[] =
-        "mechanism = four-bar\n[crank]\nlength = 0.3\n[coupler]\nlength = 0.4\n[rocker]\n"
-        "length = 0.5\n[ground]\nlength = 0.75\n[load]\nlink = rocker\ntorque = 1 N m\n"
-        "[motion]\nspeed = 2 rad/s\nto = 150 deg\n";
+    static const char *const torques[] = {"1 N m", "1e6 N m", "1e-6 N m"};
     double dead = acos((0.3 * 0.3 + 0.75 * 0.75 - 0.9 * 0.9) / (2 * 0.3 * 0.75));
     double line = atan2(-0.3 * sin(dead), 0.75 - 0.3 * cos(dead)) * 180 / PI;
+    size_t i;
 
-    check(deck, FOURLINK_OPEN, "min(theta3)", line, 1e-9);
-    check(deck, FOURLINK_OPEN, "min(F34_dir)", line, 1e-9);
-    check(deck, FOURLINK_CROSSED, "max(F34_dir)", line + 180, 1e-9);
+    for (i = 0; i < COUNT(torques); i++) {
+        char *deck =
+            print("mechanism = four-bar\n[crank]\nlength = 0.3\n[coupler]\nlength = 0.4\n"
+                  "[rocker]\nlength = 0.5\n[ground]\nlength = 0.75\n[load]\nlink = rocker\n"
+                  "torque = %s\n[motion]\nspeed = 2 rad/s\nto = 150 deg\n",
+                  torques[i]);
+
+        check(deck, FOURLINK_OPEN, "min(theta3)", line, 1e-9);
+        check(deck, FOURLINK_OPEN, "min(F34_dir)", line, 1e-9);
+        check(deck, FOURLINK_CROSSED, "max(F34_dir)", line + 180, 1e-9);
+    }
+}
+
+/* Eight differences of rows h apart, less that of rows 2 h apart: the slope of a column, times 12 h, but for h^5. */
+static double slope_at(fourlink_results *r, const char *name, fourlink_branch branch, double angle)
+{
+    const double h = 0.04;
+
+    return 8 * (named(r, name, branch, angle + h).value - named(r, name, branch, angle - h).value) -
+           (named(r, name, branch, angle + 2 * h).value -
+            named(r, name, branch, angle - 2 * h).value);
+}
+
+/* The place of a flat extreme is where the slope is 0, by bisection. */
+TEST(test_place_of_a_flat_extreme)
+{
+    fourlink_results *r = opened(
+        "mechanism = four-bar\n[crank]\nlength = 0.314\nmass = 1 kg\nuniform = yes\n[coupler]\n"
+        "length = 0.873\nmass = 2 kg\nuniform = yes\n[rocker]\nlength = 1.049\nmass = 1 kg\n"
+        "uniform = yes\n[ground]\nlength = 0.816\n[motion]\nspeed = 1 rad/s\nfrom = -1 deg\n"
+        "to = 359 deg\n");
+    fourlink_value least = named(r, "min(Fs)", FOURLINK_CROSSED, 0);
+    double low = least.angle - 0.01, high = least.angle + 0.01;
+
+    while (high - low > 1e-9) {
+        double middle = (low + high) / 2;
+
+        if (slope_at(r, "Fs", FOURLINK_CROSSED, middle) < 0)
+            low = middle;
+        else
+            high = middle;
+    }
+    assert_near(least.angle, low, 5e-7);
+    fourlink_results_free(r);
 }
 
 /* With a rod as long as the crank x = 2 a cos(theta2): at 90 deg the piston's acceleration turns over. */
