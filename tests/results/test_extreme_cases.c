@@ -68,6 +68,22 @@ TEST(test_many_periods)
     fourlink_results_free(many);
 }
 
+/* The extremes of a measure of rounding are those of rows as they are printed. */
+TEST(test_measures_of_rounding)
+{
+    static const char *const names[] = {"residual", "superposition"};
+    fourlink_results *r = opened(CRANK_ROCKER "speed = 10.5 rad/s\n");
+    size_t i;
+
+    for (i = 0; i < COUNT(names); i++) {
+        fourlink_value most = named(r, print("max(%s)", names[i]), FOURLINK_OPEN, 0);
+
+        assert_true(most.value > 0);
+        assert_true(value_at(r, names[i], most.angle) == most.value);
+    }
+    fourlink_results_free(r);
+}
+
 /* The corners of a load move no direction that has nothing to do with it. */
 TEST(test_corners)
 {
