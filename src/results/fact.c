@@ -201,8 +201,8 @@ static int is_asked(const deck *d, int branch, int called)
     return called ? branch == called : branch == FOURLINK_OPEN ? d->open : d->crossed;
 }
 
-/* The branch of one of two ranges of link 4; 0 if both have it.  The rocker of a crank-rocker does not reach the line of
-** the ground: on the open branch it is above it. */
+/* The branch of one of two ranges of link 4; 0 if both have it.  The rocker of a crank-rocker never comes
+** into the line of the ground: on the open branch it is above that line. */
 static int branch_of_range(const fourlink_mechanism *mechanism, double theta4)
 {
     fourlink_type type = FOURLINK_TYPE_END_;

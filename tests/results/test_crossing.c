@@ -99,7 +99,8 @@ TEST(test_against_scan)
             check_scan(load, columns[i], shares[j]);
 }
 
-/* Beside a change point a force turns by more than half a turn within a tenth of a degree: a scan in steps of 0.001 deg. */
+/* Beside a change point a force turns by more than half a turn within a tenth of a degree.  The angles are those of a
+** scan in steps of 0.001 deg. */
 TEST(test_direction_beside_change_point)
 {
     fourlink_results *r =

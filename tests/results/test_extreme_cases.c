@@ -117,7 +117,7 @@ TEST(test_direction_at_dead_position)
     }
 }
 
-/* Eight differences of rows h apart, less that of rows 2 h apart: the slope of a column, times 12 h, but for h^5. */
+/* 12 h times the slope of a column, with an error of h^5. */
 static double slope_at(fourlink_results *r, const char *name, fourlink_branch branch, double angle)
 {
     const double h = 0.04;

@@ -283,8 +283,8 @@ TEST(test_nothing_to_integrate)
     assert_memory_equal(&v, &before, sizeof v);
 }
 
-/* The force m (a_G - g) of a crank with r omega^2 = g vanishes once in a turn.  Its direction turns by half a turn until
-** then, and starts anew.  Each segment has a slope of 1/2 over its angles. */
+/* The force m (a_G - g) of a crank with r omega^2 = g vanishes once in a turn.  Until then its direction turns by half
+** a turn; then it starts anew.  Each segment has a slope of 1/2 over its angles. */
 TEST(test_direction_that_starts_anew)
 {
     static const int turns[] = {1, 2, 3, 4, 20};

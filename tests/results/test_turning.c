@@ -558,8 +558,8 @@ TEST(test_no_turning_moment)
     check_no_turning_moment(four_bar(0.3, 0.4, 0.5, 0.6 * (1 + 1e-9), good));
 }
 
-/* Just beside a change point at 0 deg the moment has a peak of some tenths of a degree.  Without weights the energy that
-** fluctuates is the kinetic energy of coupler and rocker, two uniform bars. */
+/* Just beside a change point at 0 deg the moment has a peak of some tenths of a degree.  Without weights the
+** energy that fluctuates is the kinetic energy of coupler and rocker, two uniform bars. */
 TEST(test_energy_beside_change_point)
 {
     static fact_list list;
