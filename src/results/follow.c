@@ -22,7 +22,6 @@ static void skip_periods(flk_follower *f)
 {
     f->motion.period =
         flk_crank_motion_repeats(&f->a->crank_motion) ? f->a->crank_motion.period : GSL_POSINF;
-    f->skipped = 0;
     if (f->motion.length < 3 * f->motion.period)
         return;
     f->skipped = f->motion.period * (floor(f->motion.length / f->motion.period) - 2);

@@ -746,6 +746,10 @@ TEST(test_defaults)
     assert_true(d.motion.from == 30 && d.motion.to == 750);
     assert_int_equal(d.one_revolution, 0);
     flk_deck_free(&d);
+    /* the shortest cycle is one interval */
+    read_good(FOUR_BAR "[motion]\nspeed = 5 rad/s\ncycle = 10 deg\ninterval = 10 deg\n", &d);
+    assert_close(d.machine.cycle, 10 * DEG, 1e-15);
+    flk_deck_free(&d);
     read_good(FOUR_BAR "[motion]\nacceleration = -5 rad/s2\n", &d);
     assert_true(d.motion.to == -360);
     flk_deck_free(&d);
